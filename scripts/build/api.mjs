@@ -1,0 +1,24 @@
+// The package's TypeScript API, compiled from src/js into dist with its types.
+import { existsSync, readdirSync, rmSync } from "node:fs";
+import { inRoot } from "../paths.mjs";
+import { must } from "../process.mjs";
+import { digest, stamp, stamped } from "../stamp.mjs";
+
+const made = ".setup/api-made-from";
+
+export async function buildApi() {
+  const sources = digest([
+    "src/js",
+    "tsconfig.json",
+    "tsconfig.base.json",
+    "package-lock.json",
+    "dist/wasm/nurbs_hausdorff.d.ts",
+  ]);
+  if (stamped(made, sources) && existsSync(inRoot("dist/index.js"))) return "unchanged";
+  for (const name of readdirSync(inRoot("dist"))) {
+    if (name !== "wasm") rmSync(inRoot("dist", name), { recursive: true });
+  }
+  await must("tsc", ["--project", "tsconfig.json"]);
+  stamp(made, sources);
+  return "built";
+}

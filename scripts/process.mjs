@@ -1,0 +1,122 @@
+// Running programs: loudly, quietly, or to look at what they say.
+import { spawn, spawnSync } from "node:child_process";
+import { accessSync, constants } from "node:fs";
+import { homedir } from "node:os";
+import { delimiter, join } from "node:path";
+import { inRoot, root } from "./paths.mjs";
+
+/** A failure whose message is all that the user needs. */
+export class Failure extends Error {
+  /** What the program said that failed. */
+  output = "";
+}
+
+/** The first program of that name on PATH, or undefined. */
+export function which(name, path = searchPath()) {
+  for (const folder of path.split(delimiter)) {
+    const file = join(folder, name);
+    try {
+      accessSync(file, constants.X_OK);
+      return file;
+    } catch {}
+  }
+  return undefined;
+}
+
+// The npm packages' programs come first: wasm-opt must be binaryen's from npm
+// (Debian's old one exits 0 and corrupts the module). rustup's folder comes
+// last, for shells that have not read its environment file.
+function searchPath(first = []) {
+  return [
+    ...first,
+    inRoot("node_modules", ".bin"),
+    process.env.PATH ?? "",
+    join(process.env.CARGO_HOME || join(homedir(), ".cargo"), "bin"),
+  ].join(delimiter);
+}
+
+/** The environment of every program run from here. */
+export function environment({ path = [], ...more } = {}) {
+  return { ...process.env, ...more, PATH: searchPath(path) };
+}
+
+/** What a short program prints, or undefined when it fails or is missing. */
+export function ask(program, args, options = {}) {
+  const done = spawnSync(program, args, {
+    cwd: root,
+    env: environment(),
+    encoding: "utf8",
+    stdio: ["ignore", "pipe", "ignore"],
+    ...options,
+  });
+  return done.status === 0 ? done.stdout : undefined;
+}
+
+const running = new Set();
+
+function endAll(signal) {
+  for (const child of running) {
+    try {
+      process.kill(-child.pid, signal);
+    } catch {}
+  }
+}
+for (const [signal, status] of [
+  ["SIGINT", 130],
+  ["SIGTERM", 143],
+  ["SIGHUP", 129],
+]) {
+  process.on(signal, () => {
+    endAll("SIGTERM");
+    process.exit(status);
+  });
+}
+
+/**
+ * Runs a program to its end, showing what it says, and resolves to
+ * `{ ok, output, why }`. Each gets a process group of its own, so that one
+ * which hangs (`minutes`) goes with everything it started.
+ */
+export function run(program, args, { env = environment(), cwd = root, minutes = 20 } = {}) {
+  return new Promise((resolve) => {
+    const child = spawn(program, args, {
+      cwd,
+      env,
+      detached: true,
+      stdio: ["ignore", "pipe", "pipe"],
+    });
+    running.add(child);
+    let output = "";
+    let why;
+    for (const [from, to] of [
+      [child.stdout, process.stdout],
+      [child.stderr, process.stderr],
+    ]) {
+      from.setEncoding("utf8");
+      from.on("data", (text) => {
+        output += text;
+        to.write(text);
+      });
+    }
+    const limit = setTimeout(() => {
+      why = `stopped after ${minutes} minutes`;
+      process.kill(-child.pid, "SIGKILL");
+    }, minutes * 60_000);
+    const end = (reason) => {
+      clearTimeout(limit);
+      running.delete(child);
+      resolve({ ok: reason === undefined, output, why: reason });
+    };
+    child.on("error", (error) => end(`${program}: ${error.message}`));
+    child.on("close", (status, signal) =>
+      end(why ?? (status === 0 ? undefined : `${program} ended with ${signal ?? status}`)),
+    );
+  });
+}
+
+/** Runs a program to its end and throws unless it succeeded. */
+export async function must(program, args, options) {
+  const { ok, output, why } = await run(program, args, options);
+  if (!ok) throw Object.assign(new Failure(why), { output });
+  return output;
+}

@@ -1,0 +1,77 @@
+// Programs that come from the system's packages. What counts is that the
+// program is there, so other distributions pass once it has been installed.
+import { readdirSync, readFileSync } from "node:fs";
+import { ask, Failure, must, which } from "../process.mjs";
+
+const hasLavapipe = () => {
+  try {
+    return readdirSync("/usr/share/vulkan/icd.d").some((name) => name.startsWith("lvp_icd"));
+  } catch {
+    return false;
+  }
+};
+
+/** What compiling Rust needs. */
+export const compiler = [
+  { packages: ["gcc", "libc6-dev"], what: "a C compiler and linker (cc)", present: () => which("cc") },
+];
+
+/** What the tests need besides: a browser, its driver, a software Vulkan. */
+export const browser = [
+  { packages: ["chromium"], what: "Chromium", present: () => which("chromium") },
+  { packages: ["chromium-driver"], what: "chromedriver", present: () => which("chromedriver") },
+  {
+    packages: ["mesa-vulkan-drivers", "libvulkan1"],
+    what: "the Vulkan loader and Mesa's lavapipe driver",
+    present: hasLavapipe,
+  },
+];
+
+/** The fields of /etc/os-release. */
+export function distribution() {
+  try {
+    const lines = readFileSync("/etc/os-release", "utf8").matchAll(/^(\w+)="?([^"\n]*)"?$/gm);
+    return Object.fromEntries([...lines].map(([, name, value]) => [name, value]));
+  } catch {
+    return {};
+  }
+}
+
+/** `[]` for root, `["sudo", "-n"]` where that asks nothing, else undefined. */
+function asRoot() {
+  if (process.getuid?.() === 0) return [];
+  return ask("sudo", ["-n", "true"]) === undefined ? undefined : ["sudo", "-n"];
+}
+
+export async function debian(needs) {
+  const missing = needs.filter(({ present }) => !present());
+  if (missing.length === 0) return "there";
+
+  const packages = missing.flatMap((need) => need.packages);
+  const { ID, ID_LIKE = "" } = distribution();
+  const prefix = asRoot();
+  if (ID !== "debian" || prefix === undefined) {
+    const what = missing.map((need) => need.what).join("; ");
+    const like = `${ID} ${ID_LIKE}`.includes("debian")
+      ? `run: sudo apt-get install ${packages.join(" ")}`
+      : `on Debian these are the packages ${packages.join(" ")}`;
+    throw new Failure(`please install ${what} (${like}), then start again`);
+  }
+
+  const apt = (...args) => {
+    const command = [
+      ...prefix,
+      "env",
+      "DEBIAN_FRONTEND=noninteractive",
+      "apt-get",
+      "-q",
+      "-o",
+      "DPkg::Lock::Timeout=300",
+      ...args,
+    ];
+    return must(command[0], command.slice(1));
+  };
+  await apt("update");
+  await apt("install", "-y", "--no-install-recommends", ...packages);
+  return `installed ${packages.join(", ")}`;
+}

@@ -1,0 +1,35 @@
+// Everything a fresh machine needs, one line a step.
+import { browser, compiler, debian } from "./debian.mjs";
+import { lavapipe } from "./lavapipe.mjs";
+import { packages } from "./packages.mjs";
+import { rust } from "./rust.mjs";
+import { tools } from "./tools.mjs";
+
+async function step(name, action) {
+  const start = performance.now();
+  try {
+    const result = await action();
+    const seconds = ((performance.now() - start) / 1000).toFixed(1);
+    console.log(`set-up: ${name}: ${result} (${seconds} s)`);
+  } catch (error) {
+    error.message = `set-up: ${name}: ${error.message}`;
+    throw error;
+  }
+}
+
+/** What building and serving the page needs. */
+export async function setUpForPage() {
+  await step("system packages", () => debian(compiler));
+  await step("Rust target", () => rust("target"));
+  await step("npm packages", packages);
+  await step("wasm tools", tools);
+}
+
+/** What all tests need. */
+export async function setUpForTests() {
+  await step("system packages", () => debian([...compiler, ...browser]));
+  await step("lavapipe", lavapipe);
+  await step("Rust target and components", () => rust("target", "components"));
+  await step("npm packages", packages);
+  await step("wasm tools", tools);
+}

@@ -1,0 +1,33 @@
+// The Rust toolchain, its wasm32 target, and the components the tests use.
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { ask, Failure, must, which } from "../process.mjs";
+
+const target = "wasm32-unknown-unknown";
+
+const parts = {
+  target: {
+    present: (sysroot) => existsSync(join(sysroot, "lib/rustlib", target)),
+    add: ["target", "add", target],
+  },
+  components: {
+    present: (sysroot) =>
+      ["cargo-clippy", "rustfmt"].every((name) => existsSync(join(sysroot, "bin", name))),
+    add: ["component", "add", "clippy", "rustfmt"],
+  },
+};
+
+export async function rust(...names) {
+  const sysroot = ask("rustc", ["--print", "sysroot"])?.trim();
+  if (!sysroot || !which("cargo")) {
+    throw new Failure("please install Rust with rustup, then start again");
+  }
+  const missing = names.map((name) => parts[name]).filter((part) => !part.present(sysroot));
+  if (missing.length === 0) return "there";
+  if (!which("rustup")) {
+    const wanted = missing.map((part) => part.add.slice(2).join(" ")).join(" ");
+    throw new Failure(`there is no rustup here: please add ${wanted} to your Rust, then start again`);
+  }
+  for (const part of missing) await must("rustup", part.add);
+  return `added ${missing.map((part) => part.add.slice(2).join(", ")).join(", ")}`;
+}

@@ -1,0 +1,29 @@
+// npm start: set up, build, serve the page.
+import { spawn } from "node:child_process";
+import { buildApi } from "./build/api.mjs";
+import { buildWasm } from "./build/wasm.mjs";
+import { inRoot, root } from "./paths.mjs";
+import { environment, Failure } from "./process.mjs";
+import { setUpForPage } from "./setup/index.mjs";
+
+try {
+  await setUpForPage();
+  console.log(`build: wasm module: ${await buildWasm()}`);
+  console.log(`build: TypeScript API: ${await buildApi()}`);
+} catch (error) {
+  if (!(error instanceof Failure)) throw error;
+  console.error(error.message);
+  process.exit(1);
+}
+
+// Vite prints the address. Further arguments are its own: npm start -- --port 8080
+const vite = spawn(inRoot("node_modules/.bin/vite"), ["www", ...process.argv.slice(2)], {
+  cwd: root,
+  env: environment(),
+  stdio: "inherit",
+});
+for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) {
+  process.removeAllListeners(signal);
+  process.on(signal, () => vite.kill(signal));
+}
+vite.on("exit", (status) => process.exit(status ?? 0));

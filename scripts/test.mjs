@@ -1,0 +1,77 @@
+// npm test: set up, then every step of scripts/test/steps.mjs.
+// For developers: npm test -- --only rust,page
+import { parseArgs } from "node:util";
+import { Failure } from "./process.mjs";
+import { setUpForTests } from "./setup/index.mjs";
+import { count } from "./test/count.mjs";
+import { steps } from "./test/steps.mjs";
+
+function chosen() {
+  const { values } = parseArgs({ options: { only: { type: "string" } } });
+  if (values.only === undefined) return steps;
+  const names = values.only.split(",");
+  const unknown = names.filter((name) => !steps.some((step) => step.name === name));
+  if (unknown.length > 0) {
+    throw new Failure(
+      `no step ${unknown.join(", ")}; there are: ${steps.map((step) => step.name).join(", ")}`,
+    );
+  }
+  const wanted = new Set();
+  const want = (name) => {
+    for (const need of steps.find((step) => step.name === name).needs ?? []) want(need);
+    wanted.add(name);
+  };
+  names.forEach(want);
+  return steps.filter((step) => wanted.has(step.name));
+}
+
+async function runStep(step, results) {
+  console.log(`\n=== ${step.name}: ${step.what}`);
+  const unmet = (step.needs ?? []).filter((name) => !results.get(name).ok);
+  const start = performance.now();
+  let ok = true;
+  let output = "";
+  let why;
+  try {
+    if (unmet.length > 0) throw new Failure(`not run: it needs ${unmet.join(", ")}`);
+    output = (await step.run()) ?? "";
+  } catch (error) {
+    ok = false;
+    output = error.output ?? "";
+    why = error instanceof Failure ? error.message : error.stack;
+    console.log(`FAILED: ${why}`);
+  }
+  const seconds = (performance.now() - start) / 1000;
+  console.log(`--- ${step.name}: ${ok ? "passed" : "FAILED"} in ${seconds.toFixed(1)} s`);
+  return { ok, why, seconds, ...count(output, ok) };
+}
+
+function summary(results) {
+  console.log("\n=== summary");
+  const total = { passed: 0, failed: 0, skipped: 0 };
+  for (const [name, { ok, why, seconds, passed, failed, skipped }] of results) {
+    const verdict = ok ? "passed" : "FAILED";
+    const counts = `${passed} passed, ${failed} failed, ${skipped.length} skipped`;
+    console.log(`${verdict}  ${name.padEnd(12)} ${seconds.toFixed(1).padStart(7)} s  ${counts}`);
+    if (why) console.log(`        ${why.split("\n")[0]}`);
+    for (const test of skipped) console.log(`SKIPPED ${name}: ${test}`);
+    total.passed += passed;
+    total.failed += failed;
+    total.skipped += skipped.length;
+  }
+  console.log(`${total.skipped} skipped`);
+  console.log(`${total.passed} passed, ${total.failed} failed`);
+  return total.failed === 0;
+}
+
+try {
+  const plan = chosen();
+  await setUpForTests();
+  const results = new Map();
+  for (const step of plan) results.set(step.name, await runStep(step, results));
+  process.exitCode = summary(results) ? 0 : 1;
+} catch (error) {
+  if (!(error instanceof Failure)) throw error;
+  console.error(error.message);
+  process.exitCode = 1;
+}

@@ -1,0 +1,20 @@
+// The wasm module's size, as it is and as it is sent, against its budget.
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { wasmFile } from "../build/wasm.mjs";
+import { inRoot } from "../paths.mjs";
+import { Failure } from "../process.mjs";
+
+const budget = { plain: 400, gzipped: 150 };
+
+export function checkBudget() {
+  const bytes = readFileSync(inRoot(wasmFile));
+  const size = { plain: bytes.length / 1024, gzipped: gzipSync(bytes, { level: 9 }).length / 1024 };
+  const parts = Object.keys(budget).map(
+    (kind) => `${kind} ${size[kind].toFixed(1)} of ${budget[kind]} KiB`,
+  );
+  console.log(`${wasmFile}: ${parts.join(", ")}`);
+  if (Object.keys(budget).some((kind) => size[kind] > budget[kind])) {
+    throw new Failure("the wasm module is over its budget");
+  }
+}

@@ -1,0 +1,111 @@
+// What `npm test` runs, in order. A step is run only if what it needs passed.
+import { existsSync, readdirSync } from "node:fs";
+import { buildApi } from "../build/api.mjs";
+import { buildWasm } from "../build/wasm.mjs";
+import { inRoot } from "../paths.mjs";
+import { environment, Failure, must, which } from "../process.mjs";
+import { vulkan } from "../setup/lavapipe.mjs";
+import { toolsEnvironment } from "../setup/tools.mjs";
+import { checkBudget } from "./budget.mjs";
+
+const wasm32 = ["--target", "wasm32-unknown-unknown"];
+const denyWarnings = ["--", "-D", "warnings"];
+
+const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) });
+
+function nodeTests(folder, env) {
+  const files = existsSync(inRoot(folder))
+    ? readdirSync(inRoot(folder)).filter((name) => /\.test\.m?js$/.test(name))
+    : [];
+  if (files.length === 0) throw new Failure(`${folder} has no *.test.mjs`);
+  const paths = files.sort().map((name) => `${folder}/${name}`);
+  return must("node", ["--test", "--test-reporter=spec", "--test-concurrency=1", ...paths], {
+    env: environment(env),
+  });
+}
+
+// Everything is built in the release profile, so that the lints, the tests and
+// the package share proc macros and build scripts.
+export const steps = [
+  {
+    name: "rustfmt",
+    what: "Rust is formatted",
+    run: () => cargo(["fmt", "--check"]),
+  },
+  {
+    name: "clippy",
+    what: "Rust lints, native",
+    run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
+  },
+  {
+    name: "clippy-wasm",
+    what: "Rust lints, wasm32",
+    run: () =>
+      cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
+  },
+  {
+    name: "doc",
+    what: "Rust documentation",
+    run: () =>
+      cargo(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
+  },
+  {
+    name: "rust",
+    what: "Rust tests on lavapipe",
+    run: () => cargo(["test", "--release", "--locked", "--no-fail-fast"], vulkan()),
+  },
+  {
+    name: "wasm",
+    what: "wasm module within its budget",
+    run: async () => {
+      console.log(`wasm module: ${await buildWasm()}`);
+      checkBudget();
+    },
+  },
+  {
+    name: "wasm-tests",
+    what: "wasm tests in headless Chromium with WebGPU",
+    run: () =>
+      must(
+        "wasm-pack",
+        [
+          ...["test", "--mode", "no-install", "--headless", "--chrome", "--release"],
+          ...["--chromedriver", which("chromedriver")],
+        ],
+        { env: toolsEnvironment({ WASM_BINDGEN_TEST_TIMEOUT: "240" }) },
+      ),
+  },
+  {
+    name: "types",
+    what: "TypeScript types: the API, the page, a consumer of the package",
+    needs: ["wasm"],
+    run: async () => {
+      console.log(`TypeScript API: ${await buildApi()}`);
+      await must("tsc", ["--project", "www/tsconfig.json"]);
+      await must("tsc", ["--project", "tests/consumer/tsconfig.json"]);
+    },
+  },
+  {
+    name: "biome",
+    what: "TypeScript and JavaScript format and lints",
+    run: () => must("biome", ["ci", "--error-on-warnings", "--colors=off"]),
+  },
+  {
+    name: "node",
+    what: "the package in Node, on Dawn and lavapipe",
+    needs: ["wasm", "types"],
+    run: () => nodeTests("tests/node", vulkan()),
+  },
+  {
+    name: "page-build",
+    what: "the page's production build",
+    needs: ["wasm", "types"],
+    run: () => must("vite", ["build", "www"]),
+  },
+  {
+    name: "page",
+    what: "the page in headless Chromium",
+    needs: ["page-build"],
+    run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
+  },
+];
