@@ -18,7 +18,10 @@ export function digest(paths, strings = []) {
   const hash = createHash("sha256");
   for (const path of paths) {
     for (const file of filesUnder(inRoot(path))) {
-      hash.update(`${file.slice(inRoot().length)}\0`).update(readFileSync(file)).update("\0");
+      hash
+        .update(`${file.slice(inRoot().length)}\0`)
+        .update(readFileSync(file))
+        .update("\0");
     }
   }
   for (const string of strings) hash.update(`${string}\0`);

@@ -35,6 +35,9 @@ async function runStep(step, results) {
   try {
     if (unmet.length > 0) throw new Failure(`not run: it needs ${unmet.join(", ")}`);
     output = (await step.run()) ?? "";
+    if (step.tests && count(output).passed === 0) {
+      throw Object.assign(new Failure("it ran no test"), { output });
+    }
   } catch (error) {
     ok = false;
     output = error.output ?? "";
@@ -43,7 +46,11 @@ async function runStep(step, results) {
   }
   const seconds = (performance.now() - start) / 1000;
   console.log(`--- ${step.name}: ${ok ? "passed" : "FAILED"} in ${seconds.toFixed(1)} s`);
-  return { ok, why, seconds, ...count(output, ok) };
+  const counts = count(output);
+  // A step that counts nothing, such as a lint, is one test.
+  if (ok && counts.passed === 0) counts.passed = 1;
+  if (!ok && counts.failed === 0) counts.failed = 1;
+  return { ok, why, seconds, ...counts };
 }
 
 function summary(results) {

@@ -21,7 +21,17 @@ export async function buildWasm() {
     "wasm-pack",
     // Nothing is downloaded: the tools are all on PATH. Our package.json
     // describes the package, so wasm-pack shall write none.
-    ["build", "--mode", "no-install", "--no-pack", "--release", "--target", "web", "--out-dir", out],
+    [
+      "build",
+      "--mode",
+      "no-install",
+      "--no-pack",
+      "--release",
+      "--target",
+      "web",
+      "--out-dir",
+      out,
+    ],
     { env: toolsEnvironment() },
   );
   // It tells npm to leave the folder out of the package.

@@ -13,7 +13,11 @@ const hasLavapipe = () => {
 
 /** What compiling Rust needs. */
 export const compiler = [
-  { packages: ["gcc", "libc6-dev"], what: "a C compiler and linker (cc)", present: () => which("cc") },
+  {
+    packages: ["gcc", "libc6-dev"],
+    what: "a C compiler and linker (cc)",
+    present: () => which("cc"),
+  },
 ];
 
 /** What the tests need besides: a browser, its driver, a software Vulkan. */

@@ -44,7 +44,13 @@ export function vulkan() {
 // The archive that this machine's own Debian packages come from.
 async function archive(options) {
   const list = () =>
-    (ask("apt-get", ["indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)"], options) ?? "")
+    (
+      ask(
+        "apt-get",
+        ["indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)"],
+        options,
+      ) ?? ""
+    )
       .split("\n")
       .map((line) => line.split(" "))
       .find(([, release, component]) => release === "bookworm" && component === "main")?.[0];
@@ -78,8 +84,7 @@ function aptConfiguration(folder, sources) {
 }
 
 async function unpackBackport(folder) {
-  const site =
-    (await archive({})) ?? (await archive(aptConfiguration(folder)));
+  const site = (await archive({})) ?? (await archive(aptConfiguration(folder)));
   if (!site) {
     throw new Failure("no Debian archive is configured in apt (looked for bookworm/main)");
   }
@@ -95,7 +100,12 @@ async function unpackBackport(folder) {
 
   const from = join(folder, "root", systemFolder);
   const description = JSON.parse(
-    readFileSync(join(from, readdirSync(from).find((name) => name.startsWith("lvp_icd")))),
+    readFileSync(
+      join(
+        from,
+        readdirSync(from).find((name) => name.startsWith("lvp_icd")),
+      ),
+    ),
   );
   const libraries = join(folder, "root/usr/lib");
   const library = readdirSync(libraries, { recursive: true, encoding: "utf8" }).find((name) =>

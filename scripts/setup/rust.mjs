@@ -26,7 +26,9 @@ export async function rust(...names) {
   if (missing.length === 0) return "there";
   if (!which("rustup")) {
     const wanted = missing.map((part) => part.add.slice(2).join(" ")).join(" ");
-    throw new Failure(`there is no rustup here: please add ${wanted} to your Rust, then start again`);
+    throw new Failure(
+      `there is no rustup here: please add ${wanted} to your Rust, then start again`,
+    );
   }
   for (const part of missing) await must("rustup", part.add);
   return `added ${missing.map((part) => part.add.slice(2).join(", ")).join(", ")}`;

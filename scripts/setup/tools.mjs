@@ -1,7 +1,15 @@
 // wasm-pack, wasm-bindgen and wasm-bindgen-test-runner, built from tools/ into
 // the user's cache under a name made from their sources, so that another
 // checkout, or this one after `git clean`, finds them there.
-import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
+import {
+  chmodSync,
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+} from "node:fs";
 import { join } from "node:path";
 import { cache, inRoot } from "../paths.mjs";
 import { environment, Failure, must } from "../process.mjs";
@@ -28,7 +36,9 @@ export const toolsEnvironment = (more = {}) => environment({ path: [toolsFolder(
 
 export async function tools() {
   const ours = bindgenVersion("Cargo.lock");
-  const theirs = readFileSync(inRoot("tools/Cargo.toml"), "utf8").match(/wasm-bindgen-cli = .*"=([^"]+)"/)?.[1];
+  const theirs = readFileSync(inRoot("tools/Cargo.toml"), "utf8").match(
+    /wasm-bindgen-cli = .*"=([^"]+)"/,
+  )?.[1];
   if (ours !== theirs) {
     throw new Failure(
       `Cargo.lock has wasm-bindgen ${ours} but tools/Cargo.toml builds ${theirs}: they must be equal`,
@@ -38,7 +48,14 @@ export async function tools() {
   const folder = toolsFolder();
   if (existsSync(folder)) return "there";
 
-  await must("cargo", ["build", "--locked", "--manifest-path", "tools/Cargo.toml", "--target-dir", "tools/target"]);
+  await must("cargo", [
+    "build",
+    "--locked",
+    "--manifest-path",
+    "tools/Cargo.toml",
+    "--target-dir",
+    "tools/target",
+  ]);
   const making = `${folder}-${process.pid}`;
   mkdirSync(making, { recursive: true });
   for (const name of programs) {

@@ -1,0 +1,12 @@
+// How the tests start Chromium: the flags that give WebGPU, WebGL and a WebGPU
+// canvas without a GPU are written once, in webdriver.json.
+import { readFileSync } from "node:fs";
+import { inRoot } from "../paths.mjs";
+import { which } from "../process.mjs";
+
+const { args, binary } = JSON.parse(readFileSync(inRoot("webdriver.json"), "utf8"))[
+  "goog:chromeOptions"
+];
+
+/** Options for playwright-core's `chromium.launch`. */
+export const launchOptions = { executablePath: which("chromium") ?? binary, args };
