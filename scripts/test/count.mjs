@@ -18,15 +18,16 @@ const node = {
 
 export function count(output) {
   const text = output.replace(colours, "").replaceAll("\r\n", "\n");
-  const sum = { passed: 0, failed: 0, skipped: [] };
+  const sum = { passed: 0, failed: 0 };
+  const names = new Set();
   for (const { totals, skipped } of [rust, node]) {
     for (const [, passed, failed, cancelled = 0] of text.matchAll(totals)) {
       sum.passed += Number(passed);
       sum.failed += Number(failed) + Number(cancelled);
     }
     for (const [, name, reason] of text.matchAll(skipped)) {
-      sum.skipped.push(reason ? `${name} (${reason})` : name);
+      names.add(reason ? `${name} (${reason})` : name);
     }
   }
-  return sum;
+  return { ...sum, skipped: [...names] };
 }
