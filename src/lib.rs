@@ -1,1 +1,8 @@
-//! placeholder
+//! How far apart are two NURBS models?
+
+pub mod error;
+pub mod model;
+pub mod tree;
+
+pub use error::{Error, Result};
+pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};

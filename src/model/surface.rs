@@ -1,0 +1,104 @@
+//! One validated NURBS surface.
+
+use super::knots;
+use crate::error::{Direction, Error, Result};
+
+/// A surface as plain arrays, not yet validated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceArrays {
+    /// Degrees in u and v.
+    pub degree: [usize; 2],
+    /// Knot vectors in u and v, of length count + degree + 1.
+    pub knots: [Vec<f64>; 2],
+    /// Numbers of control points along u and v.
+    pub counts: [usize; 2],
+    /// Control points `[x, y, z, w]`, v fastest; x, y, z are not multiplied by w.
+    pub control_points: Vec<[f64; 4]>,
+}
+
+/// A NURBS surface of degree 1 to 15 with positive weights, clamped or not.
+///
+/// Guarantee: a value of this type has passed every check of
+/// [`NurbsSurface::new`], so nothing downstream checks again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NurbsSurface {
+    arrays: SurfaceArrays,
+}
+
+impl NurbsSurface {
+    /// Validates `arrays`; `index` is the surface's place in its model, for errors.
+    ///
+    /// # Errors
+    /// Names the first violation found: degree, number of control points,
+    /// knots (length, finite, not falling, domain, multiplicity), ragged net,
+    /// non-finite coordinates, weights that are not positive. O(size).
+    pub fn new(index: usize, arrays: SurfaceArrays) -> Result<Self> {
+        for axis in 0..2 {
+            knots::validate(
+                index,
+                Direction::from(axis),
+                arrays.degree[axis],
+                arrays.counts[axis],
+                &arrays.knots[axis],
+            )?;
+        }
+        // The knots' length already ties both counts to vectors in memory, so the product is small.
+        let expected = arrays.counts[0] * arrays.counts[1];
+        if arrays.control_points.len() != expected {
+            return Err(Error::RaggedNet {
+                surface: index,
+                index: 0,
+                found: arrays.control_points.len(),
+                expected,
+            });
+        }
+        for (point, &[x, y, z, w]) in arrays.control_points.iter().enumerate() {
+            if let Some(found) = [x, y, z, w].into_iter().find(|value| !value.is_finite()) {
+                return Err(Error::NonFinite { surface: index, what: "control point", index: point, found });
+            }
+            if w <= 0.0 {
+                return Err(Error::WeightNotPositive { surface: index, index: point, found: w });
+            }
+        }
+        Ok(Self { arrays })
+    }
+
+    /// Degrees in u and v, each 1 to 15.
+    #[must_use]
+    pub fn degree(&self) -> [usize; 2] {
+        self.arrays.degree
+    }
+
+    /// The knot vector in u (`axis` 0) or v (every other value).
+    #[must_use]
+    pub fn knots(&self, axis: usize) -> &[f64] {
+        &self.arrays.knots[usize::from(axis != 0)]
+    }
+
+    /// Numbers of control points along u and v.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 2] {
+        self.arrays.counts
+    }
+
+    /// Control points `[x, y, z, w]`, v fastest, not multiplied by w.
+    #[must_use]
+    pub fn control_points(&self) -> &[[f64; 4]] {
+        &self.arrays.control_points
+    }
+
+    /// The parameter ranges `[[u0, u1], [v0, v1]]`, each of positive length.
+    #[must_use]
+    pub fn domain(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|axis| {
+            let knots = &self.arrays.knots[axis];
+            [knots[self.arrays.degree[axis]], knots[self.arrays.counts[axis]]]
+        })
+    }
+
+    /// The surface as plain arrays again.
+    #[must_use]
+    pub fn into_arrays(self) -> SurfaceArrays {
+        self.arrays
+    }
+}

@@ -1,0 +1,5 @@
+//! Boxes around patches, and the tree that finds the near ones.
+
+mod aabb;
+
+pub use aabb::Aabb;
