@@ -1,6 +1,8 @@
 //! How far apart are two NURBS models?
 
+pub mod bezier;
 pub mod error;
+pub mod flatness;
 pub mod model;
 pub mod tree;
 

@@ -1,0 +1,83 @@
+//! Points and derivatives of a patch.
+
+use super::Patch;
+use super::basis::Basis;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// A point of a surface with its first and second derivatives by (s, t).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// The point.
+    pub point: DVec3,
+    /// First derivative by s.
+    pub s: DVec3,
+    /// First derivative by t.
+    pub t: DVec3,
+    /// Second derivative by s.
+    pub ss: DVec3,
+    /// Mixed second derivative.
+    pub st: DVec3,
+    /// Second derivative by t.
+    pub tt: DVec3,
+}
+
+impl Jet {
+    /// The unit normal s x t, or `None` where the derivatives are parallel or vanish.
+    #[must_use]
+    pub fn normal(&self) -> Option<DVec3> {
+        let normal = self.s.cross(self.t);
+        // Below this sine the direction of the product is rounding noise.
+        const SMALLEST_SINE: f64 = 1e-10;
+        (normal.length() > SMALLEST_SINE * self.s.length() * self.t.length()).then(|| normal.normalize())
+    }
+}
+
+impl Patch<'_> {
+    /// The surface point at (s, t) in [0, 1]^2, accurate to about
+    /// 2 (p + q) units of rounding of the patch's radius. O(p q).
+    #[must_use]
+    pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
+        let basis = [0, 1].map(|axis| Basis::new(self.degree[axis], parameters[axis]));
+        let columns = self.degree[1] + 1;
+        let mut sum = DVec4::ZERO;
+        for (row, s) in self.controls.chunks_exact(columns).zip(basis[0].derivatives[0]) {
+            sum += s * contract(row, &basis[1].derivatives[0]);
+        }
+        self.center + sum.xyz() / sum.w
+    }
+
+    /// Point, first and second derivatives at (s, t) in [0, 1]^2, by the
+    /// quotient rule (Piegl and Tiller, *The NURBS Book*, eq. 4.20). O(p q).
+    #[must_use]
+    pub fn jet(&self, parameters: [f64; 2]) -> Jet {
+        let basis = [0, 1].map(|axis| Basis::new(self.degree[axis], parameters[axis]).derivatives);
+        let columns = self.degree[1] + 1;
+        let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
+        for (i, row) in self.controls.chunks_exact(columns).enumerate() {
+            let value = contract(row, &basis[1][0]);
+            let first = contract(row, &basis[1][1]);
+            h += basis[0][0][i] * value;
+            s += basis[0][1][i] * value;
+            ss += basis[0][2][i] * value;
+            t += basis[0][0][i] * first;
+            st += basis[0][1][i] * first;
+            tt += basis[0][0][i] * contract(row, &basis[1][2]);
+        }
+        let inverse = 1.0 / h.w;
+        let local = h.xyz() * inverse;
+        let ds = (s.xyz() - s.w * local) * inverse;
+        let dt = (t.xyz() - t.w * local) * inverse;
+        Jet {
+            point: self.center + local,
+            s: ds,
+            t: dt,
+            ss: (ss.xyz() - 2.0 * s.w * ds - ss.w * local) * inverse,
+            st: (st.xyz() - s.w * dt - t.w * ds - st.w * local) * inverse,
+            tt: (tt.xyz() - 2.0 * t.w * dt - tt.w * local) * inverse,
+        }
+    }
+}
+
+fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
+    row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
+}

@@ -1,0 +1,130 @@
+//! Bézier extraction: one patch for every non-empty knot rectangle.
+
+use super::{MAX_ORDER, Patch, PatchSet};
+use crate::model::{Model, NurbsSurface};
+use crate::tree::Aabb;
+use glam::{DVec3, DVec4};
+
+/// Bits between the model's size and the grid that patch centres lie on.
+///
+/// Centres are multiples of a power of two this many bits below the model's
+/// diagonal, so that the difference of two of them is exact in float32, whose
+/// significand has 24 bits, with one bit for the difference's carry.
+const CENTER_GRID_BITS: i32 = 22;
+
+/// The operator that makes the Bézier controls of one knot span out of the
+/// span's degree + 1 control points, and the span itself.
+struct Span {
+    first_control: usize,
+    ends: [f64; 2],
+    /// `operator[k][i]`: weight of control point `first_control + i` in Bézier control k.
+    operator: Vec<[f64; MAX_ORDER]>,
+}
+
+/// The Bézier patches of every surface of `model`, in order of surface, u, v.
+///
+/// Exact up to rounding for every valid knot vector, clamped or not, with
+/// knots repeated or almost coincident: Bézier control k of the span [a, b] is
+/// the blossom at a (degree - k times) and b (k times) (Ramshaw 1989), and the
+/// de Boor triangle for arguments inside the span forms convex combinations
+/// only, so nothing is divided by a difference smaller than the span.
+/// O(patches (p + q) p q).
+#[must_use]
+pub fn extract(model: &Model) -> PatchSet {
+    let diagonal = model.bounding_box().diagonal();
+    let mut patches = PatchSet::default();
+    for (index, surface) in model.surfaces().iter().enumerate() {
+        extract_surface(index, surface, center_grid(diagonal), &mut patches);
+    }
+    patches
+}
+
+/// The spacing of the grid of patch centres for a model of this size.
+pub(crate) fn center_grid(diagonal: f64) -> f64 {
+    if diagonal > 0.0 { diagonal.log2().ceil().exp2() * f64::from(-CENTER_GRID_BITS).exp2() } else { 1.0 }
+}
+
+/// The grid point nearest to the middle of the points' box.
+pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
+    let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
+    (middle / grid).round() * grid
+}
+
+fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) {
+    let degree = surface.degree();
+    let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+    let (rows, columns) = (degree[0] + 1, degree[1] + 1);
+    let mut net = vec![DVec4::ZERO; rows * columns];
+    let mut partial = vec![DVec4::ZERO; rows * columns];
+    let mut controls = vec![DVec4::ZERO; rows * columns];
+    for u in &in_u {
+        for v in &in_v {
+            let points = |i: usize, j: usize| {
+                surface.control_points()[(u.first_control + i) * surface.counts()[1] + v.first_control + j]
+            };
+            let local = (0..rows * columns).map(|k| {
+                let [x, y, z, _] = points(k / columns, k % columns);
+                DVec3::new(x, y, z)
+            });
+            let center = center_of(local.clone(), grid);
+            for (k, point) in local.enumerate() {
+                let weight = points(k / columns, k % columns)[3];
+                net[k] = (weight * (point - center)).extend(weight);
+            }
+            for i in 0..rows {
+                for k in 0..columns {
+                    partial[i * columns + k] =
+                        (0..columns).map(|j| v.operator[k][j] * net[i * columns + j]).sum();
+                }
+            }
+            for k in 0..rows {
+                for j in 0..columns {
+                    controls[k * columns + j] =
+                        (0..rows).map(|i| u.operator[k][i] * partial[i * columns + j]).sum();
+                }
+            }
+            // The net's weights, not the controls', which rounding can make differ.
+            let weight = net[0].w;
+            patches.push(Patch {
+                surface: index,
+                degree,
+                domain: [u.ends, v.ends],
+                center,
+                controls: &controls,
+                rational: net.iter().any(|control| control.w != weight),
+            });
+        }
+    }
+}
+
+fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
+    (degree..count)
+        .filter(|&index| knots[index] < knots[index + 1])
+        .map(|index| Span {
+            first_control: index - degree,
+            ends: [knots[index], knots[index + 1]],
+            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
+        })
+        .collect()
+}
+
+/// The weights of the span's control points in the blossom at the span's
+/// start, degree - k times, and its end, k times.
+fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
+    let mut weights = [[0.0; MAX_ORDER]; MAX_ORDER];
+    for (index, row) in weights.iter_mut().enumerate().take(degree + 1) {
+        row[index] = 1.0;
+    }
+    for level in 1..=degree {
+        let argument = if level <= k { knots[span + 1] } else { knots[span] };
+        for index in 0..=degree - level {
+            let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
+            let fraction = (argument - low) / (high - low);
+            let next = weights[index + 1];
+            for (weight, next) in weights[index].iter_mut().zip(next) {
+                *weight = (1.0 - fraction) * *weight + fraction * next;
+            }
+        }
+    }
+    weights[0]
+}

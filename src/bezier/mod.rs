@@ -1,0 +1,15 @@
+//! Bézier patches: what every later stage works on.
+
+mod basis;
+mod derivative_bounds;
+mod evaluate;
+mod extract;
+mod patch;
+mod split;
+
+pub use basis::MAX_ORDER;
+pub use derivative_bounds::DerivativeBounds;
+pub use evaluate::Jet;
+pub(crate) use extract::center_grid;
+pub use extract::extract;
+pub use patch::{Patch, PatchSet};

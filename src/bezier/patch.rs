@@ -1,0 +1,117 @@
+//! Storage of many Bézier patches.
+
+use crate::tree::Aabb;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// One rational Bézier patch, borrowed from its set.
+///
+/// The surface point at (s, t) in [0, 1]^2 is `center + (x, y, z) / w` with
+/// (x, y, z, w) the Bernstein sum of `controls`.
+#[derive(Debug, Clone, Copy)]
+pub struct Patch<'a> {
+    /// Index of the surface in its model.
+    pub surface: usize,
+    /// Degrees in s and t.
+    pub degree: [usize; 2],
+    /// The part of the surface's domain that (s, t) in [0, 1]^2 covers.
+    pub domain: [[f64; 2]; 2],
+    /// The point that the controls are relative to.
+    pub center: DVec3,
+    /// Homogeneous controls `(w (p - center), w)`, t fastest, w > 0.
+    pub controls: &'a [DVec4],
+    /// Whether the weights differ.
+    pub rational: bool,
+}
+
+impl Patch<'_> {
+    /// The surface parameters (u, v) of the patch parameters (s, t).
+    #[must_use]
+    pub fn surface_parameters(&self, [s, t]: [f64; 2]) -> [f64; 2] {
+        let at = |[start, end]: [f64; 2], x: f64| (1.0 - x) * start + x * end;
+        [at(self.domain[0], s), at(self.domain[1], t)]
+    }
+
+    /// The control points' positions relative to `center`.
+    pub fn local_points(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.controls.iter().map(|control| control.xyz() / control.w)
+    }
+
+    /// The box of the control points, which contains the patch (convex hull
+    /// property, all weights being positive).
+    #[must_use]
+    pub fn bounding_box(&self) -> Aabb {
+        let local = self.local_points().fold(Aabb::EMPTY, Aabb::with);
+        Aabb { min: local.min + self.center, max: local.max + self.center }
+    }
+}
+
+#[derive(Debug, Clone)]
+struct Entry {
+    surface: u32,
+    degree: [u8; 2],
+    rational: bool,
+    first: usize,
+    domain: [[f64; 2]; 2],
+    center: DVec3,
+}
+
+/// Patches of any mixture of degrees, their controls in one array.
+#[derive(Debug, Clone, Default)]
+pub struct PatchSet {
+    entries: Vec<Entry>,
+    controls: Vec<DVec4>,
+}
+
+impl PatchSet {
+    /// Number of patches.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// Patch `index`, which must be below [`PatchSet::len`].
+    #[must_use]
+    pub fn patch(&self, index: usize) -> Patch<'_> {
+        let entry = &self.entries[index];
+        let degree = entry.degree.map(usize::from);
+        let size = (degree[0] + 1) * (degree[1] + 1);
+        Patch {
+            surface: entry.surface as usize,
+            degree,
+            domain: entry.domain,
+            center: entry.center,
+            controls: &self.controls[entry.first..entry.first + size],
+            rational: entry.rational,
+        }
+    }
+
+    /// All patches in order.
+    pub fn iter(&self) -> impl Iterator<Item = Patch<'_>> {
+        (0..self.len()).map(|index| self.patch(index))
+    }
+
+    /// Appends a copy of `patch`.
+    pub fn push(&mut self, patch: Patch<'_>) {
+        self.entries.push(Entry {
+            surface: patch.surface as u32,
+            degree: patch.degree.map(|degree| degree as u8),
+            rational: patch.rational,
+            first: self.controls.len(),
+            domain: patch.domain,
+            center: patch.center,
+        });
+        self.controls.extend_from_slice(patch.controls);
+    }
+
+    /// The box of all patches.
+    #[must_use]
+    pub fn bounding_box(&self) -> Aabb {
+        self.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()))
+    }
+}

@@ -1,0 +1,81 @@
+//! Cutting Bézier patches until each is flat enough for an iteration started
+//! at its nearest control point.
+
+mod curvature;
+mod normal_span;
+
+use crate::bezier::{Patch, PatchSet, center_grid};
+use serde::{Deserialize, Serialize};
+
+/// When a patch counts as flat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flatness {
+    /// Always: Bézier extraction alone (the 2012 paper's "knots only").
+    None,
+    /// Normals sampled on the patch span at most 45°.
+    #[default]
+    Loose,
+    /// Normals sampled on the patch span at most 25°.
+    Tight,
+    /// No parameter line turns by more than 45°, by its largest sampled
+    /// curvature times its length.
+    Curvature,
+}
+
+/// Halvings of one patch along all directions together, at most: 256 pieces.
+/// Where normals jump at a point, as at a cone's apex, no cut makes a patch flat.
+const MOST_HALVINGS: u32 = 8;
+
+/// Samples along each direction of a patch at which normals and curvatures are
+/// taken. They steer the cutting only; no bound rests on them.
+const SAMPLES: usize = 4;
+
+impl Flatness {
+    /// The direction to halve `patch` along, or `None` if it is flat.
+    fn direction(self, patch: &Patch<'_>) -> Option<usize> {
+        let [s, t] = match self {
+            Self::None => return None,
+            Self::Loose => normal_span::excess(patch, 45_f64.to_radians())?,
+            Self::Tight => normal_span::excess(patch, 25_f64.to_radians())?,
+            Self::Curvature => curvature::excess(patch, 45_f64.to_radians())?,
+        };
+        Some(usize::from(t > s))
+    }
+}
+
+/// `patches`, each replaced by its flat pieces in place.
+///
+/// The pieces cover the same points. O(pieces p q).
+#[must_use]
+pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
+    if flatness == Flatness::None {
+        return patches.clone();
+    }
+    let grid = center_grid(patches.bounding_box().diagonal());
+    let mut flat = PatchSet::default();
+    for patch in patches.iter() {
+        cut(&mut flat, patch, flatness, grid, MOST_HALVINGS);
+    }
+    flat
+}
+
+fn cut(flat: &mut PatchSet, patch: Patch<'_>, flatness: Flatness, grid: f64, halvings: u32) {
+    let direction = if halvings > 0 { flatness.direction(&patch) } else { None };
+    let Some(axis) = direction else {
+        if halvings == MOST_HALVINGS {
+            flat.push(patch)
+        } else {
+            flat.push_centered(patch, grid)
+        }
+        return;
+    };
+    for (controls, domain) in patch.halves(axis).iter().zip(patch.half_domains(axis)) {
+        cut(flat, Patch { controls, domain, ..patch }, flatness, grid, halvings - 1);
+    }
+}
+
+/// The parameter of sample `index` of a patch.
+fn sample_parameter(index: usize) -> f64 {
+    index as f64 / (SAMPLES - 1) as f64
+}

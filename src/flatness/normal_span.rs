@@ -1,0 +1,39 @@
+//! The 2012 paper's criterion: the angle spanned by sampled normals.
+
+use super::{SAMPLES, sample_parameter};
+use crate::bezier::Patch;
+use glam::DVec3;
+
+/// The largest angle between normals of the same s-line and t-line, if some
+/// two normals of the patch are more than `tolerance` radians apart.
+///
+/// Points without a normal are left out.
+pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
+    let normals: [[Option<DVec3>; SAMPLES]; SAMPLES] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| patch.jet([sample_parameter(i), sample_parameter(j)]).normal())
+    });
+    let cosine = least_cosine(normals.iter().flatten());
+    (cosine < tolerance.cos()).then(|| {
+        let along = |line: &dyn Fn(usize, usize) -> Option<DVec3>| {
+            (0..SAMPLES)
+                .map(|fixed| {
+                    let normals: [_; SAMPLES] = std::array::from_fn(|moving| line(fixed, moving));
+                    least_cosine(normals.iter())
+                })
+                .fold(1.0, f64::min)
+                .acos()
+        };
+        [along(&|fixed, moving| normals[moving][fixed]), along(&|fixed, moving| normals[fixed][moving])]
+    })
+}
+
+fn least_cosine<'a>(normals: impl Iterator<Item = &'a Option<DVec3>> + Clone) -> f64 {
+    let mut least = 1.0_f64;
+    let mut rest = normals.flatten();
+    while let Some(first) = rest.next() {
+        for second in rest.clone() {
+            least = least.min(first.dot(*second));
+        }
+    }
+    least.max(-1.0)
+}
