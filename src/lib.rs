@@ -4,6 +4,7 @@ pub mod bezier;
 pub mod error;
 pub mod flatness;
 pub mod model;
+pub mod project;
 pub mod tree;
 
 pub use error::{Error, Result};

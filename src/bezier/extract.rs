@@ -21,7 +21,43 @@ struct Span {
     operator: Vec<[f64; MAX_ORDER]>,
 }
 
-/// The Bézier patches of every surface of `model`, in order of surface, u, v.
+/// The patches of one surface as a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchGrid {
+    /// Index of the surface's first patch; the others follow, v fastest.
+    pub first: usize,
+    /// The distinct knots of the domain in u and v, one more than patches.
+    pub breaks: [Vec<f64>; 2],
+}
+
+impl PatchGrid {
+    /// Numbers of patches along u and v.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 2] {
+        [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
+    }
+
+    /// Which patch along `axis` (0: u, else v) the parameter lies on, and
+    /// where on it in [0, 1]. Parameters outside the domain go to its ends.
+    #[must_use]
+    pub fn locate(&self, axis: usize, parameter: f64) -> (usize, f64) {
+        let breaks = &self.breaks[usize::from(axis != 0)];
+        let span = breaks.partition_point(|&knot| knot <= parameter).clamp(1, breaks.len() - 1) - 1;
+        let local = (parameter - breaks[span]) / (breaks[span + 1] - breaks[span]);
+        (span, local.clamp(0.0, 1.0))
+    }
+}
+
+/// A model as Bézier patches.
+#[derive(Debug, Clone)]
+pub struct BezierModel {
+    /// The patches, in order of surface, u, v.
+    pub patches: PatchSet,
+    /// One grid a surface.
+    pub grids: Vec<PatchGrid>,
+}
+
+/// The Bézier patches of every surface of `model`.
 ///
 /// Exact up to rounding for every valid knot vector, clamped or not, with
 /// knots repeated or almost coincident: Bézier control k of the span [a, b] is
@@ -30,13 +66,12 @@ struct Span {
 /// only, so nothing is divided by a difference smaller than the span.
 /// O(patches (p + q) p q).
 #[must_use]
-pub fn extract(model: &Model) -> PatchSet {
+pub fn extract(model: &Model) -> BezierModel {
     let diagonal = model.bounding_box().diagonal();
     let mut patches = PatchSet::default();
-    for (index, surface) in model.surfaces().iter().enumerate() {
-        extract_surface(index, surface, center_grid(diagonal), &mut patches);
-    }
-    patches
+    let extract = |(index, surface)| extract_surface(index, surface, center_grid(diagonal), &mut patches);
+    let grids = model.surfaces().iter().enumerate().map(extract).collect();
+    BezierModel { patches, grids }
 }
 
 /// The spacing of the grid of patch centres for a model of this size.
@@ -50,7 +85,8 @@ pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3
     (middle / grid).round() * grid
 }
 
-fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) {
+fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
+    let first = patches.len();
     let degree = surface.degree();
     let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
     let (rows, columns) = (degree[0] + 1, degree[1] + 1);
@@ -95,6 +131,13 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
             });
         }
     }
+    PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] }
+}
+
+/// The ends of the spans, each once.
+fn breaks(spans: &[Span]) -> Vec<f64> {
+    let starts = spans.iter().map(|span| span.ends[0]);
+    starts.chain(spans.last().map(|span| span.ends[1])).collect()
 }
 
 fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {

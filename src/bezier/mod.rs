@@ -11,5 +11,5 @@ pub use basis::MAX_ORDER;
 pub use derivative_bounds::DerivativeBounds;
 pub use evaluate::Jet;
 pub(crate) use extract::center_grid;
-pub use extract::extract;
+pub use extract::{BezierModel, PatchGrid, extract};
 pub use patch::{Patch, PatchSet};

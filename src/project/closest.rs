@@ -1,0 +1,204 @@
+//! The closest point of a whole model, with a certificate.
+
+use super::{least_distance_squared, nearest_control, newton};
+use crate::bezier::{Patch, PatchSet};
+use crate::tree::BoxTree;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Newton steps a start may take; from a flat patch it takes about five.
+const ITERATIONS: u32 = 32;
+
+/// Pieces examined, at most. A few dozen suffice unless the target is nearly
+/// as near to a whole curve or sheet of points; then the certificate is wider.
+const MOST_PIECES: usize = 4096;
+
+/// Rounding of coordinates, boxes and roots relative to the largest
+/// coordinate, taken off the lower bound once: 64 units of 2^-53.
+const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A point of a model near a target, and how near any point can be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Closest {
+    /// Index of the patch.
+    pub patch: usize,
+    /// (s, t) on it.
+    pub parameters: [f64; 2],
+    /// The point.
+    pub point: DVec3,
+    /// Its distance: at least the distance from the target to the model.
+    pub upper: f64,
+    /// At most the distance from the target to the model.
+    pub lower: f64,
+}
+
+enum Item {
+    Node(u32),
+    Patch(u32),
+    Piece { patch: u32, controls: Vec<DVec4>, range: [[f64; 2]; 2] },
+}
+
+struct Entry {
+    least: f64,
+    item: Item,
+}
+
+impl PartialEq for Entry {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Entry {}
+impl PartialOrd for Entry {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Entry {
+    /// The heap's largest entry is the nearest.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.least.total_cmp(&self.least)
+    }
+}
+
+/// The closest point of `patches` (with `tree` over their boxes) to `target`,
+/// or `None` if there are no patches.
+///
+/// Guarantee: `lower <= d(target, patches) <= upper`, and `upper - lower <= gap`
+/// (plus rounding) unless the target is so evenly near to many points that a
+/// fixed number of pieces does not separate them. Best first: whatever can be
+/// nearest is examined next, boxes of the tree, then patches, then their
+/// halves, each bounded by [`least_distance_squared`]. O(log patches) in
+/// general position.
+#[must_use]
+pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> Option<Closest> {
+    let mut search = Search { patches, target, heap: BinaryHeap::new(), best: None };
+    let root = tree.nodes().first()?;
+    search.push(root.aabb.min_distance_squared(target), Item::Node(0));
+    let mut pieces = 0;
+    let mut lower_squared = f64::INFINITY;
+    while let Some(Entry { least, item }) = search.heap.pop() {
+        if least.sqrt() >= search.upper() - gap || pieces >= MOST_PIECES {
+            lower_squared = least;
+            break;
+        }
+        match item {
+            Item::Node(node) => search.open_node(tree, node as usize),
+            Item::Patch(patch) => search.open_patch(patch),
+            Item::Piece { patch, controls, range } => {
+                pieces += 1;
+                search.open_piece(patch, &controls, range);
+            }
+        }
+    }
+    let (patch, parameters, distance_squared) = search.best?;
+    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(target.abs()).max_element();
+    let upper = distance_squared.sqrt();
+    let lower = (lower_squared.sqrt().min(upper) - COORDINATE_ROUNDING * coordinate).max(0.0);
+    Some(Closest {
+        patch: patch as usize,
+        parameters,
+        point: patches.patch(patch as usize).point(parameters),
+        upper,
+        lower,
+    })
+}
+
+struct Search<'a> {
+    patches: &'a PatchSet,
+    target: DVec3,
+    heap: BinaryHeap<Entry>,
+    best: Option<(u32, [f64; 2], f64)>,
+}
+
+impl Search<'_> {
+    fn best_squared(&self) -> f64 {
+        self.best.map_or(f64::INFINITY, |best| best.2)
+    }
+
+    fn upper(&self) -> f64 {
+        self.best_squared().sqrt()
+    }
+
+    fn push(&mut self, least: f64, item: Item) {
+        if least < self.best_squared() || self.best.is_none() {
+            self.heap.push(Entry { least, item });
+        }
+    }
+
+    fn offer(&mut self, patch: u32, parameters: [f64; 2], distance_squared: f64) {
+        if distance_squared < self.best_squared() || self.best.is_none() {
+            self.best = Some((patch, parameters, distance_squared));
+        }
+    }
+
+    fn open_node(&mut self, tree: &BoxTree, index: usize) {
+        let node = tree.nodes()[index];
+        if node.count == 0 {
+            for child in [index + 1, node.second as usize] {
+                let least = tree.nodes()[child].aabb.min_distance_squared(self.target);
+                self.push(least, Item::Node(child as u32));
+            }
+            return;
+        }
+        let first = node.first as usize;
+        for &patch in &tree.order()[first..first + node.count as usize] {
+            let view = self.patches.patch(patch as usize);
+            let least = view.bounding_box().min_distance_squared(self.target);
+            if least < self.best_squared() {
+                let bound = least_distance_squared(view.degree, view.controls, self.target - view.center);
+                self.push(bound.max(least), Item::Patch(patch));
+            }
+        }
+    }
+
+    fn open_patch(&mut self, index: u32) {
+        let patch = self.patches.patch(index as usize);
+        let start = nearest_control(&patch, self.target);
+        let foot = newton(&patch, self.target, start, ITERATIONS);
+        self.offer(index, foot.parameters, foot.distance_squared);
+        self.halve(index, patch.controls, [[0.0, 1.0]; 2]);
+    }
+
+    fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2]) {
+        let patch = self.patches.patch(index as usize);
+        let middle = range.map(|[start, end]| 0.5 * (start + end));
+        let distance_squared = patch.point(middle).distance_squared(self.target);
+        if distance_squared < self.best_squared() {
+            let foot = newton(&patch, self.target, middle, ITERATIONS);
+            self.offer(index, foot.parameters, foot.distance_squared);
+        }
+        self.halve(index, controls, range);
+    }
+
+    fn halve(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2]) {
+        let patch = self.patches.patch(index as usize);
+        let piece = Patch { controls, domain: range, ..patch };
+        let axis = longer_axis(&piece);
+        for (controls, range) in piece.halves(axis).into_iter().zip(piece.half_domains(axis)) {
+            let least = least_distance_squared(patch.degree, &controls, self.target - patch.center);
+            self.push(least, Item::Piece { patch: index, controls, range });
+        }
+    }
+}
+
+/// The direction in which the net is longer, by its largest single leg.
+fn longer_axis(piece: &Patch<'_>) -> usize {
+    let columns = piece.degree[1] + 1;
+    let point = |index: usize| piece.controls[index].xyz() / piece.controls[index].w;
+    let mut leg = [0.0_f64; 2];
+    for index in 0..piece.controls.len() {
+        if index + columns < piece.controls.len() {
+            leg[0] = leg[0].max(point(index + columns).distance_squared(point(index)));
+        }
+        if (index + 1) % columns != 0 {
+            leg[1] = leg[1].max(point(index + 1).distance_squared(point(index)));
+        }
+    }
+    let legs = [
+        leg[0] * (piece.degree[0] * piece.degree[0]) as f64,
+        leg[1] * (piece.degree[1] * piece.degree[1]) as f64,
+    ];
+    usize::from(legs[1] > legs[0])
+}

@@ -1,0 +1,135 @@
+//! Damped Newton with an active set at the patch's edges.
+
+use super::{Foot, Status};
+use crate::bezier::{Jet, Patch};
+use glam::DVec3;
+
+/// The cosine between the residual and a tangent below which a point is
+/// stationary: the distance's error is its square, below float64's rounding.
+const STATIONARY_COSINE: f64 = 1e-9;
+
+/// Rounding of a residual relative to the patch's size, which the stationary
+/// test cannot see below.
+const RESIDUAL_ROUNDING: f64 = 1e-15;
+
+/// The cosine that still counts as stationary where no step makes the distance
+/// smaller: there, the decrease left is below the distance's own rounding.
+const STALLED_COSINE: f64 = 1e-6;
+
+/// Halvings of a step, at most.
+const MOST_HALVINGS: u32 = 8;
+
+/// A second derivative of this size relative to the other direction's is a
+/// degenerate edge, along which there is nothing to step.
+const DEGENERATE_RATIO: f64 = 1e-14;
+
+/// Minimises `½ |S - target|^2` over the patch from `start`.
+///
+/// Guarantee: the result's distance is that of a point of the patch, and no
+/// larger than the start's. Steps use the full Hessian where it is positive
+/// definite, else Gauss-Newton's; a parameter at an edge with the gradient
+/// pushing out is frozen; a step leaving the patch is cut at the edge and the
+/// other parameter solved again; steps are halved until the distance falls.
+/// `iterations` at most, each O(p q).
+#[must_use]
+pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32) -> Foot {
+    let mut at = start;
+    let mut jet = patch.jet(at);
+    let mut value = jet.point.distance_squared(target);
+    for _ in 0..iterations {
+        let residual = jet.point - target;
+        let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
+        let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
+        let cosine = stationarity(&jet, residual, gradient, free);
+        if cosine <= STATIONARY_COSINE {
+            return Foot { parameters: at, distance_squared: value, status: settled(free) };
+        }
+        let full = step(at, gradient, &hessian(&jet, residual, free), free);
+        let mut scale = 1.0;
+        let mut halvings = 0;
+        loop {
+            let next = [0, 1].map(|axis| (at[axis] + scale * full[axis]).clamp(0.0, 1.0));
+            let next_jet = patch.jet(next);
+            let next_value = next_jet.point.distance_squared(target);
+            if next_value < value {
+                (at, jet, value) = (next, next_jet, next_value);
+                break;
+            }
+            halvings += 1;
+            if halvings > MOST_HALVINGS {
+                let status = if cosine <= STALLED_COSINE { settled(free) } else { Status::IterationLimit };
+                return Foot { parameters: at, distance_squared: value, status };
+            }
+            scale *= 0.5;
+        }
+    }
+    Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }
+}
+
+fn settled(free: [bool; 2]) -> Status {
+    if free[0] && free[1] { Status::Converged } else { Status::OnEdge }
+}
+
+fn pushes_out(parameter: f64, gradient: f64) -> bool {
+    (parameter <= 0.0 && gradient > 0.0) || (parameter >= 1.0 && gradient < 0.0)
+}
+
+/// The largest cosine between the residual and a free tangent, rounding taken off.
+fn stationarity(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]) -> f64 {
+    let length = residual.length();
+    let rounding = RESIDUAL_ROUNDING * (jet.s.length() + jet.t.length() + length);
+    let mut cosine = 0.0_f64;
+    for (axis, tangent) in [jet.s, jet.t].into_iter().enumerate() {
+        let room = gradient[axis].abs() - tangent.length() * rounding;
+        if free[axis] && room > 0.0 {
+            cosine = cosine.max(room / (tangent.length() * length));
+        }
+    }
+    cosine
+}
+
+/// `[ss, st, tt]` of ½|S - target|², full if positive definite on the free
+/// parameters, else Gauss-Newton's.
+fn hessian(jet: &Jet, residual: DVec3, free: [bool; 2]) -> [f64; 3] {
+    let flat = [jet.s.dot(jet.s), jet.s.dot(jet.t), jet.t.dot(jet.t)];
+    let bent = [residual.dot(jet.ss), residual.dot(jet.st), residual.dot(jet.tt)];
+    let full = [0, 1, 2].map(|k| flat[k] + bent[k]);
+    let definite = match free {
+        [true, true] => full[0] > 0.0 && full[0] * full[2] > full[1] * full[1],
+        [true, false] => full[0] > 0.0,
+        [false, _] => full[2] > 0.0,
+    };
+    if definite { full } else { flat }
+}
+
+/// The minimum of the quadratic model inside the patch, as far as one cut at
+/// an edge finds it.
+fn step(at: [f64; 2], gradient: [f64; 2], hessian: &[f64; 3], free: [bool; 2]) -> [f64; 2] {
+    let [ss, st, tt] = *hessian;
+    let weight = [ss, tt];
+    let least = DEGENERATE_RATIO * ss.max(tt);
+    let free = [free[0] && ss > least, free[1] && tt > least];
+    // The minimum along one axis with the other parameter's step given.
+    let along = |axis: usize, other: f64| {
+        if free[axis] { -(gradient[axis] + st * other) / weight[axis] } else { 0.0 }
+    };
+    if !(free[0] && free[1]) {
+        return [along(0, 0.0), along(1, 0.0)];
+    }
+    let determinant = ss * tt - st * st;
+    if determinant <= DEGENERATE_RATIO * ss * tt {
+        return [along(0, 0.0), 0.0];
+    }
+    let mut full = [
+        (st * gradient[1] - tt * gradient[0]) / determinant,
+        (st * gradient[0] - ss * gradient[1]) / determinant,
+    ];
+    for axis in 0..2 {
+        let inside = (at[axis] + full[axis]).clamp(0.0, 1.0) - at[axis];
+        if inside != full[axis] {
+            full[axis] = inside;
+            full[1 - axis] = along(1 - axis, inside);
+        }
+    }
+    full
+}

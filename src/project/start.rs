@@ -1,0 +1,21 @@
+//! Where an iteration on a patch starts.
+
+use crate::bezier::Patch;
+use glam::DVec3;
+
+/// The parameters (i/p, j/q) of the control point nearest to `target` (the
+/// 2012 paper, section 4). O(p q).
+#[must_use]
+pub fn nearest_control(patch: &Patch<'_>, target: DVec3) -> [f64; 2] {
+    let local = target - patch.center;
+    let mut nearest = (f64::INFINITY, 0);
+    for (index, point) in patch.local_points().enumerate() {
+        let distance_squared = point.distance_squared(local);
+        if distance_squared < nearest.0 {
+            nearest = (distance_squared, index);
+        }
+    }
+    let columns = patch.degree[1] + 1;
+    let (i, j) = (nearest.1 / columns, nearest.1 % columns);
+    [i as f64 / patch.degree[0] as f64, j as f64 / patch.degree[1] as f64]
+}
