@@ -3,6 +3,7 @@
 pub mod bezier;
 pub mod error;
 pub mod flatness;
+pub mod iteration;
 pub mod model;
 pub mod project;
 pub mod tree;

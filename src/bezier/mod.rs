@@ -5,6 +5,7 @@ mod derivative_bounds;
 mod evaluate;
 mod extract;
 mod patch;
+mod restrict;
 mod split;
 
 pub use basis::MAX_ORDER;

@@ -1,0 +1,109 @@
+//! Stage `project`: the nearest foot of every sample.
+
+use super::{Projected, Rule};
+use crate::bezier::{Patch, PatchSet};
+use crate::project::{Foot, Projection, Status, nearest_control, newton, tangent_plane};
+use crate::tree::BoxTree;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Which patches a sample is projected on. The distances are the same: a
+/// patch is left out only if its box is no nearer than a foot already found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Culling {
+    /// Those that a bounding-box tree does not rule out.
+    #[default]
+    Tree,
+    /// All, as in the paper.
+    None,
+}
+
+/// What samples are projected on: flat patches and the tree over their boxes.
+#[derive(Debug, Clone)]
+pub struct Target {
+    /// The patches.
+    pub patches: PatchSet,
+    /// The tree over their boxes.
+    pub tree: BoxTree,
+}
+
+impl Target {
+    /// Builds the tree. O(n log n).
+    #[must_use]
+    pub fn new(patches: PatchSet) -> Self {
+        let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
+        Self { tree: BoxTree::new(&boxes), patches }
+    }
+}
+
+/// The least distance from `sample` that the rule's iterations find on the
+/// target's patches; infinite only for a target without patches.
+///
+/// Never less than the sample's distance to the target. With the tree,
+/// O(log patches) in general position; else O(patches).
+#[must_use]
+pub fn project(target: &Target, sample: DVec3, rule: &Rule) -> Projected {
+    let mut best = Projected {
+        distance_squared: f64::INFINITY,
+        patch: 0,
+        parameters: [0.0; 2],
+        status: Status::IterationLimit,
+    };
+    match rule.culling {
+        Culling::None => {
+            for (index, patch) in target.patches.iter().enumerate() {
+                offer(&mut best, index, project_on(&patch, sample, rule));
+            }
+        }
+        Culling::Tree => descend(target, sample, rule, &mut best),
+    }
+    best
+}
+
+fn project_on(patch: &Patch<'_>, sample: DVec3, rule: &Rule) -> Foot {
+    let start = nearest_control(patch, sample);
+    match rule.projection {
+        Projection::Newton => newton(patch, sample, start, rule.iterations),
+        Projection::TangentPlane => tangent_plane(patch, sample, start, rule.iterations, rule.step_tolerance),
+    }
+}
+
+fn offer(best: &mut Projected, patch: usize, foot: Foot) {
+    if foot.distance_squared < best.distance_squared {
+        *best = Projected {
+            distance_squared: foot.distance_squared,
+            patch,
+            parameters: foot.parameters,
+            status: foot.status,
+        };
+    }
+}
+
+/// Depth first, the nearer child first.
+fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
+    let nodes = target.tree.nodes();
+    let least = |index: usize| nodes[index].aabb.min_distance_squared(sample);
+    if nodes.is_empty() {
+        return;
+    }
+    let mut stack = vec![(least(0), 0)];
+    while let Some((distance_squared, index)) = stack.pop() {
+        if distance_squared >= best.distance_squared {
+            continue;
+        }
+        let node = &nodes[index];
+        if node.count == 0 {
+            let mut children = [index + 1, node.second as usize].map(|child| (least(child), child));
+            if children[0].0 < children[1].0 {
+                children.swap(0, 1);
+            }
+            stack.extend(children);
+            continue;
+        }
+        let first = node.first as usize;
+        for &patch in &target.tree.order()[first..first + node.count as usize] {
+            offer(best, patch as usize, project_on(&target.patches.patch(patch as usize), sample, rule));
+        }
+    }
+}
