@@ -1,8 +1,10 @@
 //! How far apart are two NURBS models?
 
 pub mod bezier;
+pub mod distance;
 pub mod error;
 pub mod flatness;
+pub mod gpu;
 pub mod iteration;
 pub mod model;
 pub mod project;

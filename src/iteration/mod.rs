@@ -14,7 +14,7 @@ pub use cells::CellRadius;
 pub use project::{Culling, Target, project};
 pub use reduce::reduce;
 pub use sample::sample;
-pub use sampling::{SampleGrid, Sampling, SamplingRule};
+pub use sampling::{PAGE_SAMPLES, SampleGrid, Sampling, SamplingRule};
 
 use crate::project::{Projection, Status};
 

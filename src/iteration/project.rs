@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Which patches a sample is projected on. The distances are the same: a
 /// patch is left out only if its box is no nearer than a foot already found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Culling {
     /// Those that a bounding-box tree does not rule out.

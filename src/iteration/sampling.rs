@@ -2,6 +2,7 @@
 
 use crate::bezier::{BezierModel, PatchGrid};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 use super::CellRadius;
 
@@ -35,6 +36,10 @@ pub struct Sampling {
     /// The largest cell radii over all surfaces.
     pub radius: CellRadius,
 }
+
+/// Samples of a page, at most: buffers of a few MiB on the GPU, and grids of
+/// the default size enough to keep it busy.
+pub const PAGE_SAMPLES: usize = 1 << 18;
 
 /// Lines across the surface that an arc length is averaged over.
 const ARC_LENGTH_LINES: usize = 9;
@@ -74,12 +79,36 @@ impl Sampling {
         self.len() == 0
     }
 
-    /// The surface of sample `index` and its (u, v).
+    /// The surface of sample `index`.
     #[must_use]
-    pub fn parameters(&self, index: usize) -> (usize, [f64; 2]) {
-        let surface = self.grids.partition_point(|grid| grid.first <= index).max(1) - 1;
-        let (i, j) = self.grids[surface].row_and_column(index);
-        (surface, [self.grids[surface].parameters[0][i], self.grids[surface].parameters[1][j]])
+    pub fn surface(&self, index: usize) -> usize {
+        self.grids.partition_point(|grid| grid.first <= index).max(1) - 1
+    }
+
+    /// The (u, v) of sample `index` on its surface.
+    #[must_use]
+    pub fn parameters(&self, index: usize) -> [f64; 2] {
+        let grid = &self.grids[self.surface(index)];
+        let (i, j) = grid.row_and_column(index);
+        [grid.parameters[0][i], grid.parameters[1][j]]
+    }
+
+    /// Ranges of samples, whole rows of a grid each, of at most
+    /// [`PAGE_SAMPLES`] (or one row), in order: what is worked on at a time.
+    #[must_use]
+    pub fn pages(&self) -> Vec<Range<usize>> {
+        let mut pages: Vec<Range<usize>> = Vec::new();
+        for grid in &self.grids {
+            let [rows, columns] = grid.counts();
+            for row in 0..rows {
+                let end = grid.first + (row + 1) * columns;
+                match pages.last_mut() {
+                    Some(page) if end - page.start <= PAGE_SAMPLES => page.end = end,
+                    _ => pages.push(end - columns..end),
+                }
+            }
+        }
+        pages
     }
 }
 

@@ -51,7 +51,9 @@ pub struct Foot {
 }
 
 /// The two rules by which a step is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Deserialize, Serialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, serde::Deserialize, Serialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Projection {
     /// Damped Newton with an active set at the patch's edges ([`newton`]).

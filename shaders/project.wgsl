@@ -1,0 +1,117 @@
+// Stage `project`: the nearest foot of every sample on one group of B's
+// patches, as `src/iteration/project.rs`. One thread a sample.
+
+struct ProjectParams {
+    first_sample: u32,
+    sample_count: u32,
+    // The patches tried without a tree; the nodes' patches count from 0.
+    first_patch: u32,
+    patch_count: u32,
+    // Number of patches in the groups before this one.
+    patches_before: u32,
+    iterations: u32,
+    step_tolerance: f32,
+    padding: u32,
+}
+
+struct Node {
+    box_min: vec3<f32>,
+    // Index of the second child; the first follows its parent. 0 in a leaf.
+    second: u32,
+    box_max: vec3<f32>,
+    // In a leaf: first patch and, in the lowest bits, their number.
+    patches: u32,
+}
+
+// As the host packs `Node.patches`.
+const LEAF_COUNT_BITS: u32 = 2u;
+const LEAF_COUNT_MASK: u32 = 3u;
+
+// Deeper than any tree over the patches that fit a binding.
+const STACK_SIZE: u32 = 32u;
+
+// A box this much nearer than the best is still visited, so that rounding
+// rules out no patch that could win.
+const BOX_ROUNDING: f32 = 1.0 - 1e-6;
+
+@group(0) @binding(0) var<uniform> params: ProjectParams;
+@group(0) @binding(1) var<storage, read> samples: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read_write> best: array<Best>;
+@group(0) @binding(3) var<storage, read> controls: array<vec4<f32>>;
+@group(0) @binding(4) var<storage, read> centers: array<vec4<f32>>;
+@group(0) @binding(5) var<storage, read> nodes: array<Node>;
+
+fn offer(known: Best, patch_index: u32, point: vec3<f32>) -> Best {
+    let local = point - centers[patch_index].xyz;
+    let found = foot(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
+    if found.distance_squared < known.distance_squared {
+        let packed = (params.patches_before + patch_index) | (found.status << STATUS_SHIFT);
+        return Best(found.distance_squared, packed, found.at.x, found.at.y);
+    }
+    return known;
+}
+
+fn box_distance_squared(node: u32, point: vec3<f32>) -> f32 {
+    let outside = max(max(nodes[node].box_min - point, point - nodes[node].box_max), vec3<f32>(0.0));
+    return dot(outside, outside) * BOX_ROUNDING;
+}
+
+fn thread(id: vec3<u32>, groups: vec3<u32>) -> u32 {
+    return id.x + id.y * groups.x * WORKGROUP_SIZE;
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = thread(id, groups);
+    if index >= params.sample_count {
+        return;
+    }
+    let sample = params.first_sample + index;
+    let point = samples[sample].xyz;
+    var known = best[sample];
+    for (var k = 0u; k < params.patch_count; k++) {
+        known = offer(known, params.first_patch + k, point);
+    }
+    best[sample] = known;
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = thread(id, groups);
+    if index >= params.sample_count {
+        return;
+    }
+    let sample = params.first_sample + index;
+    let point = samples[sample].xyz;
+    var known = best[sample];
+    var waiting: array<u32, STACK_SIZE>;
+    var distances: array<f32, STACK_SIZE>;
+    var height = 1u;
+    waiting[0] = 0u;
+    distances[0] = box_distance_squared(0u, point);
+    while height > 0u {
+        height--;
+        let node = waiting[height];
+        if distances[height] >= known.distance_squared {
+            continue;
+        }
+        let second = nodes[node].second;
+        if second == 0u {
+            let patches = nodes[node].patches;
+            let first = patches >> LEAF_COUNT_BITS;
+            for (var k = 0u; k < (patches & LEAF_COUNT_MASK); k++) {
+                known = offer(known, first + k, point);
+            }
+            continue;
+        }
+        let near = box_distance_squared(node + 1u, point);
+        let far = box_distance_squared(second, point);
+        let swap = far < near;
+        waiting[height] = select(second, node + 1u, swap);
+        distances[height] = max(near, far);
+        waiting[height + 1u] = select(node + 1u, second, swap);
+        distances[height + 1u] = min(near, far);
+        height += 2u;
+    }
+    best[sample] = known;
+}

@@ -1,0 +1,94 @@
+//! The stages in float64 on the CPU: reference and fallback.
+
+use super::{Candidate, Progress, Stages, StatusCounts};
+use crate::bezier::BezierModel;
+use crate::error::Result;
+use crate::iteration::{Projected, Rule, Sampling, Target, project, reduce, sample};
+use crate::model::RigidTransform;
+use crate::project::Status;
+use std::ops::Range;
+
+/// Samples between two looks at the monitor.
+const CHUNK: usize = 512;
+
+/// One direction's data, and the page in work.
+pub(super) struct CpuStages<'a> {
+    pub(super) model: &'a BezierModel,
+    pub(super) sampling: &'a Sampling,
+    pub(super) target: &'a Target,
+    pub(super) transform: RigidTransform,
+    pub(super) rule: Rule,
+    first: usize,
+    projected: Vec<Projected>,
+}
+
+impl<'a> CpuStages<'a> {
+    pub(super) fn new(
+        model: &'a BezierModel,
+        sampling: &'a Sampling,
+        target: &'a Target,
+        transform: RigidTransform,
+        rule: Rule,
+    ) -> Self {
+        Self { model, sampling, target, transform, rule, first: 0, projected: Vec::new() }
+    }
+}
+
+impl Stages for CpuStages<'_> {
+    fn distance_error(&self) -> f64 {
+        0.0
+    }
+
+    async fn project(
+        &mut self,
+        _index: usize,
+        page: &Range<usize>,
+        progress: &mut Progress<'_>,
+    ) -> Result<()> {
+        self.first = page.start;
+        self.projected.clear();
+        let one = |index: usize| {
+            project(self.target, sample(self.model, self.sampling, index, &self.transform), &self.rule)
+        };
+        for start in page.clone().step_by(CHUNK) {
+            progress.checkpoint((start - page.start) as f64 / page.len() as f64).await?;
+            let chunk = start..(start + CHUNK).min(page.end);
+            #[cfg(not(target_arch = "wasm32"))]
+            {
+                use rayon::prelude::*;
+                self.projected.par_extend(chunk.into_par_iter().map(one));
+            }
+            #[cfg(target_arch = "wasm32")]
+            self.projected.extend(chunk.map(one));
+        }
+        Ok(())
+    }
+
+    async fn reduce(&mut self) -> Result<Vec<Candidate>> {
+        let farthest = reduce(&self.projected);
+        Ok(farthest
+            .map(|index| Candidate { sample: self.first + index, projected: self.projected[index] })
+            .into_iter()
+            .collect())
+    }
+
+    fn settle(&mut self, sample: usize, distance_squared: f64) {
+        self.projected[sample - self.first].distance_squared = distance_squared;
+    }
+
+    async fn statuses(&mut self) -> Result<StatusCounts> {
+        let mut counts = StatusCounts::default();
+        for projected in &self.projected {
+            match projected.status {
+                Status::Converged => counts.converged += 1,
+                Status::IterationLimit => counts.iteration_limit += 1,
+                Status::OnEdge => counts.on_edge += 1,
+            }
+        }
+        Ok(counts)
+    }
+
+    async fn field(&mut self) -> Result<Vec<Projected>> {
+        Ok(self.projected.clone())
+    }
+}

@@ -1,0 +1,236 @@
+//! One direction of method `iteration`, on any backend.
+
+use super::{
+    Bounds, Candidate, Field, Options, PreparedModel, PreparedSampling, PreparedTarget, Progress, Stages,
+    StatusCounts, SurfacePoint,
+};
+use crate::error::Result;
+use crate::iteration::{Projected, SampleGrid, Target, sample};
+use crate::model::RigidTransform;
+use crate::project::{Closest, Projection, Status, closest, contraction, nearest_control};
+use glam::DVec3;
+
+/// Width asked of a sample's float64 certificate, relative to the models'
+/// diagonal: some thousand roundings.
+const CERTIFICATE_GAP: f64 = 1e-12;
+
+/// Samples finished in float64, at most, before the rest keep their distance
+/// from the kernel, with its error. More are wanted only when many samples are
+/// equally far to rounding.
+const MOST_FINISHED: usize = 256;
+
+/// Rounding of points and distances in float64 relative to the largest
+/// coordinate: 64 units of 2^-53, added to the upper bound once.
+const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// One direction: A's samples against B's patches.
+pub(super) struct Direction<'a> {
+    pub(super) a: &'a PreparedModel,
+    pub(super) sampling: &'a PreparedSampling,
+    pub(super) target: &'a PreparedTarget,
+    pub(super) transform: RigidTransform,
+    pub(super) diagonal: f64,
+    pub(super) options: &'a Options,
+}
+
+/// What one direction found; `b` in the frame of the target.
+pub(super) struct Directed {
+    pub(super) computed: f64,
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+    pub(super) converged: bool,
+    pub(super) bounds: Bounds,
+    pub(super) from: SurfacePoint,
+    pub(super) to: SurfacePoint,
+    pub(super) statuses: StatusCounts,
+    pub(super) field: Vec<Field>,
+}
+
+/// The farthest sample so far, as the method counts it.
+#[derive(Clone, Copy)]
+struct Farthest {
+    sample: usize,
+    point: DVec3,
+    distance: f64,
+    patch: usize,
+    parameters: [f64; 2],
+    foot: DVec3,
+    lower: f64,
+    status: Status,
+}
+
+impl Direction<'_> {
+    /// Runs the stages page by page and bounds the result; `None` for a
+    /// sampling without samples, which no options make.
+    ///
+    /// With Newton's step every sample that may be the farthest is finished by
+    /// the certified float64 search, until none left can exceed the best:
+    /// kernels find distances of points of B, so never too small ones beyond
+    /// their rounding, and the largest finished one is the largest of all.
+    /// With the tangent-plane step the farthest is taken as the kernel found it.
+    pub(super) async fn run(
+        &self,
+        stages: &mut impl Stages,
+        progress: &mut Progress<'_>,
+    ) -> Result<Option<Directed>> {
+        let pages = self.sampling.sampling.pages();
+        let mut farthest: Option<Farthest> = None;
+        let mut unfinished = 0.0_f64;
+        let mut statuses = StatusCounts::default();
+        let mut projected = Vec::new();
+        for (index, page) in pages.iter().enumerate() {
+            progress.section(index as f64 / pages.len() as f64, 1.0 / pages.len() as f64);
+            stages.project(index, page, progress).await?;
+            let left = self.finish_page(stages, &mut farthest, progress).await?;
+            unfinished = unfinished.max(left);
+            statuses += stages.statuses().await?;
+            if self.options.field {
+                projected.extend(stages.field().await?);
+            }
+        }
+        let field = if self.options.field { self.field(&projected) } else { Vec::new() };
+        Ok(farthest
+            .map(|farthest| self.bound(stages.distance_error(), farthest, unfinished, statuses, field)))
+    }
+
+    /// Takes the page's farthest samples into `farthest`; returns the largest
+    /// distance that the kernel gave a sample left unfinished.
+    async fn finish_page(
+        &self,
+        stages: &mut impl Stages,
+        farthest: &mut Option<Farthest>,
+        progress: &mut Progress<'_>,
+    ) -> Result<f64> {
+        let exceeds =
+            |distance: f64, best: &Option<Farthest>| best.is_none_or(|best| distance > best.distance);
+        let mut finished = 0;
+        loop {
+            let candidates = stages.reduce().await?;
+            let Some(first) = candidates.first() else { return Ok(0.0) };
+            let largest = first.projected.distance_squared.sqrt();
+            if finished >= MOST_FINISHED || !exceeds(largest, farthest) {
+                return Ok(largest);
+            }
+            if self.options.projection == Projection::TangentPlane {
+                *farthest = Some(self.as_published(first));
+                return Ok(largest);
+            }
+            for candidate in &candidates {
+                if !exceeds(candidate.projected.distance_squared.sqrt(), farthest) {
+                    break;
+                }
+                progress.checkpoint(1.0).await?;
+                finished += 1;
+                let this = self.finish(candidate);
+                stages.settle(candidate.sample, this.distance * this.distance);
+                if exceeds(this.distance, farthest) {
+                    *farthest = Some(this);
+                }
+            }
+        }
+    }
+
+    fn point(&self, index: usize) -> DVec3 {
+        sample(self.a.bezier(), &self.sampling.sampling, index, &self.transform)
+    }
+
+    fn closest(&self, point: DVec3) -> Option<Closest> {
+        let Target { patches, tree } = &self.target.target;
+        closest(patches, tree, point, CERTIFICATE_GAP * self.diagonal)
+    }
+
+    /// The candidate's distance by the certified search.
+    fn finish(&self, candidate: &Candidate) -> Farthest {
+        let published = self.as_published(candidate);
+        match self.closest(published.point) {
+            Some(closest) => Farthest {
+                distance: closest.upper,
+                patch: closest.patch,
+                parameters: closest.parameters,
+                foot: closest.point,
+                status: Status::Converged,
+                ..published
+            },
+            None => published,
+        }
+    }
+
+    /// The candidate's distance to the foot that its projection found.
+    fn as_published(&self, candidate: &Candidate) -> Farthest {
+        let Projected { patch, parameters, status, .. } = candidate.projected;
+        let point = self.point(candidate.sample);
+        let foot = self.target.target.patches.patch(patch).point(parameters);
+        Farthest {
+            sample: candidate.sample,
+            point,
+            distance: point.distance(foot),
+            patch,
+            parameters,
+            foot,
+            lower: self.closest(point).map_or(0.0, |closest| closest.lower),
+            status,
+        }
+    }
+
+    fn bound(
+        &self,
+        distance_error: f64,
+        farthest: Farthest,
+        unfinished: f64,
+        statuses: StatusCounts,
+        field: Vec<Field>,
+    ) -> Directed {
+        let radius = self.sampling.sampling.radius;
+        let patches = &self.target.target.patches;
+        let patch = patches.patch(farthest.patch);
+        let start = nearest_control(&patch, farthest.point);
+        let contraction = contraction(&patch, farthest.point, start, self.options.iterations);
+        let k_b =
+            (contraction < 1.0).then(|| contraction / (1.0 - contraction) * self.options.step_tolerance);
+        let coordinate =
+            (farthest.point.abs().max_element() + self.diagonal).max(patch.center.abs().max_element());
+        let converged = match self.options.projection {
+            Projection::Newton => unfinished <= farthest.distance,
+            Projection::TangentPlane => farthest.status != Status::IterationLimit,
+        };
+        Directed {
+            computed: farthest.distance,
+            lower: farthest.lower.min(farthest.distance),
+            upper: farthest.distance.max(unfinished + distance_error)
+                + radius.rigorous
+                + COORDINATE_ROUNDING * coordinate,
+            converged,
+            bounds: Bounds { k_a: radius.published, k_a_rigorous: radius.rigorous, k_b },
+            from: self.sample_point(farthest.sample, farthest.point),
+            to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),
+            statuses,
+            field,
+        }
+    }
+
+    fn sample_point(&self, index: usize, point: DVec3) -> SurfacePoint {
+        let sampling = &self.sampling.sampling;
+        surface_point(sampling.surface(index), sampling.parameters(index), point)
+    }
+
+    fn field(&self, projected: &[Projected]) -> Vec<Field> {
+        let of_grid = |(surface, grid): (usize, &SampleGrid)| {
+            let mut field = Field { surface, counts: grid.counts(), ..Field::default() };
+            for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
+                let Projected { patch, parameters, status, .. } = *projected;
+                let point = self.point(index);
+                let foot = self.target.target.patches.patch(patch).point(parameters);
+                field.points.extend(point.to_array());
+                field.feet.extend(foot.to_array());
+                field.distances.push(point.distance(foot));
+                field.statuses.push(status as u8);
+            }
+            field
+        };
+        self.sampling.sampling.grids.iter().enumerate().map(of_grid).collect()
+    }
+}
+
+fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
+    SurfacePoint { surface, u, v, point: point.to_array() }
+}

@@ -1,0 +1,133 @@
+//! Where a distance is asked for, and the backend chosen.
+
+use super::run::{Ends, Run};
+use super::{Backend, DistanceResult, Monitor, Options, PreparedModel, Progress};
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// Devices that may be lost before the CPU takes over: a second loss is no accident.
+const MOST_LOSSES: u32 = 2;
+
+/// Measures distances on one GPU, or on the CPU.
+#[derive(Debug)]
+pub struct Engine {
+    gpu: RefCell<Option<Rc<Gpu>>>,
+    losses: Cell<u32>,
+    notice: RefCell<Option<String>>,
+}
+
+impl Engine {
+    /// Looks for a GPU unless `backend` is [`Backend::Cpu`].
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is none.
+    pub async fn new(backend: Backend) -> Result<Self> {
+        let engine = Self { gpu: RefCell::default(), losses: Cell::default(), notice: RefCell::default() };
+        if backend != Backend::Cpu {
+            match Gpu::new().await {
+                Ok(gpu) => drop(engine.gpu.replace(Some(Rc::new(gpu)))),
+                Err(error) if backend == Backend::Gpu => return Err(error),
+                Err(error) => drop(engine.notice.replace(Some(format!("{error}; computed on the CPU")))),
+            }
+        }
+        Ok(engine)
+    }
+
+    /// The GPU's name, if there is a GPU and it has one.
+    #[must_use]
+    pub fn adapter(&self) -> Option<String> {
+        self.gpu.borrow().as_ref().and_then(|gpu| gpu.adapter())
+    }
+
+    /// Whether distances are computed on a GPU by default.
+    #[must_use]
+    pub fn has_gpu(&self) -> bool {
+        self.gpu.borrow().is_some()
+    }
+
+    /// Why there is no GPU, if one was wanted.
+    #[must_use]
+    pub fn notice(&self) -> Option<String> {
+        self.notice.borrow().clone()
+    }
+
+    /// The directed distance from A, moved by the options' transform, to B, or
+    /// with `symmetric` the larger of both directions.
+    ///
+    /// Guarantee: `lower <= distance <= upper`. If the device is lost, the
+    /// work starts again on a new one, and the second time on the CPU.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]; [`Error::NoAdapter`] or
+    /// [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
+    /// [`Error::Cancelled`].
+    pub async fn distance(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &Options,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DistanceResult> {
+        options.validate()?;
+        let mut progress = Progress::new(monitor, options.symmetric);
+        let forward = Ends { from: a, to: b, transform: options.transform };
+        let forward = self.directed(&forward, options, &mut progress).await?.into_forward(options);
+        if !options.symmetric {
+            progress.finish();
+            return Ok(forward);
+        }
+        let reverse = Ends { from: b, to: a, transform: options.transform.inverse() };
+        progress.second_half();
+        let reverse = self.directed(&reverse, options, &mut progress).await?.into_reverse(options);
+        progress.finish();
+        Ok(DistanceResult::symmetric(forward, reverse))
+    }
+
+    /// One direction on the backend at hand, again after a lost device.
+    async fn directed(
+        &self,
+        direction: &Ends<'_>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        loop {
+            let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
+            let Some(gpu) = gpu else {
+                if options.backend == Backend::Gpu {
+                    let found = self.notice().unwrap_or_else(|| "the engine was made without one".to_owned());
+                    return Err(Error::NoAdapter { found });
+                }
+                let notice = if options.backend == Backend::Cpu { None } else { self.notice() };
+                return direction.on_cpu(options, notice, progress).await;
+            };
+            match direction.on_gpu(&gpu, options, progress).await {
+                Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
+                other => return other,
+            }
+        }
+    }
+
+    /// A new device for the lost one, or none if it was not the first.
+    async fn replace(&self, found: &str, backend: Backend) -> Result<()> {
+        self.gpu.replace(None);
+        self.losses.set(self.losses.get() + 1);
+        let reason = if self.losses.get() < MOST_LOSSES {
+            match Gpu::new().await {
+                Ok(gpu) => {
+                    self.gpu.replace(Some(Rc::new(gpu)));
+                    return Ok(());
+                }
+                Err(error) => error.to_string(),
+            }
+        } else {
+            format!("the GPU device was lost {MOST_LOSSES} times: {found}")
+        };
+        if backend == Backend::Gpu {
+            return Err(Error::DeviceLost { found: reason });
+        }
+        self.notice.replace(Some(format!("{reason}; computed on the CPU")));
+        Ok(())
+    }
+}

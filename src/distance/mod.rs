@@ -1,0 +1,23 @@
+//! The distance of two prepared models: options in, interval out.
+
+mod clock;
+mod cpu;
+mod directed;
+mod engine;
+mod monitor;
+mod options;
+mod prepared;
+mod result;
+mod run;
+mod stages;
+
+pub use engine::Engine;
+pub use monitor::{Monitor, Silent};
+pub use options::{Backend, Method, Options};
+pub use prepared::PreparedModel;
+pub use result::{Bounds, DistanceResult, Field, PatchCounts, Seconds, StatusCounts, SurfacePoint, Witness};
+
+pub(crate) use clock::now;
+pub(crate) use monitor::Progress;
+pub(crate) use prepared::{PreparedSampling, PreparedTarget};
+pub(crate) use stages::{Candidate, Stages};

@@ -1,0 +1,95 @@
+//! Progress out, cancelling in.
+
+use super::now;
+use crate::error::{Error, Result};
+
+/// What a caller is told, and asked, while a distance is computed.
+pub trait Monitor {
+    /// The work done so far, from 0 to 1, never falling.
+    fn progress(&mut self, fraction: f64);
+
+    /// Whether to stop; asked between chunks of work.
+    fn cancelled(&self) -> bool;
+}
+
+/// A monitor that hears nothing and never cancels.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Monitor for Silent {
+    fn progress(&mut self, _fraction: f64) {}
+
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Seconds between two looks at the monitor: a frame of a display, so that a
+/// page stays live, and seldom enough to cost nothing.
+const INTERVAL: f64 = 0.015;
+
+/// The part of the progress that one step of the work fills.
+pub(crate) struct Progress<'a> {
+    monitor: &'a mut dyn Monitor,
+    /// The part of the whole that the direction in work fills.
+    direction: [f64; 2],
+    /// The part of the direction that the step in work fills.
+    section: [f64; 2],
+    last: f64,
+}
+
+impl<'a> Progress<'a> {
+    /// For one direction or two.
+    pub(crate) fn new(monitor: &'a mut dyn Monitor, symmetric: bool) -> Self {
+        let length = if symmetric { 0.5 } else { 1.0 };
+        Self { monitor, direction: [0.0, length], section: [0.0, 1.0], last: f64::NEG_INFINITY }
+    }
+
+    /// The direction that follows is the second.
+    pub(crate) fn second_half(&mut self) {
+        self.direction = [0.5, 0.5];
+    }
+
+    /// The steps that follow fill [start, start + length] of the direction.
+    pub(crate) fn section(&mut self, start: f64, length: f64) {
+        self.section = [start, length];
+    }
+
+    /// Reports that `fraction` of the section is done and lets the caller's
+    /// event loop run, at most every [`INTERVAL`].
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`] if the monitor says so.
+    pub(crate) async fn checkpoint(&mut self, fraction: f64) -> Result<()> {
+        if now() - self.last >= INTERVAL {
+            give_way().await;
+            let of_direction = self.section[0] + self.section[1] * fraction;
+            self.monitor.progress((self.direction[0] + self.direction[1] * of_direction).clamp(0.0, 1.0));
+            self.last = now();
+        }
+        if self.monitor.cancelled() { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// Reports that everything is done.
+    pub(crate) fn finish(&mut self) {
+        self.monitor.progress(1.0);
+    }
+}
+
+/// Lets messages and events in, natively nothing.
+#[cfg(not(target_arch = "wasm32"))]
+async fn give_way() {}
+
+/// Lets messages and events in: a timer's turn of the event loop.
+#[cfg(target_arch = "wasm32")]
+async fn give_way() {
+    use wasm_bindgen::prelude::wasm_bindgen;
+    #[wasm_bindgen]
+    extern "C" {
+        #[wasm_bindgen(js_name = setTimeout)]
+        fn set_timeout(callback: &js_sys::Function, milliseconds: f64);
+    }
+    let turn = js_sys::Promise::new(&mut |resolve, _reject| set_timeout(&resolve, 0.0));
+    // A timer's promise is never rejected, and its value is nothing.
+    let _ = wasm_bindgen_futures::JsFuture::from(turn).await;
+}

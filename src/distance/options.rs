@@ -1,0 +1,113 @@
+//! What a caller may choose.
+
+use crate::error::{Error, Result};
+use crate::flatness::Flatness;
+use crate::iteration::{Culling, Rule, SamplingRule};
+use crate::model::RigidTransform;
+use crate::project::Projection;
+use serde::{Deserialize, Serialize};
+
+/// How the distance is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// The 2012 paper's sampling and projection.
+    #[default]
+    Iteration,
+}
+
+/// Where the kernels run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Backend {
+    /// On the GPU if there is one, else on the CPU, and the result says why.
+    #[default]
+    Auto,
+    /// On the GPU; without one, an error.
+    Gpu,
+    /// On the CPU in float64.
+    Cpu,
+}
+
+/// Options of [`super::Engine::distance`], with the defaults of the paper.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct Options {
+    /// How the distance is computed.
+    pub method: Method,
+    /// Samples along each direction of every surface, 2 to 1024.
+    pub samples: usize,
+    /// How they are spread.
+    pub sampling: SamplingRule,
+    /// How flat the patches are cut.
+    pub flatness: Flatness,
+    /// The step of the projection.
+    pub projection: Projection,
+    /// Which patches are tried.
+    pub culling: Culling,
+    /// Steps on one patch, 1 to 1000.
+    pub iterations: u32,
+    /// Change of distance that ends the tangent-plane iteration, in model
+    /// units, positive; also the paper's `E_B` in `k_b`.
+    pub step_tolerance: f64,
+    /// Whether both directions are measured.
+    pub symmetric: bool,
+    /// Moves A before it is measured.
+    pub transform: RigidTransform,
+    /// Where the kernels run.
+    pub backend: Backend,
+    /// Whether every sample and its foot are returned.
+    pub field: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            samples: 64,
+            sampling: SamplingRule::default(),
+            flatness: Flatness::default(),
+            projection: Projection::default(),
+            culling: Culling::default(),
+            iterations: 5,
+            step_tolerance: 0.01,
+            symmetric: false,
+            transform: RigidTransform::IDENTITY,
+            backend: Backend::default(),
+            field: false,
+        }
+    }
+}
+
+/// Samples along a direction, at most: a million a surface.
+const MOST_SAMPLES: usize = 1024;
+
+/// Steps on one patch, at most: far beyond any that still help.
+const MOST_ITERATIONS: u32 = 1000;
+
+impl Options {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] naming the option.
+    pub fn validate(&self) -> Result<()> {
+        let check = |option, valid: bool, found: String, expected| {
+            if valid { Ok(()) } else { Err(Error::OptionOutOfRange { option, found, expected }) }
+        };
+        let samples = (2..=MOST_SAMPLES).contains(&self.samples);
+        check("samples", samples, self.samples.to_string(), "2 to 1024")?;
+        let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
+        check("iterations", iterations, self.iterations.to_string(), "1 to 1000")?;
+        let tolerance = self.step_tolerance.is_finite() && self.step_tolerance > 0.0;
+        check("step tolerance", tolerance, self.step_tolerance.to_string(), "a positive finite number")
+    }
+
+    pub(crate) fn rule(&self) -> Rule {
+        Rule {
+            projection: self.projection,
+            iterations: self.iterations,
+            step_tolerance: self.step_tolerance,
+            culling: self.culling,
+        }
+    }
+}

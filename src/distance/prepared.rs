@@ -1,0 +1,98 @@
+//! A model with everything computed from it once.
+
+use crate::bezier::{BezierModel, extract};
+use crate::flatness::{Flatness, flatten};
+use crate::gpu::{GpuSampling, GpuTarget, Resident};
+use crate::iteration::{Sampling, SamplingRule, Target};
+use crate::model::Model;
+use crate::tree::Aabb;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A model ready to be measured: its Bézier patches, and, made at first use
+/// and kept, its flat patches, samples and what the GPU holds of them.
+#[derive(Debug)]
+pub struct PreparedModel {
+    name: Option<String>,
+    bezier: BezierModel,
+    bounding_box: Aabb,
+    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
+    samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
+}
+
+type SamplingKey = (usize, SamplingRule);
+
+/// Flat patches with their place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedTarget {
+    pub(crate) target: Target,
+    pub(crate) resident: Resident<GpuTarget>,
+}
+
+/// Samples with their place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedSampling {
+    pub(crate) sampling: Sampling,
+    pub(crate) resident: Resident<GpuSampling>,
+}
+
+/// Samplings kept at most: the one in use and, for a slider moved back and
+/// forth, its neighbours.
+const SAMPLINGS_KEPT: usize = 4;
+
+impl PreparedModel {
+    /// Extracts the Bézier patches. O(patches p q (p + q)).
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        Self {
+            name: model.name().map(str::to_owned),
+            bezier: extract(model),
+            bounding_box: model.bounding_box(),
+            targets: RefCell::default(),
+            samplings: RefCell::default(),
+        }
+    }
+
+    /// The model's name.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    /// The model's Bézier patches.
+    #[must_use]
+    pub fn bezier(&self) -> &BezierModel {
+        &self.bezier
+    }
+
+    /// The box of the model's control points.
+    #[must_use]
+    pub fn bounding_box(&self) -> Aabb {
+        self.bounding_box
+    }
+
+    pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
+        let mut targets = self.targets.borrow_mut();
+        if let Some((_, target)) = targets.iter().find(|(of, _)| *of == flatness) {
+            return Rc::clone(target);
+        }
+        let target = Target::new(flatten(&self.bezier.patches, flatness));
+        let prepared = Rc::new(PreparedTarget { target, resident: Resident::default() });
+        targets.push((flatness, Rc::clone(&prepared)));
+        prepared
+    }
+
+    pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Rc<PreparedSampling> {
+        let mut samplings = self.samplings.borrow_mut();
+        if let Some((_, sampling)) = samplings.iter().find(|(of, _)| *of == (samples, rule)) {
+            return Rc::clone(sampling);
+        }
+        let sampling = Sampling::new(&self.bezier, samples, rule);
+        let prepared = Rc::new(PreparedSampling { sampling, resident: Resident::default() });
+        if samplings.len() == SAMPLINGS_KEPT {
+            samplings.remove(0);
+        }
+        samplings.push(((samples, rule), Rc::clone(&prepared)));
+        prepared
+    }
+}

@@ -1,0 +1,145 @@
+//! The answer, in the shape that the command line and JavaScript hand on.
+
+use super::Method;
+use serde::Serialize;
+
+/// The distance of two models.
+///
+/// `lower <= true distance <= upper` whatever converged or not; `computed` is
+/// the method's own number.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DistanceResult {
+    /// The method used.
+    pub method: Method,
+    /// `"gpu"` or `"cpu"`.
+    pub backend: &'static str,
+    /// The GPU's name, if it has one and was used.
+    pub adapter: Option<String>,
+    /// The larger diagonal of the two models' control-net boxes.
+    pub diagonal: f64,
+    /// The largest distance of a sample.
+    pub computed: f64,
+    /// At most the true distance.
+    pub lower: f64,
+    /// At least the true distance.
+    pub upper: f64,
+    /// Whether `computed` is the largest distance of all samples to rounding:
+    /// with the tangent-plane step, whether the witness's iteration ended by
+    /// its step tolerance.
+    pub converged: bool,
+    /// The paper's bounds, and the one that holds.
+    pub bounds: Bounds,
+    /// Where the distance is attained.
+    pub witness: Witness,
+    /// Number of samples.
+    pub samples: usize,
+    /// How their projections ended.
+    pub statuses: StatusCounts,
+    /// Numbers of patches.
+    pub patches: PatchCounts,
+    /// Where the time went.
+    pub seconds: Seconds,
+    /// Why the GPU was not used although it was not ruled out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub notice: Option<String>,
+    /// With `symmetric`: from A to B.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub forward: Option<Box<DistanceResult>>,
+    /// With `symmetric`: from B to A.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reverse: Option<Box<DistanceResult>>,
+    /// With `field`: every sample, one entry a surface of the sampled model.
+    /// Not part of the JSON.
+    #[serde(skip)]
+    pub field: Vec<Field>,
+}
+
+/// How far `computed` can be from the true distance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Bounds {
+    /// The 2012 paper's `K_A`, half the largest diagonal of a cell's box. Not rigorous.
+    pub k_a: f64,
+    /// What a point between the samples can add, certainly.
+    pub k_a_rigorous: f64,
+    /// The 2012 paper's `K_B = α / (1 - α) E_B` with α observed at the
+    /// witness; absent where α was not below 1. An estimate, not a guarantee.
+    pub k_b: Option<f64>,
+}
+
+/// Two points, one a model, that are the distance apart.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Witness {
+    /// On A, after its transform.
+    pub a: SurfacePoint,
+    /// On B.
+    pub b: SurfacePoint,
+}
+
+/// A point of a model.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SurfacePoint {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Parameter u on it.
+    pub u: f64,
+    /// Parameter v on it.
+    pub v: f64,
+    /// The point.
+    pub point: [f64; 3],
+}
+
+/// Numbers of samples by how their projection ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct StatusCounts {
+    /// At a stationary point.
+    pub converged: usize,
+    /// At the iteration limit.
+    pub iteration_limit: usize,
+    /// At a patch's edge.
+    pub on_edge: usize,
+}
+
+impl std::ops::AddAssign for StatusCounts {
+    fn add_assign(&mut self, other: Self) {
+        self.converged += other.converged;
+        self.iteration_limit += other.iteration_limit;
+        self.on_edge += other.on_edge;
+    }
+}
+
+/// Numbers of patches after cutting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct PatchCounts {
+    /// Of A.
+    pub a: usize,
+    /// Of B.
+    pub b: usize,
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Seconds {
+    /// Cutting, trees, samples, upload; 0 if kept from before.
+    pub prepare: f64,
+    /// Making pipelines, with the driver's first compilation.
+    pub compile: f64,
+    /// The rest.
+    pub solve: f64,
+}
+
+/// The samples of one surface, v fastest.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Field {
+    /// Index of the surface in the sampled model.
+    pub surface: usize,
+    /// Numbers of samples along u and v.
+    pub counts: [usize; 2],
+    /// The points, x y z each.
+    pub points: Vec<f64>,
+    /// Their feet on the other model, x y z each.
+    pub feet: Vec<f64>,
+    /// Their distances.
+    pub distances: Vec<f64>,
+    /// How the projections ended: [`crate::project::Status`] as a number.
+    pub statuses: Vec<u8>,
+}

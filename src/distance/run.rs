@@ -1,0 +1,204 @@
+//! One direction run on one backend, and its result.
+
+use super::cpu::CpuStages;
+use super::directed::{Directed, Direction};
+use super::{
+    DistanceResult, Options, PatchCounts, PreparedModel, PreparedSampling, PreparedTarget, Progress, Seconds,
+    Stages, SurfacePoint, Witness, now,
+};
+use crate::error::{Error, Result};
+use crate::gpu::{Gpu, GpuStages};
+use crate::model::RigidTransform;
+use glam::DVec3;
+use std::rc::Rc;
+
+/// The two models of one direction; the transform takes `from` into the frame of `to`.
+pub(super) struct Ends<'a> {
+    pub(super) from: &'a PreparedModel,
+    pub(super) to: &'a PreparedModel,
+    pub(super) transform: RigidTransform,
+}
+
+/// What one direction found, on which backend, how fast.
+pub(super) struct Run {
+    directed: Directed,
+    backend: &'static str,
+    adapter: Option<String>,
+    notice: Option<String>,
+    diagonal: f64,
+    samples: usize,
+    sampled_patches: usize,
+    target_patches: usize,
+    seconds: Seconds,
+}
+
+/// What is prepared for one direction.
+struct Prepared {
+    sampling: Rc<PreparedSampling>,
+    target: Rc<PreparedTarget>,
+    started: f64,
+    seconds: Seconds,
+}
+
+impl Ends<'_> {
+    pub(super) async fn on_cpu(
+        &self,
+        options: &Options,
+        notice: Option<String>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        let prepared = self.prepare(options);
+        let Prepared { sampling, target, .. } = &prepared;
+        let (sampling, target) = (&sampling.sampling, &target.target);
+        let mut stages = CpuStages::new(self.from.bezier(), sampling, target, self.transform, options.rule());
+        let run = self.solve(&prepared, &mut stages, options, progress).await?;
+        Ok(Run { notice, ..run })
+    }
+
+    pub(super) async fn on_gpu(
+        &self,
+        gpu: &Rc<Gpu>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        let mut prepared = self.prepare(options);
+        let started = now();
+        let sampling = prepared
+            .sampling
+            .resident
+            .on(gpu, |gpu| gpu.upload_sampling(self.from.bezier(), &prepared.sampling.sampling))?;
+        let target = prepared.target.resident.on(gpu, |gpu| gpu.upload_target(&prepared.target.target))?;
+        prepared.seconds.prepare += now() - started;
+        let mut stages = GpuStages::new(gpu, sampling, target, self.transform, options.rule()).await?;
+        prepared.seconds.compile = stages.compile_seconds();
+        let run = self.solve(&prepared, &mut stages, options, progress).await?;
+        Ok(Run { backend: "gpu", adapter: gpu.adapter(), ..run })
+    }
+
+    fn prepare(&self, options: &Options) -> Prepared {
+        let started = now();
+        let sampling = self.from.sampling(options.samples, options.sampling);
+        let target = self.to.target(options.flatness);
+        let seconds = Seconds { prepare: now() - started, ..Seconds::default() };
+        Prepared { sampling, target, started, seconds }
+    }
+
+    async fn solve(
+        &self,
+        prepared: &Prepared,
+        stages: &mut impl Stages,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        let diagonal = self.from.bounding_box().diagonal().max(self.to.bounding_box().diagonal());
+        let Prepared { sampling, target, started, seconds } = prepared;
+        let direction =
+            Direction { a: self.from, sampling, target, transform: self.transform, diagonal, options };
+        let directed = direction.run(stages, progress).await?.ok_or(Error::EmptyModel)?;
+        Ok(Run {
+            directed,
+            backend: "cpu",
+            adapter: None,
+            notice: None,
+            diagonal,
+            samples: sampling.sampling.len(),
+            sampled_patches: self.from.bezier().patches.len(),
+            target_patches: target.target.patches.len(),
+            seconds: Seconds { solve: now() - started - seconds.prepare - seconds.compile, ..*seconds },
+        })
+    }
+}
+
+impl Run {
+    /// From A to B.
+    pub(super) fn into_forward(self, options: &Options) -> DistanceResult {
+        let witness = Witness { a: self.directed.from, b: self.directed.to };
+        let patches = PatchCounts { a: self.sampled_patches, b: self.target_patches };
+        self.into_result(options, witness, patches)
+    }
+
+    /// From B to A: found in A's own frame, told in B's.
+    pub(super) fn into_reverse(mut self, options: &Options) -> DistanceResult {
+        let transform = &options.transform;
+        let witness =
+            Witness { a: moved(self.directed.to, transform), b: moved(self.directed.from, transform) };
+        for field in &mut self.directed.field {
+            for points in [&mut field.points, &mut field.feet] {
+                for point in points.chunks_exact_mut(3) {
+                    let [x, y, z] = [point[0], point[1], point[2]];
+                    point.copy_from_slice(&transform.apply(DVec3::new(x, y, z)).to_array());
+                }
+            }
+        }
+        let patches = PatchCounts { a: self.target_patches, b: self.sampled_patches };
+        self.into_result(options, witness, patches)
+    }
+
+    fn into_result(self, options: &Options, witness: Witness, patches: PatchCounts) -> DistanceResult {
+        let Directed { computed, lower, upper, converged, bounds, statuses, field, .. } = self.directed;
+        DistanceResult {
+            method: options.method,
+            backend: self.backend,
+            adapter: self.adapter,
+            diagonal: self.diagonal,
+            computed,
+            lower,
+            upper,
+            converged,
+            bounds,
+            witness,
+            samples: self.samples,
+            statuses,
+            patches,
+            seconds: self.seconds,
+            notice: self.notice,
+            forward: None,
+            reverse: None,
+            field,
+        }
+    }
+}
+
+fn moved(point: SurfacePoint, transform: &RigidTransform) -> SurfacePoint {
+    SurfacePoint { point: transform.apply(DVec3::from_array(point.point)).to_array(), ..point }
+}
+
+impl DistanceResult {
+    /// The larger of two directed results, both kept.
+    pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
+        let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
+        let k_b = match (forward.bounds.k_b, reverse.bounds.k_b) {
+            (Some(forward), Some(reverse)) => Some(forward.max(reverse)),
+            _ => None,
+        };
+        let mut statuses = forward.statuses;
+        statuses += reverse.statuses;
+        let sum = |part: fn(&Seconds) -> f64| part(&forward.seconds) + part(&reverse.seconds);
+        Self {
+            lower: forward.lower.max(reverse.lower),
+            upper: forward.upper.max(reverse.upper),
+            converged: forward.converged && reverse.converged,
+            bounds: super::Bounds {
+                k_a: forward.bounds.k_a.max(reverse.bounds.k_a),
+                k_a_rigorous: forward.bounds.k_a_rigorous.max(reverse.bounds.k_a_rigorous),
+                k_b,
+            },
+            samples: forward.samples + reverse.samples,
+            statuses,
+            seconds: Seconds {
+                prepare: sum(|seconds| seconds.prepare),
+                compile: sum(|seconds| seconds.compile),
+                solve: sum(|seconds| seconds.solve),
+            },
+            field: Vec::new(),
+            forward: None,
+            reverse: None,
+            ..larger.clone()
+        }
+        .with_directions(forward, reverse)
+    }
+
+    fn with_directions(self, forward: Self, reverse: Self) -> Self {
+        Self { forward: Some(Box::new(forward)), reverse: Some(Box::new(reverse)), ..self }
+    }
+}

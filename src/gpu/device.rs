@@ -1,0 +1,139 @@
+//! The GPU: one device, its queue, and whether it is still there.
+
+use super::pipelines::Pipelines;
+use super::slot::slot;
+use super::work::Pace;
+use crate::error::{Error, Result};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A device with default WebGPU limits, its queue and its pipelines.
+#[derive(Debug)]
+pub struct Gpu {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    pub(super) pipelines: Pipelines,
+    pub(super) pace: Pace,
+    /// Tells this device from those before it.
+    pub(super) id: u64,
+    adapter: Option<String>,
+    trouble: Arc<Mutex<Trouble>>,
+}
+
+/// What the device's callbacks reported.
+#[derive(Debug, Default)]
+struct Trouble {
+    lost: Option<String>,
+    error: Option<String>,
+}
+
+impl Gpu {
+    /// The platform's preferred adapter, whatever it is, on the limits that
+    /// WebGPU guarantees everywhere.
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] if there is none or it gives no device.
+    pub async fn new() -> Result<Self> {
+        static NEXT_ID: AtomicU64 = AtomicU64::new(1);
+        let no_adapter = |found: String| Error::NoAdapter { found };
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let adapter = instance
+            .request_adapter(&wgpu::RequestAdapterOptions {
+                power_preference: wgpu::PowerPreference::HighPerformance,
+                ..Default::default()
+            })
+            .await
+            .map_err(|error| no_adapter(error.to_string()))?;
+        let (device, queue) = adapter
+            .request_device(&wgpu::DeviceDescriptor {
+                required_limits: wgpu::Limits::default(),
+                ..Default::default()
+            })
+            .await
+            .map_err(|error| no_adapter(error.to_string()))?;
+        let trouble = Arc::new(Mutex::new(Trouble::default()));
+        let on_loss = Arc::clone(&trouble);
+        device.set_device_lost_callback(move |reason, message| {
+            let mut trouble = on_loss.lock().unwrap_or_else(PoisonError::into_inner);
+            trouble.lost = Some(format!("{reason:?}: {message}"));
+        });
+        let on_error = Arc::clone(&trouble);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let mut trouble = on_error.lock().unwrap_or_else(PoisonError::into_inner);
+            trouble.error.get_or_insert(error.to_string());
+        }));
+        let name = adapter.get_info().name;
+        Ok(Self {
+            pipelines: Pipelines::new(&device),
+            pace: Pace::default(),
+            device,
+            queue,
+            id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
+            adapter: (!name.is_empty()).then_some(name),
+            trouble,
+        })
+    }
+
+    /// The adapter's name, which browsers keep to themselves.
+    #[must_use]
+    pub fn adapter(&self) -> Option<String> {
+        self.adapter.clone()
+    }
+
+    /// Takes the device away, as a driver's reset does.
+    pub fn destroy(&self) {
+        self.device.destroy();
+        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
+        trouble.lost.get_or_insert_with(|| "destroyed".to_owned());
+    }
+
+    /// # Errors
+    /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so.
+    pub(super) fn check(&self) -> Result<()> {
+        let trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = trouble.lost.clone() {
+            return Err(Error::DeviceLost { found });
+        }
+        match trouble.error.clone() {
+            Some(found) => Err(Error::GpuFailed { found }),
+            None => Ok(()),
+        }
+    }
+
+    /// Waits until everything submitted is done.
+    pub(super) async fn finish(&self) -> Result<()> {
+        let (sender, receiver) = slot();
+        self.queue.on_submitted_work_done(move || sender.send(()));
+        self.wait()?;
+        receiver.await;
+        self.check()
+    }
+
+    /// Natively, lets the callbacks of all submitted work run; browsers do so
+    /// by themselves.
+    fn wait(&self) -> Result<()> {
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map(|_| ())
+            .map_err(|error| Error::GpuFailed { found: error.to_string() })
+            .or_else(|error| self.check().and(Err(error)))
+    }
+
+    /// The bytes of a mappable buffer, once all submitted work is done.
+    pub(super) async fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>> {
+        self.check()?;
+        let (sender, receiver) = slot();
+        buffer.map_async(wgpu::MapMode::Read, ..bytes, move |result| sender.send(result));
+        self.wait()?;
+        let mapped = receiver.await;
+        self.check()?;
+        mapped.map_err(|error| Error::GpuFailed { found: error.to_string() })?;
+        let range = buffer
+            .get_mapped_range(..bytes)
+            .map_err(|error| Error::GpuFailed { found: error.to_string() })?;
+        let content = range.to_vec();
+        drop(range);
+        buffer.unmap();
+        Ok(content)
+    }
+}

@@ -1,0 +1,19 @@
+//! The kernels of `shaders` and what feeds them.
+
+mod buffers;
+mod device;
+mod groups;
+mod layouts;
+mod pipelines;
+mod resident;
+mod slot;
+mod stages;
+mod upload_sampling;
+mod upload_target;
+mod work;
+
+pub use device::Gpu;
+pub(crate) use resident::Resident;
+pub(crate) use stages::GpuStages;
+pub(crate) use upload_sampling::GpuSampling;
+pub(crate) use upload_target::GpuTarget;

@@ -1,0 +1,135 @@
+//! Kernels specialised by degree, made at first use and kept.
+
+use super::layouts::{ProjectParams, ReduceParams, SampleParams};
+use crate::iteration::Culling;
+use crate::project::Projection;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::num::NonZeroU64;
+use std::rc::Rc;
+
+/// Threads of a workgroup: a multiple of every vendor's wave, small enough
+/// that a kernel with many registers still fits.
+pub(super) const WORKGROUP_SIZE: u32 = 64;
+
+const PATCH: &str = include_str!("../../shaders/patch.wgsl");
+const BEST: &str = include_str!("../../shaders/best.wgsl");
+const FOOT: &str = include_str!("../../shaders/foot.wgsl");
+const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
+const PROJECT: &str = include_str!("../../shaders/project.wgsl");
+const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
+
+/// A kernel and what it is specialised by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) enum Kernel {
+    Sample { degree: [usize; 2] },
+    Project { degree: [usize; 2], projection: Projection, culling: Culling },
+    Reduce,
+}
+
+impl Kernel {
+    /// The WGSL text of the kernel.
+    pub(super) fn text(self) -> String {
+        let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
+        let degrees = |[p, q]: [usize; 2]| {
+            let order = p.max(q) + 1;
+            format!("const P: u32 = {p}u;\nconst Q: u32 = {q}u;\nconst ORDER: u32 = {order}u;\n")
+        };
+        match self {
+            Self::Sample { degree } => [&common, &degrees(degree), PATCH, BEST, SAMPLE].concat(),
+            Self::Project { degree, projection, .. } => {
+                let newton = format!("const NEWTON: bool = {};\n", projection == Projection::Newton);
+                [&common, &degrees(degree), &newton, PATCH, BEST, FOOT, PROJECT].concat()
+            }
+            Self::Reduce => [&common, BEST, REDUCE].concat(),
+        }
+    }
+
+    fn entry_point(self) -> &'static str {
+        match self {
+            Self::Sample { .. } => "sample",
+            Self::Project { culling: Culling::None, .. } => "project_all",
+            Self::Project { culling: Culling::Tree, .. } => "project_tree",
+            Self::Reduce => "reduce",
+        }
+    }
+
+    /// Bytes of the params, and which storage buffers are written.
+    fn bindings(self) -> (usize, &'static [bool]) {
+        match self {
+            Self::Sample { .. } => (size_of::<SampleParams>(), &[false, false, false, false, true, true]),
+            Self::Project { .. } => (size_of::<ProjectParams>(), &[false, true, false, false, false]),
+            Self::Reduce => (size_of::<ReduceParams>(), &[false, true]),
+        }
+    }
+}
+
+/// A compiled kernel and the layout its buffers are bound by.
+#[derive(Debug)]
+pub(super) struct Pipeline {
+    pub(super) pipeline: wgpu::ComputePipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) params_size: NonZeroU64,
+}
+
+/// The pipelines made so far.
+#[derive(Debug)]
+pub(super) struct Pipelines {
+    device: wgpu::Device,
+    made: RefCell<HashMap<Kernel, Rc<Pipeline>>>,
+}
+
+impl Pipelines {
+    pub(super) fn new(device: &wgpu::Device) -> Self {
+        Self { device: device.clone(), made: RefCell::default() }
+    }
+
+    /// The kernel's pipeline, and whether it is new.
+    pub(super) fn get(&self, kernel: Kernel) -> (Rc<Pipeline>, bool) {
+        if let Some(pipeline) = self.made.borrow().get(&kernel) {
+            return (Rc::clone(pipeline), false);
+        }
+        let pipeline = Rc::new(self.make(kernel));
+        self.made.borrow_mut().insert(kernel, Rc::clone(&pipeline));
+        (pipeline, true)
+    }
+
+    fn make(&self, kernel: Kernel) -> Pipeline {
+        let label = Some(kernel.entry_point());
+        let (params_bytes, written) = kernel.bindings();
+        // No params struct is empty.
+        let params_size = NonZeroU64::new(params_bytes as u64).unwrap_or(NonZeroU64::MIN);
+        let buffer = |binding: usize, ty, has_dynamic_offset, min_binding_size| wgpu::BindGroupLayoutEntry {
+            binding: binding as u32,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset, min_binding_size },
+            count: None,
+        };
+        let mut entries = vec![buffer(0, wgpu::BufferBindingType::Uniform, true, Some(params_size))];
+        for (index, written) in written.iter().enumerate() {
+            let ty = wgpu::BufferBindingType::Storage { read_only: !written };
+            entries.push(buffer(index + 1, ty, false, None));
+        }
+        let layout = self
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &entries });
+        let pipeline_layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label,
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label,
+            source: wgpu::ShaderSource::Wgsl(kernel.text().into()),
+        });
+        let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label,
+            layout: Some(&pipeline_layout),
+            module: &module,
+            entry_point: Some(kernel.entry_point()),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        Pipeline { pipeline, layout, params_size }
+    }
+}

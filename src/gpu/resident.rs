@@ -1,0 +1,33 @@
+//! What a GPU holds of a model, made at first use on each device.
+
+use super::Gpu;
+use crate::error::Result;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A place for one device's copy; a new device's copy replaces it.
+#[derive(Debug)]
+pub(crate) struct Resident<T> {
+    copy: RefCell<Option<(u64, Rc<T>)>>,
+}
+
+impl<T> Default for Resident<T> {
+    fn default() -> Self {
+        Self { copy: RefCell::new(None) }
+    }
+}
+
+impl<T> Resident<T> {
+    /// The copy on `gpu`, uploaded by `upload` if it is not there yet.
+    pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> Result<T>) -> Result<Rc<T>> {
+        let mut copy = self.copy.borrow_mut();
+        if let Some((id, kept)) = copy.as_ref()
+            && *id == gpu.id
+        {
+            return Ok(Rc::clone(kept));
+        }
+        let made = Rc::new(upload(gpu)?);
+        *copy = Some((gpu.id, Rc::clone(&made)));
+        Ok(made)
+    }
+}

@@ -1,0 +1,365 @@
+//! The stages `sample`, `project` and `reduce` on the GPU.
+
+use super::layouts::{Best, Block, ProjectParams, ReduceParams, STATUS_SHIFT, SampleParams};
+use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
+use super::upload_sampling::{GpuSampling, SampleGroup};
+use super::upload_target::{GpuTarget, TargetGroup};
+use super::work::{Dispatch, Work};
+use super::{Gpu, groups::rounded};
+use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
+use crate::error::Result;
+use crate::iteration::{Culling, Projected, Rule};
+use crate::model::RigidTransform;
+use crate::project::Status;
+use bytemuck::{Pod, Zeroable, bytes_of};
+use glam::DVec3;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// Samples of which `reduce` finds the farthest: some sixteen a thread.
+const BLOCK_SIZE: u32 = 1024;
+
+/// Roundings in moving a sample and in a distance, in units of the largest
+/// coordinate: products, sums, centre, difference, squares and root.
+const ROUNDINGS: f64 = 16.0;
+
+/// One direction on the GPU, and the page in work.
+pub(crate) struct GpuStages {
+    gpu: Rc<Gpu>,
+    sampling: Rc<GpuSampling>,
+    target: Rc<GpuTarget>,
+    transform: RigidTransform,
+    rule: Rule,
+    buffers: Buffers,
+    reduce: (Rc<Pipeline>, Rc<wgpu::BindGroup>),
+    page: Range<usize>,
+    statuses: StatusCounts,
+    compile_seconds: f64,
+}
+
+struct Buffers {
+    params: wgpu::Buffer,
+    samples: wgpu::Buffer,
+    best: wgpu::Buffer,
+    blocks: wgpu::Buffer,
+    readable: wgpu::Buffer,
+}
+
+impl GpuStages {
+    /// Makes the buffers of a page and every pipeline that the work wants.
+    ///
+    /// # Errors
+    /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
+    pub(crate) async fn new(
+        gpu: &Rc<Gpu>,
+        sampling: Rc<GpuSampling>,
+        target: Rc<GpuTarget>,
+        transform: RigidTransform,
+        rule: Rule,
+    ) -> Result<Self> {
+        gpu.check()?;
+        let rows = |page: &Vec<SampleGroup>| page.iter().map(|group| u64::from(group.row_count)).sum::<u64>();
+        let most = sampling.pages.iter().map(rows).max().unwrap_or(0) * sampling.samples as u64;
+        let best_bytes = most * size_of::<Best>() as u64;
+        let buffers = Buffers {
+            params: gpu.params()?,
+            samples: gpu.storage("samples", most * size_of::<[f32; 4]>() as u64)?,
+            best: gpu.storage("best", best_bytes)?,
+            blocks: gpu.storage("blocks", blocks_of(most) * size_of::<Block>() as u64)?,
+            readable: gpu
+                .readable("readable", best_bytes.max(blocks_of(most) * size_of::<Block>() as u64))?,
+        };
+        let started = now();
+        let (pipeline, mut new) = gpu.pipelines.get(Kernel::Reduce);
+        let bind_group = gpu.bind(&pipeline, &buffers.params, &[&buffers.best, &buffers.blocks]);
+        let mut stages = Self {
+            gpu: Rc::clone(gpu),
+            sampling,
+            target,
+            transform,
+            rule,
+            buffers,
+            reduce: (pipeline, bind_group),
+            page: 0..0,
+            statuses: StatusCounts::default(),
+            compile_seconds: 0.0,
+        };
+        for group in stages.sampling.pages.iter().flatten() {
+            new |= gpu.pipelines.get(Kernel::Sample { degree: group.degree }).1;
+        }
+        for group in &stages.target.groups {
+            new |= gpu.pipelines.get(stages.project_kernel(group)).1;
+        }
+        if new {
+            stages.warm_up().await?;
+            stages.compile_seconds = now() - started;
+        }
+        Ok(stages)
+    }
+
+    /// Seconds that making new pipelines took, the driver's compilation included.
+    pub(crate) fn compile_seconds(&self) -> f64 {
+        self.compile_seconds
+    }
+
+    fn project_kernel(&self, group: &TargetGroup) -> Kernel {
+        let Rule { projection, culling, .. } = self.rule;
+        Kernel::Project { degree: group.degree, projection, culling }
+    }
+
+    /// Runs every kernel on nothing, which makes the driver compile it.
+    async fn warm_up(&self) -> Result<()> {
+        let mut work = Work::new(&self.gpu, &self.buffers.params);
+        let mut seen: Vec<Kernel> = Vec::new();
+        for group in self.sampling.pages.iter().flatten() {
+            let kernel = Kernel::Sample { degree: group.degree };
+            if !seen.contains(&kernel) {
+                seen.push(kernel);
+                self.record_sample(&mut work, group, &SampleParams { columns: 1, ..Zeroable::zeroed() });
+            }
+        }
+        for group in &self.target.groups {
+            let kernel = self.project_kernel(group);
+            if !seen.contains(&kernel) {
+                seen.push(kernel);
+                let (pipeline, bind_group) = self.bind_project(group);
+                self.record_project(&mut work, kernel, &pipeline, &bind_group, &Zeroable::zeroed(), 0);
+            }
+        }
+        self.record_reduce(&mut work, 0);
+        // The time is the compiler's, so the pace learns nothing from it.
+        work.submit_unmeasured().await
+    }
+
+    fn record_sample(&self, work: &mut Work<'_>, group: &SampleGroup, params: &SampleParams) {
+        let kernel = Kernel::Sample { degree: group.degree };
+        let (pipeline, _) = self.gpu.pipelines.get(kernel);
+        let Buffers { params: uniform, samples, best, .. } = &self.buffers;
+        let controls = &group.controls;
+        let storage = [&controls.controls, &controls.centers, &group.rows, &group.places, samples, best];
+        let bind_group = self.gpu.bind(&pipeline, uniform, &storage);
+        let count = params.row_count * params.columns;
+        work.dispatch(&Dispatch {
+            kernel,
+            pipeline: &pipeline,
+            bind_group: &bind_group,
+            params: bytes_of(params),
+            workgroups: count.div_ceil(WORKGROUP_SIZE),
+            units: count as usize,
+        });
+    }
+
+    fn bind_project(&self, group: &TargetGroup) -> (Rc<Pipeline>, Rc<wgpu::BindGroup>) {
+        let (pipeline, _) = self.gpu.pipelines.get(self.project_kernel(group));
+        let Buffers { params, samples, best, .. } = &self.buffers;
+        let controls = &group.controls;
+        let storage = [samples, best, &controls.controls, &controls.centers, &group.nodes];
+        let bind_group = self.gpu.bind(&pipeline, params, &storage);
+        (pipeline, bind_group)
+    }
+
+    fn record_project(
+        &self,
+        work: &mut Work<'_>,
+        kernel: Kernel,
+        pipeline: &Pipeline,
+        bind_group: &wgpu::BindGroup,
+        params: &ProjectParams,
+        units: usize,
+    ) {
+        let workgroups = params.sample_count.div_ceil(WORKGROUP_SIZE);
+        let params = bytes_of(params);
+        work.dispatch(&Dispatch { kernel, pipeline, bind_group, params, workgroups, units });
+    }
+
+    fn record_reduce(&self, work: &mut Work<'_>, count: u32) {
+        let (pipeline, bind_group) = &self.reduce;
+        work.dispatch(&Dispatch {
+            kernel: Kernel::Reduce,
+            pipeline,
+            bind_group,
+            params: bytes_of(&ReduceParams { sample_count: count, block_size: BLOCK_SIZE }),
+            workgroups: count.div_ceil(BLOCK_SIZE),
+            units: count as usize,
+        });
+    }
+
+    /// The frame of A's samples in that of B's patches, as the kernel wants it.
+    fn sample_params(&self, group: &SampleGroup) -> SampleParams {
+        let column = |axis: DVec3| rounded(self.transform.rotate(axis).extend(0.0));
+        SampleParams {
+            rotation_x: column(DVec3::X),
+            rotation_y: column(DVec3::Y),
+            rotation_z: column(DVec3::Z),
+            translation: rounded(self.offset().extend(0.0)),
+            first_row: 0,
+            row_count: group.row_count,
+            columns: group.columns,
+            padding: 0,
+        }
+    }
+
+    fn offset(&self) -> DVec3 {
+        self.transform.apply(self.sampling.origin) - self.target.origin
+    }
+
+    /// Reads the first `count` of a buffer's items.
+    async fn read<T: Pod>(&self, mut work: Work<'_>, from: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
+        let bytes = (count * size_of::<T>()) as u64;
+        work.copy(from, &self.buffers.readable, bytes);
+        work.submit().await?;
+        let content = self.gpu.read(&self.buffers.readable, bytes).await?;
+        Ok(bytemuck::pod_collect_to_vec(&content))
+    }
+
+    fn projected(&self, best: &Best) -> Projected {
+        let place = best.patch_and_status & ((1 << STATUS_SHIFT) - 1);
+        let distance_squared = f64::from(best.distance_squared);
+        Projected {
+            // What is no number is for float64 to decide.
+            distance_squared: if distance_squared.is_nan() { f64::INFINITY } else { distance_squared },
+            patch: self.target.patches.get(place as usize).map_or(0, |&patch| patch as usize),
+            parameters: [best.s, best.t].map(|parameter| f64::from(parameter).clamp(0.0, 1.0)),
+            status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
+        }
+    }
+}
+
+impl Stages for GpuStages {
+    fn distance_error(&self) -> f64 {
+        let moved = self.sampling.radius + self.offset().length() + self.target.radius;
+        self.sampling.coordinate_error
+            + self.target.coordinate_error
+            + ROUNDINGS * f64::from(f32::EPSILON) * moved
+    }
+
+    async fn project(
+        &mut self,
+        index: usize,
+        page: &Range<usize>,
+        progress: &mut Progress<'_>,
+    ) -> Result<()> {
+        progress.checkpoint(0.0).await?;
+        self.page = page.clone();
+        let mut work = Work::new(&self.gpu, &self.buffers.params);
+        for group in &self.sampling.pages[index] {
+            if work.is_full() {
+                work.submit().await?;
+                work = Work::new(&self.gpu, &self.buffers.params);
+            }
+            self.record_sample(&mut work, group, &self.sample_params(group));
+        }
+        for (index, group) in self.target.groups.iter().enumerate() {
+            let kernel = self.project_kernel(group);
+            let (pipeline, bind_group) = self.bind_project(group);
+            let mut plan = Plan::new(page.len(), group.count, self.rule.culling);
+            while let Some((params, units)) = plan.next(self.gpu.pace.chunk(kernel)) {
+                if work.is_full() {
+                    work.submit().await?;
+                    work = Work::new(&self.gpu, &self.buffers.params);
+                    let of_group = plan.fraction_before();
+                    let groups = self.target.groups.len() as f64;
+                    progress.checkpoint((index as f64 + of_group) / groups).await?;
+                }
+                let params = ProjectParams {
+                    patches_before: group.patches_before as u32,
+                    iterations: self.rule.iterations,
+                    step_tolerance: self.rule.step_tolerance as f32,
+                    ..params
+                };
+                self.record_project(&mut work, kernel, &pipeline, &bind_group, &params, units);
+            }
+        }
+        work.submit().await
+    }
+
+    async fn reduce(&mut self) -> Result<Vec<Candidate>> {
+        let count = self.page.len() as u32;
+        let mut work = Work::new(&self.gpu, &self.buffers.params);
+        self.record_reduce(&mut work, count);
+        let blocks: Vec<Block> =
+            self.read(work, &self.buffers.blocks, blocks_of(u64::from(count)) as usize).await?;
+        self.statuses = StatusCounts::default();
+        let mut candidates = Vec::with_capacity(blocks.len());
+        for block in &blocks {
+            self.statuses += StatusCounts {
+                converged: block.converged as usize,
+                iteration_limit: block.iteration_limit as usize,
+                on_edge: block.on_edge as usize,
+            };
+            let sample = self.page.start + (block.sample as usize).min(self.page.len() - 1);
+            candidates.push(Candidate { sample, projected: self.projected(&block.best) });
+        }
+        candidates.sort_by(|a, b| b.projected.distance_squared.total_cmp(&a.projected.distance_squared));
+        Ok(candidates)
+    }
+
+    fn settle(&mut self, sample: usize, distance_squared: f64) {
+        let nearest = distance_squared as f32;
+        // Never above the exact value, so that the sample is not taken for farther than it is.
+        let below = if f64::from(nearest) > distance_squared { nearest.next_down() } else { nearest };
+        let offset = ((sample - self.page.start) * size_of::<Best>()) as u64;
+        self.gpu.queue.write_buffer(&self.buffers.best, offset, bytes_of(&below));
+    }
+
+    async fn statuses(&mut self) -> Result<StatusCounts> {
+        Ok(self.statuses)
+    }
+
+    async fn field(&mut self) -> Result<Vec<Projected>> {
+        let work = Work::new(&self.gpu, &self.buffers.params);
+        let best: Vec<Best> = self.read(work, &self.buffers.best, self.page.len()).await?;
+        Ok(best.iter().map(|best| self.projected(best)).collect())
+    }
+}
+
+fn blocks_of(samples: u64) -> u64 {
+    samples.div_ceil(u64::from(BLOCK_SIZE))
+}
+
+/// Cuts the projection on one group into chunks.
+struct Plan {
+    samples: usize,
+    patches: usize,
+    culling: Culling,
+    sample: usize,
+    patch: usize,
+}
+
+impl Plan {
+    fn new(samples: usize, patches: usize, culling: Culling) -> Self {
+        Self { samples, patches, culling, sample: 0, patch: 0 }
+    }
+
+    /// The part done by the chunks handed out.
+    fn fraction_before(&self) -> f64 {
+        (self.sample as f64 + self.patch as f64 / self.patches as f64) / self.samples as f64
+    }
+
+    /// The next chunk of about `units` units, a sample each with the tree, a
+    /// sample on a patch each without.
+    fn next(&mut self, units: usize) -> Option<(ProjectParams, usize)> {
+        if self.sample >= self.samples {
+            return None;
+        }
+        let sample_count = (self.samples - self.sample).min(units.max(WORKGROUP_SIZE as usize));
+        let mut params = ProjectParams {
+            first_sample: self.sample as u32,
+            sample_count: sample_count as u32,
+            ..Zeroable::zeroed()
+        };
+        if self.culling == Culling::Tree {
+            self.sample += sample_count;
+            return Some((params, sample_count));
+        }
+        let patch_count = (self.patches - self.patch).min((units / sample_count).max(1));
+        params.first_patch = self.patch as u32;
+        params.patch_count = patch_count as u32;
+        self.patch += patch_count;
+        if self.patch >= self.patches {
+            self.patch = 0;
+            self.sample += sample_count;
+        }
+        Some((params, sample_count * patch_count))
+    }
+}

@@ -1,0 +1,106 @@
+//! The flat patches that samples are projected on, with their trees.
+
+use super::Gpu;
+use super::groups::{Controls, by_degree};
+use super::layouts::{LEAF_COUNT_BITS, Node};
+use crate::bezier::center_grid;
+use crate::error::Result;
+use crate::iteration::Target;
+use crate::tree::{Aabb, BoxTree};
+use glam::DVec3;
+
+/// A target on the GPU.
+#[derive(Debug)]
+pub(crate) struct GpuTarget {
+    /// What everything on the GPU is relative to.
+    pub(super) origin: DVec3,
+    pub(super) groups: Vec<TargetGroup>,
+    /// The target's patch of every patch on the GPU, group by group.
+    pub(super) patches: Vec<u32>,
+    /// Bound of the error of a foot's coordinates in float32.
+    pub(super) coordinate_error: f64,
+    /// Largest distance of a point from the origin.
+    pub(super) radius: f64,
+}
+
+/// Patches of one degree with a tree of their own, in the order of its leaves.
+#[derive(Debug)]
+pub(super) struct TargetGroup {
+    pub(super) degree: [usize; 2],
+    pub(super) count: usize,
+    pub(super) patches_before: usize,
+    pub(super) controls: Controls,
+    pub(super) nodes: wgpu::Buffer,
+}
+
+/// Roundings on the way to a point, per degree and besides, in units of the
+/// patch's largest homogeneous coordinate: a basis function takes two a degree
+/// and direction, the sums two more a term, the rounded parameter half a one a
+/// degree, and centre and difference a few.
+const ROUNDINGS_PER_DEGREE: f64 = 4.0;
+const ROUNDINGS_BESIDES: f64 = 16.0;
+
+/// A rounding of WGSL, which promises no mode: a whole unit in the last place.
+const ROUNDING: f64 = f32::EPSILON as f64;
+
+impl Gpu {
+    /// Uploads the target's patches group by group.
+    ///
+    /// # Errors
+    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
+    pub(crate) fn upload_target(&self, target: &Target) -> Result<GpuTarget> {
+        let aabb = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
+        let grid = center_grid(aabb.diagonal());
+        let origin = (aabb.center() / grid).round() * grid;
+        let mut groups = Vec::new();
+        let mut patches: Vec<u32> = Vec::with_capacity(target.patches.len());
+        let mut coordinate_error = 0.0_f64;
+        for (degree, members) in by_degree(&target.patches) {
+            let boxes: Vec<Aabb> =
+                members.iter().map(|&index| target.patches.patch(index).bounding_box()).collect();
+            let tree = BoxTree::new(&boxes);
+            let order: Vec<usize> = tree.order().iter().map(|&place| members[place as usize]).collect();
+            let in_order = || order.iter().map(|&index| target.patches.patch(index));
+            for patch in in_order() {
+                coordinate_error = coordinate_error.max(patch_error(&patch));
+            }
+            let nodes: Vec<Node> = tree.nodes().iter().map(|node| node_relative_to(node, origin)).collect();
+            groups.push(TargetGroup {
+                degree,
+                count: order.len(),
+                patches_before: patches.len(),
+                controls: self.upload_patches(in_order(), origin)?,
+                nodes: self.upload("nodes", &nodes)?,
+            });
+            patches.extend(order.iter().map(|&index| index as u32));
+        }
+        let radius = aabb.max_distance_squared(origin).sqrt();
+        Ok(GpuTarget { origin, groups, patches, coordinate_error, radius })
+    }
+}
+
+/// Bound of the error of a point of `patch` computed in float32 from rounded
+/// controls, relative to the patch's centre: the roundings of the numerator
+/// and of the weight, each at most the roundings above times the largest
+/// weight, over the smallest, times the radius, which is at least any point's.
+pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
+    let radius = patch.local_points().fold(0.0_f64, |radius, point| radius.max(point.length()));
+    let weights = patch.controls.iter().map(|control| control.w);
+    let ratio = weights.clone().fold(0.0, f64::max) / weights.fold(f64::INFINITY, f64::min);
+    let degrees = (patch.degree[0] + patch.degree[1]) as f64;
+    2.0 * (ROUNDINGS_PER_DEGREE * degrees + ROUNDINGS_BESIDES) * ROUNDING * ratio * radius
+}
+
+/// The node with its box rounded outwards.
+fn node_relative_to(node: &crate::tree::Node, origin: DVec3) -> Node {
+    let down = |value: f64| {
+        let rounded = value as f32;
+        if f64::from(rounded) > value { rounded.next_down() } else { rounded }
+    };
+    Node {
+        box_min: (node.aabb.min - origin).to_array().map(down),
+        second: node.second,
+        box_max: (node.aabb.max - origin).to_array().map(|value| -down(-value)),
+        patches: node.first << LEAF_COUNT_BITS | node.count,
+    }
+}

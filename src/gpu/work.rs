@@ -1,0 +1,150 @@
+//! Dispatches gathered into submissions of bounded duration.
+
+use super::Gpu;
+use super::pipelines::{Kernel, Pipeline};
+use crate::distance::now;
+use crate::error::Result;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Seconds that a submission may be expected to take: browsers kill work of
+/// seconds, and this is also the grain of progress and cancelling.
+const MOST_SECONDS: f64 = 0.2;
+
+/// Units a second assumed of a kernel never run: slow enough that the first
+/// dispatch stays short on a software adapter.
+const FIRST_RATE: f64 = 2e4;
+
+/// A rate changes by at most this factor at a time, in case a measurement is odd.
+const MOST_RATE_CHANGE: f64 = 8.0;
+
+/// Params in one submission, at most.
+const MOST_DISPATCHES: usize = 256;
+
+/// Bytes between params: the offset alignment that every device accepts.
+const PARAMS_STRIDE: usize = 256;
+
+/// Workgroups along one dimension, at most: the default limit of WebGPU.
+const MOST_WORKGROUPS: u32 = 65_535;
+
+/// How fast each kernel was seen to run, in units of work a second.
+#[derive(Debug, Default)]
+pub(super) struct Pace(RefCell<HashMap<Kernel, f64>>);
+
+impl Pace {
+    fn rate(&self, kernel: Kernel) -> f64 {
+        self.0.borrow().get(&kernel).copied().unwrap_or(FIRST_RATE)
+    }
+
+    /// Units of work of this kernel that fill a submission; at least 1.
+    pub(super) fn chunk(&self, kernel: Kernel) -> usize {
+        (self.rate(kernel) * MOST_SECONDS).max(1.0) as usize
+    }
+}
+
+/// One kernel on its buffers.
+pub(super) struct Dispatch<'a> {
+    pub(super) kernel: Kernel,
+    pub(super) pipeline: &'a Pipeline,
+    pub(super) bind_group: &'a wgpu::BindGroup,
+    pub(super) params: &'a [u8],
+    pub(super) workgroups: u32,
+    /// Units of work: what the kernel's time is proportional to.
+    pub(super) units: usize,
+}
+
+/// A submission being recorded.
+pub(super) struct Work<'a> {
+    gpu: &'a Gpu,
+    params: &'a wgpu::Buffer,
+    encoder: wgpu::CommandEncoder,
+    bytes: Vec<u8>,
+    expected: f64,
+    kernels: Vec<Kernel>,
+}
+
+impl Gpu {
+    /// A buffer for the params of a submission.
+    pub(super) fn params(&self) -> Result<wgpu::Buffer> {
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        self.buffer("params", (MOST_DISPATCHES * PARAMS_STRIDE) as u64, usage)
+    }
+
+    /// The bind group of a pipeline: params, then the storage buffers in order.
+    pub(super) fn bind(
+        &self,
+        pipeline: &Pipeline,
+        params: &wgpu::Buffer,
+        storage: &[&wgpu::Buffer],
+    ) -> Rc<wgpu::BindGroup> {
+        let params = wgpu::BufferBinding { buffer: params, offset: 0, size: Some(pipeline.params_size) };
+        let mut entries =
+            vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(params) }];
+        for (index, buffer) in storage.iter().enumerate() {
+            entries.push(wgpu::BindGroupEntry {
+                binding: index as u32 + 1,
+                resource: buffer.as_entire_binding(),
+            });
+        }
+        Rc::new(self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.layout,
+            entries: &entries,
+        }))
+    }
+}
+
+impl<'a> Work<'a> {
+    pub(super) fn new(gpu: &'a Gpu, params: &'a wgpu::Buffer) -> Self {
+        let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        Self { gpu, params, encoder, bytes: Vec::new(), expected: 0.0, kernels: Vec::new() }
+    }
+
+    /// Whether the submission is long enough, in time or in dispatches.
+    pub(super) fn is_full(&self) -> bool {
+        self.expected >= MOST_SECONDS || self.bytes.len() >= MOST_DISPATCHES * PARAMS_STRIDE
+    }
+
+    /// Records a dispatch; the submission must not be full.
+    pub(super) fn dispatch(&mut self, dispatch: &Dispatch<'_>) {
+        let offset = self.bytes.len();
+        self.bytes.extend_from_slice(dispatch.params);
+        self.bytes.resize(offset + PARAMS_STRIDE, 0);
+        self.expected += dispatch.units as f64 / self.gpu.pace.rate(dispatch.kernel);
+        self.kernels.push(dispatch.kernel);
+        let rows = dispatch.workgroups.div_ceil(MOST_WORKGROUPS).max(1);
+        let mut pass = self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(&dispatch.pipeline.pipeline);
+        pass.set_bind_group(0, dispatch.bind_group, &[offset as u32]);
+        pass.dispatch_workgroups(dispatch.workgroups.div_ceil(rows).max(1), rows, 1);
+    }
+
+    /// Copies the first `bytes` of a buffer.
+    pub(super) fn copy(&mut self, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) {
+        self.encoder.copy_buffer_to_buffer(from, 0, to, 0, bytes);
+    }
+
+    /// Submits and waits.
+    pub(super) async fn submit_unmeasured(self) -> Result<()> {
+        self.gpu.queue.write_buffer(self.params, 0, &self.bytes);
+        self.gpu.queue.submit([self.encoder.finish()]);
+        self.gpu.finish().await
+    }
+
+    /// Submits, waits, and learns how fast the kernels are.
+    pub(super) async fn submit(mut self) -> Result<()> {
+        let (gpu, expected) = (self.gpu, self.expected);
+        let mut kernels = std::mem::take(&mut self.kernels);
+        kernels.sort_unstable();
+        kernels.dedup();
+        let started = now();
+        self.submit_unmeasured().await?;
+        let factor = (expected / (now() - started)).clamp(1.0 / MOST_RATE_CHANGE, MOST_RATE_CHANGE);
+        let mut rates = gpu.pace.0.borrow_mut();
+        for kernel in kernels {
+            *rates.entry(kernel).or_insert(FIRST_RATE) *= factor;
+        }
+        Ok(())
+    }
+}
