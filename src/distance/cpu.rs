@@ -65,11 +65,8 @@ impl Stages for CpuStages<'_> {
     }
 
     async fn reduce(&mut self) -> Result<Vec<Candidate>> {
-        let farthest = reduce(&self.projected);
-        Ok(farthest
-            .map(|index| Candidate { sample: self.first + index, projected: self.projected[index] })
-            .into_iter()
-            .collect())
+        let candidate = |index| Candidate { sample: self.first + index, projected: self.projected[index] };
+        Ok(reduce(&self.projected).into_iter().map(candidate).collect())
     }
 
     fn settle(&mut self, sample: usize, distance_squared: f64) {

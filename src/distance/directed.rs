@@ -11,13 +11,16 @@ use crate::project::{Closest, Projection, Status, closest, contraction, nearest_
 use glam::DVec3;
 
 /// Width asked of a sample's float64 certificate, relative to the models'
-/// diagonal: some thousand roundings.
-const CERTIFICATE_GAP: f64 = 1e-12;
+/// diagonal: a hundredth of the finest tolerance that anyone asks.
+const CERTIFICATE_GAP: f64 = 1e-10;
 
-/// Samples finished in float64, at most, before the rest keep their distance
-/// from the kernel, with its error. More are wanted only when many samples are
-/// equally far to rounding.
-const MOST_FINISHED: usize = 256;
+/// Samples of a page finished in float64 before a distance within the
+/// kernel's error of the best is left as it is. Only where many samples are
+/// equally far, as on offsets and copies, are there more.
+const FINISHED_TO_THE_END: usize = 64;
+
+/// Samples of a page finished in float64, at most.
+const MOST_FINISHED: usize = 1024;
 
 /// Rounding of points and distances in float64 relative to the largest
 /// coordinate: 64 units of 2^-53, added to the upper bound once.
@@ -103,12 +106,14 @@ impl Direction<'_> {
     ) -> Result<f64> {
         let exceeds =
             |distance: f64, best: &Option<Farthest>| best.is_none_or(|best| distance > best.distance);
+        let error = stages.distance_error() + CERTIFICATE_GAP * self.diagonal;
         let mut finished = 0;
         loop {
             let candidates = stages.reduce().await?;
             let Some(first) = candidates.first() else { return Ok(0.0) };
             let largest = first.projected.distance_squared.sqrt();
-            if finished >= MOST_FINISHED || !exceeds(largest, farthest) {
+            let within_error = finished >= FINISHED_TO_THE_END && !exceeds(largest - error, farthest);
+            if !exceeds(largest, farthest) || within_error || finished >= MOST_FINISHED {
                 return Ok(largest);
             }
             if self.options.projection == Projection::TangentPlane {
@@ -190,7 +195,9 @@ impl Direction<'_> {
         let coordinate =
             (farthest.point.abs().max_element() + self.diagonal).max(patch.center.abs().max_element());
         let converged = match self.options.projection {
-            Projection::Newton => unfinished <= farthest.distance,
+            Projection::Newton => {
+                unfinished <= farthest.distance + distance_error + CERTIFICATE_GAP * self.diagonal
+            }
             Projection::TangentPlane => farthest.status != Status::IterationLimit,
         };
         Directed {

@@ -15,6 +15,8 @@ pub(super) const WORKGROUP_SIZE: u32 = 64;
 const PATCH: &str = include_str!("../../shaders/patch.wgsl");
 const BEST: &str = include_str!("../../shaders/best.wgsl");
 const FOOT: &str = include_str!("../../shaders/foot.wgsl");
+const NEWTON: &str = include_str!("../../shaders/newton.wgsl");
+const TANGENT_PLANE: &str = include_str!("../../shaders/tangent_plane.wgsl");
 const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
 const PROJECT: &str = include_str!("../../shaders/project.wgsl");
 const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
@@ -38,8 +40,11 @@ impl Kernel {
         match self {
             Self::Sample { degree } => [&common, &degrees(degree), PATCH, BEST, SAMPLE].concat(),
             Self::Project { degree, projection, .. } => {
-                let newton = format!("const NEWTON: bool = {};\n", projection == Projection::Newton);
-                [&common, &degrees(degree), &newton, PATCH, BEST, FOOT, PROJECT].concat()
+                let step = match projection {
+                    Projection::Newton => NEWTON,
+                    Projection::TangentPlane => TANGENT_PLANE,
+                };
+                [&common, &degrees(degree), PATCH, BEST, FOOT, step, PROJECT].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
         }

@@ -2,14 +2,23 @@
 
 use super::Projected;
 
-/// The index of the largest squared distance, the first of equals; `None` for no samples.
+/// Samples of a block.
+const BLOCK_SIZE: usize = 1024;
+
+/// The index of the largest squared distance of every block of samples, the
+/// first of equals; the largest block first. O(n).
 #[must_use]
-pub fn reduce(projected: &[Projected]) -> Option<usize> {
-    let mut largest: Option<usize> = None;
-    for (index, this) in projected.iter().enumerate() {
-        if largest.is_none_or(|best| this.distance_squared > projected[best].distance_squared) {
-            largest = Some(index);
+pub fn reduce(projected: &[Projected]) -> Vec<usize> {
+    let of_block = |(block, members): (usize, &[Projected])| {
+        let mut largest = 0;
+        for (index, this) in members.iter().enumerate() {
+            if this.distance_squared > members[largest].distance_squared {
+                largest = index;
+            }
         }
-    }
-    largest
+        block * BLOCK_SIZE + largest
+    };
+    let mut blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
+    blocks.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
+    blocks
 }

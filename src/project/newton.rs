@@ -12,9 +12,9 @@ const STATIONARY_COSINE: f64 = 1e-9;
 /// test cannot see below.
 const RESIDUAL_ROUNDING: f64 = 1e-15;
 
-/// The cosine that still counts as stationary where no step makes the distance
-/// smaller: there, the decrease left is below the distance's own rounding.
-const STALLED_COSINE: f64 = 1e-6;
+/// A decrease predicted below this part of the squared distance is lost in its
+/// rounding: where no step makes such a distance smaller, it is stationary.
+const STALLED_DECREASE: f64 = 1e-14;
 
 /// Halvings of a step, at most.
 const MOST_HALVINGS: u32 = 8;
@@ -40,11 +40,11 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
         let residual = jet.point - target;
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
         let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
-        let cosine = stationarity(&jet, residual, gradient, free);
-        if cosine <= STATIONARY_COSINE {
+        if stationarity(&jet, residual, gradient, free) <= STATIONARY_COSINE {
             return Foot { parameters: at, distance_squared: value, status: settled(free) };
         }
         let full = step(at, gradient, &hessian(&jet, residual, free), free);
+        let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let mut scale = 1.0;
         let mut halvings = 0;
         loop {
@@ -57,7 +57,8 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
             }
             halvings += 1;
             if halvings > MOST_HALVINGS {
-                let status = if cosine <= STALLED_COSINE { settled(free) } else { Status::IterationLimit };
+                let stalled = decrease <= STALLED_DECREASE * value;
+                let status = if stalled { settled(free) } else { Status::IterationLimit };
                 return Foot { parameters: at, distance_squared: value, status };
             }
             scale *= 0.5;

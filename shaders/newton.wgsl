@@ -1,0 +1,105 @@
+// Damped Newton with an active set at the patch's edges, as `src/project/newton.rs`.
+
+// For float32: the error of a distance is the cosine squared, so 1e-4 is
+// below its rounding.
+const STATIONARY_COSINE: f32 = 1e-4;
+const RESIDUAL_ROUNDING: f32 = 1e-6;
+// A decrease predicted below this part of the squared distance is lost in its rounding.
+const STALLED_DECREASE: f32 = 1e-6;
+const MOST_HALVINGS: u32 = 8u;
+
+// The largest cosine between the residual and a free tangent, rounding taken off.
+fn stationarity(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<bool>) -> f32 {
+    let size = length(residual);
+    let tangents = vec2<f32>(length(jet.s), length(jet.t));
+    let rounding = RESIDUAL_ROUNDING * (tangents.x + tangents.y + size);
+    let room = abs(gradient) - tangents * rounding;
+    let cosines = select(vec2<f32>(0.0), room / (tangents * size), free & (room > vec2<f32>(0.0)));
+    return max(cosines.x, cosines.y);
+}
+
+// The minimum of the quadratic model inside the patch, as far as one cut at an edge finds it.
+fn newton_step(at: vec2<f32>, gradient: vec2<f32>, hessian: vec3<f32>, freed: vec2<bool>) -> vec2<f32> {
+    let weight = vec2<f32>(hessian.x, hessian.z);
+    let least = DEGENERATE_RATIO * max(weight.x, weight.y);
+    let free = freed & (weight > vec2<f32>(least));
+    let alone = select(vec2<f32>(0.0), -gradient / weight, free);
+    if !all(free) {
+        return alone;
+    }
+    let determinant = hessian.x * hessian.z - hessian.y * hessian.y;
+    if determinant <= DEGENERATE_RATIO * hessian.x * hessian.z {
+        return vec2<f32>(alone.x, 0.0);
+    }
+    var full = vec2<f32>(
+        hessian.y * gradient.y - hessian.z * gradient.x,
+        hessian.y * gradient.x - hessian.x * gradient.y,
+    ) / determinant;
+    let in_s = clamp(at.x + full.x, 0.0, 1.0) - at.x;
+    if in_s != full.x {
+        full = vec2<f32>(in_s, -(gradient.y + hessian.y * in_s) / weight.y);
+    }
+    let in_t = clamp(at.y + full.y, 0.0, 1.0) - at.y;
+    if in_t != full.y {
+        full = vec2<f32>(-(gradient.x + hessian.y * in_t) / weight.x, in_t);
+    }
+    return full;
+}
+
+// One place evaluates, for the start, for every step and for every halving:
+// the compiler unrolls the evaluation once, and lanes at different stages share it.
+fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> Foot {
+    var at = nearest_control(first, local);
+    var step = vec2<f32>(0.0);
+    var scale = 1.0;
+    var value = FARTHEST;
+    var decrease = 0.0;
+    var free = vec2<bool>(true);
+    var steps = 0u;
+    var halvings = 0u;
+    var status = ITERATION_LIMIT;
+    loop {
+        let next = clamp(at + scale * step, vec2<f32>(0.0), vec2<f32>(1.0));
+        let jet = evaluate_jet(first, next);
+        let residual = jet.point - local;
+        let next_value = dot(residual, residual);
+        if !(next_value < value) {
+            halvings++;
+            if halvings > MOST_HALVINGS {
+                status = select(ITERATION_LIMIT, settled(free), decrease <= STALLED_DECREASE * value);
+                break;
+            }
+            scale *= 0.5;
+            continue;
+        }
+        at = next;
+        value = next_value;
+        let gradient = vec2<f32>(dot(residual, jet.s), dot(residual, jet.t));
+        let pushed_below = (at <= vec2<f32>(0.0)) & (gradient > vec2<f32>(0.0));
+        let pushed_above = (at >= vec2<f32>(1.0)) & (gradient < vec2<f32>(0.0));
+        free = !(pushed_below | pushed_above);
+        if stationarity(jet, residual, gradient, free) <= STATIONARY_COSINE {
+            status = settled(free);
+            break;
+        }
+        if steps == iterations {
+            break;
+        }
+        let flat = vec3<f32>(dot(jet.s, jet.s), dot(jet.s, jet.t), dot(jet.t, jet.t));
+        let full = flat + vec3<f32>(dot(residual, jet.ss), dot(residual, jet.st), dot(residual, jet.tt));
+        var definite = full.z > 0.0;
+        if free.x {
+            definite = full.x > 0.0 && (!free.y || full.x * full.z > full.y * full.y);
+        }
+        step = newton_step(at, gradient, select(flat, full, definite), free);
+        decrease = abs(dot(gradient, step));
+        steps++;
+        scale = 1.0;
+        halvings = 0u;
+    }
+    return Foot(at, value, status);
+}
+
+fn settled(free: vec2<bool>) -> u32 {
+    return select(ON_EDGE, CONVERGED, all(free));
+}
