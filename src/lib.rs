@@ -8,6 +8,7 @@ pub mod gpu;
 pub mod iteration;
 pub mod model;
 pub mod project;
+pub mod shapes;
 pub mod tree;
 
 pub use error::{Error, Result};

@@ -1,0 +1,80 @@
+//! The shapes that can be asked for by name.
+
+use super::{
+    Naca4, WavySheet, Wing, bottle, cone, cylinder, figure5_cylinder, figure5_plane, glass, sphere, torus,
+    wavy_sheet, wigley_hull, wing,
+};
+use crate::error::{Error, Result};
+use crate::model::Model;
+use glam::DVec3;
+use serde::Serialize;
+
+/// A shape's name and what to show for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ShapeInfo {
+    /// What [`shape`] takes.
+    pub name: &'static str,
+    /// A title for people.
+    pub title: &'static str,
+}
+
+type Make = fn() -> Result<Model>;
+
+/// All shapes. Sizes are near 5, so that any two can be seen together; Fig. 5
+/// has its published size.
+const CATALOGUE: [(&str, &str, Make); 16] = [
+    ("sphere", "Sphere, radius 2", || sphere(DVec3::ZERO, 2.0)),
+    ("sphere-larger", "Sphere, radius 2.2", || sphere(DVec3::ZERO, 2.2)),
+    ("torus", "Torus, tube 0.8", || torus(2.0, 0.8)),
+    ("torus-fatter", "Torus, tube 0.9", || torus(2.0, 0.9)),
+    ("cylinder", "Cylinder", || cylinder(1.5, 4.0)),
+    ("cone", "Cone", || cone(1.8, 4.0)),
+    ("glass", "Wine glass", || glass(5.0)),
+    ("bottle", "Bottle", || bottle(6.0)),
+    ("naca-wing", "Wing, NACA 2412", || wing(&WING)),
+    ("naca-wing-thicker", "Wing, NACA 2415", || {
+        wing(&Wing { section: Naca4 { thickness: 0.15, ..WING.section }, ..WING })
+    }),
+    ("wigley-hull", "Wigley hull", || wigley_hull(8.0, 0.8, 0.5)),
+    ("wigley-hull-wider", "Wigley hull, wider", || wigley_hull(8.0, 1.2, 0.5)),
+    ("wavy-sheet", "Wavy sheet, 14 x 13 control points", || wavy_sheet(&SHEET)),
+    ("wavy-sheet-b", "Wavy sheet, other waves", || {
+        wavy_sheet(&WavySheet { counts: [13, 14], waves: [1.5, 2.0], phase: 0.8, amplitude: 0.6, ..SHEET })
+    }),
+    ("fig5-plane", "Plane of the 2012 paper's Fig. 5", figure5_plane),
+    ("fig5-cylinder", "Cylinder of the 2012 paper's Fig. 5", figure5_cylinder),
+];
+
+const WING: Wing = Wing {
+    section: Naca4 { camber: 0.02, position: 0.4, thickness: 0.12 },
+    span: 8.0,
+    root_chord: 2.0,
+    taper: 0.5,
+    sweep: 0.35,
+};
+
+const SHEET: WavySheet =
+    WavySheet { counts: [14, 13], size: [5.0, 5.0], amplitude: 0.8, waves: [2.0, 1.5], phase: 0.0 };
+
+/// Every name that [`shape`] takes, with its title.
+pub fn list() -> impl Iterator<Item = ShapeInfo> {
+    CATALOGUE.iter().map(|&(name, title, _)| ShapeInfo { name, title })
+}
+
+/// The shape of this name, one of [`list`].
+///
+/// # Errors
+/// `UNKNOWN_SHAPE`, naming the shapes there are.
+///
+/// ```
+/// let torus = nurbs_hausdorff::shapes::shape("torus")?;
+/// assert_eq!(torus.surfaces().len(), 1);
+/// # Ok::<(), nurbs_hausdorff::Error>(())
+/// ```
+pub fn shape(name: &str) -> Result<Model> {
+    let Some((_, _, make)) = CATALOGUE.iter().find(|(known, ..)| *known == name) else {
+        let expected = list().map(|info| info.name).collect::<Vec<_>>().join(", ");
+        return Err(Error::UnknownShape { found: name.to_owned(), expected });
+    };
+    make()
+}

@@ -1,0 +1,66 @@
+//! The plane across a cylinder of the 2012 paper's Fig. 5, the case in which
+//! sampling errs most.
+//!
+//! Hanniel, Krishnamurthy and McMains (*Graphical Models* 74, 2012) put a plane
+//! across a cylinder of radius 320 and sample it 16 apart. The directed distance
+//! is 320, at the cylinder's axis; a sample at distance r from the axis is only
+//! 320 - r from the cylinder. The paper computes 310.42, so its nearest sample
+//! lay 9.58 from the axis: between the samples, and less than the half diagonal
+//! of a cell, 11.31, which is the paper's bound K_A. Where in the cell the axis
+//! lay is not published; here it is on the cell's diagonal.
+
+use super::{lateral, named};
+use crate::error::Result;
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Radius of [`figure5_cylinder`], the true distance.
+pub const FIGURE5_RADIUS: f64 = 320.0;
+
+/// Samples along each direction of [`figure5_plane`] that are 16 apart.
+pub const FIGURE5_SAMPLES: usize = 41;
+
+/// Distance of the nearest of those samples from the axis.
+pub const FIGURE5_NEAREST_SAMPLE: f64 = 9.58;
+
+/// Side of the plane: 40 cells of 16. Its corners are 132 outside the cylinder,
+/// so that the distance is attained at the axis.
+const SIDE: f64 = 640.0;
+
+/// The square of side 640 in the plane z = 0, of degree 1 x 1, shifted so that
+/// with [`FIGURE5_SAMPLES`] samples the nearest to the z axis is
+/// [`FIGURE5_NEAREST_SAMPLE`] from it.
+///
+/// # Errors
+/// None: the numbers are valid.
+pub fn figure5_plane() -> Result<Model> {
+    let low = -0.5 * SIDE + FIGURE5_NEAREST_SAMPLE * FRAC_1_SQRT_2;
+    let high = low + SIDE;
+    let surface = NurbsSurface::new(
+        0,
+        SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: vec![
+                [low, low, 0.0, 1.0],
+                [low, high, 0.0, 1.0],
+                [high, low, 0.0, 1.0],
+                [high, high, 0.0, 1.0],
+            ],
+        },
+    )?;
+    named("Fig. 5 plane", vec![surface])
+}
+
+/// The open cylinder of radius [`FIGURE5_RADIUS`] about the z axis, from
+/// z = -320 to 320: its lateral surface only.
+///
+/// # Errors
+/// None: the numbers are valid.
+pub fn figure5_cylinder() -> Result<Model> {
+    named(
+        "Fig. 5 cylinder",
+        vec![lateral([FIGURE5_RADIUS, FIGURE5_RADIUS], [-FIGURE5_RADIUS, FIGURE5_RADIUS])?],
+    )
+}

@@ -1,0 +1,74 @@
+//! Cubic splines through points.
+
+use super::PlaneCurve;
+use super::plane_curve::clamped_knots;
+use glam::DVec2;
+
+const DEGREE: usize = 3;
+
+/// The cubic B-spline curve that passes `point(i / (count - 1))` at the
+/// parameters i / (count - 1), i = 0 .. count - 1; `count` is at least 4.
+///
+/// Global interpolation (Piegl and Tiller, *The NURBS Book*, algorithm A9.1).
+/// For even parameters the knots that averaging (eq. 9.8) gives are the
+/// parameters themselves without the two next to the ends. O(count^3).
+pub(super) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> PlaneCurve {
+    let parameter = |index: usize| index as f64 / (count - 1) as f64;
+    let mut knots = clamped_knots(DEGREE, count);
+    for (inner, knot) in knots[DEGREE + 1..count].iter_mut().enumerate() {
+        *knot = parameter(inner + 2);
+    }
+    let rows = (0..count).map(|index| basis(&knots, count, parameter(index))).collect();
+    let points = (0..count).map(|index| DVec2::from(point(parameter(index)))).collect();
+    let solution = solve(rows, points);
+    let control_points = solution.into_iter().map(|DVec2 { x, y }| [x, y, 1.0]).collect();
+    PlaneCurve { degree: DEGREE, knots, control_points }
+}
+
+/// Gaussian elimination; the matrix of values of B-splines is totally positive,
+/// so it needs no pivoting (de Boor and Pinkus 1977), and has fewer than
+/// [`DEGREE`] diagonals on either side.
+fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec2>) -> Vec<DVec2> {
+    let count = points.len();
+    for pivot in 0..count {
+        let (done, below) = rows.split_at_mut(pivot + 1);
+        for (offset, row) in below.iter_mut().take(DEGREE - 1).enumerate() {
+            let factor = row[pivot] / done[pivot][pivot];
+            for (value, above) in row.iter_mut().zip(&done[pivot]).skip(pivot) {
+                *value -= factor * above;
+            }
+            let known = points[pivot];
+            points[pivot + 1 + offset] -= factor * known;
+        }
+    }
+    for index in (0..count).rev() {
+        let known: DVec2 = (index + 1..count).map(|column| rows[index][column] * points[column]).sum();
+        points[index] = (points[index] - known) / rows[index][index];
+    }
+    points
+}
+
+/// The values of all `count` basis functions (algorithm A2.2).
+fn basis(knots: &[f64], count: usize, parameter: f64) -> Vec<f64> {
+    let span = knots.partition_point(|&knot| knot <= parameter).clamp(DEGREE + 1, count) - 1;
+    let mut values = vec![0.0; count];
+    values[span] = 1.0;
+    for degree in 1..=DEGREE {
+        for index in span - degree..=span {
+            let rising = if index > span - degree {
+                let (start, end) = (knots[index], knots[index + degree]);
+                (parameter - start) / (end - start) * values[index]
+            } else {
+                0.0
+            };
+            let falling = if index < span {
+                let (start, end) = (knots[index + 1], knots[index + degree + 1]);
+                (end - parameter) / (end - start) * values[index + 1]
+            } else {
+                0.0
+            };
+            values[index] = rising + falling;
+        }
+    }
+    values
+}

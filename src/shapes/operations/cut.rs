@@ -1,0 +1,88 @@
+//! Cutting surfaces along parameter lines.
+
+use super::insert_knot;
+use crate::error::{Error, Result};
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+
+/// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
+/// else v), which keep their parameters.
+///
+/// The knot is inserted until the surface comes apart there (Piegl and Tiller,
+/// *The NURBS Book*, section 5.3), so the pieces are the surface up to rounding.
+///
+/// # Errors
+/// `OPTION_OUT_OF_RANGE` unless `parameter` is inside the domain, its ends excluded.
+pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Result<[NurbsSurface; 2]> {
+    let axis = usize::from(axis != 0);
+    let [start, end] = surface.domain()[axis];
+    if !(parameter > start && parameter < end) {
+        return Err(Error::OptionOutOfRange {
+            option: "parameter",
+            found: parameter.to_string(),
+            expected: "a parameter inside the domain",
+        });
+    }
+    let degree = surface.degree()[axis];
+    let present = surface.knots(axis).iter().filter(|&&knot| knot == parameter).count();
+    let refined = insert_knot(surface, axis, parameter, degree.saturating_sub(present))?;
+    let knots = refined.knots(axis);
+    let first = knots.partition_point(|&knot| knot < parameter);
+    let after = knots.partition_point(|&knot| knot <= parameter);
+    let full = vec![parameter; degree + 1];
+    let count = refined.counts()[axis];
+    Ok([
+        piece(&refined, axis, [&knots[..first], full.as_slice()].concat(), 0, first)?,
+        piece(&refined, axis, [full.as_slice(), &knots[after..]].concat(), after - degree - 1, count)?,
+    ])
+}
+
+/// Every surface of `model` cut at these fractions of its domain in u and v,
+/// each above 0 and below 1, in any order.
+///
+/// # Errors
+/// As [`cut_surface`].
+pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
+    let mut pieces = model.surfaces().to_vec();
+    for (axis, fractions) in fractions.into_iter().enumerate() {
+        let mut fractions = fractions.to_vec();
+        fractions.sort_by(f64::total_cmp);
+        let mut cut = Vec::new();
+        for mut rest in pieces {
+            let [start, end] = rest.domain()[axis];
+            for fraction in &fractions {
+                let [below, above] = cut_surface(&rest, axis, (1.0 - fraction) * start + fraction * end)?;
+                cut.push(below);
+                rest = above;
+            }
+            cut.push(rest);
+        }
+        pieces = cut;
+    }
+    Model::new(model.name().map(str::to_owned), pieces)
+}
+
+/// The surface of control points `first..end` along `axis` with these knots.
+fn piece(
+    surface: &NurbsSurface,
+    axis: usize,
+    knots: Vec<f64>,
+    first: usize,
+    end: usize,
+) -> Result<NurbsSurface> {
+    let columns = surface.counts()[1];
+    let (rows, kept) =
+        if axis == 0 { (first..end, 0..columns) } else { (0..surface.counts()[0], first..end) };
+    let control_points = rows
+        .flat_map(|row| &surface.control_points()[row * columns + kept.start..row * columns + kept.end])
+        .copied()
+        .collect();
+    let mut arrays = SurfaceArrays {
+        degree: surface.degree(),
+        knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
+        counts: surface.counts(),
+        control_points,
+    };
+    arrays.knots[axis] = knots;
+    arrays.counts[axis] = end - first;
+    NurbsSurface::new(0, arrays)
+}

@@ -1,0 +1,81 @@
+//! Degree elevation.
+
+use super::net::map_lines;
+use crate::error::Result;
+use crate::model::NurbsSurface;
+use glam::DVec4;
+
+/// The same surface with its degree along `axis` (0: u, else v) one higher.
+///
+/// Every knot is repeated once more, so that continuity stays. Control point i
+/// is the elevated surface's blossom at its degree + 1 knots, the mean of the
+/// surface's blossoms at all but one of them (Ramshaw 1989; Piegl and Tiller,
+/// *The NURBS Book*, section 5.5). O(control points x degree^3).
+///
+/// # Errors
+/// `DEGREE_OUT_OF_RANGE` if the degree is 15 already.
+pub fn elevate_degree(surface: &NurbsSurface, axis: usize) -> Result<NurbsSurface> {
+    let axis = usize::from(axis != 0);
+    let degree = surface.degree()[axis];
+    let knots = surface.knots(axis);
+    let elevated = elevated_knots(knots, degree, surface.domain()[axis]);
+    map_lines(surface, axis, degree + 1, elevated.clone(), |line| {
+        (0..elevated.len() - degree - 2)
+            .map(|index| {
+                let span = longest_span(&elevated[index..=index + degree + 2], knots, degree, line.len());
+                let arguments = &elevated[index + 1..=index + degree + 1];
+                let sum: DVec4 = (0..=degree)
+                    .map(|left_out| blossom(knots, degree, span, line, arguments, left_out))
+                    .sum();
+                sum / (degree + 1) as f64
+            })
+            .collect()
+    })
+}
+
+/// Every knot once more, less those that then lie too far outside the domain
+/// to bound any basis function on it (of unclamped knots).
+fn elevated_knots(knots: &[f64], degree: usize, [start, end]: [f64; 2]) -> Vec<f64> {
+    let mut elevated = Vec::with_capacity(2 * knots.len());
+    for (index, &knot) in knots.iter().enumerate() {
+        elevated.push(knot);
+        if knots.get(index + 1) != Some(&knot) {
+            elevated.push(knot);
+        }
+    }
+    let first = elevated.partition_point(|&knot| knot <= start) - (degree + 2);
+    let last = elevated.partition_point(|&knot| knot < end) + degree + 1;
+    elevated[first..=last].to_vec()
+}
+
+/// The span of `knots`, in the domain, that is the longest under the basis
+/// function of `support`: extrapolating from it loses the least.
+fn longest_span(support: &[f64], knots: &[f64], degree: usize, count: usize) -> usize {
+    let (low, high) = (support[0], support[support.len() - 1]);
+    let length = |span: usize| knots[span + 1] - knots[span];
+    (degree..count)
+        .filter(|&span| knots[span] >= low && knots[span + 1] <= high)
+        .max_by(|&a, &b| length(a).total_cmp(&length(b)))
+        .unwrap_or(degree)
+}
+
+/// The blossom of the polynomial piece on `span` at all `arguments` but one.
+fn blossom(
+    knots: &[f64],
+    degree: usize,
+    span: usize,
+    line: &[DVec4],
+    arguments: &[f64],
+    left_out: usize,
+) -> DVec4 {
+    let mut points = line[span - degree..=span].to_vec();
+    let kept = arguments.iter().enumerate().filter(|(index, _)| *index != left_out);
+    for (level, (_, argument)) in (1..=degree).zip(kept) {
+        for index in 0..=degree - level {
+            let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
+            let fraction = (argument - low) / (high - low);
+            points[index] = (1.0 - fraction) * points[index] + fraction * points[index + 1];
+        }
+    }
+    points[0]
+}

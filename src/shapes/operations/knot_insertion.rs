@@ -1,0 +1,63 @@
+//! Knot insertion.
+
+use super::net::map_lines;
+use crate::error::{Error, Result};
+use crate::model::NurbsSurface;
+use glam::DVec4;
+
+/// The same surface with `knot` inserted `times` times along `axis` (0: u, else v).
+///
+/// Boehm's algorithm (Piegl and Tiller, *The NURBS Book*, section 5.2): convex
+/// combinations only, so points and parameters are the same up to rounding.
+/// Works on clamped and unclamped knots. O(times x control points).
+///
+/// # Errors
+/// `OPTION_OUT_OF_RANGE` if `knot` is outside the domain or would then be
+/// repeated more than the degree.
+pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize) -> Result<NurbsSurface> {
+    let axis = usize::from(axis != 0);
+    let [start, end] = surface.domain()[axis];
+    if !(start..=end).contains(&knot) {
+        let found = knot.to_string();
+        return Err(Error::OptionOutOfRange { option: "knot", found, expected: "a parameter in the domain" });
+    }
+    let degree = surface.degree()[axis];
+    let knots = surface.knots(axis);
+    let multiplicity = knots.iter().filter(|&&other| other == knot).count();
+    if times > degree.saturating_sub(multiplicity) {
+        return Err(Error::OptionOutOfRange {
+            option: "times",
+            found: times.to_string(),
+            expected: "at most the degree less the knot's multiplicity",
+        });
+    }
+    let after = knots.partition_point(|&other| other <= knot);
+    let mut refined = knots.to_vec();
+    refined.splice(after..after, std::iter::repeat_n(knot, times));
+    map_lines(surface, axis, degree, refined, |line| {
+        let mut knots = knots.to_vec();
+        let mut line = line.to_vec();
+        for inserted in 0..times {
+            line = insert_once(&knots, degree, knot, multiplicity + inserted, &line);
+            knots.insert(after, knot);
+        }
+        line
+    })
+}
+
+fn insert_once(knots: &[f64], degree: usize, knot: f64, multiplicity: usize, line: &[DVec4]) -> Vec<DVec4> {
+    let span = knots.partition_point(|&other| other <= knot) - 1;
+    (0..=line.len())
+        .map(|index| {
+            if index + degree <= span {
+                line[index]
+            } else if index + multiplicity > span {
+                line[index - 1]
+            } else {
+                let (low, high) = (knots[index], knots[index + degree]);
+                let fraction = (knot - low) / (high - low);
+                (1.0 - fraction) * line[index - 1] + fraction * line[index]
+            }
+        })
+        .collect()
+}

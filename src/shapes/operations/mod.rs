@@ -1,0 +1,12 @@
+//! Operations that change a surface's net or place, not its shape.
+
+mod cut;
+mod degree_elevation;
+mod knot_insertion;
+mod net;
+mod transformed;
+
+pub use cut::{cut_model, cut_surface};
+pub use degree_elevation::elevate_degree;
+pub use knot_insertion::insert_knot;
+pub use transformed::transformed;

@@ -1,0 +1,27 @@
+//! Moving a model.
+
+use crate::error::Result;
+use crate::model::{Model, RigidTransform, SurfaceArrays};
+use glam::DVec3;
+
+/// `model` moved by `transform`: parameters and weights stay.
+///
+/// # Errors
+/// `NON_FINITE` if a coordinate overflows.
+pub fn transformed(model: &Model, transform: &RigidTransform) -> Result<Model> {
+    let move_point = |&[x, y, z, w]: &[f64; 4]| {
+        let point = transform.apply(DVec3::new(x, y, z));
+        [point.x, point.y, point.z, w]
+    };
+    let surfaces = model
+        .surfaces()
+        .iter()
+        .map(|surface| SurfaceArrays {
+            degree: surface.degree(),
+            knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
+            counts: surface.counts(),
+            control_points: surface.control_points().iter().map(move_point).collect(),
+        })
+        .collect();
+    Model::from_arrays(model.name().map(str::to_owned), surfaces)
+}

@@ -1,0 +1,65 @@
+//! Wavy B-spline sheets with nets of any size.
+
+use super::plane_curve::clamped_knots;
+use super::{named, positive};
+use crate::error::{Error, Result};
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use std::f64::consts::TAU;
+
+/// Degree of a sheet in both directions.
+const DEGREE: usize = 3;
+
+/// What a wavy sheet is made from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WavySheet {
+    /// Numbers of control points along x and y, at least 4 each.
+    pub counts: [usize; 2],
+    /// Lengths along x and y.
+    pub size: [f64; 2],
+    /// Height of the control net's waves.
+    pub amplitude: f64,
+    /// Numbers of waves along x and y.
+    pub waves: [f64; 2],
+    /// What the waves along x are ahead, in radians.
+    pub phase: f64,
+}
+
+/// The bicubic B-spline sheet about the origin whose control points lie evenly
+/// over the (x, y) rectangle with heights
+/// `amplitude sin(2 pi waves_x i/(nx-1) + phase) cos(2 pi waves_y j/(ny-1))`.
+///
+/// # Errors
+/// `OPTION_OUT_OF_RANGE` unless the sizes are finite and above 0 and amplitude,
+/// waves and phase are finite; `TOO_FEW_CONTROL_POINTS` below 4 along x or y.
+pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
+    let WavySheet { counts, size, amplitude, waves, phase } = *sheet;
+    positive("size", size[0])?;
+    positive("size", size[1])?;
+    for (option, value) in
+        [("amplitude", amplitude), ("waves", waves[0]), ("waves", waves[1]), ("phase", phase)]
+    {
+        if !value.is_finite() {
+            let found = value.to_string();
+            return Err(Error::OptionOutOfRange { option, found, expected: "a finite number" });
+        }
+    }
+    let fraction = |index: usize, axis: usize| index as f64 / (counts[axis].max(2) - 1) as f64;
+    let control_points = (0..counts[0])
+        .flat_map(|i| (0..counts[1]).map(move |j| (i, j)))
+        .map(|(i, j)| {
+            let (x, y) = (fraction(i, 0), fraction(j, 1));
+            let height = amplitude * (TAU * waves[0] * x + phase).sin() * (TAU * waves[1] * y).cos();
+            [size[0] * (x - 0.5), size[1] * (y - 0.5), height, 1.0]
+        })
+        .collect();
+    let surface = NurbsSurface::new(
+        0,
+        SurfaceArrays {
+            degree: [DEGREE; 2],
+            knots: counts.map(|count| clamped_knots(DEGREE, count)),
+            counts,
+            control_points,
+        },
+    )?;
+    named("wavy sheet", vec![surface])
+}

@@ -1,0 +1,53 @@
+//! The Wigley hull, a test form of naval architecture.
+
+use super::{named, positive};
+use crate::error::Result;
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+
+/// The Bézier knots of degree 1 and 2.
+const LINEAR: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
+const QUADRATIC: [f64; 6] = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+
+/// Bernstein coefficients of `1 - (2x/L)^2` from stern to bow, x = L (s - 1/2).
+const WATERLINE: [f64; 3] = [0.0, 2.0, 0.0];
+/// Bernstein coefficients of `1 - (z/T)^2` from keel to deck, z = T (t - 1).
+const FRAME: [f64; 3] = [0.0, 1.0, 1.0];
+
+/// The Wigley hull `y = ±(beam/2) (1 - (2x/length)^2) (1 - (z/draft)^2)`,
+/// `-draft <= z <= 0` (Wigley 1942): port side, starboard side, and the flat
+/// deck at z = 0, with outward normals.
+///
+/// Exact: the formula is polynomial, so each side is one biquadratic Bézier patch.
+///
+/// # Errors
+/// `OPTION_OUT_OF_RANGE` unless the sizes are finite and above 0.
+pub fn wigley_hull(length: f64, beam: f64, draft: f64) -> Result<Model> {
+    let half_beam = 0.5 * positive("beam", beam)?;
+    let draft = positive("draft", draft)?;
+    let half_length = 0.5 * positive("length", length)?;
+    let station = [-half_length, 0.0, half_length];
+    let height = [-draft, -0.5 * draft, 0.0];
+    // The side whose v runs downwards has its normal on the other side.
+    let side = |sign: f64, rows: [usize; 3]| {
+        let control_points = (0..3)
+            .flat_map(|i| rows.map(|j| (i, j)))
+            .map(|(i, j)| [station[i], sign * half_beam * WATERLINE[i] * FRAME[j], height[j], 1.0])
+            .collect();
+        bezier([2, 2], [QUADRATIC.to_vec(), QUADRATIC.to_vec()], control_points)
+    };
+    let deck = (0..3)
+        .flat_map(|i| [-1.0, 1.0].map(|sign| [station[i], sign * half_beam * WATERLINE[i], 0.0, 1.0]))
+        .collect();
+    named(
+        "Wigley hull",
+        vec![
+            side(1.0, [2, 1, 0])?,
+            side(-1.0, [0, 1, 2])?,
+            bezier([2, 1], [QUADRATIC.to_vec(), LINEAR.to_vec()], deck)?,
+        ],
+    )
+}
+
+fn bezier(degree: [usize; 2], knots: [Vec<f64>; 2], control_points: Vec<[f64; 4]>) -> Result<NurbsSurface> {
+    NurbsSurface::new(0, SurfaceArrays { degree, knots, counts: degree.map(|p| p + 1), control_points })
+}

@@ -1,0 +1,33 @@
+//! The models of `../shared/models`.
+
+use nurbs_hausdorff::Model;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// The folder of models beside the project, if it is there. If not, says so on
+/// a line of its own that begins with SKIPPED, past libtest's capturing.
+pub fn folder(test: &str) -> Option<PathBuf> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/models");
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    let line = format!("\nSKIPPED {test}: there is no ../shared/models\n");
+    std::io::stderr().write_all(line.as_bytes()).unwrap();
+    None
+}
+
+/// Every model of the folder with its file's name, in order of name; none if
+/// there is no folder.
+pub fn all(test: &str) -> impl Iterator<Item = (String, Model)> {
+    let mut paths: Vec<PathBuf> = folder(test)
+        .into_iter()
+        .flat_map(|folder| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    paths.sort();
+    paths.into_iter().map(|path| {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let model = Model::from_json(&std::fs::read_to_string(path).unwrap());
+        (name.clone(), model.unwrap_or_else(|error| panic!("{name}: {error}")))
+    })
+}
