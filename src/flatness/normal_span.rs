@@ -1,16 +1,30 @@
 //! The 2012 paper's criterion: the angle spanned by sampled normals.
 
 use super::{SAMPLES, sample_parameter};
-use crate::bezier::Patch;
+use crate::bezier::{Jet, Patch};
 use glam::DVec3;
+
+/// A tangent this much shorter than the patch's longest is that of a
+/// degenerate edge, a pole: its direction, and so the normal's, is rounding.
+const DEGENERATE_RATIO: f64 = 1e-6;
 
 /// The largest angle between normals of the same s-line and t-line, if some
 /// two normals of the patch are more than `tolerance` radians apart.
 ///
 /// Points without a normal are left out.
 pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
-    let normals: [[Option<DVec3>; SAMPLES]; SAMPLES] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| patch.jet([sample_parameter(i), sample_parameter(j)]).normal())
+    let jets: [[Jet; SAMPLES]; SAMPLES] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| patch.jet([sample_parameter(i), sample_parameter(j)]))
+    });
+    let longest = |tangent: fn(&Jet) -> DVec3| {
+        jets.iter().flatten().map(|jet| tangent(jet).length()).fold(0.0, f64::max)
+    };
+    let least = [DEGENERATE_RATIO * longest(|jet| jet.s), DEGENERATE_RATIO * longest(|jet| jet.t)];
+    let normals = jets.map(|line| {
+        line.map(|jet| {
+            let regular = jet.s.length() > least[0] && jet.t.length() > least[1];
+            if regular { jet.normal() } else { None }
+        })
     });
     let cosine = least_cosine(normals.iter().flatten());
     (cosine < tolerance.cos()).then(|| {
