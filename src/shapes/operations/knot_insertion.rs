@@ -31,6 +31,9 @@ pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize)
             expected: "at most the degree less the knot's multiplicity",
         });
     }
+    if times == 0 {
+        return Ok(surface.clone());
+    }
     let after = knots.partition_point(|&other| other <= knot);
     let mut refined = knots.to_vec();
     refined.splice(after..after, std::iter::repeat_n(knot, times));
