@@ -1,6 +1,7 @@
 //! Models are parsed once; everything invalid is refused by a stable code and
 //! a text that says where, what was found and what was expected.
 #![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 
 mod support;
 
