@@ -1,6 +1,7 @@
 //! How far apart are two NURBS models?
 
 pub mod bezier;
+pub mod certified;
 pub mod distance;
 pub mod error;
 pub mod flatness;
@@ -9,7 +10,10 @@ pub mod iteration;
 pub mod model;
 pub mod project;
 pub mod shapes;
+pub mod tessellate;
 pub mod tree;
+#[cfg(target_arch = "wasm32")]
+mod wasm;
 
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};

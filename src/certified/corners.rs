@@ -1,0 +1,155 @@
+//! A bound for cells whose nearest patch changes inside.
+//!
+//! Lemma. Let the vertices x_k of a convex polygon of a cell have feet b_k on
+//! one and the same patch P. Then every point of the polygon is within
+//! `max |a_k - b_k| + δ_A + δ_B` of P, with
+//! `δ = ⅛ (Δ_u² M_uu + 2 Δ_u Δ_v M_uv + Δ_v² M_vv)` over the cell, and over the
+//! (u, v) box of the feet.
+//!
+//! Proof. Write x = Σ λ_k x_k. A(x) differs from Σ λ_k a_k by at most δ_A, and
+//! the point of P at Σ λ_k (u, v)_k from Σ λ_k b_k by at most δ_B (the error of
+//! linear interpolation over a polygon of these extents); and
+//! |Σ λ_k (a_k - b_k)| is at most the largest |a_k - b_k|. ∎
+//!
+//! A cell whose corners prefer two patches is cut in two polygons where both
+//! are about equally near. That is second order for any kind of join, with no
+//! knowledge of how the patches meet.
+
+use super::Side;
+use super::nearest::{Foot, foot_on, nearest};
+use super::region::Cell;
+use crate::bezier::{DerivativeBounds, Patch};
+use crate::model::RigidTransform;
+use glam::DVec3;
+
+/// Secant steps towards the place where two patches are equally near. Where
+/// they stop is as valid as any place.
+const SECANT_STEPS: usize = 6;
+
+/// Part of the bracket that a secant step takes at least, so that the bracket shrinks.
+const LEAST_STEP: f64 = 1e-3;
+
+/// The cell's corners in [-1, 1]^2, around it.
+const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+/// A point of A met on the way: where, and its nearest foot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sample {
+    pub(super) parameters: [f64; 2],
+    pub(super) foot: Foot,
+}
+
+/// The moved patch of A that the cell lies on, against B.
+pub(super) struct Corners<'a> {
+    pub(super) cell: Cell,
+    pub(super) patch: Patch<'a>,
+    pub(super) bounds: &'a DerivativeBounds,
+    pub(super) transform: &'a RigidTransform,
+    pub(super) b: &'a Side<'a>,
+}
+
+impl Corners<'_> {
+    /// The lemma's bound, or infinity where more than two patches are
+    /// nearest; the farthest point met goes to `farthest`.
+    pub(super) fn bound(&self, center: &Foot, farthest: &mut Sample) -> f64 {
+        let feet = CORNERS.map(|corner| {
+            let point = self.point(corner);
+            let foot = nearest(self.b, point, foot_on(self.b, point, center.patch, center.parameters));
+            self.offer(corner, foot, farthest);
+            (corner, foot)
+        });
+        let first = feet[0].1.patch;
+        let Some(other) = feet.iter().map(|(_, foot)| foot.patch).find(|&patch| patch != first) else {
+            return self.polygon(feet.iter().map(|(_, foot)| *foot));
+        };
+        if feet.iter().any(|(_, foot)| foot.patch != first && foot.patch != other) {
+            return f64::INFINITY;
+        }
+        let mut polygons: [Vec<Foot>; 2] = [Vec::with_capacity(6), Vec::with_capacity(6)];
+        let mut crossings = 0;
+        for index in 0..feet.len() {
+            let ((from, here), (to, next)) = (feet[index], feet[(index + 1) % feet.len()]);
+            polygons[usize::from(here.patch != first)].push(here);
+            if here.patch != next.patch {
+                crossings += 1;
+                let (place, on_here, on_next) = self.crossing((from, here), (to, next));
+                let nearer = if on_here.distance_squared < on_next.distance_squared { on_here } else { on_next };
+                self.offer(place, nearer, farthest);
+                polygons[usize::from(here.patch != first)].push(on_here);
+                polygons[usize::from(next.patch != first)].push(on_next);
+            }
+        }
+        // More crossings do not leave two convex polygons.
+        if crossings != 2 {
+            return f64::INFINITY;
+        }
+        polygons.into_iter().map(|polygon| self.polygon(polygon.into_iter())).fold(0.0, f64::max)
+    }
+
+    fn point(&self, place: [f64; 2]) -> DVec3 {
+        self.transform.apply(self.patch.point(self.cell.at(place)))
+    }
+
+    fn offer(&self, place: [f64; 2], foot: Foot, farthest: &mut Sample) {
+        if foot.distance_squared > farthest.foot.distance_squared {
+            *farthest = Sample { parameters: self.cell.at(place), foot };
+        }
+    }
+
+    /// A place between two corners, with feet on both their patches, that are
+    /// about equally far: a safeguarded secant on the difference.
+    fn crossing(&self, from: ([f64; 2], Foot), to: ([f64; 2], Foot)) -> ([f64; 2], Foot, Foot) {
+        let at = |x: f64| [0, 1].map(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
+        let both = |x: f64, here: &Foot, next: &Foot| {
+            let point = self.point(at(x));
+            let here = foot_on(self.b, point, from.1.patch, here.parameters);
+            let next = foot_on(self.b, point, to.1.patch, next.parameters);
+            // Of distances, not squares: on overlapping sheets these grow linearly from the join.
+            (here, next, here.distance_squared.sqrt() - next.distance_squared.sqrt())
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        let (_, _, mut at_low) = both(low, &from.1, &to.1);
+        let (mut here, mut next, mut at_high) = both(high, &from.1, &to.1);
+        let mut x = high;
+        for _ in 0..SECANT_STEPS {
+            let fraction = at_low / (at_low - at_high);
+            let inside = if fraction.is_finite() { fraction.clamp(LEAST_STEP, 1.0 - LEAST_STEP) } else { 0.5 };
+            x = low + inside * (high - low);
+            let difference;
+            (here, next, difference) = both(x, &here, &next);
+            if difference == 0.0 {
+                break;
+            }
+            if difference < 0.0 {
+                (low, at_low) = (x, difference);
+            } else {
+                (high, at_high) = (x, difference);
+            }
+        }
+        (at(x), here, next)
+    }
+
+    /// The lemma for one polygon.
+    fn polygon(&self, feet: impl Iterator<Item = Foot>) -> f64 {
+        let (mut farthest, mut patch) = (0.0_f64, 0);
+        let mut low = [1.0_f64; 2];
+        let mut high = [0.0_f64; 2];
+        for foot in feet {
+            farthest = farthest.max(foot.distance_squared);
+            patch = foot.patch;
+            for axis in 0..2 {
+                low[axis] = low[axis].min(foot.parameters[axis]);
+                high[axis] = high[axis].max(foot.parameters[axis]);
+            }
+        }
+        let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
+        let of_cell = self.cell.half.map(|half| 2.0 * half);
+        farthest.sqrt() + interpolation_error(self.bounds, of_cell) + interpolation_error(self.b.bounds(patch), extent)
+    }
+}
+
+/// δ of the lemma over an extent of the parameters.
+fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
+    let [uu, uv, vv] = bounds.second;
+    (u * u * uu + 2.0 * u * v * uv + v * v * vv) / 8.0
+}

@@ -1,0 +1,74 @@
+//! A near foot on B, found fast and certified by nobody.
+
+use super::Side;
+use crate::project::{Status, nearest_control, newton};
+use glam::DVec3;
+
+/// Newton steps on one patch, at most: bounds hold wherever it stops.
+const ITERATIONS: u32 = 16;
+
+/// A point of B near a target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Foot {
+    pub(super) patch: u32,
+    pub(super) parameters: [f64; 2],
+    pub(super) distance_squared: f64,
+    pub(super) status: Status,
+}
+
+/// The foot on one patch from a start near it.
+pub(super) fn foot_on(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
+    let foot = newton(&side.patch(patch), target, start, ITERATIONS);
+    Foot { patch, parameters: foot.parameters, distance_squared: foot.distance_squared, status: foot.status }
+}
+
+/// The nearest foot over all patches that the tree does not rule out, given
+/// one to beat. O(log patches) in general position.
+pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
+    let mut best = known;
+    let nodes = side.target.tree.nodes();
+    let least = |index: usize| nodes[index].aabb.min_distance_squared(target);
+    let mut waiting = [(0.0_f64, 0_usize); STACK];
+    let mut height = 1;
+    while height > 0 {
+        height -= 1;
+        let (distance_squared, index) = waiting[height];
+        if distance_squared >= best.distance_squared {
+            continue;
+        }
+        let node = &nodes[index];
+        if node.count == 0 {
+            let (first, second) = (index + 1, node.second as usize);
+            let (near, far) = (least(first), least(second));
+            let pair = if near <= far { [(far, second), (near, first)] } else { [(near, first), (far, second)] };
+            for (distance_squared, child) in pair {
+                if distance_squared < best.distance_squared {
+                    waiting[height] = (distance_squared, child);
+                    height += 1;
+                }
+            }
+            continue;
+        }
+        let first = node.first as usize;
+        for &patch in &side.target.tree.order()[first..first + node.count as usize] {
+            let view = side.patch(patch);
+            if view.bounding_box().min_distance_squared(target) < best.distance_squared {
+                let start = nearest_control(&view, target);
+                // On the known foot's patch, only another valley is news.
+                let stale = patch == known.patch
+                    && view.point(start).distance_squared(target) >= best.distance_squared;
+                if stale {
+                    continue;
+                }
+                let foot = foot_on(side, target, patch, start);
+                if foot.distance_squared < best.distance_squared {
+                    best = foot;
+                }
+            }
+        }
+    }
+    best
+}
+
+/// Deeper than a tree that halves the patches can be, with indices of 32 bits.
+const STACK: usize = 64;

@@ -1,0 +1,60 @@
+//! The largest length of a vector quadratic over a square.
+
+use glam::DVec3;
+
+/// `value + σ s + τ t + ½σ² ss + στ st + ½τ² tt` for (σ, τ) in [-1, 1]^2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quadratic {
+    /// The value at the centre.
+    pub value: DVec3,
+    /// First derivative by σ.
+    pub s: DVec3,
+    /// First derivative by τ.
+    pub t: DVec3,
+    /// Second derivative by σ.
+    pub ss: DVec3,
+    /// Mixed second derivative.
+    pub st: DVec3,
+    /// Second derivative by τ.
+    pub tt: DVec3,
+}
+
+/// Quadratic Bernstein coefficients of σ on [-1, 1], and of σ².
+const LINEAR: [f64; 3] = [-1.0, 0.0, 1.0];
+const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
+
+/// `C(2,i) C(2,k) / C(4,i+k)`: the part of a product of quadratic Bernstein
+/// polynomials i, k in quartic number i + k.
+const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
+
+impl Quadratic {
+    /// At least the largest `|Q|²` over the square: the largest of the 25
+    /// Bernstein coefficients of the biquartic `|Q|²`, which the polynomial
+    /// does not exceed (convex hull property). Exact where `|Q|²` is constant.
+    #[must_use]
+    pub fn largest_length_squared(&self) -> f64 {
+        let mut net = [[DVec3::ZERO; 3]; 3];
+        for (i, row) in net.iter_mut().enumerate() {
+            for (j, control) in row.iter_mut().enumerate() {
+                *control = self.value
+                    + LINEAR[i] * self.s
+                    + LINEAR[j] * self.t
+                    + (0.5 * SQUARE[i]) * self.ss
+                    + (LINEAR[i] * LINEAR[j]) * self.st
+                    + (0.5 * SQUARE[j]) * self.tt;
+            }
+        }
+        let mut coefficients = [[0.0_f64; 5]; 5];
+        for i in 0..3 {
+            for k in 0..3 {
+                for j in 0..3 {
+                    for l in 0..3 {
+                        coefficients[i + k][j + l] +=
+                            PRODUCT[i][k] * PRODUCT[j][l] * net[i][j].dot(net[k][l]);
+                    }
+                }
+            }
+        }
+        coefficients.iter().flatten().fold(0.0, |largest, &coefficient| largest.max(coefficient))
+    }
+}

@@ -1,0 +1,95 @@
+//! The parts of A that are worked on.
+
+use super::Side;
+use super::nearest::Foot;
+
+/// A rectangle of a patch of A.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cell {
+    /// The patch.
+    pub(super) patch: u32,
+    /// Its centre (s, t).
+    pub(super) center: [f64; 2],
+    /// Half its width in s and t.
+    pub(super) half: [f64; 2],
+}
+
+impl Cell {
+    pub(super) fn whole(patch: u32) -> Self {
+        Self { patch, center: [0.5; 2], half: [0.5; 2] }
+    }
+
+    /// The (s, t) of a place in [-1, 1]^2.
+    pub(super) fn at(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (self.center[axis] + place[axis] * self.half[axis]).clamp(0.0, 1.0))
+    }
+
+    /// The cell halved along the chosen axes.
+    pub(super) fn split(&self, axes: [bool; 2]) -> impl Iterator<Item = Self> + use<> {
+        let cell = *self;
+        let half = [0, 1].map(|axis| if axes[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
+        let sides = axes.map(|split| if split { &[-1.0, 1.0][..] } else { &[0.0][..] });
+        sides[0].iter().flat_map(move |&s| {
+            sides[1].iter().map(move |&t| Self {
+                patch: cell.patch,
+                center: [cell.center[0] + s * half[0], cell.center[1] + t * half[1]],
+                half,
+            })
+        })
+    }
+}
+
+/// What is still to be bounded.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Part {
+    /// All patches below a node of A's tree.
+    Node(u32),
+    /// A rectangle of a patch.
+    Cell(Cell),
+}
+
+/// A part with the bound and the foot it inherits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Region {
+    pub(super) part: Part,
+    /// At least the distance of all its points to B.
+    pub(super) upper: f64,
+    /// The parent's foot, where the iteration starts.
+    pub(super) foot: Foot,
+    /// Halvings above it.
+    pub(super) level: u32,
+}
+
+/// How much longer one side of a cell may be than the other before only the
+/// longer is halved.
+const LONGEST_ASPECT: f64 = 2.0;
+
+impl Region {
+    /// Appends the parts of this region.
+    pub(super) fn split_into(&self, side: &Side<'_>, upper: f64, foot: Foot, parts: &mut Vec<Self>) {
+        let mut push = |part| parts.push(Self { part, upper, foot, level: self.level + 1 });
+        match &self.part {
+            Part::Node(index) => {
+                let tree = &side.target.tree;
+                let node = &tree.nodes()[*index as usize];
+                if node.count == 0 {
+                    push(Part::Node(index + 1));
+                    push(Part::Node(node.second));
+                } else {
+                    let first = node.first as usize;
+                    for &patch in &tree.order()[first..first + node.count as usize] {
+                        push(Part::Cell(Cell::whole(patch)));
+                    }
+                }
+            }
+            Part::Cell(cell) => {
+                let [s, t] = side.bounds(cell.patch).first;
+                let lengths = [s * cell.half[0], t * cell.half[1]];
+                let axes = [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];
+                for child in cell.split(axes) {
+                    push(Part::Cell(child));
+                }
+            }
+        }
+    }
+}

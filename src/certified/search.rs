@@ -1,0 +1,293 @@
+//! Stage `search`: halving cells until the interval is as narrow as asked.
+
+use super::Side;
+use super::certify::certify;
+use super::climb::climb;
+use super::corners::{Corners, Sample};
+use super::nearest::{Foot, foot_on, nearest};
+use super::region::{Cell, Part, Region};
+use super::side::moved;
+use crate::model::RigidTransform;
+use crate::project::{Closest, Status, closest};
+use glam::DVec3;
+use std::collections::VecDeque;
+
+/// Regions bounded between two looks at the largest distance: enough to keep
+/// all threads busy, few enough that a better distance spares work soon.
+const CHUNK: usize = 1024;
+
+/// Regions kept, at most, before the search goes on depth first, which adds
+/// only a few a level: some hundred MiB.
+const CAPACITY: usize = 1 << 21;
+
+/// Farthest samples of a chunk that are certified, at most.
+const MOST_CERTIFIED: usize = 8;
+
+/// Width asked of a sample's certificate, relative to the tolerance.
+const CERTIFICATE_PART: f64 = 1e-2;
+
+/// Half-width of a cell that float64 does not halve further with use.
+const SMALLEST_HALF: f64 = 1e-12;
+
+/// Rounding of a bound relative to the largest coordinate: a cell's sums take
+/// fewer than some hundred roundings of 2^-53 each.
+const ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+/// Why a search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Stop {
+    /// The interval is as narrow as asked, or the limit is decided.
+    Converged,
+    /// The budget of cells is spent.
+    Cells,
+    /// The budget of time is spent.
+    Time,
+    /// Cells are as small as float64 can tell.
+    Precision,
+    /// The caller cancelled.
+    Cancelled,
+}
+
+/// What a search knows at any time: `lower <= distance <= upper`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Interval {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+}
+
+/// The farthest point of A found, certified.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Farthest {
+    pub(crate) patch: u32,
+    pub(crate) parameters: [f64; 2],
+    pub(crate) point: DVec3,
+    pub(crate) closest: Closest,
+}
+
+/// A branch and bound over A.
+pub(crate) struct Search<'a> {
+    a: Side<'a>,
+    b: Side<'a>,
+    transform: RigidTransform,
+    tolerance: f64,
+    /// A bound above it need not be tighter.
+    limit: Option<f64>,
+    rounding: f64,
+    queue: VecDeque<Region>,
+    dropped: f64,
+    farthest: Option<Farthest>,
+    exhausted: bool,
+    pub(crate) cells: usize,
+    pub(crate) levels: u32,
+}
+
+/// What bounding one region gave.
+struct Bounded {
+    upper: f64,
+    foot: Foot,
+    patch: u32,
+    sample: Sample,
+}
+
+impl<'a> Search<'a> {
+    /// Over all of A, moved by `transform`, down to a width of `tolerance`, or
+    /// only as far as tells whether the distance exceeds `limit`.
+    pub(crate) fn new(
+        a: Side<'a>,
+        b: Side<'a>,
+        transform: RigidTransform,
+        tolerance: f64,
+        limit: Option<f64>,
+    ) -> Self {
+        let coordinate = |side: &Side<'_>| {
+            side.target.tree.nodes().first().map_or(0.0, |root| {
+                root.aabb.min.abs().max(root.aabb.max.abs()).max_element()
+            })
+        };
+        let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
+        let start = Foot {
+            patch: 0,
+            parameters: [0.5; 2],
+            distance_squared: f64::INFINITY,
+            status: Status::IterationLimit,
+        };
+        let root = Region { part: Part::Node(0), upper: f64::INFINITY, foot: start, level: 0 };
+        Self {
+            a,
+            b,
+            transform,
+            tolerance,
+            limit,
+            rounding: ROUNDING * largest,
+            queue: VecDeque::from([root]),
+            dropped: 0.0,
+            farthest: None,
+            exhausted: false,
+            cells: 0,
+            levels: 0,
+        }
+    }
+
+    /// The interval so far.
+    pub(crate) fn interval(&self) -> Interval {
+        let lower = self.lower();
+        let waiting = self.queue.iter().map(|region| region.upper).fold(0.0, f64::max);
+        Interval { lower, upper: self.dropped.max(waiting).max(lower) + self.rounding }
+    }
+
+    /// The farthest point so far.
+    pub(crate) fn farthest(&self) -> Option<&Farthest> {
+        self.farthest.as_ref()
+    }
+
+    fn lower(&self) -> f64 {
+        self.farthest.map_or(0.0, |farthest| farthest.closest.lower)
+    }
+
+    /// A bound of at most this ends a cell.
+    fn enough(&self) -> f64 {
+        let within = self.lower() + self.tolerance;
+        self.limit.map_or(within, |limit| within.max(limit - self.rounding))
+    }
+
+    /// Bounds the next chunk of regions; `Some` when there is nothing left to do.
+    pub(crate) fn advance(&mut self) -> Option<Stop> {
+        if self.limit.is_some_and(|limit| self.lower() > limit) {
+            return Some(Stop::Converged);
+        }
+        if self.queue.is_empty() {
+            return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
+        }
+        let regions: Vec<Region> = if self.queue.len() > CAPACITY {
+            let keep = self.queue.len() - CHUNK;
+            self.queue.drain(keep..).collect()
+        } else {
+            self.queue.drain(..CHUNK.min(self.queue.len())).collect()
+        };
+        let enough = self.enough();
+        let bound = |region: &Region| {
+            if region.upper <= enough { None } else { Some(self.bound(region, enough)) }
+        };
+        #[cfg(not(target_arch = "wasm32"))]
+        let bounded: Vec<Option<Bounded>> = {
+            use rayon::prelude::*;
+            regions.par_iter().map(bound).collect()
+        };
+        #[cfg(target_arch = "wasm32")]
+        let bounded: Vec<Option<Bounded>> = regions.iter().map(bound).collect();
+        self.raise(&bounded);
+        let enough = self.enough();
+        let mut parts = Vec::new();
+        for (region, bounded) in regions.iter().zip(&bounded) {
+            self.levels = self.levels.max(region.level);
+            let upper = bounded.as_ref().map_or(region.upper, |bounded| bounded.upper);
+            self.cells += usize::from(bounded.is_some());
+            let too_small = matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < SMALLEST_HALF);
+            match bounded {
+                Some(bounded) if upper > enough && !too_small => {
+                    region.split_into(&self.a, upper, bounded.foot, &mut parts);
+                }
+                _ => {
+                    self.exhausted |= upper > enough;
+                    self.dropped = self.dropped.max(upper);
+                }
+            }
+        }
+        self.queue.extend(parts);
+        None
+    }
+
+    fn bound(&self, region: &Region, enough: f64) -> Bounded {
+        match &region.part {
+            Part::Node(index) => self.bound_node(*index, region),
+            Part::Cell(cell) => self.bound_cell(cell, region, enough),
+        }
+    }
+
+    /// By the triangle inequality from one point of the node's first patch.
+    fn bound_node(&self, index: u32, region: &Region) -> Bounded {
+        let tree = &self.a.target.tree;
+        let node = &tree.nodes()[index as usize];
+        let mut leaf = index as usize;
+        while tree.nodes()[leaf].count == 0 {
+            leaf += 1;
+        }
+        let patch = tree.order()[tree.nodes()[leaf].first as usize];
+        let parameters = [0.5; 2];
+        let local = self.a.patch(patch).point(parameters);
+        let point = self.transform.apply(local);
+        let known = foot_on(&self.b, point, region.foot.patch, region.foot.parameters);
+        let foot = nearest(&self.b, point, known);
+        let reach = foot.distance_squared.sqrt() + node.aabb.max_distance_squared(local).sqrt();
+        Bounded { upper: region.upper.min(reach), foot, patch, sample: Sample { parameters, foot } }
+    }
+
+    fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
+        let patch = self.a.patch(cell.patch);
+        let bounds = self.a.bounds(cell.patch);
+        let jet = moved(&patch.jet(cell.center), &self.transform);
+        let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
+        // Away from edges the parent's foot leads to the nearest patch again,
+        // except across a ridge, which every other level looks for.
+        let follow = known.status == Status::Converged && region.level % 2 == 1 && cell.half != [0.5; 2];
+        let foot = if follow { known } else { nearest(&self.b, jet.point, known) };
+        let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
+        let mut sample = Sample { parameters: cell.center, foot };
+        if upper > enough {
+            let corners =
+                Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
+            upper = upper.min(corners.bound(&foot, &mut sample));
+        }
+        // What is no number bounds nothing.
+        let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
+        Bounded { upper, foot, patch: cell.patch, sample }
+    }
+
+    /// Certifies the chunk's farthest samples while they exceed the best.
+    fn raise(&mut self, bounded: &[Option<Bounded>]) {
+        let mut samples: Vec<&Bounded> = bounded.iter().flatten().collect();
+        samples.sort_by(|a, b| b.sample.foot.distance_squared.total_cmp(&a.sample.foot.distance_squared));
+        for sample in samples.into_iter().take(MOST_CERTIFIED) {
+            let Sample { parameters, foot } = sample.sample;
+            if self.farthest.is_some() && foot.distance_squared.sqrt() <= self.lower() {
+                return;
+            }
+            let climbed = climb(&self.a, &self.b, &self.transform, sample.patch, parameters, foot);
+            for parameters in [climbed, parameters] {
+                if self.certify_sample(sample.patch, parameters) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Takes the point for the farthest if its certificate says so.
+    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2]) -> bool {
+        let point = self.transform.apply(self.a.patch(patch).point(parameters));
+        let target = self.b.target;
+        let gap = CERTIFICATE_PART * self.tolerance;
+        let Some(mut closest) = closest(&target.patches, &target.tree, point, gap) else { return false };
+        closest.lower = (closest.lower - self.rounding).max(0.0);
+        let better = self.farthest.is_none_or(|best| closest.lower > best.closest.lower);
+        if better {
+            self.farthest = Some(Farthest { patch, parameters, point, closest });
+        }
+        better
+    }
+}
+impl Search<'_> {
+    pub(crate) fn debug(&self) {
+        let mut r: Vec<&Region> = self.queue.iter().collect();
+        r.sort_by(|a, b| b.upper.total_cmp(&a.upper));
+        println!("queue {} ", r.len());
+        for level in 0..30 { let n = r.iter().filter(|x| x.level == level).count(); if n > 0 { println!("level {level} {n}"); } }
+        for x in r.iter().take(5).chain(r.iter().skip(r.len()/2).take(5)) {
+            println!("{x:?}");
+            if let Part::Cell(c) = &x.part {
+                let p = self.a.patch(c.patch); println!("   A point {:?} surf {} first {:?} halfsize", p.point(c.center), p.surface, self.a.bounds(c.patch).first);
+                let b = self.bound(x, 0.0); println!("   again {} foot {:?}", b.upper, b.foot);
+            }
+        }
+    }
+}
