@@ -70,7 +70,8 @@ fn ascent(at: [f64; 2], a: &Jet, b: &Jet) -> Option<DVec2> {
     let step = match free {
         [false, false] => return None,
         [true, true] if ss < 0.0 && ss * tt > st * st => {
-            DVec2::new(st * gradient.y - tt * gradient.x, st * gradient.x - ss * gradient.y) / (ss * tt - st * st)
+            DVec2::new(st * gradient.y - tt * gradient.x, st * gradient.x - ss * gradient.y)
+                / (ss * tt - st * st)
         }
         [true, false] if ss < 0.0 => DVec2::new(-gradient.x / ss, 0.0),
         [false, true] if tt < 0.0 => DVec2::new(0.0, -gradient.y / tt),

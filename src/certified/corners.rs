@@ -73,7 +73,8 @@ impl Corners<'_> {
             if here.patch != next.patch {
                 crossings += 1;
                 let (place, on_here, on_next) = self.crossing((from, here), (to, next));
-                let nearer = if on_here.distance_squared < on_next.distance_squared { on_here } else { on_next };
+                let nearer =
+                    if on_here.distance_squared < on_next.distance_squared { on_here } else { on_next };
                 self.offer(place, nearer, farthest);
                 polygons[usize::from(here.patch != first)].push(on_here);
                 polygons[usize::from(next.patch != first)].push(on_next);
@@ -113,7 +114,8 @@ impl Corners<'_> {
         let mut x = high;
         for _ in 0..SECANT_STEPS {
             let fraction = at_low / (at_low - at_high);
-            let inside = if fraction.is_finite() { fraction.clamp(LEAST_STEP, 1.0 - LEAST_STEP) } else { 0.5 };
+            let inside =
+                if fraction.is_finite() { fraction.clamp(LEAST_STEP, 1.0 - LEAST_STEP) } else { 0.5 };
             x = low + inside * (high - low);
             let difference;
             (here, next, difference) = both(x, &here, &next);
@@ -144,7 +146,9 @@ impl Corners<'_> {
         }
         let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
         let of_cell = self.cell.half.map(|half| 2.0 * half);
-        farthest.sqrt() + interpolation_error(self.bounds, of_cell) + interpolation_error(self.b.bounds(patch), extent)
+        farthest.sqrt()
+            + interpolation_error(self.bounds, of_cell)
+            + interpolation_error(self.b.bounds(patch), extent)
     }
 }
 

@@ -40,7 +40,8 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
         if node.count == 0 {
             let (first, second) = (index + 1, node.second as usize);
             let (near, far) = (least(first), least(second));
-            let pair = if near <= far { [(far, second), (near, first)] } else { [(near, first), (far, second)] };
+            let pair =
+                if near <= far { [(far, second), (near, first)] } else { [(near, first), (far, second)] };
             for (distance_squared, child) in pair {
                 if distance_squared < best.distance_squared {
                     waiting[height] = (distance_squared, child);

@@ -85,7 +85,8 @@ impl Region {
             Part::Cell(cell) => {
                 let [s, t] = side.bounds(cell.patch).first;
                 let lengths = [s * cell.half[0], t * cell.half[1]];
-                let axes = [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];
+                let axes =
+                    [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];
                 for child in cell.split(axes) {
                     push(Part::Cell(child));
                 }

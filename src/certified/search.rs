@@ -7,6 +7,7 @@ use super::corners::{Corners, Sample};
 use super::nearest::{Foot, foot_on, nearest};
 use super::region::{Cell, Part, Region};
 use super::side::moved;
+use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use crate::project::{Closest, Status, closest};
 use glam::DVec3;
@@ -36,7 +37,7 @@ const ROUNDING: f64 = 256.0 * f64::EPSILON;
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Stop {
+pub enum Stop {
     /// The interval is as narrow as asked, or the limit is decided.
     Converged,
     /// The budget of cells is spent.
@@ -101,9 +102,11 @@ impl<'a> Search<'a> {
         limit: Option<f64>,
     ) -> Self {
         let coordinate = |side: &Side<'_>| {
-            side.target.tree.nodes().first().map_or(0.0, |root| {
-                root.aabb.min.abs().max(root.aabb.max.abs()).max_element()
-            })
+            side.target
+                .tree
+                .nodes()
+                .first()
+                .map_or(0.0, |root| root.aabb.min.abs().max(root.aabb.max.abs()).max_element())
         };
         let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
         let start = Foot {
@@ -112,7 +115,12 @@ impl<'a> Search<'a> {
             distance_squared: f64::INFINITY,
             status: Status::IterationLimit,
         };
-        let root = Region { part: Part::Node(0), upper: f64::INFINITY, foot: start, level: 0 };
+        let root = Region {
+            part: Part::Node(0),
+            upper: farthest_corners(&a, &b, &transform),
+            foot: start,
+            level: 0,
+        };
         Self {
             a,
             b,
@@ -139,6 +147,11 @@ impl<'a> Search<'a> {
     /// The farthest point so far.
     pub(crate) fn farthest(&self) -> Option<&Farthest> {
         self.farthest.as_ref()
+    }
+
+    /// The patches of a farthest point and its foot.
+    pub(crate) fn witness_patches(&self, farthest: &Farthest) -> [Patch<'a>; 2] {
+        [self.a.patch(farthest.patch), self.b.target.patches.patch(farthest.closest.patch)]
     }
 
     fn lower(&self) -> f64 {
@@ -183,7 +196,8 @@ impl<'a> Search<'a> {
             self.levels = self.levels.max(region.level);
             let upper = bounded.as_ref().map_or(region.upper, |bounded| bounded.upper);
             self.cells += usize::from(bounded.is_some());
-            let too_small = matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < SMALLEST_HALF);
+            let too_small =
+                matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < SMALLEST_HALF);
             match bounded {
                 Some(bounded) if upper > enough && !too_small => {
                     region.split_into(&self.a, upper, bounded.foot, &mut parts);
@@ -196,6 +210,18 @@ impl<'a> Search<'a> {
         }
         self.queue.extend(parts);
         None
+    }
+
+    /// Whether the distance is at most the limit, once that is known.
+    pub(crate) fn within(&self) -> Option<bool> {
+        let (limit, interval) = (self.limit?, self.interval());
+        if interval.upper <= limit {
+            Some(true)
+        } else if interval.lower > limit {
+            Some(false)
+        } else {
+            None
+        }
     }
 
     fn bound(&self, region: &Region, enough: f64) -> Bounded {
@@ -235,8 +261,7 @@ impl<'a> Search<'a> {
         let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
         let mut sample = Sample { parameters: cell.center, foot };
         if upper > enough {
-            let corners =
-                Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
+            let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
             upper = upper.min(corners.bound(&foot, &mut sample));
         }
         // What is no number bounds nothing.
@@ -276,18 +301,22 @@ impl<'a> Search<'a> {
         better
     }
 }
-impl Search<'_> {
-    pub(crate) fn debug(&self) {
-        let mut r: Vec<&Region> = self.queue.iter().collect();
-        r.sort_by(|a, b| b.upper.total_cmp(&a.upper));
-        println!("queue {} ", r.len());
-        for level in 0..30 { let n = r.iter().filter(|x| x.level == level).count(); if n > 0 { println!("level {level} {n}"); } }
-        for x in r.iter().take(5).chain(r.iter().skip(r.len()/2).take(5)) {
-            println!("{x:?}");
-            if let Part::Cell(c) = &x.part {
-                let p = self.a.patch(c.patch); println!("   A point {:?} surf {} first {:?} halfsize", p.point(c.center), p.surface, self.a.bounds(c.patch).first);
-                let b = self.bound(x, 0.0); println!("   again {} foot {:?}", b.upper, b.foot);
-            }
-        }
-    }
+
+/// The largest distance between points of the two models' boxes: a convex
+/// function's largest value over A's box is at a corner.
+fn farthest_corners(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+    let (Some(a), Some(b)) = (a.target.tree.nodes().first(), b.target.tree.nodes().first()) else {
+        return 0.0;
+    };
+    let pick = |bit: usize, low: f64, high: f64| if bit == 0 { low } else { high };
+    let corner = |index: usize| {
+        let (min, max) = (a.aabb.min, a.aabb.max);
+        DVec3::new(
+            pick(index & 1, min.x, max.x),
+            pick(index & 2, min.y, max.y),
+            pick(index & 4, min.z, max.z),
+        )
+    };
+    let distance_squared = |index| b.aabb.max_distance_squared(transform.apply(corner(index)));
+    (0..8).map(distance_squared).fold(0.0, f64::max).sqrt()
 }

@@ -1,8 +1,8 @@
 //! One direction of method `iteration`, on any backend.
 
 use super::{
-    Bounds, Candidate, Field, Options, PreparedModel, PreparedSampling, PreparedTarget, Progress, Stages,
-    StatusCounts, SurfacePoint,
+    Bounds, Candidate, CertifiedDetails, Field, IterationDetails, Options, PreparedModel, PreparedSampling,
+    PreparedTarget, Progress, Stages, StatusCounts, SurfacePoint,
 };
 use crate::error::Result;
 use crate::iteration::{Projected, SampleGrid, Target, sample};
@@ -42,10 +42,10 @@ pub(super) struct Directed {
     pub(super) lower: f64,
     pub(super) upper: f64,
     pub(super) converged: bool,
-    pub(super) bounds: Bounds,
     pub(super) from: SurfacePoint,
     pub(super) to: SurfacePoint,
-    pub(super) statuses: StatusCounts,
+    pub(super) iteration: Option<IterationDetails>,
+    pub(super) certified: Option<CertifiedDetails>,
     pub(super) field: Vec<Field>,
 }
 
@@ -207,10 +207,14 @@ impl Direction<'_> {
                 + radius.rigorous
                 + COORDINATE_ROUNDING * coordinate,
             converged,
-            bounds: Bounds { k_a: radius.published, k_a_rigorous: radius.rigorous, k_b },
             from: self.sample_point(farthest.sample, farthest.point),
             to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),
-            statuses,
+            iteration: Some(IterationDetails {
+                bounds: Bounds { k_a: radius.published, k_a_rigorous: radius.rigorous, k_b },
+                samples: self.sampling.sampling.len(),
+                statuses,
+            }),
+            certified: None,
             field,
         }
     }
@@ -238,6 +242,6 @@ impl Direction<'_> {
     }
 }
 
-fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
+pub(super) fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
     SurfacePoint { surface, u, v, point: point.to_array() }
 }

@@ -1,7 +1,7 @@
 //! Where a distance is asked for, and the backend chosen.
 
 use super::run::{Ends, Run};
-use super::{Backend, DistanceResult, Monitor, Options, PreparedModel, Progress};
+use super::{Backend, DistanceResult, Method, Monitor, Options, PreparedModel, Progress};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use std::cell::{Cell, RefCell};
@@ -92,6 +92,9 @@ impl Engine {
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
+        if options.method == Method::Certified {
+            return direction.certified(options, progress).await;
+        }
         loop {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
             let Some(gpu) = gpu else {

@@ -1,5 +1,6 @@
 //! The distance of two prepared models: options in, interval out.
 
+mod certified;
 mod clock;
 mod cpu;
 mod directed;
@@ -10,12 +11,16 @@ mod prepared;
 mod result;
 mod run;
 mod stages;
+mod symmetric;
 
 pub use engine::Engine;
 pub use monitor::{Monitor, Silent};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
-pub use result::{Bounds, DistanceResult, Field, PatchCounts, Seconds, StatusCounts, SurfacePoint, Witness};
+pub use result::{
+    Bounds, CertifiedDetails, DistanceResult, Field, IterationDetails, PatchCounts, Seconds, StatusCounts,
+    Stop, SurfacePoint, Witness,
+};
 
 pub(crate) use clock::now;
 pub(crate) use monitor::Progress;

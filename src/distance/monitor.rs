@@ -8,6 +8,10 @@ pub trait Monitor {
     /// The work done so far, from 0 to 1, never falling.
     fn progress(&mut self, fraction: f64);
 
+    /// The interval so far of method `certified`, never widening while one
+    /// direction is in work.
+    fn interval(&mut self, _lower: f64, _upper: f64) {}
+
     /// Whether to stop; asked between chunks of work.
     fn cancelled(&self) -> bool;
 }
@@ -55,19 +59,29 @@ impl<'a> Progress<'a> {
         self.section = [start, length];
     }
 
+    /// Whether the next checkpoint will look at the monitor.
+    pub(crate) fn is_due(&self) -> bool {
+        now() - self.last >= INTERVAL
+    }
+
     /// Reports that `fraction` of the section is done and lets the caller's
     /// event loop run, at most every [`INTERVAL`].
     ///
     /// # Errors
     /// [`Error::Cancelled`] if the monitor says so.
     pub(crate) async fn checkpoint(&mut self, fraction: f64) -> Result<()> {
-        if now() - self.last >= INTERVAL {
+        if self.is_due() {
             give_way().await;
             let of_direction = self.section[0] + self.section[1] * fraction;
             self.monitor.progress((self.direction[0] + self.direction[1] * of_direction).clamp(0.0, 1.0));
             self.last = now();
         }
         if self.monitor.cancelled() { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// Passes the interval on.
+    pub(crate) fn interval(&mut self, lower: f64, upper: f64) {
+        self.monitor.interval(lower, upper);
     }
 
     /// Reports that everything is done.

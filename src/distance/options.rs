@@ -11,6 +11,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
+    /// An interval to the tolerance asked for.
+    Certified,
     /// The 2012 paper's sampling and projection.
     #[default]
     Iteration,
@@ -35,9 +37,21 @@ pub enum Backend {
 pub struct Options {
     /// How the distance is computed.
     pub method: Method,
-    /// Samples along each direction of every surface, 2 to 1024.
+    /// `certified`: the width asked of the interval, positive.
+    pub tolerance: f64,
+    /// Whether `tolerance` is in model units; else it is relative to the
+    /// larger diagonal of the two models' control-net boxes.
+    pub absolute: bool,
+    /// `certified`: only whether the distance is at most this is asked, in
+    /// model units, 0 or more; the search ends as soon as it is known.
+    pub limit: Option<f64>,
+    /// `certified`: seconds after which the interval so far is returned, positive.
+    pub max_seconds: Option<f64>,
+    /// `certified`: cells after which the interval so far is returned, 1 or more.
+    pub max_cells: Option<usize>,
+    /// `iteration`: samples along each direction of every surface, 2 to 1024.
     pub samples: usize,
-    /// How they are spread.
+    /// `iteration`: how they are spread.
     pub sampling: SamplingRule,
     /// How flat the patches are cut.
     pub flatness: Flatness,
@@ -64,6 +78,11 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             method: Method::default(),
+            tolerance: 1e-6,
+            absolute: false,
+            limit: None,
+            max_seconds: None,
+            max_cells: None,
             samples: 64,
             sampling: SamplingRule::default(),
             flatness: Flatness::default(),
@@ -98,6 +117,16 @@ impl Options {
         check("samples", samples, self.samples.to_string(), "2 to 1024")?;
         let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
         check("iterations", iterations, self.iterations.to_string(), "1 to 1000")?;
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        check("tolerance", positive(self.tolerance), self.tolerance.to_string(), "a positive finite number")?;
+        if let Some(limit) = self.limit {
+            let valid = limit.is_finite() && limit >= 0.0;
+            check("limit", valid, limit.to_string(), "a finite number of at least 0")?;
+        }
+        if let Some(seconds) = self.max_seconds {
+            check("max seconds", positive(seconds), seconds.to_string(), "a positive finite number")?;
+        }
+        check("max cells", self.max_cells != Some(0), "0".to_owned(), "at least 1")?;
         let tolerance = self.step_tolerance.is_finite() && self.step_tolerance > 0.0;
         check("step tolerance", tolerance, self.step_tolerance.to_string(), "a positive finite number")
     }

@@ -1,12 +1,13 @@
 //! A model with everything computed from it once.
 
-use crate::bezier::{BezierModel, extract};
+use crate::bezier::{BezierModel, DerivativeBounds, extract};
+use crate::certified::Side;
 use crate::flatness::{Flatness, flatten};
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
 use crate::tree::Aabb;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 /// A model ready to be measured: its Bézier patches, and, made at first use
@@ -26,7 +27,16 @@ type SamplingKey = (usize, SamplingRule);
 #[derive(Debug)]
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
+    bounds: OnceCell<Vec<DerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
+}
+
+impl PreparedTarget {
+    /// The patches as method `certified` wants them.
+    pub(crate) fn side(&self) -> Side<'_> {
+        let bounds = || self.target.patches.iter().map(|patch| patch.derivative_bounds()).collect();
+        Side::new(&self.target, self.bounds.get_or_init(bounds))
+    }
 }
 
 /// Samples with their place on the GPU.
@@ -77,7 +87,8 @@ impl PreparedModel {
             return Rc::clone(target);
         }
         let target = Target::new(flatten(&self.bezier.patches, flatness));
-        let prepared = Rc::new(PreparedTarget { target, resident: Resident::default() });
+        let prepared =
+            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }

@@ -1,6 +1,7 @@
 //! The answer, in the shape that the command line and JavaScript hand on.
 
 use super::Method;
+pub use crate::certified::Stop;
 use serde::Serialize;
 
 /// The distance of two models.
@@ -23,18 +24,19 @@ pub struct DistanceResult {
     pub lower: f64,
     /// At least the true distance.
     pub upper: f64,
-    /// Whether `computed` is the largest distance of all samples to rounding:
-    /// with the tangent-plane step, whether the witness's iteration ended by
-    /// its step tolerance.
+    /// `certified`: whether the interval is as narrow as asked, or the limit
+    /// is decided. `iteration`: whether `computed` is the largest distance of
+    /// all samples to rounding, or with the tangent-plane step whether the
+    /// witness's iteration ended by its step tolerance.
     pub converged: bool,
-    /// The paper's bounds, and the one that holds.
-    pub bounds: Bounds,
     /// Where the distance is attained.
     pub witness: Witness,
-    /// Number of samples.
-    pub samples: usize,
-    /// How their projections ended.
-    pub statuses: StatusCounts,
+    /// What only method `iteration` tells.
+    #[serde(flatten)]
+    pub iteration: Option<IterationDetails>,
+    /// What only method `certified` tells.
+    #[serde(flatten)]
+    pub certified: Option<CertifiedDetails>,
     /// Numbers of patches.
     pub patches: PatchCounts,
     /// Where the time went.
@@ -52,6 +54,36 @@ pub struct DistanceResult {
     /// Not part of the JSON.
     #[serde(skip)]
     pub field: Vec<Field>,
+}
+
+/// What method `iteration` tells besides the interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct IterationDetails {
+    /// The paper's bounds, and the one that holds.
+    pub bounds: Bounds,
+    /// Number of samples.
+    pub samples: usize,
+    /// How their projections ended.
+    pub statuses: StatusCounts,
+}
+
+/// What method `certified` tells besides the interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CertifiedDetails {
+    /// The width asked of the interval, in model units.
+    pub tolerance: f64,
+    /// Number of cells bounded.
+    pub cells: usize,
+    /// Number of those bounded in float64 on the CPU.
+    pub cpu_cells: usize,
+    /// Halvings from the whole model to the smallest cell.
+    pub levels: u32,
+    /// Why the search ended.
+    pub stop: Stop,
+    /// With a limit: whether the distance is at most the limit, absent if the
+    /// search ended before it was known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub within: Option<bool>,
 }
 
 /// How far `computed` can be from the true distance.

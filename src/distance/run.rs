@@ -1,5 +1,6 @@
 //! One direction run on one backend, and its result.
 
+use super::certified::certified;
 use super::cpu::CpuStages;
 use super::directed::{Directed, Direction};
 use super::{
@@ -7,6 +8,7 @@ use super::{
     Stages, SurfacePoint, Witness, now,
 };
 use crate::error::{Error, Result};
+use crate::flatness::Flatness;
 use crate::gpu::{Gpu, GpuStages};
 use crate::model::RigidTransform;
 use glam::DVec3;
@@ -26,7 +28,6 @@ pub(super) struct Run {
     adapter: Option<String>,
     notice: Option<String>,
     diagonal: f64,
-    samples: usize,
     sampled_patches: usize,
     target_patches: usize,
     seconds: Seconds,
@@ -53,6 +54,30 @@ impl Ends<'_> {
         let mut stages = CpuStages::new(self.from.bezier(), sampling, target, self.transform, options.rule());
         let run = self.solve(&prepared, &mut stages, options, progress).await?;
         Ok(Run { notice, ..run })
+    }
+
+    /// Method `certified`, in float64.
+    pub(super) async fn certified(&self, options: &Options, progress: &mut Progress<'_>) -> Result<Run> {
+        let started = now();
+        let (from, to) = (self.from.target(Flatness::Loose), self.to.target(Flatness::Loose));
+        let (a, b) = (from.side(), to.side());
+        let prepare = now() - started;
+        let diagonal = self.diagonal();
+        let directed = certified(a, b, self.transform, diagonal, options, progress).await?;
+        Ok(Run {
+            directed: directed.ok_or(Error::EmptyModel)?,
+            backend: "cpu",
+            adapter: None,
+            notice: None,
+            diagonal,
+            sampled_patches: from.target.patches.len(),
+            target_patches: to.target.patches.len(),
+            seconds: Seconds { prepare, compile: 0.0, solve: now() - started - prepare },
+        })
+    }
+
+    fn diagonal(&self) -> f64 {
+        self.from.bounding_box().diagonal().max(self.to.bounding_box().diagonal())
     }
 
     pub(super) async fn on_gpu(
@@ -90,7 +115,7 @@ impl Ends<'_> {
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
-        let diagonal = self.from.bounding_box().diagonal().max(self.to.bounding_box().diagonal());
+        let diagonal = self.diagonal();
         let Prepared { sampling, target, started, seconds } = prepared;
         let direction =
             Direction { a: self.from, sampling, target, transform: self.transform, diagonal, options };
@@ -101,7 +126,6 @@ impl Ends<'_> {
             adapter: None,
             notice: None,
             diagonal,
-            samples: sampling.sampling.len(),
             sampled_patches: self.from.bezier().patches.len(),
             target_patches: target.target.patches.len(),
             seconds: Seconds { solve: now() - started - seconds.prepare - seconds.compile, ..*seconds },
@@ -135,7 +159,7 @@ impl Run {
     }
 
     fn into_result(self, options: &Options, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let Directed { computed, lower, upper, converged, bounds, statuses, field, .. } = self.directed;
+        let Directed { computed, lower, upper, converged, iteration, certified, field, .. } = self.directed;
         DistanceResult {
             method: options.method,
             backend: self.backend,
@@ -145,10 +169,9 @@ impl Run {
             lower,
             upper,
             converged,
-            bounds,
             witness,
-            samples: self.samples,
-            statuses,
+            iteration,
+            certified,
             patches,
             seconds: self.seconds,
             notice: self.notice,
@@ -161,44 +184,4 @@ impl Run {
 
 fn moved(point: SurfacePoint, transform: &RigidTransform) -> SurfacePoint {
     SurfacePoint { point: transform.apply(DVec3::from_array(point.point)).to_array(), ..point }
-}
-
-impl DistanceResult {
-    /// The larger of two directed results, both kept.
-    pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
-        let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let k_b = match (forward.bounds.k_b, reverse.bounds.k_b) {
-            (Some(forward), Some(reverse)) => Some(forward.max(reverse)),
-            _ => None,
-        };
-        let mut statuses = forward.statuses;
-        statuses += reverse.statuses;
-        let sum = |part: fn(&Seconds) -> f64| part(&forward.seconds) + part(&reverse.seconds);
-        Self {
-            lower: forward.lower.max(reverse.lower),
-            upper: forward.upper.max(reverse.upper),
-            converged: forward.converged && reverse.converged,
-            bounds: super::Bounds {
-                k_a: forward.bounds.k_a.max(reverse.bounds.k_a),
-                k_a_rigorous: forward.bounds.k_a_rigorous.max(reverse.bounds.k_a_rigorous),
-                k_b,
-            },
-            samples: forward.samples + reverse.samples,
-            statuses,
-            seconds: Seconds {
-                prepare: sum(|seconds| seconds.prepare),
-                compile: sum(|seconds| seconds.compile),
-                solve: sum(|seconds| seconds.solve),
-            },
-            field: Vec::new(),
-            forward: None,
-            reverse: None,
-            ..larger.clone()
-        }
-        .with_directions(forward, reverse)
-    }
-
-    fn with_directions(self, forward: Self, reverse: Self) -> Self {
-        Self { forward: Some(Box::new(forward)), reverse: Some(Box::new(reverse)), ..self }
-    }
 }

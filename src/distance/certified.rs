@@ -1,0 +1,81 @@
+//! One direction of method `certified`, within its budgets.
+
+use super::directed::{Directed, surface_point};
+use super::{CertifiedDetails, Options, Progress, Stop, now};
+use crate::certified::{Interval, Search, Side};
+use crate::error::{Error, Result};
+use crate::model::RigidTransform;
+
+/// Searches until the interval is as narrow as asked or a budget ends it;
+/// `None` for a model without patches, which validation rules out.
+///
+/// Cancelling is a budget too: the interval so far is returned.
+pub(super) async fn certified(
+    a: Side<'_>,
+    b: Side<'_>,
+    transform: RigidTransform,
+    diagonal: f64,
+    options: &Options,
+    progress: &mut Progress<'_>,
+) -> Result<Option<Directed>> {
+    let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+    let started = now();
+    let mut search = Search::new(a, b, transform, tolerance, options.limit);
+    progress.section(0.0, 1.0);
+    let first = search.interval();
+    let stop = loop {
+        if let Some(stop) = search.advance() {
+            break stop;
+        }
+        if options.max_cells.is_some_and(|most| search.cells >= most) {
+            break Stop::Cells;
+        }
+        if options.max_seconds.is_some_and(|most| now() - started >= most) {
+            break Stop::Time;
+        }
+        if progress.is_due() {
+            let interval = search.interval();
+            progress.interval(interval.lower, interval.upper);
+            match progress.checkpoint(fraction(first, interval, tolerance)).await {
+                Err(Error::Cancelled) => break Stop::Cancelled,
+                other => other?,
+            }
+        }
+    };
+    let Interval { lower, upper } = search.interval();
+    progress.interval(lower, upper);
+    let Some(farthest) = search.farthest() else { return Ok(None) };
+    let within = search.within();
+    let converged = stop == Stop::Converged && (options.limit.is_none() || within.is_some());
+    let [from, to] = search.witness_patches(farthest);
+    Ok(Some(Directed {
+        computed: farthest.closest.upper,
+        lower,
+        upper,
+        converged,
+        from: surface_point(from.surface, from.surface_parameters(farthest.parameters), farthest.point),
+        to: surface_point(
+            to.surface,
+            to.surface_parameters(farthest.closest.parameters),
+            farthest.closest.point,
+        ),
+        iteration: None,
+        certified: Some(CertifiedDetails {
+            tolerance,
+            cells: search.cells,
+            cpu_cells: search.cells,
+            levels: search.levels,
+            stop,
+            within,
+        }),
+        field: Vec::new(),
+    }))
+}
+
+/// How far the width has come from the first to the one asked for, in orders
+/// of magnitude, as each takes about as long as the one before or longer.
+fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
+    let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
+    let orders = (width(first) / tolerance).ln();
+    if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }
+}

@@ -1,0 +1,68 @@
+//! Two directed results into the symmetric one.
+
+use super::{Bounds, CertifiedDetails, DistanceResult, IterationDetails, Seconds, Stop};
+
+impl DistanceResult {
+    /// The larger of two directed results, both kept: the symmetric distance
+    /// is their maximum, so its interval is that of the maxima.
+    pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
+        let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
+        let sum = |part: fn(&Seconds) -> f64| part(&forward.seconds) + part(&reverse.seconds);
+        let seconds = Seconds {
+            prepare: sum(|seconds| seconds.prepare),
+            compile: sum(|seconds| seconds.compile),
+            solve: sum(|seconds| seconds.solve),
+        };
+        let upper = forward.upper.max(reverse.upper);
+        Self {
+            lower: forward.lower.max(reverse.lower),
+            upper,
+            converged: forward.converged && reverse.converged,
+            iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::both),
+            certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::both),
+            seconds,
+            field: Vec::new(),
+            forward: Some(Box::new(forward.clone())),
+            reverse: Some(Box::new(reverse.clone())),
+            ..larger.clone()
+        }
+    }
+}
+
+impl IterationDetails {
+    fn both((forward, reverse): (Self, Self)) -> Self {
+        let mut statuses = forward.statuses;
+        statuses += reverse.statuses;
+        Self {
+            bounds: Bounds {
+                k_a: forward.bounds.k_a.max(reverse.bounds.k_a),
+                k_a_rigorous: forward.bounds.k_a_rigorous.max(reverse.bounds.k_a_rigorous),
+                k_b: forward
+                    .bounds
+                    .k_b
+                    .zip(reverse.bounds.k_b)
+                    .map(|(forward, reverse)| forward.max(reverse)),
+            },
+            samples: forward.samples + reverse.samples,
+            statuses,
+        }
+    }
+}
+
+impl CertifiedDetails {
+    fn both((forward, reverse): (Self, Self)) -> Self {
+        Self {
+            tolerance: forward.tolerance,
+            cells: forward.cells + reverse.cells,
+            cpu_cells: forward.cpu_cells + reverse.cpu_cells,
+            levels: forward.levels.max(reverse.levels),
+            stop: if forward.stop == Stop::Converged { reverse.stop } else { forward.stop },
+            // One direction beyond the limit decides; both within it do.
+            within: match (forward.within, reverse.within) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            },
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Progress to a JavaScript function, cancelling from an `AbortSignal`.
+
+use crate::distance::Monitor;
+use js_sys::Function;
+use wasm_bindgen::JsValue;
+use web_sys::AbortSignal;
+
+/// The caller's signal and function, both optional.
+pub(super) struct Watch {
+    signal: Option<AbortSignal>,
+    on_progress: Option<Function>,
+    thrown: Option<JsValue>,
+}
+
+impl Watch {
+    pub(super) fn new(signal: Option<AbortSignal>, on_progress: Option<Function>) -> Self {
+        Self { signal, on_progress, thrown: None }
+    }
+
+    /// What the function threw, which also cancelled the work.
+    pub(super) fn into_thrown(self) -> Option<JsValue> {
+        self.thrown
+    }
+}
+
+impl Monitor for Watch {
+    fn progress(&mut self, fraction: f64) {
+        if let Some(on_progress) = &self.on_progress
+            && let Err(thrown) = on_progress.call1(&JsValue::UNDEFINED, &fraction.into())
+        {
+            self.thrown.get_or_insert(thrown);
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.thrown.is_some() || self.signal.as_ref().is_some_and(AbortSignal::aborted)
+    }
+}

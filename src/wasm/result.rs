@@ -1,0 +1,43 @@
+//! A result as a plain JavaScript object.
+
+use crate::distance::{DistanceResult, Field};
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::JsValue;
+
+/// The result as the command line prints it, with the fields as typed arrays.
+pub(super) fn object(result: &DistanceResult) -> Result<JsValue, JsValue> {
+    let object = result.serialize(&Serializer::json_compatible())?;
+    add_field(&object, result)?;
+    for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
+        if let Some(directed) = directed {
+            add_field(&Reflect::get(&object, &name.into())?, directed)?;
+        }
+    }
+    Ok(object)
+}
+
+fn add_field(object: &JsValue, result: &DistanceResult) -> Result<(), JsValue> {
+    if !result.field.is_empty() {
+        let fields = result.field.iter().map(field).collect::<Result<Array, _>>()?;
+        Reflect::set(object, &"field".into(), &fields)?;
+    }
+    Ok(())
+}
+
+fn field(field: &Field) -> Result<Object, JsValue> {
+    let object = Object::new();
+    let counts: Array = field.counts.iter().map(|&count| JsValue::from(count as u32)).collect();
+    for (name, value) in [
+        ("surface", JsValue::from(field.surface as u32)),
+        ("counts", counts.into()),
+        ("points", Float64Array::from(field.points.as_slice()).into()),
+        ("feet", Float64Array::from(field.feet.as_slice()).into()),
+        ("distances", Float64Array::from(field.distances.as_slice()).into()),
+        ("statuses", Uint8Array::from(field.statuses.as_slice()).into()),
+    ] {
+        Reflect::set(&object, &name.into(), &value)?;
+    }
+    Ok(object)
+}
