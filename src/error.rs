@@ -184,6 +184,12 @@ pub enum Error {
         /// The range.
         expected: &'static str,
     },
+    /// An option of another type or name than the options there are.
+    #[error("options: {found}")]
+    OptionInvalid {
+        /// What was found, and what was expected.
+        found: String,
+    },
     /// A transform that is not a rotation and a translation of finite numbers.
     #[error("the transform's {found}, expected a finite translation and a rotation of unit length")]
     TransformNotRigid {
@@ -240,6 +246,7 @@ impl Error {
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
+            Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",
             Self::UnknownShape { .. } => "UNKNOWN_SHAPE",
             Self::NoAdapter { .. } => "NO_ADAPTER",
