@@ -3,11 +3,12 @@
 use super::model::PreparedModel;
 use super::monitor::Watch;
 use super::{options, result};
-use crate::distance::{self, Backend};
+use crate::distance::{self, Backend, Monitor};
+use crate::error::Error;
 use js_sys::{Function, Promise};
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::future_to_promise;
+use wasm_bindgen_futures::{JsFuture, future_to_promise};
 use web_sys::AbortSignal;
 
 /// One device. The promises it gives own what they need, so that disposing of
@@ -38,8 +39,8 @@ impl Engine {
         self.0.notice()
     }
 
-    /// Resolves to the result as a plain object; rejects with `{code, message}`,
-    /// or with what `on_progress` threw.
+    /// Begins when `turn` is settled. Resolves to the result as a plain object;
+    /// rejects with `{code, message}`, or with what `on_progress` threw.
     pub fn distance(
         &self,
         a: &PreparedModel,
@@ -47,13 +48,20 @@ impl Engine {
         options: &JsValue,
         signal: Option<AbortSignal>,
         on_progress: Option<Function>,
+        turn: Promise,
     ) -> Promise {
         let engine = Rc::clone(&self.0);
         let (a, b) = (a.inner(), b.inner());
         let options = options::distance(options);
         future_to_promise(async move {
+            let options = options?;
+            // However the distance before ended, it is this one's turn.
+            let _ = JsFuture::from(turn).await;
             let mut watch = Watch::new(signal, on_progress);
-            let measured = engine.distance(&a, &b, &options?, &mut watch).await;
+            if watch.cancelled() {
+                return Err(Error::Cancelled.into());
+            }
+            let measured = engine.distance(&a, &b, &options, &mut watch).await;
             match (watch.into_thrown(), measured) {
                 (Some(thrown), _) => Err(thrown),
                 (None, measured) => result::object(&measured?),

@@ -1,0 +1,71 @@
+/**
+ * What went wrong, as a code that stays the same across releases; the
+ * message, for people, may change. All but the last three are Rust's.
+ *
+ * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
+ *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
+ * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
+ *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
+ * - `ARGUMENT_INVALID`: an argument has another type than declared;
+ * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
+ * - `DISPOSED`: used after `dispose()`.
+ */
+export type ErrorCode =
+  | "NON_FINITE"
+  | "WEIGHT_NOT_POSITIVE"
+  | "KNOTS_DECREASING"
+  | "KNOTS_LENGTH"
+  | "KNOTS_MULTIPLICITY"
+  | "KNOTS_EMPTY_DOMAIN"
+  | "RAGGED_NET"
+  | "TOO_FEW_CONTROL_POINTS"
+  | "DEGREE_OUT_OF_RANGE"
+  | "EMPTY_MODEL"
+  | "JSON_SHAPE"
+  | "FILE_TOO_LARGE"
+  | "FILE_UNREADABLE"
+  | "OPTION_OUT_OF_RANGE"
+  | "OPTION_INVALID"
+  | "TRANSFORM_NOT_RIGID"
+  | "UNKNOWN_SHAPE"
+  | "NO_ADAPTER"
+  | "DEVICE_LOST"
+  | "GPU_FAILED"
+  | "CANCELLED"
+  | "ARGUMENT_INVALID"
+  | "MODULE_NOT_LOADED"
+  | "DISPOSED";
+
+/** Every error that the package raises on purpose. */
+export class HausdorffError extends Error {
+  readonly code: ErrorCode;
+
+  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+    super(message, options);
+    this.name = "HausdorffError";
+    this.code = code;
+  }
+}
+
+/**
+ * The error for what the wasm module threw; what is not of its making stays.
+ * @internal
+ */
+export function translated(thrown: unknown, cause?: unknown): unknown {
+  if (typeof thrown !== "object" || thrown === null || thrown instanceof Error) return thrown;
+  const { code, message } = thrown as { code?: ErrorCode; message?: string };
+  if (code === undefined || message === undefined) return thrown;
+  return new HausdorffError(code, message, cause === undefined ? undefined : { cause });
+}
+
+/**
+ * What `run` returns, its errors translated.
+ * @internal
+ */
+export function translating<T>(run: () => T): T {
+  try {
+    return run();
+  } catch (thrown) {
+    throw translated(thrown);
+  }
+}

@@ -1,0 +1,154 @@
+import { HausdorffError, translated, translating } from "./error.js";
+import { type InterchangeModel, prepare, type SurfaceArrays } from "./input.js";
+import { type NurbsModel, unwrap, wrap } from "./model.js";
+import { load, type ModuleSource, requireLoaded } from "./module.js";
+import { type Backend, type DistanceOptions, split } from "./options.js";
+import type { DistanceResult } from "./result.js";
+import { Engine, PreparedModel, shapeNames } from "./wasm/nurbs_hausdorff.js";
+
+/** Options of `Hausdorff.create`. */
+export interface CreateOptions {
+  /** Default `auto`. */
+  backend?: Backend;
+  /**
+   * The wasm module, where it is not fetched from beside the package's files:
+   * in Node, the bytes of `nurbs-hausdorff/nurbs_hausdorff_bg.wasm`.
+   */
+  module?: ModuleSource;
+}
+
+/** A shape that the package makes. */
+export interface ShapeInfo {
+  /** What `Hausdorff.shape` takes. */
+  name: string;
+  /** A title for people. */
+  title: string;
+}
+
+/**
+ * Measures Hausdorff distances on one GPU device, or on the CPU. Models are
+ * not tied to the one that made them.
+ */
+export class Hausdorff {
+  #engine: Engine | undefined;
+  // Settled when no distance is in work.
+  #turn: Promise<unknown> = Promise.resolve();
+
+  private constructor(engine: Engine) {
+    this.#engine = engine;
+  }
+
+  /**
+   * Loads the module, once, and looks for a GPU.
+   *
+   * @throws {HausdorffError} `NO_ADAPTER` if `backend` is `gpu` and there is
+   * none; `OPTION_INVALID`. What fetching and compiling the module throw.
+   */
+  static async create({ backend, module }: CreateOptions = {}): Promise<Hausdorff> {
+    await load(module);
+    try {
+      return new Hausdorff(await Engine.create(backend));
+    } catch (thrown) {
+      throw translated(thrown);
+    }
+  }
+
+  /** Where distances are computed unless their options say otherwise. */
+  get backend(): "gpu" | "cpu" {
+    return this.#open().hasGpu ? "gpu" : "cpu";
+  }
+
+  /** The GPU's name, if there is a GPU and it tells. */
+  get adapter(): string | null {
+    return this.#open().adapter ?? null;
+  }
+
+  /** Why there is no GPU, if one was looked for. */
+  get notice(): string | null {
+    return this.#open().notice ?? null;
+  }
+
+  /**
+   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   *
+   * @throws {HausdorffError} naming the surface, the place, what was found and
+   * what was expected.
+   */
+  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+    this.#open();
+    return translating(() => wrap(prepare(input)));
+  }
+
+  /**
+   * A shape by its name, one of `Hausdorff.shapes`.
+   *
+   * @throws {HausdorffError} `UNKNOWN_SHAPE`.
+   */
+  shape(name: string): NurbsModel {
+    this.#open();
+    return translating(() => wrap(PreparedModel.shape(`${name}`)));
+  }
+
+  /**
+   * The shapes there are.
+   *
+   * @throws {HausdorffError} `MODULE_NOT_LOADED` before the first `create` resolved.
+   */
+  static shapes(): ShapeInfo[] {
+    requireLoaded();
+    const names = shapeNames();
+    return Array.from({ length: names.length / 2 }, (_, index) => ({
+      name: names[2 * index] ?? "",
+      title: names[2 * index + 1] ?? "",
+    }));
+  }
+
+  /**
+   * The directed distance from `a`, moved by `transform`, to `b`: how far the
+   * farthest point of `a` is from `b`. With `symmetric`, the larger of both
+   * directions. Distances asked for at once are computed in turn.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
+   * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`.
+   */
+  async distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions = {},
+  ): Promise<DistanceResult> {
+    const engine = this.#open();
+    const { plain, signal, onProgress } = split(options);
+    const result = engine.distance(
+      unwrap(a, "a"),
+      unwrap(b, "b"),
+      plain,
+      signal,
+      onProgress,
+      this.#turn,
+    ) as Promise<DistanceResult>;
+    this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
+    try {
+      return await result;
+    } catch (thrown) {
+      throw translated(thrown, signal?.reason);
+    }
+  }
+
+  /** Lets the device go; distances in work still end well. */
+  dispose(): void {
+    this.#engine?.free();
+    this.#engine = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
+  #open(): Engine {
+    if (this.#engine === undefined) {
+      throw new HausdorffError("DISPOSED", "the Hausdorff object was disposed of");
+    }
+    return this.#engine;
+  }
+}

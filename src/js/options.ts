@@ -1,0 +1,74 @@
+import { HausdorffError } from "./error.js";
+
+/** Where to compute: `auto` is the GPU if there is one, else the CPU. */
+export type Backend = "auto" | "gpu" | "cpu";
+
+export type Vector3 = [x: number, y: number, z: number];
+
+/** A rotation about the origin, then a translation. */
+export interface Transform {
+  translation?: readonly [x: number, y: number, z: number];
+  /** A unit quaternion. */
+  rotation?: readonly [x: number, y: number, z: number, w: number];
+}
+
+/** Options of `Hausdorff.distance`; the defaults are the 2012 paper's. */
+export interface DistanceOptions {
+  /** How the distance is computed; there is one way yet. */
+  method?: "iteration";
+  /** Samples along each direction of every surface, 2 to 1024; default 64. */
+  samples?: number;
+  /** How they are spread: evenly in the parameter (default) or in arc length. */
+  sampling?: "uniform" | "arc-length";
+  /** How flat the other model's patches are cut; default `loose`, normals within 45°. */
+  flatness?: "none" | "loose" | "tight" | "curvature";
+  /** The step of the projection: damped Newton (default) or the paper's own. */
+  projection?: "newton" | "tangent-plane";
+  /** Patches tried for a sample: those near enough (default), or all as in the paper. */
+  culling?: "tree" | "none";
+  /** Steps on one patch, 1 to 1000; default 5. */
+  iterations?: number;
+  /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
+  stepTolerance?: number;
+  /** Whether the distance from B to A is measured too; default no. */
+  symmetric?: boolean;
+  /** Moves A before it is measured; costs no upload. */
+  transform?: Transform;
+  /** Where to compute this distance; default `auto`. */
+  backend?: Backend;
+  /** Whether every sample and its foot point are returned; default no. */
+  field?: boolean;
+  /** Cancels: the promise then rejects with code `CANCELLED`. */
+  signal?: AbortSignal;
+  /** Told the part of the work done, rising to 1. What it throws cancels the work. */
+  onProgress?: (fraction: number) => void;
+}
+
+/** @internal */
+export interface SplitOptions {
+  plain: object;
+  signal: AbortSignal | undefined;
+  onProgress: ((fraction: number) => void) | undefined;
+}
+
+/**
+ * The options that are data, which the module checks, and those that are not.
+ * @internal
+ */
+export function split(options: DistanceOptions): SplitOptions {
+  if (typeof options !== "object" || options === null) {
+    throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
+  }
+  const { signal, onProgress, ...plain } = options;
+  if (signal !== undefined && typeof signal?.aborted !== "boolean") {
+    throw invalid("signal is no AbortSignal");
+  }
+  if (onProgress !== undefined && typeof onProgress !== "function") {
+    throw invalid(`onProgress is ${typeof onProgress}, expected a function`);
+  }
+  return { plain, signal, onProgress };
+}
+
+function invalid(message: string): HausdorffError {
+  return new HausdorffError("OPTION_INVALID", message);
+}
