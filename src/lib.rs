@@ -8,6 +8,7 @@ pub mod flatness;
 pub mod gpu;
 pub mod iteration;
 pub mod model;
+mod parallel;
 pub mod project;
 pub mod shapes;
 pub mod tessellate;

@@ -109,6 +109,14 @@ impl PatchSet {
         self.controls.extend_from_slice(patch.controls);
     }
 
+    /// Appends all patches of `other`.
+    pub fn append(&mut self, other: &Self) {
+        let before = self.controls.len();
+        self.entries
+            .extend(other.entries.iter().map(|entry| Entry { first: entry.first + before, ..entry.clone() }));
+        self.controls.extend_from_slice(&other.controls);
+    }
+
     /// The box of all patches.
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {

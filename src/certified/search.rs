@@ -9,6 +9,7 @@ use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
+use crate::parallel::map;
 use crate::project::{Closest, Status, closest};
 use glam::DVec3;
 use std::collections::VecDeque;
@@ -179,16 +180,10 @@ impl<'a> Search<'a> {
             self.queue.drain(..CHUNK.min(self.queue.len())).collect()
         };
         let enough = self.enough();
-        let bound = |region: &Region| {
-            if region.upper <= enough { None } else { Some(self.bound(region, enough)) }
-        };
-        #[cfg(not(target_arch = "wasm32"))]
-        let bounded: Vec<Option<Bounded>> = {
-            use rayon::prelude::*;
-            regions.par_iter().map(bound).collect()
-        };
-        #[cfg(target_arch = "wasm32")]
-        let bounded: Vec<Option<Bounded>> = regions.iter().map(bound).collect();
+        let bounded = map(regions.len(), |index| {
+            let region = &regions[index];
+            (region.upper > enough).then(|| self.bound(region, enough))
+        });
         self.raise(&bounded);
         let enough = self.enough();
         let mut parts = Vec::new();

@@ -5,6 +5,7 @@ use crate::bezier::BezierModel;
 use crate::error::Result;
 use crate::iteration::{Projected, Rule, Sampling, Target, project, reduce, sample};
 use crate::model::RigidTransform;
+use crate::parallel::map;
 use crate::project::Status;
 use std::ops::Range;
 
@@ -53,13 +54,7 @@ impl Stages for CpuStages<'_> {
         for start in page.clone().step_by(CHUNK) {
             progress.checkpoint((start - page.start) as f64 / page.len() as f64).await?;
             let chunk = start..(start + CHUNK).min(page.end);
-            #[cfg(not(target_arch = "wasm32"))]
-            {
-                use rayon::prelude::*;
-                self.projected.par_extend(chunk.into_par_iter().map(one));
-            }
-            #[cfg(target_arch = "wasm32")]
-            self.projected.extend(chunk.map(one));
+            self.projected.extend(map(chunk.len(), |offset| one(chunk.start + offset)));
         }
         Ok(())
     }

@@ -6,6 +6,7 @@ use crate::flatness::{Flatness, flatten};
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
+use crate::parallel::map;
 use crate::tree::Aabb;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -34,7 +35,8 @@ pub(crate) struct PreparedTarget {
 impl PreparedTarget {
     /// The patches as method `certified` wants them.
     pub(crate) fn side(&self) -> Side<'_> {
-        let bounds = || self.target.patches.iter().map(|patch| patch.derivative_bounds()).collect();
+        let patches = &self.target.patches;
+        let bounds = || map(patches.len(), |index| patches.patch(index).derivative_bounds());
         Side::new(&self.target, self.bounds.get_or_init(bounds))
     }
 }

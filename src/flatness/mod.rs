@@ -5,6 +5,7 @@ mod curvature;
 mod normal_span;
 
 use crate::bezier::{Patch, PatchSet, center_grid};
+use crate::parallel::map_ranges;
 use serde::{Deserialize, Serialize};
 
 /// When a patch counts as flat.
@@ -54,8 +55,14 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
     }
     let grid = center_grid(patches.bounding_box().diagonal());
     let mut flat = PatchSet::default();
-    for patch in patches.iter() {
-        cut(&mut flat, patch, flatness, grid, MOST_HALVINGS);
+    for part in map_ranges(patches.len(), |range| {
+        let mut part = PatchSet::default();
+        for index in range {
+            cut(&mut part, patches.patch(index), flatness, grid, MOST_HALVINGS);
+        }
+        part
+    }) {
+        flat.append(&part);
     }
     flat
 }

@@ -2,6 +2,7 @@
 
 use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
+use crate::parallel::map;
 use crate::tree::Aabb;
 use glam::DVec3;
 
@@ -30,13 +31,7 @@ impl CellRadius {
     /// Over all cells of all surfaces. O(cells + patches), times p q (p + q).
     pub(super) fn of_all(model: &BezierModel, grids: &[SampleGrid]) -> Self {
         let of = |surface: usize| Self::of_surface(model, surface, &grids[surface]);
-        #[cfg(not(target_arch = "wasm32"))]
-        {
-            use rayon::prelude::*;
-            (0..grids.len()).into_par_iter().map(of).reduce(Self::default, Self::larger)
-        }
-        #[cfg(target_arch = "wasm32")]
-        (0..grids.len()).map(of).fold(Self::default(), Self::larger)
+        map(grids.len(), of).into_iter().fold(Self::default(), Self::larger)
     }
 
     fn larger(self, other: Self) -> Self {
