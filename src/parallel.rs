@@ -1,0 +1,25 @@
+//! Independent work on all processors natively, in turn in the browser.
+
+use std::ops::Range;
+
+/// Items of a range: enough that handing it out costs nothing beside it.
+const RANGE: usize = 512;
+
+/// `work` on consecutive ranges that cover 0 to `count`, results in order.
+pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let range = |index: usize| index * RANGE..((index + 1) * RANGE).min(count);
+    map(count.div_ceil(RANGE), |index| work(range(index)))
+}
+
+/// `work` on 0 to `count`, results in order.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    use rayon::prelude::*;
+    (0..count).into_par_iter().map(|index| work(index)).collect()
+}
+
+/// `work` on 0 to `count`, results in order.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    (0..count).map(work).collect()
+}
