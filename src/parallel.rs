@@ -13,13 +13,13 @@ pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T
 
 /// `work` on 0 to `count`, results in order.
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
-    (0..count).into_par_iter().map(|index| work(index)).collect()
+    (0..count).into_par_iter().map(work).collect()
 }
 
 /// `work` on 0 to `count`, results in order.
 #[cfg(target_arch = "wasm32")]
-pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     (0..count).map(work).collect()
 }
