@@ -5,7 +5,7 @@ use super::{
     PreparedTarget, Progress, Stages, StatusCounts, SurfacePoint,
 };
 use crate::error::Result;
-use crate::iteration::{Projected, SampleGrid, Target, sample};
+use crate::iteration::{Projected, Target, sample};
 use crate::model::RigidTransform;
 use crate::project::{Closest, Projection, Status, closest, contraction, nearest_control};
 use glam::DVec3;
@@ -222,23 +222,6 @@ impl Direction<'_> {
     fn sample_point(&self, index: usize, point: DVec3) -> SurfacePoint {
         let sampling = &self.sampling.sampling;
         surface_point(sampling.surface(index), sampling.parameters(index), point)
-    }
-
-    fn field(&self, projected: &[Projected]) -> Vec<Field> {
-        let of_grid = |(surface, grid): (usize, &SampleGrid)| {
-            let mut field = Field { surface, counts: grid.counts(), ..Field::default() };
-            for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
-                let Projected { patch, parameters, status, .. } = *projected;
-                let point = self.point(index);
-                let foot = self.target.target.patches.patch(patch).point(parameters);
-                field.points.extend(point.to_array());
-                field.feet.extend(foot.to_array());
-                field.distances.push(point.distance(foot));
-                field.statuses.push(status as u8);
-            }
-            field
-        };
-        self.sampling.sampling.grids.iter().enumerate().map(of_grid).collect()
     }
 }
 

@@ -93,8 +93,24 @@ impl Engine {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         if options.method == Method::Certified {
-            return direction.certified(options, progress).await;
+            let run = direction.certified(options, progress).await?;
+            if !options.field || run.is_cancelled() {
+                return Ok(run);
+            }
+            // The samples follow the certificate, on the GPU if there is one.
+            let sampled = self.sampled(direction, options, progress).await?;
+            return Ok(run.with_field_of(sampled));
         }
+        self.sampled(direction, options, progress).await
+    }
+
+    /// One direction of the stages on samples.
+    async fn sampled(
+        &self,
+        direction: &Ends<'_>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
         loop {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
             let Some(gpu) = gpu else {

@@ -3,6 +3,7 @@
 mod certified;
 mod clock;
 mod cpu;
+mod deviation;
 mod directed;
 mod engine;
 mod monitor;
@@ -13,6 +14,7 @@ mod run;
 mod stages;
 mod symmetric;
 
+pub use deviation::Statistics;
 pub use engine::Engine;
 pub use monitor::{Monitor, Silent};
 pub use options::{Backend, Method, Options};

@@ -70,7 +70,8 @@ pub struct Options {
     pub transform: RigidTransform,
     /// Where the kernels run.
     pub backend: Backend,
-    /// Whether every sample and its foot are returned.
+    /// Whether every sample of the grid and its foot are returned, with
+    /// statistics; also with method `certified`.
     pub field: bool,
 }
 

@@ -1,6 +1,6 @@
 //! The answer, in the shape that the command line and JavaScript hand on.
 
-use super::Method;
+use super::{Method, Statistics};
 pub use crate::certified::Stop;
 use serde::Serialize;
 
@@ -50,6 +50,9 @@ pub struct DistanceResult {
     /// With `symmetric`: from B to A.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reverse: Option<Box<DistanceResult>>,
+    /// With `field`: statistics of the deviation. Estimates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub statistics: Option<Statistics>,
     /// With `field`: every sample, one entry a surface of the sampled model.
     /// Not part of the JSON.
     #[serde(skip)]
@@ -159,6 +162,14 @@ pub struct Seconds {
     pub solve: f64,
 }
 
+impl std::ops::AddAssign for Seconds {
+    fn add_assign(&mut self, other: Self) {
+        self.prepare += other.prepare;
+        self.compile += other.compile;
+        self.solve += other.solve;
+    }
+}
+
 /// The samples of one surface, v fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Field {
@@ -172,6 +183,11 @@ pub struct Field {
     pub feet: Vec<f64>,
     /// Their distances.
     pub distances: Vec<f64>,
+    /// The distances, negative behind the normal (u x v) of the other model's
+    /// surface at the foot; no number where that has no normal.
+    pub signed: Vec<f64>,
+    /// The area of the surface that each sample stands for.
+    pub areas: Vec<f64>,
     /// How the projections ended: [`crate::project::Status`] as a number.
     pub statuses: Vec<u8>,
 }

@@ -5,7 +5,7 @@ use super::cpu::CpuStages;
 use super::directed::{Directed, Direction};
 use super::{
     DistanceResult, Options, PatchCounts, PreparedModel, PreparedSampling, PreparedTarget, Progress, Seconds,
-    Stages, SurfacePoint, Witness, now,
+    Stages, Statistics, Stop, SurfacePoint, Witness, now,
 };
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
@@ -134,6 +134,18 @@ impl Ends<'_> {
 }
 
 impl Run {
+    /// Whether the caller ended it early.
+    pub(super) fn is_cancelled(&self) -> bool {
+        self.directed.certified.is_some_and(|certified| certified.stop == Stop::Cancelled)
+    }
+
+    /// This run with another's samples.
+    pub(super) fn with_field_of(mut self, sampled: Self) -> Self {
+        self.directed.field = sampled.directed.field;
+        self.seconds += sampled.seconds;
+        self
+    }
+
     /// From A to B.
     pub(super) fn into_forward(self, options: &Options) -> DistanceResult {
         let witness = Witness { a: self.directed.from, b: self.directed.to };
@@ -175,6 +187,7 @@ impl Run {
             patches,
             seconds: self.seconds,
             notice: self.notice,
+            statistics: Statistics::of(&field),
             forward: None,
             reverse: None,
             field,

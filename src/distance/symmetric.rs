@@ -1,18 +1,14 @@
 //! Two directed results into the symmetric one.
 
-use super::{Bounds, CertifiedDetails, DistanceResult, IterationDetails, Seconds, Stop};
+use super::{Bounds, CertifiedDetails, DistanceResult, IterationDetails, Stop};
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
     /// is their maximum, so its interval is that of the maxima.
     pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let sum = |part: fn(&Seconds) -> f64| part(&forward.seconds) + part(&reverse.seconds);
-        let seconds = Seconds {
-            prepare: sum(|seconds| seconds.prepare),
-            compile: sum(|seconds| seconds.compile),
-            solve: sum(|seconds| seconds.solve),
-        };
+        let mut seconds = forward.seconds;
+        seconds += reverse.seconds;
         let upper = forward.upper.max(reverse.upper);
         Self {
             lower: forward.lower.max(reverse.lower),
@@ -21,6 +17,7 @@ impl DistanceResult {
             iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::both),
             certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::both),
             seconds,
+            statistics: None,
             field: Vec::new(),
             forward: Some(Box::new(forward.clone())),
             reverse: Some(Box::new(reverse.clone())),
