@@ -1,0 +1,119 @@
+//! The methods side by side on the same pairs in the same run, in turn.
+//!
+//! `cargo bench --bench methods [-- NAME]`: pairs whose names contain NAME.
+//! Prints a Markdown table of solve times and of ratios to `certified`.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
+
+use glam::DVec3;
+use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::shapes;
+use nurbs_hausdorff::{Model, RigidTransform};
+use std::path::Path;
+
+/// Rounds of which the median is told.
+const ROUNDS: usize = 5;
+
+/// Projections of samples on patches beyond which the published schedule is left out.
+const MOST_PROJECTIONS: usize = 400_000_000;
+
+struct Pair {
+    name: String,
+    a: PreparedModel,
+    b: PreparedModel,
+    translation: DVec3,
+}
+
+fn main() {
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let engine = pollster::block_on(Engine::new(Backend::Auto)).expect("an engine");
+    println!("Adapter: {}\n", engine.adapter().unwrap_or_else(|| "none, on the CPU".to_owned()));
+    println!(
+        "| pair | patches of B | certified 1e-6, ms | cells | iteration 64, ms (ratio) | as published, ms (ratio) |"
+    );
+    println!("|---|---|---|---|---|---|");
+    for pair in pairs().into_iter().filter(|pair| pair.name.contains(&wanted)) {
+        measure(&engine, &pair);
+    }
+}
+
+fn measure(engine: &Engine, pair: &Pair) {
+    let moved = Options {
+        transform: RigidTransform::translation(pair.translation).expect("a finite translation"),
+        ..Options::default()
+    };
+    let certified = Options { method: Method::Certified, ..moved.clone() };
+    let iteration = Options { method: Method::Iteration, ..moved };
+    let published =
+        Options { projection: Projection::TangentPlane, culling: Culling::None, ..iteration.clone() };
+    let run = |options: &Options| {
+        pollster::block_on(engine.distance(&pair.a, &pair.b, options, &mut Silent)).expect("a distance")
+    };
+    let first = run(&certified);
+    let samples = run(&iteration).iteration.expect("an iteration").samples;
+    let all = samples * first.patches.b <= MOST_PROJECTIONS;
+    let mut times = [Vec::new(), Vec::new(), Vec::new()];
+    for round in 0..ROUNDS {
+        times[0].push(run(&certified).seconds.solve);
+        times[1].push(run(&iteration).seconds.solve);
+        if all && round == 0 {
+            times[2].push(run(&published).seconds.solve);
+        }
+    }
+    let [certified, iteration, published] = times.map(median);
+    let cell = |seconds: Option<f64>| match (seconds, certified) {
+        (Some(seconds), Some(certified)) => format!("{:.1} ({:.1}x)", seconds * 1e3, seconds / certified),
+        _ => "too long".to_owned(),
+    };
+    println!(
+        "| {} | {} | {:.1} | {} | {} | {} |",
+        pair.name,
+        first.patches.b,
+        certified.unwrap_or_default() * 1e3,
+        first.certified.map_or(0, |details| details.cells),
+        cell(iteration),
+        cell(published),
+    );
+}
+
+fn median(mut times: Vec<f64>) -> Option<f64> {
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied()
+}
+
+/// Pairs of our own shapes, and those of the shared references if they are there.
+fn pairs() -> Vec<Pair> {
+    let shape = |name: &str| PreparedModel::new(&shapes::shape(name).expect("a shape"));
+    let own = [
+        ("sphere", "sphere-larger", DVec3::ZERO),
+        ("torus", "torus-fatter", DVec3::ZERO),
+        ("glass", "bottle", DVec3::new(0.3, 0.1, 0.0)),
+        ("naca-wing", "naca-wing-thicker", DVec3::ZERO),
+        ("wavy-sheet", "wavy-sheet-b", DVec3::ZERO),
+    ];
+    let mut pairs: Vec<Pair> = own
+        .into_iter()
+        .map(|(a, b, translation)| Pair {
+            name: format!("{a} to {b}"),
+            a: shape(a),
+            b: shape(b),
+            translation,
+        })
+        .collect();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/models");
+    let Ok(references) = std::fs::read_to_string(folder.join("reference.jsonl")) else { return pairs };
+    let load = |name: &str| {
+        let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("a model");
+        PreparedModel::new(&Model::from_json(&text).expect("a valid model"))
+    };
+    for line in references.lines() {
+        let reference: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        let (a, b) = (reference["a"].as_str().expect("a"), reference["b"].as_str().expect("b"));
+        let at = |index: usize| reference["translate_a"][index].as_f64().unwrap_or(0.0);
+        let translation = DVec3::new(at(0), at(1), at(2));
+        pairs.push(Pair { name: format!("{a} to {b} {translation}"), a: load(a), b: load(b), translation });
+    }
+    pairs
+}
