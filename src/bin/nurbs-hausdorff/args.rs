@@ -1,0 +1,182 @@
+//! The arguments.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use glam::{DQuat, DVec3};
+use nurbs_hausdorff::distance::{Backend, Method, Options};
+use nurbs_hausdorff::flatness::Flatness;
+use nurbs_hausdorff::iteration::{Culling, SamplingRule};
+use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::{Result, RigidTransform};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// How far apart are two NURBS models? Models are interchange JSON files.
+#[derive(Debug, Parser)]
+#[command(version, about)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Measures the Hausdorff distance from A to B.
+    ///
+    /// Exit status: 0 done, or within --max; 1 beyond --max; 2 bad input;
+    /// 3 undecided about --max.
+    Distance(Box<DistanceArguments>),
+    /// Tells what a model consists of.
+    Info(InfoArguments),
+    /// Prints a completion script.
+    Completions {
+        /// The shell to complete in.
+        shell: Shell,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DistanceArguments {
+    /// The model measured from.
+    pub(crate) a: PathBuf,
+    /// The model measured to.
+    pub(crate) b: PathBuf,
+    /// How the distance is computed.
+    #[arg(long, value_enum, default_value_t = MethodName::Certified)]
+    method: MethodName,
+    /// certified: width of the interval, relative to the larger diagonal.
+    #[arg(long, default_value_t = 1e-6)]
+    tolerance: f64,
+    /// certified: the tolerance is in model units.
+    #[arg(long)]
+    absolute: bool,
+    /// certified: only whether the distance is at most LIMIT; exit status 0 yes, 1 no, 3 undecided.
+    #[arg(long, value_name = "LIMIT")]
+    pub(crate) max: Option<f64>,
+    /// certified: seconds a direction after which the interval so far is told.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// certified: cells a direction after which the interval so far is told.
+    #[arg(long, value_name = "CELLS")]
+    max_cells: Option<usize>,
+    /// iteration: samples along each direction of every surface.
+    #[arg(long, default_value_t = 64)]
+    samples: usize,
+    /// iteration: how the samples are spread.
+    #[arg(long, value_enum, default_value_t = SamplingName::Uniform)]
+    sampling: SamplingName,
+    /// iteration: how flat B's patches are cut.
+    #[arg(long, value_enum, default_value_t = FlatnessName::Loose)]
+    flatness: FlatnessName,
+    /// iteration: the step of the projection, damped Newton or the 2012 paper's own.
+    #[arg(long, value_enum, default_value_t = ProjectionName::Newton)]
+    projection: ProjectionName,
+    /// iteration: the patches tried, those near enough or all as in the paper.
+    #[arg(long, value_enum, default_value_t = CullingName::Tree)]
+    culling: CullingName,
+    /// iteration: steps on one patch.
+    #[arg(long, default_value_t = 5)]
+    iterations: u32,
+    /// iteration: change of distance that ends the tangent-plane step, in model units.
+    #[arg(long, default_value_t = 0.01)]
+    step_tolerance: f64,
+    /// Both directions; the distance is the larger.
+    #[arg(long)]
+    symmetric: bool,
+    /// Moves A before it is measured.
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
+    translate: Numbers<3>,
+    /// Turns A about an axis through the origin before it is moved.
+    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
+    rotate: Numbers<4>,
+    /// Statistics of the deviation at the samples; estimates.
+    #[arg(long)]
+    statistics: bool,
+    /// Where the kernels run.
+    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
+    pub(crate) backend: BackendName,
+    /// Prints one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InfoArguments {
+    /// The model.
+    pub(crate) model: PathBuf,
+    /// Prints one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl DistanceArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; ranges are the library's to check.
+    pub(crate) fn options(&self) -> Result<Options> {
+        let Numbers([x, y, z, degrees]) = self.rotate;
+        let axis = DVec3::new(x, y, z);
+        let rotation = if degrees == 0.0 {
+            DQuat::IDENTITY
+        } else {
+            DQuat::from_axis_angle(axis / axis.length(), degrees.to_radians())
+        };
+        Ok(Options {
+            method: self.method.into(),
+            tolerance: self.tolerance,
+            absolute: self.absolute,
+            limit: self.max,
+            max_seconds: self.max_seconds,
+            max_cells: self.max_cells,
+            samples: self.samples,
+            sampling: self.sampling.into(),
+            flatness: self.flatness.into(),
+            projection: self.projection.into(),
+            culling: self.culling.into(),
+            iterations: self.iterations,
+            step_tolerance: self.step_tolerance,
+            symmetric: self.symmetric,
+            transform: RigidTransform::new(rotation, DVec3::from_array(self.translate.0))?,
+            backend: self.backend.into(),
+            field: self.statistics,
+        })
+    }
+}
+
+/// Numbers between commas.
+#[derive(Debug, Clone, Copy)]
+struct Numbers<const N: usize>([f64; N]);
+
+impl<const N: usize> FromStr for Numbers<N> {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let numbers: Vec<f64> = text
+            .split(',')
+            .map(|number| number.trim().parse().map_err(|error| format!("{number:?}: {error}")))
+            .collect::<std::result::Result<_, _>>()?;
+        let found = numbers.len();
+        numbers.try_into().map(Self).map_err(|_| format!("{found} numbers, expected {N}"))
+    }
+}
+
+/// A library enum by its names on the command line.
+macro_rules! named {
+    ($name:ident, $library:ident, $($variant:ident),+) => {
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+        pub(crate) enum $name { $($variant),+ }
+        impl From<$name> for $library {
+            fn from(name: $name) -> Self {
+                match name { $($name::$variant => Self::$variant),+ }
+            }
+        }
+    };
+}
+
+named!(MethodName, Method, Certified, Iteration);
+named!(SamplingName, SamplingRule, Uniform, ArcLength);
+named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
+named!(ProjectionName, Projection, Newton, TangentPlane);
+named!(CullingName, Culling, Tree, None);
+named!(BackendName, Backend, Auto, Gpu, Cpu);

@@ -1,0 +1,79 @@
+//! The command `info`.
+
+use crate::args::InfoArguments;
+use crate::files::read;
+use nurbs_hausdorff::distance::PreparedModel;
+use nurbs_hausdorff::{Error, Model, NurbsSurface, Result};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Info {
+    name: Option<String>,
+    surfaces: Vec<SurfaceInfo>,
+    patches: usize,
+    bounding_box: [[f64; 3]; 2],
+    diagonal: f64,
+}
+
+#[derive(Serialize)]
+struct SurfaceInfo {
+    degree: [usize; 2],
+    counts: [usize; 2],
+    domain: [[f64; 2]; 2],
+    rational: bool,
+    clamped: [bool; 2],
+    patches: usize,
+}
+
+/// Prints what the model consists of.
+pub(crate) fn run(arguments: &InfoArguments) -> Result<()> {
+    let info = info(&read(&arguments.model)?);
+    if arguments.json {
+        let json =
+            serde_json::to_string(&info).map_err(|error| Error::JsonShape { found: error.to_string() })?;
+        println!("{json}");
+        return Ok(());
+    }
+    let [min, max] = info.bounding_box;
+    println!("model     {}", info.name.as_deref().unwrap_or("without a name"));
+    println!("box       {min:?} to {max:?}, diagonal {}", info.diagonal);
+    println!("surfaces  {}, {} Bézier patches", info.surfaces.len(), info.patches);
+    for (index, surface) in info.surfaces.iter().enumerate() {
+        let [p, q] = surface.degree;
+        let [rows, columns] = surface.counts;
+        let kind = if surface.rational { "rational" } else { "polynomial" };
+        let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
+        let patches = surface.patches;
+        println!("{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  {patches} patches");
+    }
+    Ok(())
+}
+
+fn info(model: &Model) -> Info {
+    let prepared = PreparedModel::new(model);
+    let bounding_box = model.bounding_box();
+    let surface = |(index, surface): (usize, &NurbsSurface)| {
+        let weight = surface.control_points()[0][3];
+        let [rows, columns] = prepared.bezier().grids[index].counts();
+        SurfaceInfo {
+            degree: surface.degree(),
+            counts: surface.counts(),
+            domain: surface.domain(),
+            rational: surface.control_points().iter().any(|point| point[3] != weight),
+            clamped: [0, 1].map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
+            patches: rows * columns,
+        }
+    };
+    Info {
+        name: model.name().map(str::to_owned),
+        surfaces: model.surfaces().iter().enumerate().map(surface).collect(),
+        patches: prepared.bezier().patches.len(),
+        bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
+        diagonal: bounding_box.diagonal(),
+    }
+}
+
+/// Whether both end knots are repeated degree + 1 times.
+fn clamped(knots: &[f64], degree: usize) -> bool {
+    knots[0] == knots[degree] && knots[knots.len() - 1 - degree] == knots[knots.len() - 1]
+}
