@@ -1,5 +1,7 @@
+import type { SurfaceArrays } from "./arrays.js";
 import { HausdorffError, translated, translating } from "./error.js";
-import { type InterchangeModel, prepare, type SurfaceArrays } from "./input.js";
+import { prepare } from "./input.js";
+import type { InterchangeModel } from "./interchange.js";
 import { type NurbsModel, unwrap, wrap } from "./model.js";
 import { load, type ModuleSource, requireLoaded } from "./module.js";
 import { type Backend, type DistanceOptions, split } from "./options.js";

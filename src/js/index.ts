@@ -1,13 +1,8 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
+export type { Numbers, SurfaceArrays } from "./arrays.js";
 export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
-export type {
-  ControlPoint,
-  InterchangeModel,
-  InterchangeSurface,
-  Numbers,
-  SurfaceArrays,
-} from "./input.js";
+export type { ControlPoint, InterchangeModel, InterchangeSurface } from "./interchange.js";
 export { NurbsModel } from "./model.js";
 export type { ModuleSource } from "./module.js";
 export type { Backend, DistanceOptions, Transform, Vector3 } from "./options.js";

@@ -17,13 +17,8 @@ pub struct PreparedModel(Rc<distance::PreparedModel>);
 #[wasm_bindgen]
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
-    pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_arrays(None, surfaces.into_inner())?))
-    }
-
-    #[wasm_bindgen(js_name = fromJson)]
-    pub fn from_json(text: &str) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_json(text)?))
+    pub fn from_arrays(name: Option<String>, surfaces: Surfaces) -> Result<PreparedModel> {
+        Ok(Self::new(&Model::from_arrays(name, surfaces.into_inner())?))
     }
 
     /// One of [`shape_names`].
