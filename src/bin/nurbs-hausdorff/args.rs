@@ -94,7 +94,7 @@ pub(crate) struct DistanceArguments {
     statistics: bool,
     /// Where the kernels run.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
-    pub(crate) backend: BackendName,
+    backend: BackendName,
     /// Prints one JSON object.
     #[arg(long)]
     pub(crate) json: bool,

@@ -4,7 +4,7 @@ use crate::args::DistanceArguments;
 use crate::files::read;
 use crate::progress::Bar;
 use crate::report;
-use nurbs_hausdorff::distance::{Engine, PreparedModel};
+use nurbs_hausdorff::distance::{Backend, Engine, Method, PreparedModel};
 use nurbs_hausdorff::{Error, Result};
 
 /// Exit statuses with `--max`.
@@ -17,7 +17,10 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8> {
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    let engine = pollster::block_on(Engine::new(arguments.backend.into()))?;
+    // The certificate alone is float64 work: no GPU is woken for it.
+    let samples = options.method == Method::Iteration || options.field;
+    let backend = if samples { options.backend } else { Backend::Cpu };
+    let engine = pollster::block_on(Engine::new(backend))?;
     let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));
     let mut bar = Bar::new();
     let result = pollster::block_on(engine.distance(&a, &b, &options, &mut bar))?;
