@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// An interval to the tolerance asked for.
+    #[default]
     Certified,
     /// The 2012 paper's sampling and projection.
-    #[default]
     Iteration,
 }
 

@@ -5,6 +5,13 @@ export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
 export type { ControlPoint, InterchangeModel, InterchangeSurface } from "./interchange.js";
 export { NurbsModel } from "./model.js";
 export type { ModuleSource } from "./module.js";
-export type { Backend, DistanceOptions, Transform, Vector3 } from "./options.js";
-export type { DistanceResult, Field, SurfacePoint } from "./result.js";
+export type { Backend, DistanceOptions, OnProgress, Transform, Vector3 } from "./options.js";
+export type {
+  CertifiedResult,
+  DistanceResult,
+  Field,
+  IterationResult,
+  Statistics,
+  SurfacePoint,
+} from "./result.js";
 export type { Tessellation } from "./tessellation.js";

@@ -12,10 +12,23 @@ export interface Transform {
   rotation?: readonly [x: number, y: number, z: number, w: number];
 }
 
-/** Options of `Hausdorff.distance`; the defaults are the 2012 paper's. */
+/**
+ * Options of `Hausdorff.distance`. Those from `samples` to `stepTolerance` are
+ * for method `iteration` and the `field`; their defaults are the 2012 paper's.
+ */
 export interface DistanceOptions {
-  /** How the distance is computed; there is one way yet. */
-  method?: "iteration";
+  /** How the distance is computed: `certified` (default) or the paper's `iteration`. */
+  method?: "certified" | "iteration";
+  /** `certified`: the width asked of the interval; default 1e-6. */
+  tolerance?: number;
+  /** Whether `tolerance` is in model units; else (default) it is relative to the larger diagonal. */
+  absolute?: boolean;
+  /** `certified`: ask only whether the distance is at most this; see `within` of the result. */
+  limit?: number;
+  /** `certified`: seconds a direction after which the interval so far is the result. */
+  maxSeconds?: number;
+  /** `certified`: cells a direction after which the interval so far is the result. */
+  maxCells?: number;
   /** Samples along each direction of every surface, 2 to 1024; default 64. */
   samples?: number;
   /** How they are spread: evenly in the parameter (default) or in arc length. */
@@ -36,19 +49,28 @@ export interface DistanceOptions {
   transform?: Transform;
   /** Where to compute this distance; default `auto`. */
   backend?: Backend;
-  /** Whether every sample and its foot point are returned; default no. */
+  /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
   field?: boolean;
-  /** Cancels: the promise then rejects with code `CANCELLED`. */
+  /**
+   * Cancels: `iteration` then rejects with code `CANCELLED`, `certified`
+   * resolves to the interval so far, with `stop` `cancelled`.
+   */
   signal?: AbortSignal;
-  /** Told the part of the work done, rising to 1. What it throws cancels the work. */
-  onProgress?: (fraction: number) => void;
+  /**
+   * Told the part of the work done, rising to 1, and by `certified` the
+   * interval so far. What it throws cancels the work.
+   */
+  onProgress?: OnProgress;
 }
+
+/** What `onProgress` is. */
+export type OnProgress = (fraction: number, interval?: [lower: number, upper: number]) => void;
 
 /** @internal */
 export interface SplitOptions {
   plain: object;
   signal: AbortSignal | undefined;
-  onProgress: ((fraction: number) => void) | undefined;
+  onProgress: OnProgress | undefined;
 }
 
 /**

@@ -22,24 +22,75 @@ export interface Field {
   feet: Float64Array<ArrayBuffer>;
   /** Their distances. */
   distances: Float64Array<ArrayBuffer>;
+  /** The distances, negative behind the other model's normal there; NaN where it has none. */
+  signed: Float64Array<ArrayBuffer>;
+  /** The area that each sample stands for. */
+  areas: Float64Array<ArrayBuffer>;
   /** How the projections ended: 0 converged, 1 iteration limit, 2 on an edge. */
   statuses: Uint8Array<ArrayBuffer>;
 }
 
-/**
- * A distance. Guaranteed whatever converged: `lower <= true distance <= upper`.
- */
-export interface DistanceResult {
-  method: "iteration";
+/** Statistics of the deviation over the area of the sampled model: estimates. */
+export interface Statistics {
+  estimate: true;
+  area: number;
+  mean: number;
+  rms: number;
+  signed_mean: number;
+  median: number;
+  percentile_95: number;
+  percentile_99: number;
+}
+
+/** What both methods tell. Guaranteed whatever converged: `lower <= true distance <= upper`. */
+interface Common {
   backend: "gpu" | "cpu";
   /** The GPU's name; browsers keep it to themselves. */
   adapter: string | null;
   /** The larger diagonal of the two models' boxes. */
   diagonal: number;
-  /** The largest distance of a sample. */
+  /** The distance of the witness, which the method takes for the farthest point. */
   computed: number;
   lower: number;
   upper: number;
+  /** Where the distance is attained; `a` after the transform. */
+  witness: { a: SurfacePoint; b: SurfacePoint };
+  /** Numbers of Bézier patches after cutting. */
+  patches: { a: number; b: number };
+  seconds: { prepare: number; compile: number; solve: number };
+  /** Why the CPU was used although the GPU was not ruled out. */
+  notice?: string;
+  /** With `field`, where there is an area. */
+  statistics?: Statistics;
+  /** With `field`: one entry a surface of the sampled model; with `symmetric`, in both directions' results. */
+  field?: Field[];
+}
+
+/** A distance by method `certified`. */
+export interface CertifiedResult extends Common {
+  method: "certified";
+  /** Whether the interval is as narrow as asked, or the limit is decided. */
+  converged: boolean;
+  /** The width asked of the interval, in model units. */
+  tolerance: number;
+  /** Number of cells bounded, and of those the number bounded in float64. */
+  cells: number;
+  cpu_cells: number;
+  /** Halvings from the whole model to the smallest cell. */
+  levels: number;
+  /** Why the search ended. */
+  stop: "converged" | "cells" | "time" | "precision" | "cancelled";
+  /** With `limit`: whether the distance is at most the limit, if that is known. */
+  within?: boolean;
+  /** With `symmetric`: from A to B. The result itself is the larger's. */
+  forward?: CertifiedResult;
+  /** With `symmetric`: from B to A; its witness is still named by a and b. */
+  reverse?: CertifiedResult;
+}
+
+/** A distance by method `iteration`. */
+export interface IterationResult extends Common {
+  method: "iteration";
   /** Whether `computed` is the largest distance of all samples to rounding. */
   converged: boolean;
   /**
@@ -47,21 +98,15 @@ export interface DistanceResult {
    * and what a point between the samples can add for certain.
    */
   bounds: { k_a: number; k_a_rigorous: number; k_b: number | null };
-  /** Where the distance is attained; `a` after the transform. */
-  witness: { a: SurfacePoint; b: SurfacePoint };
   /** Number of samples. */
   samples: number;
   /** Numbers of samples by how their projection ended. */
   statuses: { converged: number; iteration_limit: number; on_edge: number };
-  /** Numbers of Bézier patches after cutting. */
-  patches: { a: number; b: number };
-  seconds: { prepare: number; compile: number; solve: number };
-  /** Why the CPU was used although the GPU was not ruled out. */
-  notice?: string;
   /** With `symmetric`: from A to B. The result itself is the larger's. */
-  forward?: DistanceResult;
+  forward?: IterationResult;
   /** With `symmetric`: from B to A; its witness is still named by a and b. */
-  reverse?: DistanceResult;
-  /** With `field`: one entry a surface of the sampled model; with `symmetric`, in both directions' results. */
-  field?: Field[];
+  reverse?: IterationResult;
 }
+
+/** A distance, by the method that it names. */
+export type DistanceResult = CertifiedResult | IterationResult;

@@ -1,7 +1,7 @@
 //! Progress to a JavaScript function, cancelling from an `AbortSignal`.
 
 use crate::distance::Monitor;
-use js_sys::Function;
+use js_sys::{Array, Function};
 use wasm_bindgen::JsValue;
 use web_sys::AbortSignal;
 
@@ -9,12 +9,13 @@ use web_sys::AbortSignal;
 pub(super) struct Watch {
     signal: Option<AbortSignal>,
     on_progress: Option<Function>,
+    interval: Option<[f64; 2]>,
     thrown: Option<JsValue>,
 }
 
 impl Watch {
     pub(super) fn new(signal: Option<AbortSignal>, on_progress: Option<Function>) -> Self {
-        Self { signal, on_progress, thrown: None }
+        Self { signal, on_progress, interval: None, thrown: None }
     }
 
     /// What the function threw, which also cancelled the work.
@@ -25,11 +26,18 @@ impl Watch {
 
 impl Monitor for Watch {
     fn progress(&mut self, fraction: f64) {
+        let interval = self.interval.map_or(JsValue::UNDEFINED, |interval| {
+            interval.into_iter().map(JsValue::from).collect::<Array>().into()
+        });
         if let Some(on_progress) = &self.on_progress
-            && let Err(thrown) = on_progress.call1(&JsValue::UNDEFINED, &fraction.into())
+            && let Err(thrown) = on_progress.call2(&JsValue::UNDEFINED, &fraction.into(), &interval)
         {
             self.thrown.get_or_insert(thrown);
         }
+    }
+
+    fn interval(&mut self, lower: f64, upper: f64) {
+        self.interval = Some([lower, upper]);
     }
 
     fn cancelled(&self) -> bool {

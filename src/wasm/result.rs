@@ -35,6 +35,8 @@ fn field(field: &Field) -> Result<Object, JsValue> {
         ("points", Float64Array::from(field.points.as_slice()).into()),
         ("feet", Float64Array::from(field.feet.as_slice()).into()),
         ("distances", Float64Array::from(field.distances.as_slice()).into()),
+        ("signed", Float64Array::from(field.signed.as_slice()).into()),
+        ("areas", Float64Array::from(field.areas.as_slice()).into()),
         ("statuses", Uint8Array::from(field.statuses.as_slice()).into()),
     ] {
         Reflect::set(&object, &name.into(), &value)?;
