@@ -1,7 +1,7 @@
 //! The grid of vertices of one surface.
 
 use super::divisions::Divisions;
-use crate::bezier::{Patch, PatchGrid, PatchSet};
+use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
 use glam::DVec3;
 
 /// Angle between the normals of the two sides of a knot line from which it is
@@ -11,6 +11,10 @@ const CREASE_DEGREES: f64 = 8.0;
 /// Where a patch has no normal, as at a sphere's pole, that of a place this
 /// part of the way to the patch's middle stands for it; farther, if that has none.
 const NEIGHBOURS: [f64; 3] = [1e-4, 1e-2, 0.5];
+
+/// A tangent this much shorter than the other is that of a degenerate edge, a
+/// pole: its direction, and so the normal's, is rounding.
+const DEGENERATE_RATIO: f64 = 1e-7;
 
 /// A point of a surface with its unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,12 +125,17 @@ fn lines(parts: &[usize]) -> Vec<Line> {
 
 fn vertex(patch: &Patch<'_>, [s, t]: [f64; 2]) -> Vertex {
     let jet = patch.jet([s, t]);
-    let normal = jet.normal().or_else(|| {
+    let normal = normal(&jet).or_else(|| {
         let toward_middle = |x: f64, part: f64| x + part * (0.5 - x);
         NEIGHBOURS
             .iter()
-            .find_map(|&part| patch.jet([toward_middle(s, part), toward_middle(t, part)]).normal())
+            .find_map(|&part| normal(&patch.jet([toward_middle(s, part), toward_middle(t, part)])))
     });
     // A patch without normals has no area, so that nothing of it is seen.
     Vertex { point: jet.point, normal: normal.unwrap_or(DVec3::Z) }
+}
+
+fn normal(jet: &Jet) -> Option<DVec3> {
+    let [s, t] = [jet.s.length(), jet.t.length()];
+    if s.min(t) > DEGENERATE_RATIO * s.max(t) { jet.normal() } else { None }
 }
