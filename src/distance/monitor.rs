@@ -39,6 +39,8 @@ pub(crate) struct Progress<'a> {
     direction: [f64; 2],
     /// The part of the direction that the step in work fills.
     section: [f64; 2],
+    /// The most reported, which stays while work begun on a lost device is repeated.
+    reported: f64,
     last: f64,
 }
 
@@ -46,7 +48,13 @@ impl<'a> Progress<'a> {
     /// For one direction or two.
     pub(crate) fn new(monitor: &'a mut dyn Monitor, symmetric: bool) -> Self {
         let length = if symmetric { 0.5 } else { 1.0 };
-        Self { monitor, direction: [0.0, length], section: [0.0, 1.0], last: f64::NEG_INFINITY }
+        Self {
+            monitor,
+            direction: [0.0, length],
+            section: [0.0, 1.0],
+            reported: 0.0,
+            last: f64::NEG_INFINITY,
+        }
     }
 
     /// The direction that follows is the second.
@@ -73,7 +81,9 @@ impl<'a> Progress<'a> {
         if self.is_due() {
             give_way().await;
             let of_direction = self.section[0] + self.section[1] * fraction;
-            self.monitor.progress((self.direction[0] + self.direction[1] * of_direction).clamp(0.0, 1.0));
+            let of_whole = self.direction[0] + self.direction[1] * of_direction;
+            self.reported = of_whole.clamp(self.reported, 1.0);
+            self.monitor.progress(self.reported);
             self.last = now();
         }
         if self.monitor.cancelled() { Err(Error::Cancelled) } else { Ok(()) }

@@ -52,8 +52,9 @@ export interface DistanceOptions {
   /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
   field?: boolean;
   /**
-   * Cancels: `iteration` then rejects with code `CANCELLED`, `certified`
-   * resolves to the interval so far, with `stop` `cancelled`.
+   * Cancels: `iteration` then rejects with code `CANCELLED`, and so does what
+   * has not begun; `certified` resolves to the interval so far, with `stop`
+   * `cancelled`.
    */
   signal?: AbortSignal;
   /**

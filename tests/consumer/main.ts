@@ -1,0 +1,97 @@
+// A program that uses the package as its documentation says, for the type checker.
+import {
+  type DistanceResult,
+  type ErrorCode,
+  Hausdorff,
+  HausdorffError,
+  type InterchangeModel,
+  type IterationResult,
+  type NurbsModel,
+  type ShapeInfo,
+  type SurfaceArrays,
+  type Tessellation,
+} from "nurbs-hausdorff";
+
+const square: SurfaceArrays = {
+  degree: [1, 1],
+  knotsU: [0, 0, 1, 1],
+  knotsV: new Float64Array([0, 0, 1, 1]),
+  counts: [2, 2],
+  controlPoints: new Float32Array(16),
+};
+
+const interchange: InterchangeModel = {
+  surfaces: [
+    { degree: [1, 1], knots_u: [0, 0, 1, 1], knots_v: [0, 0, 1, 1], ctrl: [[[0, 0, 0, 1]]] },
+  ],
+};
+
+export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> {
+  using hd = await Hausdorff.create({ backend: "auto", module });
+  using a = hd.model([square]);
+  using b = hd.model(interchange);
+  using c: NurbsModel = hd.model(JSON.stringify(interchange));
+  using d = hd.shape("sphere");
+  const controller = new AbortController();
+  const result: DistanceResult = await hd.distance(a, b, {
+    method: "iteration",
+    samples: 128,
+    sampling: "arc-length",
+    flatness: "tight",
+    projection: "newton",
+    culling: "tree",
+    iterations: 10,
+    stepTolerance: 1e-3,
+    symmetric: true,
+    transform: { translation: [0, 0, 1], rotation: [0, 0, 0, 1] },
+    backend: "gpu",
+    field: true,
+    signal: controller.signal,
+    onProgress: (fraction) => console.log(fraction.toFixed(2)),
+  });
+  const [x, y, z]: [number, number, number] = result.witness.a.point;
+  const feet: Float64Array | undefined = result.field?.[0]?.feet;
+  const adapter: string | null = hd.adapter;
+  const { min, max } = c.boundingBox;
+  console.log(x, y, z, feet, adapter, min[0], max[2], hd.backend, hd.notice, d.name);
+  if (result.method === "iteration") return ofIteration(result);
+  const within: boolean | undefined = result.within;
+  return within ? result.lower : result.upper;
+}
+
+function ofIteration({ bounds, forward }: IterationResult): number {
+  return (forward?.bounds.k_b ?? 0) + bounds.k_a_rigorous;
+}
+
+export function show(model: NurbsModel): Tessellation {
+  const shapes: ShapeInfo[] = Hausdorff.shapes();
+  console.log(shapes.map(({ name, title }) => `${name}: ${title}`));
+  return model.tessellate({ tolerance: 0.01 });
+}
+
+export function explain(error: unknown): ErrorCode | undefined {
+  if (!(error instanceof HausdorffError)) return undefined;
+  switch (error.code) {
+    case "CANCELLED":
+    case "DISPOSED":
+      return error.code;
+    // @ts-expect-error no such code
+    case "CANCELED":
+      return undefined;
+    default:
+      return error.code;
+  }
+}
+
+export async function refused(hd: Hausdorff, model: NurbsModel): Promise<void> {
+  // @ts-expect-error engines are made by `create`
+  new Hausdorff();
+  // @ts-expect-error models come from arrays
+  hd.model(new Float64Array(16));
+  // @ts-expect-error the code is read-only
+  new HausdorffError("CANCELLED", "").code = "DISPOSED";
+  // @ts-expect-error no such option
+  await hd.distance(model, model, { sample: 3 });
+  // @ts-expect-error no such rule
+  await hd.distance(model, model, { flatness: "flat" });
+}

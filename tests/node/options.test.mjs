@@ -1,0 +1,74 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { create, square, withCode } from "./support.mjs";
+
+let hd;
+let a;
+before(async () => {
+  hd = await create({ backend: "cpu" });
+  a = hd.model([square()]);
+});
+after(() => {
+  a.dispose();
+  hd.dispose();
+});
+
+const refusals = [
+  ["OPTION_OUT_OF_RANGE", { samples: 1 }, /samples is 1, expected 2 to 1024/],
+  ["OPTION_OUT_OF_RANGE", { samples: 1025 }],
+  ["OPTION_OUT_OF_RANGE", { iterations: 0 }],
+  ["OPTION_OUT_OF_RANGE", { iterations: 1001 }],
+  ["OPTION_OUT_OF_RANGE", { stepTolerance: 0 }],
+  ["OPTION_OUT_OF_RANGE", { stepTolerance: Number.NaN }],
+  ["OPTION_OUT_OF_RANGE", { tolerance: -1 }],
+  ["OPTION_INVALID", { samples: 2.5 }],
+  ["OPTION_INVALID", { samples: -1 }],
+  ["OPTION_INVALID", { samples: "64" }],
+  ["OPTION_INVALID", { samples: null }],
+  ["OPTION_INVALID", { sample: 64 }, /sample/],
+  ["OPTION_INVALID", { method: "guess" }, /guess/],
+  ["OPTION_INVALID", { flatness: "flat" }],
+  ["OPTION_INVALID", { sampling: 1 }],
+  ["OPTION_INVALID", { projection: {} }],
+  ["OPTION_INVALID", { culling: true }],
+  ["OPTION_INVALID", { symmetric: "yes" }],
+  ["OPTION_INVALID", { backend: "tpu" }],
+  ["OPTION_INVALID", { field: 1 }],
+  ["OPTION_INVALID", { signal: {} }],
+  ["OPTION_INVALID", { signal: null }],
+  ["OPTION_INVALID", { onProgress: 1 }],
+  ["OPTION_INVALID", { transform: 1 }],
+  ["OPTION_INVALID", { transform: { translate: [0, 0, 0] } }, /translate/],
+  ["OPTION_INVALID", { transform: { translation: [0, 0] } }],
+  ["OPTION_INVALID", { transform: { rotation: [0, 0, 0, "1"] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { rotation: [0, 0, 0, 2] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { translation: [0, 0, Infinity] } }],
+];
+
+for (const [code, options, message] of refusals) {
+  test(`${code}: ${Object.keys(options)} ${JSON.stringify(Object.values(options))}`, async () => {
+    await assert.rejects(hd.distance(a, a, options), withCode(code, message));
+  });
+}
+
+test("options that are no object are refused", async () => {
+  for (const options of [null, 1, "fast"]) {
+    await assert.rejects(hd.distance(a, a, options), withCode("OPTION_INVALID"));
+  }
+});
+
+test("undefined options have their defaults", async () => {
+  const { samples } = await hd.distance(a, a, {
+    method: "iteration",
+    samples: undefined,
+    transform: undefined,
+    signal: undefined,
+    onProgress: undefined,
+  });
+  assert.equal(samples, 64 * 64);
+});
+
+test("what is no model is refused", async () => {
+  await assert.rejects(hd.distance(a, {}), withCode("ARGUMENT_INVALID", /b is not a NurbsModel/));
+  await assert.rejects(hd.distance(undefined, a), withCode("ARGUMENT_INVALID", /a is not/));
+});

@@ -1,0 +1,39 @@
+// What the package's files promise.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+
+const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
+const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "DISPOSED"];
+
+test("the error codes are Rust's, and three of JavaScript's", () => {
+  const rust = [...text("src/error.rs").matchAll(/=> "([A-Z_]+)"/g)].map(([, code]) => code);
+  const union = /export type ErrorCode =([^;]+);/.exec(text("dist/error.d.ts"))[1];
+  const typescript = [...union.matchAll(/"([A-Z_]+)"/g)].map(([, code]) => code);
+  assert.ok(rust.length > 15);
+  assert.deepEqual(typescript, [...rust, ...own]);
+});
+
+test("the types show nothing of the module's", () => {
+  const files = readdirSync(new URL("../../dist", import.meta.url)).filter((name) =>
+    name.endsWith(".d.ts"),
+  );
+  assert.ok(files.includes("index.d.ts"));
+  for (const file of files) {
+    const imports = [...text(`dist/${file}`).matchAll(/from "([^"]+)"/g)].map(([, from]) => from);
+    assert.ok(
+      imports.every((from) => /^\.\/[a-z]+\.js$/.test(from)),
+      `${file} imports ${imports}`,
+    );
+    assert.doesNotMatch(text(`dist/${file}`), /PreparedModel|Surfaces\b|\bEngine\b/, file);
+  }
+});
+
+test("all that the package exports exists", () => {
+  const { exports, files } = JSON.parse(text("package.json"));
+  assert.deepEqual(Object.keys(exports["."]), ["types", "import"]);
+  for (const path of [...Object.values(exports["."]), exports["./nurbs_hausdorff_bg.wasm"]]) {
+    assert.ok(readFileSync(new URL(`../../${path}`, import.meta.url)).length > 0);
+    assert.ok(files.some((folder) => path.startsWith(`./${folder}/`)));
+  }
+});

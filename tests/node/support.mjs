@@ -1,0 +1,67 @@
+// What the tests of the package share: the package as users import it, on the
+// tests' WebGPU, and models to check against.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { Hausdorff, HausdorffError } from "nurbs-hausdorff";
+import { installWebGpu } from "../../scripts/test/dawn.mjs";
+
+installWebGpu();
+
+/** The wasm module's bytes: Node does not fetch files. */
+export const module = readFileSync(
+  fileURLToPath(import.meta.resolve("nurbs-hausdorff/nurbs_hausdorff_bg.wasm")),
+);
+
+export const create = (options) => Hausdorff.create({ module, ...options });
+
+/** A bilinear square of side 1 in the plane of this z, as plain arrays. */
+export function square(z = 0) {
+  return {
+    degree: [1, 1],
+    knotsU: [0, 0, 1, 1],
+    knotsV: new Float64Array([0, 0, 1, 1]),
+    counts: [2, 2],
+    controlPoints: new Float64Array([0, 0, z, 1, 0, 1, z, 1, 1, 0, z, 1, 1, 1, z, 1]),
+  };
+}
+
+/** The same square as interchange JSON. */
+export function interchangeSquare(z = 0) {
+  return {
+    name: "square",
+    surfaces: [
+      {
+        degree: [1, 1],
+        knots_u: [0, 0, 1, 1],
+        knots_v: [0, 0, 1, 1],
+        ctrl: [
+          [
+            [0, 0, z, 1],
+            [0, 1, z, 1],
+          ],
+          [
+            [1, 0, z, 1],
+            [1, 1, z, 1],
+          ],
+        ],
+      },
+    ],
+  };
+}
+
+/** A check for `assert.throws` and `assert.rejects`. */
+export const withCode = (code, message) => (error) => {
+  assert.ok(error instanceof HausdorffError, `${error?.stack ?? error}`);
+  assert.equal(error.code, code, error.message);
+  if (message !== undefined) assert.match(error.message, message);
+  return true;
+};
+
+/** Fails unless the two numbers differ by at most `tolerance`. */
+export function near(actual, expected, tolerance) {
+  assert.ok(
+    Math.abs(actual - expected) <= tolerance,
+    `${actual} is not ${expected} ± ${tolerance}`,
+  );
+}
