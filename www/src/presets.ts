@@ -13,7 +13,7 @@ export const presets: Preset[] = [
   { title: "Two wavy sheets", a: "wavy-sheet", b: "wavy-sheet-b", move: [0, 0, 0.06] },
   { title: "Concentric spheres", a: "sphere", b: "sphere-larger", move: [0, 0, 0] },
   { title: "Wing sections, NACA", a: "naca-wing", b: "naca-wing-thicker", move: [0, 0, 0] },
-  { title: "Glass in a bottle", a: "glass", b: "bottle", move: [0.04, 0, 0] },
+  { title: "Glass and bottle", a: "glass", b: "bottle", move: [0.04, 0, 0] },
   {
     title: "Bottle, moved and turned",
     a: "bottle",

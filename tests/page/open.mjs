@@ -1,0 +1,51 @@
+// The built page, served and opened in headless Chromium.
+import { mkdirSync } from "node:fs";
+import { chromium } from "playwright-core";
+import { preview } from "vite";
+import { launchOptions } from "../../scripts/test/browser.mjs";
+
+/** Milliseconds that anything on the page may take: SwiftShader is slow. */
+const PATIENCE = 60_000;
+
+const screenshots = "tests/screenshots";
+
+/** Opens the page; `webgpu: false` starts a Chromium without it. */
+export async function open({ webgpu = true, size = { width: 1280, height: 800 } } = {}) {
+  const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
+  const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
+  const browser = await chromium.launch({ ...launchOptions, args });
+  const page = await browser.newPage({ viewport: size });
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.setDefaultTimeout(PATIENCE);
+  await page.goto(server.resolvedUrls.local[0]);
+  return {
+    page,
+    errors,
+    data: () => page.locator("#result").evaluate(({ dataset }) => ({ ...dataset })),
+    /** Waits for a state of the read-out that `change` leads to. */
+    async until(state, change = async () => {}) {
+      await page.locator("#result").evaluate(({ dataset }) => {
+        dataset.state = "awaited";
+      });
+      await change();
+      await page.locator(`#result[data-state="${state}"]`).waitFor();
+    },
+    async screenshot(name) {
+      mkdirSync(screenshots, { recursive: true });
+      await page.waitForTimeout(500);
+      await page.screenshot({ path: `${screenshots}/${name}.png` });
+    },
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
+
+/** What a file input takes for a file of this text. */
+export const file = (name, text) => ({
+  name,
+  mimeType: "application/json",
+  buffer: Buffer.from(text),
+});
