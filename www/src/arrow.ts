@@ -20,7 +20,12 @@ const UP = new Vector3(0, 1, 0);
 
 export class Arrow {
   readonly group = new Group();
-  readonly #material = new MeshBasicMaterial({ color: 0xc8324b, depthTest: false });
+  readonly #material = new MeshBasicMaterial({
+    color: 0xc8324b,
+    depthTest: false,
+    // Transparent parts are drawn last, so this is not covered by B.
+    transparent: true,
+  });
   readonly #shaft = new Mesh(new CylinderGeometry(1, 1, 1, 16), this.#material);
   readonly #head = new Mesh(new ConeGeometry(1, 2.4, 24), this.#material);
   readonly #points = [0, 1].map(() => new Mesh(new SphereGeometry(1, 24, 16), this.#material));

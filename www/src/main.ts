@@ -102,8 +102,8 @@ function tellEngine(backend: "gpu" | "cpu", adapter: string | null, notice: stri
       : "CPU, float64";
   const banner = element("banner");
   banner.hidden = notice === null;
-  banner.textContent =
-    notice === null ? "" : `No WebGPU here, so everything runs on the CPU. (${notice})`;
+  banner.textContent = "No WebGPU here, so everything runs on the CPU.";
+  banner.title = notice ?? "";
 }
 
 function tellName(side: Side, text: string): void {
