@@ -1,4 +1,5 @@
 //! Display triangles against analytic surfaces.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use glam::DVec3;

@@ -1,0 +1,64 @@
+//! The crate in a browser: WebGPU against float64 on the CPU.
+#![cfg(target_arch = "wasm32")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+use glam::DVec3;
+use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::{RigidTransform, shapes};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+/// Few: Chromium's software adapter is slow.
+const SAMPLES: usize = 8;
+
+/// Agreement asked of the two backends, relative to the diagonal.
+const AGREEMENT: f64 = 1e-5;
+
+async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
+    let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()));
+    engine.distance(&a, &b, options, &mut Silent).await.unwrap()
+}
+
+fn options(backend: Backend) -> Options {
+    Options { method: Method::Iteration, samples: SAMPLES, symmetric: true, backend, ..Options::default() }
+}
+
+#[wasm_bindgen_test]
+async fn the_browser_has_a_gpu() {
+    assert!(Engine::new(Backend::Gpu).await.unwrap().has_gpu());
+    let engine = Engine::new(Backend::Cpu).await.unwrap();
+    assert!(!engine.has_gpu());
+    assert_eq!(engine.notice(), None);
+}
+
+#[wasm_bindgen_test]
+async fn gpu_and_cpu_agree() {
+    let engine = Engine::new(Backend::Gpu).await.unwrap();
+    for [a, b] in [["sphere", "torus"], ["wavy-sheet", "wavy-sheet-b"]] {
+        let gpu = measure(&engine, a, b, &options(Backend::Gpu)).await;
+        let cpu = measure(&engine, a, b, &options(Backend::Cpu)).await;
+        assert_eq!((gpu.backend, cpu.backend), ("gpu", "cpu"));
+        let off = (gpu.computed - cpu.computed).abs() / cpu.diagonal;
+        assert!(off < AGREEMENT, "{a} and {b}: {} and {}", gpu.computed, cpu.computed);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn concentric_spheres_are_the_difference_of_their_radii_apart() {
+    let engine = Engine::new(Backend::Auto).await.unwrap();
+    let result = measure(&engine, "sphere", "sphere-larger", &options(Backend::Auto)).await;
+    assert_eq!(result.backend, "gpu");
+    assert!((result.computed - 0.2).abs() < 1e-12, "{}", result.computed);
+    assert!(result.lower <= 0.2 && 0.2 <= result.upper);
+}
+
+#[wasm_bindgen_test]
+async fn a_transform_moves_a() {
+    let engine = Engine::new(Backend::Auto).await.unwrap();
+    let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, 3.0)).unwrap();
+    let options = Options { transform, symmetric: false, ..options(Backend::Gpu) };
+    let result = measure(&engine, "sphere", "sphere", &options).await;
+    // The farthest point of a sphere of radius 2 moved by 3, its top, is 3 away.
+    assert!((result.computed - 3.0).abs() < 1e-12, "{}", result.computed);
+}
