@@ -92,3 +92,133 @@ pub(super) struct Block {
     pub(super) iteration_limit: u32,
     pub(super) on_edge: u32,
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::super::pipelines::Kernel;
+    use super::*;
+    use crate::iteration::Culling;
+    use crate::project::Projection;
+    use naga::{Module, TypeInner};
+    use std::mem::offset_of;
+
+    const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
+
+    fn kernels() -> Vec<Kernel> {
+        let mut kernels = vec![Kernel::Reduce];
+        for degree in DEGREES {
+            kernels.push(Kernel::Sample { degree });
+            for projection in [Projection::Newton, Projection::TangentPlane] {
+                for culling in [Culling::Tree, Culling::None] {
+                    kernels.push(Kernel::Project { degree, projection, culling });
+                }
+            }
+        }
+        kernels
+    }
+
+    fn parsed(kernel: Kernel) -> Module {
+        naga::front::wgsl::parse_str(&kernel.text()).unwrap()
+    }
+
+    /// Offsets of the members and size of a struct, by naga.
+    fn layout(module: &Module, name: &str) -> (Vec<(String, u32)>, u32) {
+        for (_, candidate) in module.types.iter() {
+            if candidate.name.as_deref() == Some(name)
+                && let TypeInner::Struct { members, span } = &candidate.inner
+            {
+                let offsets = members.iter().map(|member| (member.name.clone().unwrap(), member.offset));
+                return (offsets.collect(), *span);
+            }
+        }
+        panic!("no struct {name}");
+    }
+
+    fn constant(module: &Module, name: &str) -> u32 {
+        let (_, constant) =
+            module.constants.iter().find(|(_, constant)| constant.name.as_deref() == Some(name)).unwrap();
+        match module.global_expressions[constant.init] {
+            naga::Expression::Literal(naga::Literal::U32(value)) => value,
+            ref other => panic!("{name} is {other:?}"),
+        }
+    }
+
+    macro_rules! same_layout {
+        ($module:expr, $name:ident, $($member:ident),+) => {
+            let ours = vec![$((stringify!($member).to_owned(), offset_of!($name, $member) as u32)),+];
+            assert_eq!(layout($module, stringify!($name)), (ours, size_of::<$name>() as u32));
+        };
+    }
+
+    #[test]
+    fn kernels_are_valid_for_every_kind_of_degrees() {
+        for kernel in kernels() {
+            let module = parsed(kernel);
+            let flags = naga::valid::ValidationFlags::all();
+            let capabilities = naga::valid::Capabilities::empty();
+            naga::valid::Validator::new(flags, capabilities)
+                .validate(&module)
+                .unwrap_or_else(|error| panic!("{kernel:?}: {error:?}"));
+        }
+    }
+
+    #[test]
+    fn structs_lie_as_in_the_kernels() {
+        for kernel in kernels() {
+            let module = &parsed(kernel);
+            match kernel {
+                Kernel::Sample { .. } => {
+                    same_layout!(
+                        module,
+                        SampleParams,
+                        rotation_x,
+                        rotation_y,
+                        rotation_z,
+                        translation,
+                        first_row,
+                        row_count,
+                        columns,
+                        padding
+                    );
+                    same_layout!(module, Row, first_patch, first_place, s, first_sample);
+                    same_layout!(module, Place, patch_column, t);
+                    same_layout!(module, Best, distance_squared, patch_and_status, s, t);
+                }
+                Kernel::Project { .. } => {
+                    same_layout!(
+                        module,
+                        ProjectParams,
+                        first_sample,
+                        sample_count,
+                        first_patch,
+                        patch_count,
+                        patches_before,
+                        iterations,
+                        step_tolerance,
+                        padding
+                    );
+                    same_layout!(module, Node, box_min, second, box_max, patches);
+                    same_layout!(module, Best, distance_squared, patch_and_status, s, t);
+                    assert_eq!(constant(module, "LEAF_COUNT_BITS"), LEAF_COUNT_BITS);
+                }
+                Kernel::Reduce => {
+                    same_layout!(module, ReduceParams, sample_count, block_size);
+                    same_layout!(module, Block, best, sample, converged, iteration_limit, on_edge);
+                    assert_eq!(constant(module, "STATUS_SHIFT"), STATUS_SHIFT);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn statuses_are_numbered_as_in_the_kernels() {
+        let module = &parsed(Kernel::Reduce);
+        for (name, status) in [
+            ("CONVERGED", crate::project::Status::Converged),
+            ("ITERATION_LIMIT", crate::project::Status::IterationLimit),
+            ("ON_EDGE", crate::project::Status::OnEdge),
+        ] {
+            assert_eq!(constant(module, name), status as u32);
+        }
+    }
+}

@@ -9,4 +9,5 @@
 )]
 
 pub mod evaluator;
+pub mod gpu;
 pub mod models;

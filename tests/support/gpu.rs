@@ -1,0 +1,26 @@
+//! The engine that tests of the kernels run on.
+
+use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::{Error, Model};
+
+/// The variable that turns a missing GPU adapter from a failure into a skipped test.
+const ALLOW_NO_GPU: &str = "NURBS_HAUSDORFF_ALLOW_NO_GPU";
+
+/// An engine on the GPU; without an adapter a failure, or `None` and a visible
+/// line if the environment allows it.
+pub fn engine(test: &str) -> Option<Engine> {
+    match pollster::block_on(Engine::new(Backend::Gpu)) {
+        Ok(engine) => Some(engine),
+        Err(error @ Error::NoAdapter { .. }) if std::env::var_os(ALLOW_NO_GPU).is_some() => {
+            println!("SKIPPED {test}: {error}");
+            None
+        }
+        Err(error) => panic!("{test}: {error}"),
+    }
+}
+
+/// The distance of two models, prepared for this once.
+pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
+    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
+    pollster::block_on(engine.distance(&a, &b, options, &mut Silent)).unwrap()
+}
