@@ -2,6 +2,7 @@
 
 use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
 use nurbs_hausdorff::{Error, Model};
+use std::io::Write;
 
 /// The variable that turns a missing GPU adapter from a failure into a skipped test.
 const ALLOW_NO_GPU: &str = "NURBS_HAUSDORFF_ALLOW_NO_GPU";
@@ -12,7 +13,8 @@ pub fn engine(test: &str) -> Option<Engine> {
     match pollster::block_on(Engine::new(Backend::Gpu)) {
         Ok(engine) => Some(engine),
         Err(error @ Error::NoAdapter { .. }) if std::env::var_os(ALLOW_NO_GPU).is_some() => {
-            println!("SKIPPED {test}: {error}");
+            let line = format!("\nSKIPPED {test}: {error}\n");
+            std::io::stderr().write_all(line.as_bytes()).unwrap();
             None
         }
         Err(error) => panic!("{test}: {error}"),
