@@ -150,3 +150,34 @@ impl Engine {
         Ok(())
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::distance::Silent;
+    use crate::shapes::shape;
+
+    #[test]
+    fn a_lost_device_is_replaced_once_and_then_the_cpu_takes_over() {
+        let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
+        if !engine.has_gpu() {
+            assert!(std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some(), "{:?}", engine.notice());
+            eprintln!("\nSKIPPED a_lost_device_is_replaced_once_and_then_the_cpu_takes_over: no adapter");
+            return;
+        }
+        let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()));
+        let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
+        let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut Silent)).unwrap();
+        let lose = || engine.gpu.borrow().as_ref().unwrap().destroy();
+        assert_eq!(run().backend, "gpu");
+        lose();
+        let second = run();
+        assert_eq!((second.backend, second.notice), ("gpu", None));
+        lose();
+        let third = run();
+        assert_eq!(third.backend, "cpu");
+        assert!(third.notice.unwrap().contains("lost 2 times"));
+        assert!((third.computed - second.computed).abs() < 1e-9);
+        assert!(!engine.has_gpu());
+    }
+}

@@ -81,7 +81,8 @@ impl Gpu {
     }
 
     /// Takes the device away, as a driver's reset does.
-    pub fn destroy(&self) {
+    #[cfg(test)]
+    pub(crate) fn destroy(&self) {
         self.device.destroy();
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
         trouble.lost.get_or_insert_with(|| "destroyed".to_owned());
