@@ -94,6 +94,7 @@ pub(super) struct Block {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
     use super::super::pipelines::Kernel;
     use super::*;
