@@ -81,7 +81,7 @@ impl Gpu {
     }
 
     /// Takes the device away, as a driver's reset does.
-    #[cfg(test)]
+    #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(crate) fn destroy(&self) {
         self.device.destroy();
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
