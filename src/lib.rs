@@ -3,11 +3,13 @@
 pub mod bezier;
 pub mod certified;
 pub mod distance;
+mod elementary;
 pub mod error;
 pub mod flatness;
 pub mod gpu;
 pub mod iteration;
 pub mod model;
+mod order;
 mod parallel;
 pub mod project;
 pub mod shapes;

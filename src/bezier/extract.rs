@@ -5,12 +5,17 @@ use crate::model::{Model, NurbsSurface};
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4};
 
-/// Bits between the model's size and the grid that patch centres lie on.
+/// Steps of the grid that patch centres lie on, along the model's diagonal
+/// rounded up to a power of two.
 ///
-/// Centres are multiples of a power of two this many bits below the model's
-/// diagonal, so that the difference of two of them is exact in float32, whose
-/// significand has 24 bits, with one bit for the difference's carry.
-const CENTER_GRID_BITS: i32 = 22;
+/// Centres are multiples of a power of two 22 bits below it, so that the
+/// difference of two of them is exact in float32, whose significand has 24
+/// bits, with one bit for the difference's carry.
+const CENTERS_ON_DIAGONAL: f64 = (1_u32 << 22) as f64;
+
+/// The exponent of a float64: alone, the largest power of two up to a
+/// positive number's value.
+const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 
 /// The operator that makes the Bézier controls of one knot span out of the
 /// span's degree + 1 control points, and the span itself.
@@ -76,7 +81,9 @@ pub fn extract(model: &Model) -> BezierModel {
 
 /// The spacing of the grid of patch centres for a model of this size.
 pub(crate) fn center_grid(diagonal: f64) -> f64 {
-    if diagonal > 0.0 { diagonal.log2().ceil().exp2() * f64::from(-CENTER_GRID_BITS).exp2() } else { 1.0 }
+    let below = f64::from_bits(diagonal.to_bits() & EXPONENT_BITS);
+    let above = if below < diagonal { 2.0 * below } else { below };
+    if above > 0.0 { above / CENTERS_ON_DIAGONAL } else { 1.0 }
 }
 
 /// The grid point nearest to the middle of the points' box.

@@ -9,6 +9,7 @@ use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
+use crate::order::by_falling;
 use crate::parallel::map;
 use crate::project::{Closest, Status, closest};
 use glam::DVec3;
@@ -266,8 +267,8 @@ impl<'a> Search<'a> {
 
     /// Certifies the chunk's farthest samples while they exceed the best.
     fn raise(&mut self, bounded: &[Option<Bounded>]) {
-        let mut samples: Vec<&Bounded> = bounded.iter().flatten().collect();
-        samples.sort_by(|a, b| b.sample.foot.distance_squared.total_cmp(&a.sample.foot.distance_squared));
+        let samples: Vec<&Bounded> = bounded.iter().flatten().collect();
+        let samples = by_falling(&samples, |bounded| bounded.sample.foot.distance_squared);
         for sample in samples.into_iter().take(MOST_CERTIFIED) {
             let Sample { parameters, foot } = sample.sample;
             if self.farthest.is_some() && foot.distance_squared.sqrt() <= self.lower() {

@@ -3,6 +3,7 @@
 use super::directed::{Directed, surface_point};
 use super::{CertifiedDetails, Options, Progress, Stop, now};
 use crate::certified::{Interval, Search, Side};
+use crate::elementary::ln;
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 
@@ -76,6 +77,6 @@ pub(super) async fn certified(
 /// of magnitude, as each takes about as long as the one before or longer.
 fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
-    let orders = (width(first) / tolerance).ln();
-    if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }
+    let orders = ln(width(first) / tolerance);
+    if orders > 0.0 { (ln(width(first) / width(now)) / orders).clamp(0.0, 1.0) } else { 1.0 }
 }

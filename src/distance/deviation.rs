@@ -4,6 +4,7 @@ use super::Field;
 use super::directed::Direction;
 use crate::bezier::Jet;
 use crate::iteration::{Projected, SampleGrid};
+use crate::order::rising;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -50,7 +51,8 @@ impl Statistics {
         if area <= 0.0 || !area.is_finite() {
             return None;
         }
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let distances: Vec<f64> = samples.iter().map(|(distance, _)| *distance).collect();
+        let samples: Vec<_> = rising(&distances).into_iter().map(|index| samples[index]).collect();
         let quantile = |part: f64| {
             let mut below = 0.0;
             let reached = samples.iter().find(|(_, weight)| {

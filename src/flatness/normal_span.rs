@@ -2,6 +2,7 @@
 
 use super::{SAMPLES, sample_parameter};
 use crate::bezier::{Jet, Patch};
+use crate::elementary::{acos, cos};
 use glam::DVec3;
 
 /// A tangent this much shorter than the patch's longest is that of a
@@ -27,15 +28,13 @@ pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
         })
     });
     let cosine = least_cosine(normals.iter().flatten());
-    (cosine < tolerance.cos()).then(|| {
+    (cosine < cos(tolerance)).then(|| {
         let along = |line: &dyn Fn(usize, usize) -> Option<DVec3>| {
-            (0..SAMPLES)
-                .map(|fixed| {
-                    let normals: [_; SAMPLES] = std::array::from_fn(|moving| line(fixed, moving));
-                    least_cosine(normals.iter())
-                })
-                .fold(1.0, f64::min)
-                .acos()
+            let cosines = (0..SAMPLES).map(|fixed| {
+                let normals: [_; SAMPLES] = std::array::from_fn(|moving| line(fixed, moving));
+                least_cosine(normals.iter())
+            });
+            acos(cosines.fold(1.0, f64::min))
         };
         [along(&|fixed, moving| normals[moving][fixed]), along(&|fixed, moving| normals[fixed][moving])]
     })

@@ -4,7 +4,6 @@ use super::layouts::{ProjectParams, ReduceParams, SampleParams};
 use crate::iteration::Culling;
 use crate::project::Projection;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::num::NonZeroU64;
 use std::rc::Rc;
 
@@ -22,7 +21,7 @@ const PROJECT: &str = include_str!("../../shaders/project.wgsl");
 const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
 
 /// A kernel and what it is specialised by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kernel {
     Sample { degree: [usize; 2] },
     Project { degree: [usize; 2], projection: Projection, culling: Culling },
@@ -81,7 +80,7 @@ pub(super) struct Pipeline {
 #[derive(Debug)]
 pub(super) struct Pipelines {
     device: wgpu::Device,
-    made: RefCell<HashMap<Kernel, Rc<Pipeline>>>,
+    made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
 }
 
 impl Pipelines {
@@ -91,11 +90,11 @@ impl Pipelines {
 
     /// The kernel's pipeline, and whether it is new.
     pub(super) fn get(&self, kernel: Kernel) -> (Rc<Pipeline>, bool) {
-        if let Some(pipeline) = self.made.borrow().get(&kernel) {
+        if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
         let pipeline = Rc::new(self.make(kernel));
-        self.made.borrow_mut().insert(kernel, Rc::clone(&pipeline));
+        self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
         (pipeline, true)
     }
 

@@ -10,6 +10,7 @@ use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
 use crate::error::Result;
 use crate::iteration::{Culling, Projected, Rule};
 use crate::model::RigidTransform;
+use crate::order::by_falling;
 use crate::project::Status;
 use bytemuck::{Pod, Zeroable, bytes_of};
 use glam::DVec3;
@@ -290,8 +291,7 @@ impl Stages for GpuStages {
             let sample = self.page.start + (block.sample as usize).min(self.page.len() - 1);
             candidates.push(Candidate { sample, projected: self.projected(&block.best) });
         }
-        candidates.sort_by(|a, b| b.projected.distance_squared.total_cmp(&a.projected.distance_squared));
-        Ok(candidates)
+        Ok(by_falling(&candidates, |candidate| candidate.projected.distance_squared))
     }
 
     fn settle(&mut self, sample: usize, distance_squared: f64) {

@@ -5,7 +5,6 @@ use super::pipelines::{Kernel, Pipeline};
 use crate::distance::now;
 use crate::error::Result;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Seconds that a submission may be expected to take: browsers kill work of
@@ -30,11 +29,11 @@ const MOST_WORKGROUPS: u32 = 65_535;
 
 /// How fast each kernel was seen to run, in units of work a second.
 #[derive(Debug, Default)]
-pub(super) struct Pace(RefCell<HashMap<Kernel, f64>>);
+pub(super) struct Pace(RefCell<Vec<(Kernel, f64)>>);
 
 impl Pace {
     fn rate(&self, kernel: Kernel) -> f64 {
-        self.0.borrow().get(&kernel).copied().unwrap_or(FIRST_RATE)
+        self.0.borrow().iter().find(|(of, _)| *of == kernel).map_or(FIRST_RATE, |&(_, rate)| rate)
     }
 
     /// Units of work of this kernel that fill a submission; at least 1.
@@ -112,7 +111,9 @@ impl<'a> Work<'a> {
         self.bytes.extend_from_slice(dispatch.params);
         self.bytes.resize(offset + PARAMS_STRIDE, 0);
         self.expected += dispatch.units as f64 / self.gpu.pace.rate(dispatch.kernel);
-        self.kernels.push(dispatch.kernel);
+        if !self.kernels.contains(&dispatch.kernel) {
+            self.kernels.push(dispatch.kernel);
+        }
         let rows = dispatch.workgroups.div_ceil(MOST_WORKGROUPS).max(1);
         let mut pass = self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&dispatch.pipeline.pipeline);
@@ -135,15 +136,16 @@ impl<'a> Work<'a> {
     /// Submits, waits, and learns how fast the kernels are.
     pub(super) async fn submit(mut self) -> Result<()> {
         let (gpu, expected) = (self.gpu, self.expected);
-        let mut kernels = std::mem::take(&mut self.kernels);
-        kernels.sort_unstable();
-        kernels.dedup();
+        let kernels = std::mem::take(&mut self.kernels);
         let started = now();
         self.submit_unmeasured().await?;
         let factor = (expected / (now() - started)).clamp(1.0 / MOST_RATE_CHANGE, MOST_RATE_CHANGE);
         let mut rates = gpu.pace.0.borrow_mut();
         for kernel in kernels {
-            *rates.entry(kernel).or_insert(FIRST_RATE) *= factor;
+            match rates.iter_mut().find(|(of, _)| *of == kernel) {
+                Some((_, rate)) => *rate *= factor,
+                None => rates.push((kernel, FIRST_RATE * factor)),
+            }
         }
         Ok(())
     }

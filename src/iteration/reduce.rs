@@ -1,6 +1,7 @@
 //! Stage `reduce`: the largest of the least distances, and where it is.
 
 use super::Projected;
+use crate::order::by_falling;
 
 /// Samples of a block.
 const BLOCK_SIZE: usize = 1024;
@@ -18,7 +19,6 @@ pub fn reduce(projected: &[Projected]) -> Vec<usize> {
         }
         block * BLOCK_SIZE + largest
     };
-    let mut blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
-    blocks.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
-    blocks
+    let blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
+    by_falling(&blocks, |&sample| projected[sample].distance_squared)
 }

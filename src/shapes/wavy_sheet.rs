@@ -2,6 +2,7 @@
 
 use super::plane_curve::clamped_knots;
 use super::{named, positive};
+use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 use std::f64::consts::TAU;
@@ -48,7 +49,7 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
         .flat_map(|i| (0..counts[1]).map(move |j| (i, j)))
         .map(|(i, j)| {
             let (x, y) = (fraction(i, 0), fraction(j, 1));
-            let height = amplitude * (TAU * waves[0] * x + phase).sin() * (TAU * waves[1] * y).cos();
+            let height = amplitude * sin(TAU * waves[0] * x + phase) * cos(TAU * waves[1] * y);
             [size[0] * (x - 0.5), size[1] * (y - 0.5), height, 1.0]
         })
         .collect();

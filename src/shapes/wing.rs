@@ -3,6 +3,7 @@
 use super::interpolation::interpolate;
 use super::operations::cut_surface;
 use super::{Naca4, PlaneCurve, named, positive};
+use crate::elementary::tan;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -49,7 +50,7 @@ pub fn wing(wing: &Wing) -> Result<Model> {
         });
     }
     let section = interpolate(SECTION_POINTS, |fraction| wing.section.point(PI * (2.0 * fraction - 1.0)));
-    let back = 0.25 * (root - tip) + half_span * wing.sweep.tan();
+    let back = 0.25 * (root - tip) + half_span * tan(wing.sweep);
     let ribs = [(-half_span, tip, back), (0.0, root, 0.0), (half_span, tip, back)];
     let skin = skin(&section, &ribs)?;
     let (right, left) = (rib_cap(&skin, 2, true)?, rib_cap(&skin, 0, false)?);

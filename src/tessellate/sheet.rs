@@ -2,6 +2,7 @@
 
 use super::divisions::Divisions;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
+use crate::elementary::cos;
 use glam::DVec3;
 
 /// Angle between the normals of the two sides of a knot line from which it is
@@ -79,7 +80,7 @@ impl Sheet {
             if pairs().any(|pair| gap(pair) > tolerance) {
                 continue;
             }
-            let cosine = CREASE_DEGREES.to_radians().cos();
+            let cosine = cos(CREASE_DEGREES.to_radians());
             let turn = |(a, b): (usize, usize)| self.vertices[a].normal.dot(self.vertices[b].normal);
             if pairs().all(|pair| turn(pair) >= cosine) {
                 // The line before goes on where the dropped one went on.
