@@ -1,15 +1,14 @@
 //! The arguments.
 
+use crate::motion::{Rotation, Translation};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use glam::{DQuat, DVec3};
 use nurbs_hausdorff::distance::{Backend, Method, Options};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, SamplingRule};
 use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::{Result, RigidTransform};
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// How far apart are two NURBS models? Models are interchange JSON files.
 #[derive(Debug, Parser)]
@@ -50,7 +49,7 @@ pub(crate) struct DistanceArguments {
     /// certified: the tolerance is in model units.
     #[arg(long)]
     absolute: bool,
-    /// certified: only whether the distance is at most LIMIT; exit status 0 yes, 1 no, 3 undecided.
+    /// Only whether the distance is at most LIMIT; exit status 0 yes, 1 no, 3 undecided.
     #[arg(long, value_name = "LIMIT")]
     pub(crate) max: Option<f64>,
     /// certified: seconds a direction after which the interval so far is told.
@@ -85,14 +84,14 @@ pub(crate) struct DistanceArguments {
     symmetric: bool,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
-    translate: Numbers<3>,
+    translate: Translation,
     /// Turns A about an axis through the origin before it is moved.
     #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
-    rotate: Numbers<4>,
+    rotate: Rotation,
     /// Statistics of the deviation at the samples; estimates.
     #[arg(long)]
     statistics: bool,
-    /// Where the kernels run.
+    /// Where samples are projected; certified itself is float64 work on the CPU.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
     /// Prints one JSON object.
@@ -115,13 +114,6 @@ impl DistanceArguments {
     /// # Errors
     /// As [`RigidTransform::new`]; ranges are the library's to check.
     pub(crate) fn options(&self) -> Result<Options> {
-        let Numbers([x, y, z, degrees]) = self.rotate;
-        let axis = DVec3::new(x, y, z);
-        let rotation = if degrees == 0.0 {
-            DQuat::IDENTITY
-        } else {
-            DQuat::from_axis_angle(axis / axis.length(), degrees.to_radians())
-        };
         Ok(Options {
             method: self.method.into(),
             tolerance: self.tolerance,
@@ -137,27 +129,10 @@ impl DistanceArguments {
             iterations: self.iterations,
             step_tolerance: self.step_tolerance,
             symmetric: self.symmetric,
-            transform: RigidTransform::new(rotation, DVec3::from_array(self.translate.0))?,
+            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
             field: self.statistics,
         })
-    }
-}
-
-/// Numbers between commas.
-#[derive(Debug, Clone, Copy)]
-struct Numbers<const N: usize>([f64; N]);
-
-impl<const N: usize> FromStr for Numbers<N> {
-    type Err = String;
-
-    fn from_str(text: &str) -> std::result::Result<Self, String> {
-        let numbers: Vec<f64> = text
-            .split(',')
-            .map(|number| number.trim().parse().map_err(|error| format!("{number:?}: {error}")))
-            .collect::<std::result::Result<_, _>>()?;
-        let found = numbers.len();
-        numbers.try_into().map(Self).map_err(|_| format!("{found} numbers, expected {N}"))
     }
 }
 

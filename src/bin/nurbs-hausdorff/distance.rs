@@ -1,11 +1,12 @@
 //! The command `distance`.
 
 use crate::args::DistanceArguments;
+use crate::failure::Failure;
 use crate::files::read;
+use crate::output::{print, print_json};
 use crate::progress::Bar;
 use crate::report;
-use nurbs_hausdorff::distance::{Backend, Engine, Method, PreparedModel};
-use nurbs_hausdorff::{Error, Result};
+use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, PreparedModel};
 
 /// Exit statuses with `--max`.
 const WITHIN: u8 = 0;
@@ -13,7 +14,7 @@ const BEYOND: u8 = 1;
 const UNDECIDED: u8 = 3;
 
 /// Measures, prints, and returns the exit status.
-pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8> {
+pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
@@ -26,16 +27,20 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8> {
     let result = pollster::block_on(engine.distance(&a, &b, &options, &mut bar))?;
     drop(bar);
     if arguments.json {
-        let json =
-            serde_json::to_string(&result).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-        println!("{json}");
+        print_json(&result)?;
     } else {
-        print!("{}", report::text(&result));
+        print(&report::text(&result))?;
     }
-    let Some(details) = result.certified.filter(|_| arguments.max.is_some()) else { return Ok(0) };
-    Ok(match details.within {
-        Some(true) => WITHIN,
-        Some(false) => BEYOND,
-        None => UNDECIDED,
-    })
+    Ok(arguments.max.map_or(WITHIN, |limit| verdict(&result, limit)))
+}
+
+/// Whether the distance is at most the limit, as far as the interval of either method tells.
+fn verdict(result: &DistanceResult, limit: f64) -> u8 {
+    if result.upper <= limit {
+        WITHIN
+    } else if result.lower > limit {
+        BEYOND
+    } else {
+        UNDECIDED
+    }
 }

@@ -1,10 +1,13 @@
 //! The command `info`.
 
 use crate::args::InfoArguments;
+use crate::failure::Failure;
 use crate::files::read;
+use crate::output::{print, print_json};
 use nurbs_hausdorff::distance::PreparedModel;
-use nurbs_hausdorff::{Error, Model, NurbsSurface, Result};
+use nurbs_hausdorff::{Model, NurbsSurface};
 use serde::Serialize;
+use std::fmt::Write;
 
 #[derive(Serialize)]
 struct Info {
@@ -26,25 +29,34 @@ struct SurfaceInfo {
 }
 
 /// Prints what the model consists of.
-pub(crate) fn run(arguments: &InfoArguments) -> Result<()> {
+pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = info(&read(&arguments.model)?);
     if arguments.json {
-        let json =
-            serde_json::to_string(&info).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-        println!("{json}");
-        return Ok(());
+        return print_json(&info);
     }
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = lines(&mut text, &info);
+    print(&text)
+}
+
+fn lines(out: &mut String, info: &Info) -> std::fmt::Result {
     let [min, max] = info.bounding_box;
-    println!("model     {}", info.name.as_deref().unwrap_or("without a name"));
-    println!("box       {min:?} to {max:?}, diagonal {}", info.diagonal);
-    println!("surfaces  {}, {} Bézier patches", info.surfaces.len(), info.patches);
+    writeln!(out, "model     {}", info.name.as_deref().unwrap_or("without a name"))?;
+    writeln!(out, "box       {min:?} to {max:?}, diagonal {:?}", info.diagonal)?;
+    writeln!(out, "surfaces  {}, {} Bézier patches", info.surfaces.len(), info.patches)?;
     for (index, surface) in info.surfaces.iter().enumerate() {
         let [p, q] = surface.degree;
         let [rows, columns] = surface.counts;
+        let [[u_start, u_end], [v_start, v_end]] = surface.domain;
         let kind = if surface.rational { "rational" } else { "polynomial" };
         let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
         let patches = surface.patches;
-        println!("{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  {patches} patches");
+        writeln!(
+            out,
+            "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
+             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches"
+        )?;
     }
     Ok(())
 }

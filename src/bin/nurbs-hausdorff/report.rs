@@ -1,9 +1,10 @@
 //! A result as text for people.
 
-use nurbs_hausdorff::distance::{DistanceResult, SurfacePoint};
-use std::fmt::Write;
+use nurbs_hausdorff::distance::{DistanceResult, Stop, SurfacePoint};
+use std::fmt::{Result, Write};
 
-/// Some lines, the distance first.
+/// Some lines, the distance first. Distances, bounds and points are printed to
+/// full precision, so that rounding cannot make an interval untrue.
 pub(crate) fn text(result: &DistanceResult) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
@@ -11,78 +12,97 @@ pub(crate) fn text(result: &DistanceResult) -> String {
     text
 }
 
-fn lines(out: &mut String, result: &DistanceResult) -> std::fmt::Result {
-    writeln!(out, "distance   {:.12}", result.computed)?;
-    writeln!(
-        out,
-        "interval   [{:.12}, {:.12}], width {:.1e} of the diagonal {:.6}",
-        result.lower,
-        result.upper,
-        (result.upper - result.lower) / result.diagonal,
-        result.diagonal
-    )?;
+fn lines(out: &mut String, result: &DistanceResult) -> Result {
+    writeln!(out, "distance   {:?}", result.computed)?;
+    interval(out, result)?;
     point(out, "on A", &result.witness.a)?;
     point(out, "on B", &result.witness.b)?;
-    if let Some(details) = &result.certified {
-        writeln!(out, "search     {} cells, {} levels, {:?}", details.cells, details.levels, details.stop)?;
-        if let Some(within) = details.within {
-            writeln!(out, "limit      {}", if within { "kept" } else { "exceeded" })?;
-        }
-    }
-    if let Some(details) = &result.iteration {
-        let bounds = &details.bounds;
-        let k_b = bounds.k_b.map_or("none observed".to_owned(), |k_b| format!("{k_b:.3e}"));
-        writeln!(
-            out,
-            "bounds     K_A {:.6} as published, {:.6} rigorous; K_B {k_b}",
-            bounds.k_a, bounds.k_a_rigorous
-        )?;
-        let statuses = &details.statuses;
-        writeln!(
-            out,
-            "samples    {}: {} converged, {} on an edge, {} at the iteration limit",
-            details.samples, statuses.converged, statuses.on_edge, statuses.iteration_limit
-        )?;
-    }
-    if let Some(statistics) = &result.statistics {
-        writeln!(
-            out,
-            "estimates  mean {:.6}, rms {:.6}, median {:.6}, 95 % {:.6}, 99 % {:.6}",
-            statistics.mean,
-            statistics.rms,
-            statistics.median,
-            statistics.percentile_95,
-            statistics.percentile_99
-        )?;
-    }
-    writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
-    writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
-    let seconds = &result.seconds;
-    writeln!(
-        out,
-        "seconds    {:.3} prepare, {:.3} compile, {:.3} solve, on the {}{}",
-        seconds.prepare,
-        seconds.compile,
-        seconds.solve,
-        result.backend,
-        result.adapter.as_ref().map_or(String::new(), |adapter| format!(" ({adapter})"))
-    )?;
-    if let Some(notice) = &result.notice {
-        writeln!(out, "notice     {notice}")?;
-    }
     for (name, directed) in [("A to B", &result.forward), ("B to A", &result.reverse)] {
         if let Some(directed) = directed {
-            writeln!(out, "{name}     [{:.12}, {:.12}]", directed.lower, directed.upper)?;
+            writeln!(out, "{name}     [{:?}, {:?}]", directed.lower, directed.upper)?;
+            statistics(out, directed)?;
         }
     }
-    Ok(())
+    certified(out, result)?;
+    iteration(out, result)?;
+    statistics(out, result)?;
+    writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
+    writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
+    machine(out, result)
 }
 
-fn point(out: &mut String, name: &str, point: &SurfacePoint) -> std::fmt::Result {
-    let [x, y, z] = point.point;
+fn interval(out: &mut String, result: &DistanceResult) -> Result {
+    write!(out, "interval   [{:?}, {:?}]", result.lower, result.upper)?;
+    let width = (result.upper - result.lower) / result.diagonal;
+    // Models of one point have no diagonal.
+    if width.is_finite() {
+        write!(out, ", width {width:.1e} of the diagonal {}", short(result.diagonal))?;
+    }
+    writeln!(out)
+}
+
+fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
+    let SurfacePoint { surface, u, v, point: [x, y, z] } = point;
+    writeln!(out, "{name}       surface {surface} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
+}
+
+fn certified(out: &mut String, result: &DistanceResult) -> Result {
+    let Some(details) = &result.certified else { return Ok(()) };
+    let stop = match details.stop {
+        Stop::Converged => "done",
+        Stop::Cells => "ended by the budget of cells",
+        Stop::Time => "ended by the budget of time",
+        Stop::Precision => "ended by the precision of float64",
+        Stop::Cancelled => "cancelled",
+    };
+    writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
+    match details.within {
+        Some(true) => writeln!(out, "limit      kept"),
+        Some(false) => writeln!(out, "limit      exceeded"),
+        None => Ok(()),
+    }
+}
+
+fn iteration(out: &mut String, result: &DistanceResult) -> Result {
+    let Some(details) = &result.iteration else { return Ok(()) };
+    let bounds = &details.bounds;
+    let k_b = bounds.k_b.map_or("none observed".to_owned(), |k_b| format!("{} observed", short(k_b)));
+    let (published, rigorous) = (short(bounds.k_a), short(bounds.k_a_rigorous));
+    writeln!(out, "bounds     K_A {published} as published, {rigorous} rigorous; K_B {k_b}")?;
+    let statuses = &details.statuses;
     writeln!(
         out,
-        "{name}       surface {} at ({:.9}, {:.9}): {x:.9} {y:.9} {z:.9}",
-        point.surface, point.u, point.v
+        "samples    {}: {} converged, {} on an edge, {} at the iteration limit",
+        details.samples, statuses.converged, statuses.on_edge, statuses.iteration_limit
     )
+}
+
+fn statistics(out: &mut String, result: &DistanceResult) -> Result {
+    let Some(statistics) = &result.statistics else { return Ok(()) };
+    writeln!(
+        out,
+        "estimates  mean {}, rms {}, median {}, 95 % {}, 99 % {}",
+        short(statistics.mean),
+        short(statistics.rms),
+        short(statistics.median),
+        short(statistics.percentile_95),
+        short(statistics.percentile_99)
+    )
+}
+
+fn machine(out: &mut String, result: &DistanceResult) -> Result {
+    let seconds = &result.seconds;
+    let adapter = result.adapter.as_ref().map_or(String::new(), |adapter| format!(" ({adapter})"));
+    writeln!(
+        out,
+        "seconds    {:.3} prepare, {:.3} compile, {:.3} solve, on the {}{adapter}",
+        seconds.prepare, seconds.compile, seconds.solve, result.backend
+    )?;
+    result.notice.as_ref().map_or(Ok(()), |notice| writeln!(out, "notice     {notice}"))
+}
+
+/// To six digits, without the zeros that they end in.
+fn short(number: f64) -> String {
+    let rounded = format!("{number:.5e}");
+    rounded.parse::<f64>().map_or(rounded, |number| format!("{number:?}"))
 }
