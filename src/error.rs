@@ -1,5 +1,6 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
+use crate::shown::Shown;
 use thiserror::Error as ThisError;
 
 /// What a function of this crate returns when its input or machine may fail it.
@@ -36,7 +37,7 @@ impl From<usize> for Direction {
 #[derive(Debug, Clone, PartialEq, ThisError)]
 pub enum Error {
     /// A coordinate, weight or knot is infinite or not a number.
-    #[error("surface {surface}: {what} {index} is {found}, expected a finite number")]
+    #[error("surface {surface}: {what} {index} is {}, expected a finite number", Shown(*.found))]
     NonFinite {
         /// Index of the surface in its model.
         surface: usize,
@@ -48,7 +49,7 @@ pub enum Error {
         found: f64,
     },
     /// A weight is zero or negative.
-    #[error("surface {surface}: weight of control point {index} is {found}, expected more than 0")]
+    #[error("surface {surface}: weight of control point {index} is {}, expected more than 0", Shown(*.found))]
     WeightNotPositive {
         /// Index of the surface in its model.
         surface: usize,
@@ -58,7 +59,11 @@ pub enum Error {
         found: f64,
     },
     /// A knot is smaller than the one before it.
-    #[error("surface {surface}: knot {index} in {direction} is {found}, expected at least {expected}")]
+    #[error(
+        "surface {surface}: knot {index} in {direction} is {}, expected at least {}",
+        Shown(*.found),
+        Shown(*.expected)
+    )]
     KnotsDecreasing {
         /// Index of the surface in its model.
         surface: usize,
@@ -102,7 +107,11 @@ pub enum Error {
         expected: usize,
     },
     /// The knots `[degree]` and `[count]`, which bound the domain, are equal.
-    #[error("surface {surface}: the domain in {direction} is [{start}, {end}], expected a positive length")]
+    #[error(
+        "surface {surface}: the domain in {direction} is [{}, {}], expected a positive length",
+        Shown(*.start),
+        Shown(*.end)
+    )]
     KnotsEmptyDomain {
         /// Index of the surface in its model.
         surface: usize,

@@ -13,6 +13,7 @@ mod order;
 mod parallel;
 pub mod project;
 pub mod shapes;
+mod shown;
 pub mod tessellate;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]

@@ -82,7 +82,7 @@ impl<'a> Progress<'a> {
             give_way().await;
             let of_direction = self.section[0] + self.section[1] * fraction;
             let of_whole = self.direction[0] + self.direction[1] * of_direction;
-            self.reported = of_whole.clamp(self.reported, 1.0);
+            self.reported = of_whole.max(self.reported).min(1.0);
             self.monitor.progress(self.reported);
             self.last = now();
         }

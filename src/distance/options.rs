@@ -5,6 +5,7 @@ use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
 use crate::project::Projection;
+use crate::shown::Shown;
 use serde::{Deserialize, Serialize};
 
 /// How the distance is computed.
@@ -119,17 +120,22 @@ impl Options {
         let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
         check("iterations", iterations, self.iterations.to_string(), "1 to 1000")?;
         let positive = |value: f64| value.is_finite() && value > 0.0;
-        check("tolerance", positive(self.tolerance), self.tolerance.to_string(), "a positive finite number")?;
+        check(
+            "tolerance",
+            positive(self.tolerance),
+            Shown(self.tolerance).to_string(),
+            "a positive finite number",
+        )?;
         if let Some(limit) = self.limit {
             let valid = limit.is_finite() && limit >= 0.0;
-            check("limit", valid, limit.to_string(), "a finite number of at least 0")?;
+            check("limit", valid, Shown(limit).to_string(), "a finite number of at least 0")?;
         }
         if let Some(seconds) = self.max_seconds {
-            check("max seconds", positive(seconds), seconds.to_string(), "a positive finite number")?;
+            check("max seconds", positive(seconds), Shown(seconds).to_string(), "a positive finite number")?;
         }
         check("max cells", self.max_cells != Some(0), "0".to_owned(), "at least 1")?;
         let tolerance = self.step_tolerance.is_finite() && self.step_tolerance > 0.0;
-        check("step tolerance", tolerance, self.step_tolerance.to_string(), "a positive finite number")
+        check("step tolerance", tolerance, Shown(self.step_tolerance).to_string(), "a positive finite number")
     }
 
     pub(crate) fn rule(&self) -> Rule {

@@ -1,6 +1,7 @@
 //! The rigid transform that moves model A against model B.
 
 use crate::error::{Error, Result};
+use crate::shown::Shown;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
@@ -56,11 +57,12 @@ impl RigidTransform {
     /// quaternion's length is not 1 to about single precision.
     pub fn new(rotation: DQuat, translation: DVec3) -> Result<Self> {
         if !translation.is_finite() {
-            return Err(Error::TransformNotRigid { found: format!("translation is {translation}") });
+            let [x, y, z] = translation.to_array().map(Shown);
+            return Err(Error::TransformNotRigid { found: format!("translation is [{x}, {y}, {z}]") });
         }
         let length = rotation.length();
         if !length.is_finite() || (length - 1.0).abs() > UNIT_LENGTH_TOLERANCE {
-            return Err(Error::TransformNotRigid { found: format!("rotation has length {length}") });
+            return Err(Error::TransformNotRigid { found: format!("rotation has length {}", Shown(length)) });
         }
         Ok(Self { rotation: rotation.normalize(), translation })
     }

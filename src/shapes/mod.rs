@@ -38,6 +38,7 @@ pub use wing::{Wing, wing};
 
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::shown::Shown;
 
 /// A model of this name.
 fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
@@ -49,5 +50,9 @@ fn positive(option: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Error::OptionOutOfRange { option, found: value.to_string(), expected: "a finite number above 0" })
+    Err(Error::OptionOutOfRange {
+        option,
+        found: Shown(value).to_string(),
+        expected: "a finite number above 0",
+    })
 }

@@ -2,6 +2,7 @@
 
 use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
+use crate::shown::Shown;
 
 /// A section of the NACA four-digit series, in fractions of the chord.
 ///
@@ -54,7 +55,7 @@ impl Naca4 {
     /// Refuses what the formulas are not for.
     pub(super) fn validate(&self) -> Result<()> {
         let out_of_range = |option, value: f64, expected| {
-            Err(Error::OptionOutOfRange { option, found: value.to_string(), expected })
+            Err(Error::OptionOutOfRange { option, found: Shown(value).to_string(), expected })
         };
         if !(0.0..0.1).contains(&self.camber) {
             return out_of_range("camber", self.camber, "0 or more and below 0.1");

@@ -5,6 +5,7 @@ use super::{named, positive};
 use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::shown::Shown;
 use std::f64::consts::TAU;
 
 /// Degree of a sheet in both directions.
@@ -40,7 +41,7 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
         [("amplitude", amplitude), ("waves", waves[0]), ("waves", waves[1]), ("phase", phase)]
     {
         if !value.is_finite() {
-            let found = value.to_string();
+            let found = Shown(value).to_string();
             return Err(Error::OptionOutOfRange { option, found, expected: "a finite number" });
         }
     }

@@ -6,6 +6,7 @@ use super::{Naca4, PlaneCurve, named, positive};
 use crate::elementary::tan;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::shown::Shown;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Points that the section's cubic spline passes: its largest error is then
@@ -42,7 +43,7 @@ pub fn wing(wing: &Wing) -> Result<Model> {
     let root = positive("root_chord", wing.root_chord)?;
     let tip = root * positive("taper", wing.taper)?;
     if !(-FRAC_PI_2..=FRAC_PI_2).contains(&wing.sweep) {
-        let found = wing.sweep.to_string();
+        let found = Shown(wing.sweep).to_string();
         return Err(Error::OptionOutOfRange {
             option: "sweep",
             found,

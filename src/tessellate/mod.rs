@@ -6,6 +6,7 @@ mod triangles;
 
 use crate::bezier::BezierModel;
 use crate::error::{Error, Result};
+use crate::shown::Shown;
 use divisions::Divisions;
 use glam::DVec3;
 use sheet::Sheet;
@@ -46,7 +47,7 @@ pub fn tessellate(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessell
     if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
         return Err(Error::OptionOutOfRange {
             option: "tolerance",
-            found: found.to_string(),
+            found: Shown(found).to_string(),
             expected: "a positive finite number",
         });
     }

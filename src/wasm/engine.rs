@@ -64,7 +64,7 @@ impl Engine {
             let measured = engine.distance(&a, &b, &options, &mut watch).await;
             match (watch.into_thrown(), measured) {
                 (Some(thrown), _) => Err(thrown),
-                (None, measured) => result::object(&measured?),
+                (None, measured) => result::of(&measured?),
             }
         })
     }

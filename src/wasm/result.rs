@@ -1,13 +1,14 @@
 //! A result as a plain JavaScript object.
 
+use super::object::object;
 use crate::distance::{DistanceResult, Field};
-use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
+use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::JsValue;
 
 /// The result as the command line prints it, with the fields as typed arrays.
-pub(super) fn object(result: &DistanceResult) -> Result<JsValue, JsValue> {
+pub(super) fn of(result: &DistanceResult) -> Result<JsValue, JsValue> {
     let object = result.serialize(&Serializer::json_compatible())?;
     add_field(&object, result)?;
     for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
@@ -20,16 +21,15 @@ pub(super) fn object(result: &DistanceResult) -> Result<JsValue, JsValue> {
 
 fn add_field(object: &JsValue, result: &DistanceResult) -> Result<(), JsValue> {
     if !result.field.is_empty() {
-        let fields = result.field.iter().map(field).collect::<Result<Array, _>>()?;
+        let fields = result.field.iter().map(field).collect::<Array>();
         Reflect::set(object, &"field".into(), &fields)?;
     }
     Ok(())
 }
 
-fn field(field: &Field) -> Result<Object, JsValue> {
-    let object = Object::new();
+fn field(field: &Field) -> JsValue {
     let counts: Array = field.counts.iter().map(|&count| JsValue::from(count as u32)).collect();
-    for (name, value) in [
+    object([
         ("surface", JsValue::from(field.surface as u32)),
         ("counts", counts.into()),
         ("points", Float64Array::from(field.points.as_slice()).into()),
@@ -38,8 +38,5 @@ fn field(field: &Field) -> Result<Object, JsValue> {
         ("signed", Float64Array::from(field.signed.as_slice()).into()),
         ("areas", Float64Array::from(field.areas.as_slice()).into()),
         ("statuses", Uint8Array::from(field.statuses.as_slice()).into()),
-    ] {
-        Reflect::set(&object, &name.into(), &value)?;
-    }
-    Ok(object)
+    ])
 }

@@ -3,6 +3,7 @@
 use super::insert_knot;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::shown::Shown;
 
 /// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
 /// else v), which keep their parameters.
@@ -18,7 +19,7 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
     if !(parameter > start && parameter < end) {
         return Err(Error::OptionOutOfRange {
             option: "parameter",
-            found: parameter.to_string(),
+            found: Shown(parameter).to_string(),
             expected: "a parameter inside the domain",
         });
     }

@@ -3,6 +3,7 @@
 use super::net::map_lines;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
+use crate::shown::Shown;
 use glam::DVec4;
 
 /// The same surface with `knot` inserted `times` times along `axis` (0: u, else v).
@@ -18,7 +19,7 @@ pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize)
     let axis = usize::from(axis != 0);
     let [start, end] = surface.domain()[axis];
     if !(start..=end).contains(&knot) {
-        let found = knot.to_string();
+        let found = Shown(knot).to_string();
         return Err(Error::OptionOutOfRange { option: "knot", found, expected: "a parameter in the domain" });
     }
     let degree = surface.degree()[axis];
