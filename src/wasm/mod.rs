@@ -8,6 +8,7 @@ mod model;
 mod monitor;
 mod object;
 mod options;
+mod plain;
 mod result;
 mod surfaces;
 mod tessellation;

@@ -1,15 +1,16 @@
 //! A result as a plain JavaScript object.
 
 use super::object::object;
+use super::plain::Plain;
+use super::value::Mismatch;
 use crate::distance::{DistanceResult, Field};
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;
-use serde_wasm_bindgen::Serializer;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsError, JsValue};
 
 /// The result as the command line prints it, with the fields as typed arrays.
 pub(super) fn of(result: &DistanceResult) -> Result<JsValue, JsValue> {
-    let object = result.serialize(&Serializer::json_compatible())?;
+    let object = result.serialize(Plain).map_err(|Mismatch(found)| JsError::new(&found))?;
     add_field(&object, result)?;
     for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
         if let Some(directed) = directed {
