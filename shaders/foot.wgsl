@@ -5,6 +5,8 @@ struct Foot {
     at: vec2<f32>,
     distance_squared: f32,
     status: u32,
+    // Points evaluated on the way.
+    evaluations: u32,
 }
 
 // A second derivative, or squared sine, of this size relative to the other
@@ -12,16 +14,14 @@ struct Foot {
 const DEGENERATE_RATIO: f32 = 1e-6;
 
 fn nearest_control(first: u32, local: vec3<f32>) -> vec2<f32> {
-    var nearest = 0u;
+    var nearest = vec2<f32>(0.0);
     var least = FARTHEST;
-    for (var index = 0u; index < PATCH_SIZE; index++) {
-        let control = controls[first + index];
-        let offset = control.xyz / control.w - local;
-        let distance_squared = dot(offset, offset);
-        if distance_squared < least {
-            least = distance_squared;
-            nearest = index;
+    for (var i = 0u; i < ROWS; i++) {
+        let in_row = nearest_in_row(first + i * COLUMNS, local);
+        if in_row.x < least {
+            least = in_row.x;
+            nearest = vec2<f32>(f32(i), in_row.y);
         }
     }
-    return vec2<f32>(f32(nearest / COLUMNS) / f32(P), f32(nearest % COLUMNS) / f32(Q));
+    return nearest / vec2<f32>(f32(P), f32(Q));
 }

@@ -34,6 +34,10 @@ const STACK_SIZE: u32 = 32u;
 // rules out no patch that could win.
 const BOX_ROUNDING: f32 = 1.0 - 1e-6;
 
+// Turns of all loops that one thread may take: llvmpipe ends every loop after
+// 65,535, counted over the up to 16 threads that it runs together.
+const MOST_TURNS: u32 = 4000u;
+
 @group(0) @binding(0) var<uniform> params: ProjectParams;
 @group(0) @binding(1) var<storage, read> samples: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read_write> best: array<Best>;
@@ -41,14 +45,21 @@ const BOX_ROUNDING: f32 = 1.0 - 1e-6;
 @group(0) @binding(4) var<storage, read> centers: array<vec4<f32>>;
 @group(0) @binding(5) var<storage, read> nodes: array<Node>;
 
-fn offer(known: Best, patch_index: u32, point: vec3<f32>) -> Best {
+struct Search {
+    known: Best,
+    turns: u32,
+}
+
+fn offer(before: Search, patch_index: u32, point: vec3<f32>) -> Search {
     let local = point - centers[patch_index].xyz;
     let found = foot(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
-    if found.distance_squared < known.distance_squared {
+    var after = before;
+    after.turns += ROWS + found.evaluations * (ROWS + 1u);
+    if found.distance_squared < before.known.distance_squared {
         let packed = (params.patches_before + patch_index) | (found.status << STATUS_SHIFT);
-        return Best(found.distance_squared, packed, found.at.x, found.at.y);
+        after.known = Best(found.distance_squared, packed, found.at.x, found.at.y);
     }
-    return known;
+    return after;
 }
 
 fn box_distance_squared(node: u32, point: vec3<f32>) -> f32 {
@@ -68,11 +79,12 @@ fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgr
     }
     let sample = params.first_sample + index;
     let point = samples[sample].xyz;
-    var known = best[sample];
+    // The host keeps the number of patches within the turns of all threads.
+    var search = Search(best[sample], 0u);
     for (var k = 0u; k < params.patch_count; k++) {
-        known = offer(known, params.first_patch + k, point);
+        search = offer(search, params.first_patch + k, point);
     }
-    best[sample] = known;
+    best[sample] = search.known;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -83,16 +95,22 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
     }
     let sample = params.first_sample + index;
     let point = samples[sample].xyz;
-    var known = best[sample];
+    var search = Search(best[sample], 0u);
     var waiting: array<u32, STACK_SIZE>;
     var distances: array<f32, STACK_SIZE>;
     var height = 1u;
     waiting[0] = 0u;
     distances[0] = box_distance_squared(0u, point);
     while height > 0u {
+        search.turns++;
+        if search.turns > MOST_TURNS {
+            // Not found out: float64 is to decide.
+            search.known.distance_squared = FARTHEST;
+            break;
+        }
         height--;
         let node = waiting[height];
-        if distances[height] >= known.distance_squared {
+        if distances[height] >= search.known.distance_squared {
             continue;
         }
         let second = nodes[node].second;
@@ -100,7 +118,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
             let patches = nodes[node].patches;
             let first = patches >> LEAF_COUNT_BITS;
             for (var k = 0u; k < (patches & LEAF_COUNT_MASK); k++) {
-                known = offer(known, first + k, point);
+                search = offer(search, first + k, point);
             }
             continue;
         }
@@ -113,5 +131,5 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         distances[height + 1u] = min(near, far);
         height += 2u;
     }
-    best[sample] = known;
+    best[sample] = search.known;
 }

@@ -33,5 +33,5 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         cut = any(at != next);
         steps++;
     }
-    return Foot(at, distance * distance, status);
+    return Foot(at, distance * distance, status, steps + 1u);
 }

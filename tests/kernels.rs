@@ -9,7 +9,8 @@ use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
 use nurbs_hausdorff::project::Projection;
-use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::shapes::operations::cut_model;
+use nurbs_hausdorff::shapes::{WavySheet, shape, sphere, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use support::gpu::{engine, measure};
 
@@ -200,4 +201,44 @@ fn moving_a_model_changes_nothing_that_is_kept() {
     let again = run(5.0);
     assert_eq!(first.computed, again.computed);
     assert_eq!(again.seconds.compile, 0.0);
+}
+
+#[test]
+fn few_samples_meet_many_patches() {
+    // Thousands of patches a thread: more turns than llvmpipe allows the loops of one invocation.
+    let Some(engine) = engine("few_samples_meet_many_patches") else { return };
+    let counts = [90, 80];
+    let sheet = WavySheet { counts, size: [9.0, 8.0], amplitude: 0.3, waves: [3.0, 4.0], phase: 0.0 };
+    let (a, b) = (wavy_sheet(&sheet).unwrap(), wavy_sheet(&WavySheet { phase: 0.7, ..sheet }).unwrap());
+    for projection in [Projection::Newton, Projection::TangentPlane] {
+        let options = Options { samples: 8, culling: Culling::None, projection, ..iteration() };
+        let (gpu, cpu, difference) = both(&engine, &a, &b, &options);
+        assert!(gpu.patches.b > 6000);
+        assert!(difference < FLOAT32, "{projection:?}: {difference}");
+        assert_eq!(gpu.witness.a.u, cpu.witness.a.u);
+    }
+}
+
+#[test]
+fn a_sample_equally_near_to_all_patches_is_finished_in_float64() {
+    // From a sphere's centre no box rules out another: the tree visits every piece.
+    let Some(engine) = engine("a_sample_equally_near_to_all_patches") else { return };
+    let fractions: Vec<f64> = (1..40).map(|index| f64::from(index) / 40.0).collect();
+    let ball = cut_model(&sphere(DVec3::ZERO, 2.0).unwrap(), [&fractions, &fractions]).unwrap();
+    let speck = model(vec![SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: vec![
+            [0.0, 0.0, 0.0, 1.0],
+            [0.0, 1e-3, 0.0, 1.0],
+            [1e-3, 0.0, 0.0, 1.0],
+            [1e-3, 1e-3, 0.0, 1.0],
+        ],
+    }]);
+    let options = Options { samples: 2, field: false, ..iteration() };
+    let result = measure(&engine, &speck, &ball, &on(Backend::Gpu, &options));
+    assert!((result.computed - 2.0).abs() < 1e-9, "{}", result.computed);
+    assert!(result.converged);
+    assert!(result.lower <= 2.0 && 2.0 <= result.upper);
 }

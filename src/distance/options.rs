@@ -60,7 +60,7 @@ pub struct Options {
     pub projection: Projection,
     /// Which patches are tried.
     pub culling: Culling,
-    /// Steps on one patch, 1 to 1000.
+    /// Steps on one patch, 1 to 300.
     pub iterations: u32,
     /// Change of distance that ends the tangent-plane iteration, in model
     /// units, positive; also the paper's `E_B` in `k_b`.
@@ -103,8 +103,9 @@ impl Default for Options {
 /// Samples along a direction, at most: a million a surface.
 const MOST_SAMPLES: usize = 1024;
 
-/// Steps on one patch, at most: far beyond any that still help.
-const MOST_ITERATIONS: u32 = 1000;
+/// Steps on one patch, at most: far beyond any that still help, and few enough
+/// that one patch of the highest degree stays within a kernel's turns.
+const MOST_ITERATIONS: u32 = 300;
 
 impl Options {
     /// Checks every range.
@@ -118,7 +119,7 @@ impl Options {
         let samples = (2..=MOST_SAMPLES).contains(&self.samples);
         check("samples", samples, self.samples.to_string(), "2 to 1024")?;
         let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
-        check("iterations", iterations, self.iterations.to_string(), "1 to 1000")?;
+        check("iterations", iterations, self.iterations.to_string(), "1 to 300")?;
         let positive = |value: f64| value.is_finite() && value > 0.0;
         check(
             "tolerance",

@@ -1,6 +1,7 @@
 //! Kernels specialised by degree, made at first use and kept.
 
 use super::layouts::{ProjectParams, ReduceParams, SampleParams};
+use super::patch_text::patch_text;
 use crate::iteration::Culling;
 use crate::project::Projection;
 use std::cell::RefCell;
@@ -11,14 +12,14 @@ use std::rc::Rc;
 /// that a kernel with many registers still fits.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
 
-const PATCH: &str = include_str!("../../shaders/patch.wgsl");
-const BEST: &str = include_str!("../../shaders/best.wgsl");
-const FOOT: &str = include_str!("../../shaders/foot.wgsl");
-const NEWTON: &str = include_str!("../../shaders/newton.wgsl");
-const TANGENT_PLANE: &str = include_str!("../../shaders/tangent_plane.wgsl");
-const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
-const PROJECT: &str = include_str!("../../shaders/project.wgsl");
-const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
+const PATCH: &str = include_str!(concat!(env!("OUT_DIR"), "/patch.wgsl"));
+const BEST: &str = include_str!(concat!(env!("OUT_DIR"), "/best.wgsl"));
+const FOOT: &str = include_str!(concat!(env!("OUT_DIR"), "/foot.wgsl"));
+const NEWTON: &str = include_str!(concat!(env!("OUT_DIR"), "/newton.wgsl"));
+const TANGENT_PLANE: &str = include_str!(concat!(env!("OUT_DIR"), "/tangent_plane.wgsl"));
+const SAMPLE: &str = include_str!(concat!(env!("OUT_DIR"), "/sample.wgsl"));
+const PROJECT: &str = include_str!(concat!(env!("OUT_DIR"), "/project.wgsl"));
+const REDUCE: &str = include_str!(concat!(env!("OUT_DIR"), "/reduce.wgsl"));
 
 /// A kernel and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,18 +33,14 @@ impl Kernel {
     /// The WGSL text of the kernel.
     pub(super) fn text(self) -> String {
         let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
-        let degrees = |[p, q]: [usize; 2]| {
-            let order = p.max(q) + 1;
-            format!("const P: u32 = {p}u;\nconst Q: u32 = {q}u;\nconst ORDER: u32 = {order}u;\n")
-        };
         match self {
-            Self::Sample { degree } => [&common, &degrees(degree), PATCH, BEST, SAMPLE].concat(),
+            Self::Sample { degree } => [&common, &patch_text(degree), PATCH, BEST, SAMPLE].concat(),
             Self::Project { degree, projection, .. } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
                     Projection::TangentPlane => TANGENT_PLANE,
                 };
-                [&common, &degrees(degree), PATCH, BEST, FOOT, step, PROJECT].concat()
+                [&common, &patch_text(degree), PATCH, BEST, FOOT, step, PROJECT].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
         }

@@ -2,13 +2,14 @@
 
 use super::layouts::{Best, Block, ProjectParams, ReduceParams, STATUS_SHIFT, SampleParams};
 use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
+use super::plan::Plan;
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Work};
 use super::{Gpu, groups::rounded};
 use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
 use crate::error::Result;
-use crate::iteration::{Culling, Projected, Rule};
+use crate::iteration::{Projected, Rule};
 use crate::model::RigidTransform;
 use crate::order::by_falling;
 use crate::project::Status;
@@ -253,7 +254,7 @@ impl Stages for GpuStages {
         for (index, group) in self.target.groups.iter().enumerate() {
             let kernel = self.project_kernel(group);
             let (pipeline, bind_group) = self.bind_project(group);
-            let mut plan = Plan::new(page.len(), group.count, self.rule.culling);
+            let mut plan = Plan::new(page.len(), group.count, group.degree, &self.rule);
             while let Some((params, units)) = plan.next(self.gpu.pace.chunk(kernel)) {
                 if work.is_full() {
                     work.submit().await?;
@@ -315,51 +316,4 @@ impl Stages for GpuStages {
 
 fn blocks_of(samples: u64) -> u64 {
     samples.div_ceil(u64::from(BLOCK_SIZE))
-}
-
-/// Cuts the projection on one group into chunks.
-struct Plan {
-    samples: usize,
-    patches: usize,
-    culling: Culling,
-    sample: usize,
-    patch: usize,
-}
-
-impl Plan {
-    fn new(samples: usize, patches: usize, culling: Culling) -> Self {
-        Self { samples, patches, culling, sample: 0, patch: 0 }
-    }
-
-    /// The part done by the chunks handed out.
-    fn fraction_before(&self) -> f64 {
-        (self.sample as f64 + self.patch as f64 / self.patches as f64) / self.samples as f64
-    }
-
-    /// The next chunk of about `units` units, a sample each with the tree, a
-    /// sample on a patch each without.
-    fn next(&mut self, units: usize) -> Option<(ProjectParams, usize)> {
-        if self.sample >= self.samples {
-            return None;
-        }
-        let sample_count = (self.samples - self.sample).min(units.max(WORKGROUP_SIZE as usize));
-        let mut params = ProjectParams {
-            first_sample: self.sample as u32,
-            sample_count: sample_count as u32,
-            ..Zeroable::zeroed()
-        };
-        if self.culling == Culling::Tree {
-            self.sample += sample_count;
-            return Some((params, sample_count));
-        }
-        let patch_count = (self.patches - self.patch).min((units / sample_count).max(1));
-        params.first_patch = self.patch as u32;
-        params.patch_count = patch_count as u32;
-        self.patch += patch_count;
-        if self.patch >= self.patches {
-            self.patch = 0;
-            self.sample += sample_count;
-        }
-        Some((params, sample_count * patch_count))
-    }
 }

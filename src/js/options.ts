@@ -39,7 +39,7 @@ export interface DistanceOptions {
   projection?: "newton" | "tangent-plane";
   /** Patches tried for a sample: those near enough (default), or all as in the paper. */
   culling?: "tree" | "none";
-  /** Steps on one patch, 1 to 1000; default 5. */
+  /** Steps on one patch, 1 to 300; default 5. */
   iterations?: number;
   /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
   stepTolerance?: number;

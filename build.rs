@@ -1,0 +1,20 @@
+//! The kernels' text without comments and indentation, which the wasm module
+//! would carry to every visitor.
+
+use std::path::Path;
+use std::{env, fs, io};
+
+fn main() -> io::Result<()> {
+    println!("cargo::rerun-if-changed=shaders");
+    let out = env::var_os("OUT_DIR").ok_or(io::ErrorKind::NotFound)?;
+    for entry in fs::read_dir("shaders")? {
+        let path = entry?.path();
+        let text = fs::read_to_string(&path)?;
+        let code = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+        let bare: String = code.flat_map(|line| [line, "\n"]).collect();
+        if let Some(name) = path.file_name() {
+            fs::write(Path::new(&out).join(name), bare)?;
+        }
+    }
+    Ok(())
+}
