@@ -6,7 +6,7 @@ import { type NurbsModel, unwrap, wrap } from "./model.js";
 import { load, type ModuleSource, requireLoaded } from "./module.js";
 import { type Backend, type DistanceOptions, split } from "./options.js";
 import type { DistanceResult } from "./result.js";
-import { Engine, PreparedModel, shapeNames } from "./wasm/nurbs_hausdorff.js";
+import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
 export interface CreateOptions {
@@ -98,11 +98,7 @@ export class Hausdorff {
    */
   static shapes(): ShapeInfo[] {
     requireLoaded();
-    const names = shapeNames();
-    return Array.from({ length: names.length / 2 }, (_, index) => ({
-      name: names[2 * index] ?? "",
-      title: names[2 * index + 1] ?? "",
-    }));
+    return shapes() as ShapeInfo[];
   }
 
   /**

@@ -1,6 +1,6 @@
 import { HausdorffError, translating } from "./error.js";
 import type { Vector3 } from "./options.js";
-import { type Tessellation, take } from "./tessellation.js";
+import type { Tessellation } from "./tessellation.js";
 import type { PreparedModel } from "./wasm/nurbs_hausdorff.js";
 
 /** @internal */
@@ -63,7 +63,7 @@ export class NurbsModel {
         `tolerance is ${typeof tolerance}, expected a number`,
       );
     }
-    return translating(() => take(prepared.tessellate(tolerance)));
+    return translating(() => prepared.tessellate(tolerance) as Tessellation);
   }
 
   /** Frees its memory; distances in work on it still end well. */

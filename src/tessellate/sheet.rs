@@ -54,8 +54,8 @@ impl Sheet {
             }
         }
         let joined = [rows, columns].map(|lines| {
-            let spans = lines.iter().map(|line| line.span);
-            spans.clone().zip(spans.skip(1)).map(|(span, next)| span == next).chain([false]).collect()
+            let next = |line: usize| lines.get(line + 1).map(|line| line.span);
+            (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).collect()
         });
         let mut sheet = Self { vertices, columns: joined_len(&joined, 1), joined };
         sheet.close(0, tolerance);
@@ -118,10 +118,13 @@ fn joined_len(joined: &[Vec<bool>; 2], axis: usize) -> usize {
 
 /// Every span's parts with both of its ends, so that inner knots come twice.
 fn lines(parts: &[usize]) -> Vec<Line> {
-    let of_span = |(span, &parts): (usize, &usize)| {
-        (0..=parts).map(move |index| Line { span, local: index as f64 / parts as f64 })
-    };
-    parts.iter().enumerate().flat_map(of_span).collect()
+    let mut lines = Vec::new();
+    for (span, &parts) in parts.iter().enumerate() {
+        for index in 0..=parts {
+            lines.push(Line { span, local: index as f64 / parts as f64 });
+        }
+    }
+    lines
 }
 
 fn vertex(patch: &Patch<'_>, [s, t]: [f64; 2]) -> Vertex {

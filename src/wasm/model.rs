@@ -1,12 +1,14 @@
 //! The class of models.
 
+use super::object::object;
 use super::surfaces::Surfaces;
-use super::tessellation::Tessellation;
+use super::tessellation::plain;
 use crate::distance;
 use crate::error::Result;
 use crate::model::Model;
-use crate::shapes;
+use crate::shapes::{ShapeInfo, list, shape};
 use crate::tessellate::tessellate;
+use js_sys::Array;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
@@ -21,9 +23,9 @@ impl PreparedModel {
         Ok(Self::new(&Model::from_arrays(name, surfaces.into_inner())?))
     }
 
-    /// One of [`shape_names`].
+    /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Ok(Self::new(&shapes::shape(name)?))
+        Ok(Self::new(&shape(name)?))
     }
 
     #[wasm_bindgen(getter)]
@@ -44,8 +46,8 @@ impl PreparedModel {
     }
 
     /// Undefined is the default tolerance.
-    pub fn tessellate(&self, tolerance: Option<f64>) -> Result<Tessellation> {
-        Ok(tessellate(self.0.bezier(), tolerance)?.into())
+    pub fn tessellate(&self, tolerance: Option<f64>) -> Result<JsValue> {
+        Ok(plain(&tessellate(self.0.bezier(), tolerance)?))
     }
 }
 
@@ -59,8 +61,12 @@ impl PreparedModel {
     }
 }
 
-/// Names and titles of the shapes, by turns.
-#[wasm_bindgen(js_name = shapeNames)]
-pub fn shape_names() -> Vec<String> {
-    shapes::list().flat_map(|info| [info.name, info.title].map(str::to_owned)).collect()
+/// The shapes there are, each with its name and title.
+#[wasm_bindgen]
+pub fn shapes() -> Array {
+    let all = Array::new();
+    for ShapeInfo { name, title } in list() {
+        all.push(&object([("name", name.into()), ("title", title.into())]));
+    }
+    all
 }

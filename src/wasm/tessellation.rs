@@ -1,43 +1,26 @@
 //! Triangles on their way out, as typed arrays.
 
-use crate::tessellate;
-use wasm_bindgen::prelude::*;
+use super::object::object;
+use crate::tessellate::Tessellation;
+use js_sys::{Array, Float32Array, Uint32Array};
+use wasm_bindgen::JsValue;
 
-/// Each array is copied out of the module's memory when it is asked for.
-#[wasm_bindgen]
-pub struct Tessellation(tessellate::Tessellation);
-
-#[wasm_bindgen]
-impl Tessellation {
-    #[wasm_bindgen(getter)]
-    pub fn positions(&self) -> Vec<f32> {
-        self.0.positions.clone()
+/// The package's own shape of it.
+pub(super) fn plain(tessellation: &Tessellation) -> JsValue {
+    let number = |count: usize| JsValue::from_f64(count as f64);
+    let surfaces = Array::new();
+    for range in &tessellation.surfaces {
+        surfaces.push(&object([("firstIndex", number(range.start)), ("indexCount", number(range.len()))]));
     }
-
-    #[wasm_bindgen(getter)]
-    pub fn normals(&self) -> Vec<f32> {
-        self.0.normals.clone()
+    let origin = Array::new();
+    for coordinate in tessellation.origin.to_array() {
+        origin.push(&coordinate.into());
     }
-
-    #[wasm_bindgen(getter)]
-    pub fn indices(&self) -> Vec<u32> {
-        self.0.indices.clone()
-    }
-
-    #[wasm_bindgen(getter)]
-    pub fn origin(&self) -> Vec<f64> {
-        self.0.origin.to_array().to_vec()
-    }
-
-    /// First index and number of indices of every surface, by turns.
-    #[wasm_bindgen(getter)]
-    pub fn surfaces(&self) -> Vec<u32> {
-        self.0.surfaces.iter().flat_map(|range| [range.start as u32, range.len() as u32]).collect()
-    }
-}
-
-impl From<tessellate::Tessellation> for Tessellation {
-    fn from(tessellation: tessellate::Tessellation) -> Self {
-        Self(tessellation)
-    }
+    object([
+        ("positions", Float32Array::from(tessellation.positions.as_slice()).into()),
+        ("normals", Float32Array::from(tessellation.normals.as_slice()).into()),
+        ("indices", Uint32Array::from(tessellation.indices.as_slice()).into()),
+        ("origin", origin.into()),
+        ("surfaces", surfaces.into()),
+    ])
 }
