@@ -15,7 +15,8 @@ const MOST_LOSSES: u32 = 2;
 pub struct Engine {
     gpu: RefCell<Option<Rc<Gpu>>>,
     losses: Cell<u32>,
-    notice: RefCell<Option<String>>,
+    /// Why there is no GPU, if one was wanted.
+    missing: RefCell<Option<Error>>,
 }
 
 impl Engine {
@@ -24,12 +25,12 @@ impl Engine {
     /// # Errors
     /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is none.
     pub async fn new(backend: Backend) -> Result<Self> {
-        let engine = Self { gpu: RefCell::default(), losses: Cell::default(), notice: RefCell::default() };
+        let engine = Self { gpu: RefCell::default(), losses: Cell::default(), missing: RefCell::default() };
         if backend != Backend::Cpu {
             match Gpu::new().await {
                 Ok(gpu) => drop(engine.gpu.replace(Some(Rc::new(gpu)))),
                 Err(error) if backend == Backend::Gpu => return Err(error),
-                Err(error) => drop(engine.notice.replace(Some(format!("{error}; computed on the CPU")))),
+                Err(error) => drop(engine.missing.replace(Some(error))),
             }
         }
         Ok(engine)
@@ -50,7 +51,7 @@ impl Engine {
     /// Why there is no GPU, if one was wanted.
     #[must_use]
     pub fn notice(&self) -> Option<String> {
-        self.notice.borrow().clone()
+        self.missing.borrow().as_ref().map(|error| format!("{error}; computed on the CPU"))
     }
 
     /// The directed distance from A, moved by the options' transform, to B, or
@@ -115,8 +116,8 @@ impl Engine {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
             let Some(gpu) = gpu else {
                 if options.backend == Backend::Gpu {
-                    let found = self.notice().unwrap_or_else(|| "the engine was made without one".to_owned());
-                    return Err(Error::NoAdapter { found });
+                    let found = "the engine was made without one".to_owned();
+                    return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
                 }
                 let notice = if options.backend == Backend::Cpu { None } else { self.notice() };
                 return direction.on_cpu(options, notice, progress).await;
@@ -132,21 +133,21 @@ impl Engine {
     async fn replace(&self, found: &str, backend: Backend) -> Result<()> {
         self.gpu.replace(None);
         self.losses.set(self.losses.get() + 1);
-        let reason = if self.losses.get() < MOST_LOSSES {
+        let error = if self.losses.get() < MOST_LOSSES {
             match Gpu::new().await {
                 Ok(gpu) => {
                     self.gpu.replace(Some(Rc::new(gpu)));
                     return Ok(());
                 }
-                Err(error) => error.to_string(),
+                Err(error) => error,
             }
         } else {
-            format!("the GPU device was lost {MOST_LOSSES} times: {found}")
+            Error::DeviceLost { found: format!("{MOST_LOSSES} times, the last time: {found}") }
         };
+        self.missing.replace(Some(error.clone()));
         if backend == Backend::Gpu {
-            return Err(Error::DeviceLost { found: reason });
+            return Err(error);
         }
-        self.notice.replace(Some(format!("{reason}; computed on the CPU")));
         Ok(())
     }
 }
@@ -176,7 +177,7 @@ mod tests {
         lose();
         let third = run();
         assert_eq!(third.backend, "cpu");
-        assert!(third.notice.unwrap().contains("lost 2 times"));
+        assert!(third.notice.unwrap().contains("lost: 2 times"));
         assert!((third.computed - second.computed).abs() < 1e-9);
         assert!(!engine.has_gpu());
     }

@@ -91,11 +91,12 @@ impl Gpu {
     /// # Errors
     /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so.
     pub(super) fn check(&self) -> Result<()> {
-        let trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = trouble.lost.clone() {
             return Err(Error::DeviceLost { found });
         }
-        match trouble.error.clone() {
+        // Told once: it ends the work that met it, not all that comes after.
+        match trouble.error.take() {
             Some(found) => Err(Error::GpuFailed { found }),
             None => Ok(()),
         }

@@ -44,7 +44,7 @@ test("after a lost device a new one is used, after two the CPU", async () => {
     const third = await hd.distance(a, b, options);
     near(third.computed, 0.2, 1e-12);
     assert.equal(third.backend, "cpu");
-    assert.match(third.notice, /lost 2 times/);
+    assert.match(third.notice, /lost: 2 times/);
     assert.equal(hd.backend, "cpu");
   });
 });
