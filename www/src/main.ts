@@ -32,6 +32,8 @@ element("controls").addEventListener("submit", (event) => event.preventDefault()
 controls.onChange(measure);
 onFile((side, name, text) => {
   results.hideError();
+  // Files are compared where they lie.
+  controls.place([0, 0, 0], 0);
   client.load(side, { json: text, name });
 });
 
