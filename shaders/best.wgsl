@@ -9,6 +9,7 @@ struct Best {
 }
 
 const STATUS_SHIFT: u32 = 30u;
+const PATCH_MASK: u32 = 0x3fffffffu;
 const CONVERGED: u32 = 0u;
 const ITERATION_LIMIT: u32 = 1u;
 const ON_EDGE: u32 = 2u;

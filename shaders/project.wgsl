@@ -104,8 +104,9 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
     while height > 0u {
         search.turns++;
         if search.turns > MOST_TURNS {
-            // Not found out: float64 is to decide.
-            search.known.distance_squared = FARTHEST;
+            // Not tried on everything: the distance may be too large, never too small.
+            search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
+                | (ITERATION_LIMIT << STATUS_SHIFT);
             break;
         }
         height--;
