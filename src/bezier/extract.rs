@@ -81,9 +81,14 @@ pub fn extract(model: &Model) -> BezierModel {
 
 /// The spacing of the grid of patch centres for a model of this size.
 pub(crate) fn center_grid(diagonal: f64) -> f64 {
-    let below = f64::from_bits(diagonal.to_bits() & EXPONENT_BITS);
+    let below = power_of_two_below(diagonal);
     let above = if below < diagonal { 2.0 * below } else { below };
     if above > 0.0 { above / CENTERS_ON_DIAGONAL } else { 1.0 }
+}
+
+/// The largest power of two up to a positive number that is not subnormal.
+pub(crate) fn power_of_two_below(number: f64) -> f64 {
+    f64::from_bits(number.to_bits() & EXPONENT_BITS)
 }
 
 /// The grid point nearest to the middle of the points' box.

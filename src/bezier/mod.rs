@@ -11,6 +11,6 @@ mod split;
 pub use basis::MAX_ORDER;
 pub use derivative_bounds::DerivativeBounds;
 pub use evaluate::Jet;
-pub(crate) use extract::center_grid;
 pub use extract::{BezierModel, PatchGrid, extract};
+pub(crate) use extract::{center_grid, power_of_two_below};
 pub use patch::{Patch, PatchSet};

@@ -2,7 +2,7 @@
 
 use super::Gpu;
 use super::buffers::MOST_BINDING_BYTES;
-use crate::bezier::{Patch, PatchSet};
+use crate::bezier::{Patch, PatchSet, power_of_two_below};
 use crate::error::Result;
 use glam::{DVec3, DVec4};
 
@@ -37,23 +37,35 @@ pub(super) fn by_degree(patches: &PatchSet) -> Vec<([usize; 2], Vec<usize>)> {
 }
 
 impl Gpu {
-    /// Uploads patches of one degree, rounded once to float32.
+    /// Uploads patches of one degree, relative to `origin` and multiplied by
+    /// `scale`, rounded once to float32. Their weights are made about 1, which
+    /// leaves the points as they are.
     pub(super) fn upload_patches<'a>(
         &self,
         patches: impl Iterator<Item = Patch<'a>>,
         origin: DVec3,
+        scale: f64,
     ) -> Result<Controls> {
         let mut controls: Vec<[f32; 4]> = Vec::new();
         let mut centers: Vec<[f32; 4]> = Vec::new();
         for patch in patches {
-            controls.extend(patch.controls.iter().map(|&control| rounded(control)));
-            centers.push(rounded((patch.center - origin).extend(0.0)));
+            let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
+            let lighter = power_of_two_to_one(heaviest);
+            let scaled = |&control: &DVec4| rounded(lighter * control * DVec3::splat(scale).extend(1.0));
+            controls.extend(patch.controls.iter().map(scaled));
+            centers.push(rounded((scale * (patch.center - origin)).extend(0.0)));
         }
         Ok(Controls {
             controls: self.upload("controls", &controls)?,
             centers: self.upload("centers", &centers)?,
         })
     }
+}
+
+/// The power of two that takes a positive number into [1, 2): what is
+/// multiplied by it keeps its digits and comes within float32's exponents.
+pub(super) fn power_of_two_to_one(number: f64) -> f64 {
+    if number > 0.0 { power_of_two_below(number.max(f64::MIN_POSITIVE)).recip() } else { 1.0 }
 }
 
 /// To the nearest float32.

@@ -21,6 +21,10 @@ use std::rc::Rc;
 /// Samples of which `reduce` finds the farthest: some sixteen a thread.
 const BLOCK_SIZE: u32 = 1024;
 
+/// Squared distances from here on are those of samples not projected, `FARTHEST`
+/// of `best.wgsl`, or beyond float32.
+const FARTHEST: f32 = 3e38;
+
 /// Roundings in moving a sample and in a distance, in units of the largest
 /// coordinate: products, sums, centre, difference, squares and root.
 const ROUNDINGS: f64 = 16.0;
@@ -186,14 +190,15 @@ impl GpuStages {
         });
     }
 
-    /// The frame of A's samples in that of B's patches, as the kernel wants it.
+    /// The frame and scale of A's samples in those of B's patches, as the kernel wants them.
     fn sample_params(&self, group: &SampleGroup) -> SampleParams {
-        let column = |axis: DVec3| rounded(self.transform.rotate(axis).extend(0.0));
+        let rescale = self.target.scale / self.sampling.scale;
+        let column = |axis: DVec3| rounded((rescale * self.transform.rotate(axis)).extend(0.0));
         SampleParams {
             rotation_x: column(DVec3::X),
             rotation_y: column(DVec3::Y),
             rotation_z: column(DVec3::Z),
-            translation: rounded(self.offset().extend(0.0)),
+            translation: rounded((self.target.scale * self.offset()).extend(0.0)),
             first_row: 0,
             row_count: group.row_count,
             columns: group.columns,
@@ -216,10 +221,15 @@ impl GpuStages {
 
     fn projected(&self, best: &Best) -> Projected {
         let place = best.patch_and_status & ((1 << STATUS_SHIFT) - 1);
-        let distance_squared = f64::from(best.distance_squared);
+        let scaled = f64::from(best.distance_squared);
+        // What is no number or beyond float32 is for float64 to decide.
+        let known = best.distance_squared < FARTHEST;
         Projected {
-            // What is no number is for float64 to decide.
-            distance_squared: if distance_squared.is_nan() { f64::INFINITY } else { distance_squared },
+            distance_squared: if known {
+                scaled / self.target.scale / self.target.scale
+            } else {
+                f64::INFINITY
+            },
             patch: self.target.patches.get(place as usize).map_or(0, |&patch| patch as usize),
             parameters: [best.s, best.t].map(|parameter| f64::from(parameter).clamp(0.0, 1.0)),
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
@@ -266,7 +276,7 @@ impl Stages for GpuStages {
                 let params = ProjectParams {
                     patches_before: group.patches_before as u32,
                     iterations: self.rule.iterations,
-                    step_tolerance: self.rule.step_tolerance as f32,
+                    step_tolerance: (self.rule.step_tolerance * self.target.scale) as f32,
                     ..params
                 };
                 self.record_project(&mut work, kernel, &pipeline, &bind_group, &params, units);
@@ -296,9 +306,10 @@ impl Stages for GpuStages {
     }
 
     fn settle(&mut self, sample: usize, distance_squared: f64) {
-        let nearest = distance_squared as f32;
+        let scaled = distance_squared * self.target.scale * self.target.scale;
+        let nearest = scaled as f32;
         // Never above the exact value, so that the sample is not taken for farther than it is.
-        let below = if f64::from(nearest) > distance_squared { nearest.next_down() } else { nearest };
+        let below = if f64::from(nearest) > scaled { nearest.next_down() } else { nearest };
         let offset = ((sample - self.page.start) * size_of::<Best>()) as u64;
         self.gpu.queue.write_buffer(&self.buffers.best, offset, bytes_of(&below));
     }

@@ -1,7 +1,7 @@
 //! The patches and places of a model's samples, row by row.
 
 use super::Gpu;
-use super::groups::{Controls, most_patches};
+use super::groups::{Controls, most_patches, power_of_two_to_one};
 use super::layouts::{Place, Row};
 use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, Patch, center_grid};
@@ -16,6 +16,8 @@ use std::ops::Range;
 pub(crate) struct GpuSampling {
     /// What the sampled points are relative to before they are moved.
     pub(super) origin: DVec3,
+    /// What they are multiplied by.
+    pub(super) scale: f64,
     pub(super) pages: Vec<Vec<SampleGroup>>,
     pub(super) samples: usize,
     /// Bound of the error of a sample's coordinates in float32 before it is moved.
@@ -71,17 +73,20 @@ impl Gpu {
         let aabb = model.patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
         let grid = center_grid(aabb.diagonal());
         let origin = (aabb.center() / grid).round() * grid;
+        let radius = aabb.max_distance_squared(origin).sqrt();
+        let scale = power_of_two_to_one(radius);
         let pages = sampling
             .pages()
             .iter()
-            .map(|page| self.upload_page(model, sampling, page, origin))
+            .map(|page| self.upload_page(model, sampling, page, origin, scale))
             .collect::<Result<Vec<_>>>()?;
         Ok(GpuSampling {
             origin,
+            scale,
             pages,
             samples: sampling.grids.first().map_or(0, |grid| grid.counts()[1]),
             coordinate_error: model.patches.iter().map(|patch| patch_error(&patch)).fold(0.0, f64::max),
-            radius: aabb.max_distance_squared(origin).sqrt(),
+            radius,
         })
     }
 
@@ -91,6 +96,7 @@ impl Gpu {
         sampling: &Sampling,
         page: &Range<usize>,
         origin: DVec3,
+        scale: f64,
     ) -> Result<Vec<SampleGroup>> {
         let mut drafts: Vec<Draft> = Vec::new();
         for surface in sampling.surface(page.start)..=sampling.surface(page.end - 1) {
@@ -107,7 +113,7 @@ impl Gpu {
                 degree: draft.degree,
                 row_count: draft.rows.len() as u32,
                 columns: draft.columns as u32,
-                controls: self.upload_patches(patches, origin)?,
+                controls: self.upload_patches(patches, origin, scale)?,
                 rows: self.upload("rows", &draft.rows)?,
                 places: self.upload("places", &draft.places)?,
             })

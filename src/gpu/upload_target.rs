@@ -1,7 +1,7 @@
 //! The flat patches that samples are projected on, with their trees.
 
 use super::Gpu;
-use super::groups::{Controls, by_degree};
+use super::groups::{Controls, by_degree, power_of_two_to_one};
 use super::layouts::{LEAF_COUNT_BITS, Node};
 use crate::bezier::center_grid;
 use crate::error::Result;
@@ -14,6 +14,8 @@ use glam::DVec3;
 pub(crate) struct GpuTarget {
     /// What everything on the GPU is relative to.
     pub(super) origin: DVec3,
+    /// What everything on the GPU is multiplied by.
+    pub(super) scale: f64,
     pub(super) groups: Vec<TargetGroup>,
     /// The target's patch of every patch on the GPU, group by group.
     pub(super) patches: Vec<u32>,
@@ -52,6 +54,8 @@ impl Gpu {
         let aabb = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
         let grid = center_grid(aabb.diagonal());
         let origin = (aabb.center() / grid).round() * grid;
+        let radius = aabb.max_distance_squared(origin).sqrt();
+        let scale = power_of_two_to_one(radius);
         let mut groups = Vec::new();
         let mut patches: Vec<u32> = Vec::with_capacity(target.patches.len());
         let mut coordinate_error = 0.0_f64;
@@ -64,18 +68,18 @@ impl Gpu {
             for patch in in_order() {
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
-            let nodes: Vec<Node> = tree.nodes().iter().map(|node| node_relative_to(node, origin)).collect();
+            let nodes: Vec<Node> =
+                tree.nodes().iter().map(|node| node_relative_to(node, origin, scale)).collect();
             groups.push(TargetGroup {
                 degree,
                 count: order.len(),
                 patches_before: patches.len(),
-                controls: self.upload_patches(in_order(), origin)?,
+                controls: self.upload_patches(in_order(), origin, scale)?,
                 nodes: self.upload("nodes", &nodes)?,
             });
             patches.extend(order.iter().map(|&index| index as u32));
         }
-        let radius = aabb.max_distance_squared(origin).sqrt();
-        Ok(GpuTarget { origin, groups, patches, coordinate_error, radius })
+        Ok(GpuTarget { origin, scale, groups, patches, coordinate_error, radius })
     }
 }
 
@@ -92,15 +96,15 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
 }
 
 /// The node with its box rounded outwards.
-fn node_relative_to(node: &crate::tree::Node, origin: DVec3) -> Node {
+fn node_relative_to(node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
     let down = |value: f64| {
         let rounded = value as f32;
         if f64::from(rounded) > value { rounded.next_down() } else { rounded }
     };
     Node {
-        box_min: (node.aabb.min - origin).to_array().map(down),
+        box_min: (scale * (node.aabb.min - origin)).to_array().map(down),
         second: node.second,
-        box_max: (node.aabb.max - origin).to_array().map(|value| -down(-value)),
+        box_max: (scale * (node.aabb.max - origin)).to_array().map(|value| -down(-value)),
         patches: node.first << LEAF_COUNT_BITS | node.count,
     }
 }
