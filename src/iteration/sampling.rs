@@ -179,7 +179,7 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
     if total <= 0.0 {
         return uniform(breaks, samples);
     }
-    uniform(&[0.0, total], samples)
+    let mut parameters: Vec<f64> = uniform(&[0.0, total], samples)
         .into_iter()
         .map(|wanted| {
             let next = lengths.partition_point(|&length| length <= wanted).clamp(1, lengths.len() - 1);
@@ -187,5 +187,9 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
             let fraction = if high > low { ((wanted - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
             (1.0 - fraction) * knots[next - 1] + fraction * knots[next]
         })
-        .collect()
+        .collect();
+    // Lines that stand still at an end of the domain say nothing of what is between the lines.
+    parameters[0] = breaks[0];
+    parameters[samples - 1] = breaks[breaks.len() - 1];
+    parameters
 }
