@@ -61,7 +61,7 @@ fn mixed(seed: u64) -> Model {
         bumpy([3, 3], [7, 6], [1.0, 1.0], seed),
         bumpy([1, 2], [4, 5], [0.5, 5.0], seed + 1),
         bumpy([2, 5], [5, 7], [0.5, 5.0], seed + 2),
-        bumpy([6, 10], [8, 11], [1.0, 1.0], seed + 3),
+        bumpy([6, 10], [8, 11], [0.5, 5.0], seed + 3),
     ])
 }
 
@@ -185,6 +185,41 @@ fn many_pages_and_blocks_are_reduced_to_the_farthest() {
     assert!(result.iteration.unwrap().samples > PAGE_SAMPLES);
     assert_eq!(result.computed, 1.5);
     assert_eq!((result.witness.a.surface, result.witness.a.u, result.witness.a.v), (4, 1.0, 1.0));
+}
+
+#[test]
+fn the_farthest_sample_is_found_wherever_it_is() {
+    let Some(engine) = engine("the_farthest_sample_is_found_wherever_it_is") else { return };
+    // A polyhedral sheet of 64 x 64 corners, which are the samples, one of them raised.
+    let count = 64;
+    let sheet = |raised: Option<usize>| {
+        let mut knots: Vec<f64> = (0..count).map(f64::from).collect();
+        knots.insert(0, 0.0);
+        knots.push(f64::from(count - 1));
+        let side = count as usize;
+        let height = |index| if Some(index) == raised { 0.5 } else { 0.0 };
+        let corner = |index| [(index / side) as f64, (index % side) as f64, height(index), 1.0];
+        let control_points = (0..side * side).map(corner).collect();
+        let knots = [knots.clone(), knots];
+        PreparedModel::new(&model(vec![SurfaceArrays {
+            degree: [1, 1],
+            knots,
+            counts: [side; 2],
+            control_points,
+        }]))
+    };
+    let ground = sheet(None);
+    // Around the ends of threads' strides, blocks and the page.
+    for raised in [0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 3000, 4095] {
+        let options = Options { samples: 64, field: false, ..on(Backend::Gpu, &iteration()) };
+        let result =
+            pollster::block_on(engine.distance(&sheet(Some(raised)), &ground, &options, &mut Silent))
+                .unwrap();
+        assert_eq!(result.computed, 0.5, "{raised}");
+        let at = [raised / 64, raised % 64].map(|place| place as f64);
+        assert_eq!([result.witness.a.u, result.witness.a.v], at);
+        assert_eq!(result.witness.b.point, [at[0], at[1], 0.0]);
+    }
 }
 
 #[test]

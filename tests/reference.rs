@@ -66,7 +66,10 @@ impl Reference {
     }
 
     /// A translated copy is never farther than it was moved, as every point
-    /// is that far from where it came from. One reference claims more.
+    /// is that far from where it came from. One reference claims more: that of
+    /// the duck moved by 0.001 up, whose lower end is 1.0369e-3. Its witness on
+    /// A is at (0, 0) of surface 1, and its foot on B is not the nearest one:
+    /// the same parameters on B are 0.001 away.
     fn is_impossible(&self) -> bool {
         self.a == self.b && self.lower > self.translation.length() * (1.0 + ROUNDING)
     }
@@ -77,7 +80,9 @@ fn samples_and_bounds_agree_with_every_reference() {
     let Some(folder) = folder("samples_and_bounds_agree_with_every_reference") else { return };
     let Some(engine) = engine("samples_and_bounds_agree_with_every_reference") else { return };
     let mut shelf = Shelf { folder: &folder, prepared: HashMap::new() };
-    for reference in references(&folder) {
+    let references = references(&folder);
+    let mut beyond_published = Vec::new();
+    for reference in &references {
         shelf.load(&reference.a);
         shelf.load(&reference.b);
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
@@ -89,14 +94,20 @@ fn samples_and_bounds_agree_with_every_reference() {
             let bounds = result.iteration.unwrap().bounds;
             assert!(result.converged, "{name}");
             assert!(result.computed <= reference.upper + rounding, "{name}: {}", result.computed);
-            // Samples miss the farthest point by up to K_A; what the projection can be off by is less.
-            let missed = bounds.k_a_rigorous + bounds.k_b.unwrap_or(0.0);
+            // Samples miss the farthest point by up to the radius of a cell.
+            let missed = bounds.k_a_rigorous + rounding;
             assert!(result.computed >= reference.lower - missed, "{name}: {}", result.computed);
             assert!(result.lower <= reference.upper && reference.lower <= result.upper, "{name}");
             result
         });
         assert!((gpu.computed - cpu.computed).abs() <= FLOAT32 * cpu.diagonal, "{name}");
+        // The published K_B speaks of the projection alone, and of samples that include the farthest point.
+        let k_b = cpu.iteration.unwrap().bounds.k_b;
+        if k_b.is_none_or(|k_b| cpu.computed < reference.lower - k_b) {
+            beyond_published.push(format!("{name}: {} short, K_B {k_b:?}", reference.lower - cpu.computed));
+        }
     }
+    println!("farther below the reference than K_B, of {} pairs: {beyond_published:#?}", references.len());
 }
 
 #[test]
