@@ -172,13 +172,23 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
     for backend in [Backend::Gpu, Backend::Cpu] {
         let options = Options { backend, samples: 512, symmetric: true, ..iteration() };
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
-        pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
+        let whole = pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
         assert!(watch.seen.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.seen);
         assert!(watch.seen.len() > 2, "{:?}", watch.seen);
         assert_eq!(watch.seen.last(), Some(&1.0));
-        let mut watch = Watch { cancel_at: 0.0, seen: Vec::new() };
-        let cancelled = pollster::block_on(engine.distance(&a, &b, &options, &mut watch));
-        assert_eq!(cancelled.unwrap_err(), Error::Cancelled);
+        // At the start, and once something is done.
+        for cancel_at in [0.0, 0.01] {
+            let mut watch = Watch { cancel_at, seen: Vec::new() };
+            let cancelled = pollster::block_on(engine.distance(&a, &b, &options, &mut watch));
+            assert_eq!(cancelled.unwrap_err(), Error::Cancelled);
+            // Nothing was done after that.
+            let (last, before) = watch.seen.split_last().unwrap();
+            assert!(before.iter().all(|&fraction| fraction < cancel_at) && *last < 1.0, "{:?}", watch.seen);
+        }
+        // What was cancelled leaves the engine as it was.
+        let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
+        let again = pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
+        assert_eq!(again.computed, whole.computed);
     }
 }
 

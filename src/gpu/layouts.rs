@@ -96,11 +96,11 @@ pub(super) struct Block {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::pipelines::Kernel;
+    use super::super::{pipelines::Kernel, stages::FARTHEST};
     use super::*;
     use crate::iteration::Culling;
     use crate::project::Projection;
-    use naga::{Module, TypeInner};
+    use naga::{Expression, Literal, Module, TypeInner};
     use std::mem::offset_of;
 
     const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
@@ -135,12 +135,19 @@ mod tests {
         panic!("no struct {name}");
     }
 
-    fn constant(module: &Module, name: &str) -> u32 {
+    fn literal(module: &Module, name: &str) -> Literal {
         let (_, constant) =
             module.constants.iter().find(|(_, constant)| constant.name.as_deref() == Some(name)).unwrap();
         match module.global_expressions[constant.init] {
-            naga::Expression::Literal(naga::Literal::U32(value)) => value,
+            Expression::Literal(literal) => literal,
             ref other => panic!("{name} is {other:?}"),
+        }
+    }
+
+    fn constant(module: &Module, name: &str) -> u32 {
+        match literal(module, name) {
+            Literal::U32(value) => value,
+            other => panic!("{name} is {other:?}"),
         }
     }
 
@@ -201,11 +208,14 @@ mod tests {
                     same_layout!(module, Node, box_min, second, box_max, patches);
                     same_layout!(module, Best, distance_squared, patch_and_status, s, t);
                     assert_eq!(constant(module, "LEAF_COUNT_BITS"), LEAF_COUNT_BITS);
+                    assert_eq!(constant(module, "LEAF_COUNT_MASK"), (1 << LEAF_COUNT_BITS) - 1);
+                    assert_eq!(constant(module, "PATCH_MASK"), (1 << STATUS_SHIFT) - 1);
                 }
                 Kernel::Reduce => {
                     same_layout!(module, ReduceParams, sample_count, block_size);
                     same_layout!(module, Block, best, sample, converged, iteration_limit, on_edge);
                     assert_eq!(constant(module, "STATUS_SHIFT"), STATUS_SHIFT);
+                    assert_eq!(literal(module, "FARTHEST"), Literal::F32(FARTHEST));
                 }
             }
         }

@@ -3,6 +3,8 @@
 mod buffers;
 mod device;
 mod groups;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod kernel_error;
 mod layouts;
 mod patch_text;
 mod pipelines;

@@ -23,7 +23,7 @@ const BLOCK_SIZE: u32 = 1024;
 
 /// Squared distances from here on are those of samples not projected, `FARTHEST`
 /// of `best.wgsl`, or beyond float32.
-const FARTHEST: f32 = 3e38;
+pub(super) const FARTHEST: f32 = 3e38;
 
 /// Roundings in moving a sample and in a distance, in units of the largest
 /// coordinate: products, sums, centre, difference, squares and root.
