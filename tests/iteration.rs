@@ -131,12 +131,24 @@ fn the_published_radius_of_a_half_circle_is_no_bound() {
 
 #[test]
 fn radii_of_flat_cells_are_known() {
-    // 4 x 3 cells of the square of side 640 would not be square; 41 samples make cells of 16.
+    // A square of side 640: 41 samples make cells of 16.
     let plane = extract(&shape("fig5-plane").unwrap());
     let radius = Sampling::new(&plane, 41, SamplingRule::Uniform).radius;
     let diagonal = 16.0 * 2.0_f64.sqrt();
     assert!((radius.published - 0.5 * diagonal).abs() < 1e-9, "{radius:?}");
     assert!((radius.rigorous - diagonal).abs() < 1e-9, "{radius:?}");
+}
+
+#[test]
+fn cells_take_in_every_patch_they_touch() {
+    // A straight line of three spans: cells of three patches, of one and a half, of a half and one.
+    let line = [0.0, 1.0, 2.0, 3.0].map(|x| [x, 0.0, 1.0]);
+    let straight = extract(&strip(1, vec![0.0, 0.0, 1.0, 2.0, 3.0, 3.0], &line, 0.0));
+    for (samples, length) in [(2, 3.0), (3, 1.5), (4, 1.0), (7, 0.5)] {
+        let radius = Sampling::new(&straight, samples, SamplingRule::Uniform).radius;
+        assert!((radius.published - 0.5 * length).abs() < ROUNDING, "{samples}: {radius:?}");
+        assert!((radius.rigorous - length).abs() < 1e-11, "{samples}: {radius:?}");
+    }
 }
 
 #[test]

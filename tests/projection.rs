@@ -317,15 +317,15 @@ proptest! {
         let model = single(degree, points.clone());
         let foot = solve(&model.patches.patch(0), target);
         if foot.status == Status::Converged {
-            // By differences: the residual is at right angles to the patch.
+            // By differences: along neither direction does the distance change.
+            // They are off by 1e-6 times a second derivative, which is below 1e4 for such nets.
             let here = point(degree, &points, foot.parameters);
+            let towards = (target - here).normalize();
             for axis in [0, 1] {
                 let mut beside = foot.parameters;
                 beside[axis] += if beside[axis] > 0.5 { -1e-6 } else { 1e-6 };
-                let tangent = point(degree, &points, beside) - here;
-                let cosine = tangent.dot(target - here).abs() / (tangent.length() * (target - here).length());
-                // The difference is off the tangent by 1e-6 times the curvature over the speed.
-                prop_assert!(cosine < 1e-3, "{}", cosine);
+                let slope = (point(degree, &points, beside) - here).dot(towards).abs() / 1e-6;
+                prop_assert!(slope < 0.01, "{}", slope);
             }
         }
     }
