@@ -18,7 +18,11 @@ mod check;
 #[path = "../../tests/support/evaluator.rs"]
 #[allow(dead_code, unreachable_pub, reason = "shared with the tests, which use more of it")]
 mod evaluator;
+mod offsets;
 mod pairs;
+mod partners;
+mod sheet;
+mod surfaces;
 
 use clap::Parser;
 use rayon::prelude::*;

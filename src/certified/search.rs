@@ -123,7 +123,7 @@ impl<'a> Search<'a> {
             foot: start,
             level: 0,
         };
-        Self {
+        let mut search = Self {
             a,
             b,
             transform,
@@ -136,7 +136,12 @@ impl<'a> Search<'a> {
             exhausted: false,
             cells: 0,
             levels: 0,
+        };
+        // A witness also where the models' boxes alone answer.
+        if !search.a.target.patches.is_empty() {
+            search.certify_sample(0, [0.5; 2]);
         }
+        search
     }
 
     /// The interval so far.

@@ -1,0 +1,85 @@
+//! Models B that are hard to tell from a model A.
+
+use super::surfaces::{direction, magnitude};
+use fastrand::Rng;
+use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
+use nurbs_hausdorff::{Model, NurbsSurface, SurfaceArrays};
+
+/// The same nets with control points moved by up to `size`.
+pub(crate) fn near(rng: &mut Rng, a: &[SurfaceArrays], size: f64) -> Vec<SurfaceArrays> {
+    let mut b = a.to_vec();
+    for point in b.iter_mut().flat_map(|surface| &mut surface.control_points) {
+        let shift = direction(rng) * size;
+        point[0] += shift.x;
+        point[1] += shift.y;
+        point[2] += shift.z;
+    }
+    b
+}
+
+pub(crate) fn moved(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
+    let mut b = a.to_vec();
+    let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
+    place(&mut b, 1.0, shift.to_array());
+    b
+}
+
+/// A on both sides of itself, so that it lies where both are equally near.
+pub(crate) fn both_sides(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
+    let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
+    let [mut above, mut below] = [a.to_vec(), a.to_vec()];
+    place(&mut above, 1.0, shift.to_array());
+    place(&mut below, 1.0, (-shift).to_array());
+    above.append(&mut below);
+    above
+}
+
+/// The same surfaces with a knot more and a degree more, as far as degrees go.
+pub(crate) fn refined(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
+    a.iter()
+        .map(|arrays| {
+            let surface = NurbsSurface::new(0, arrays.clone()).unwrap();
+            let [[start, end], _] = surface.domain();
+            let knot = start + (0.1 + 0.8 * rng.f64()) * (end - start);
+            let refined = insert_knot(&surface, 0, knot, 1).unwrap_or(surface);
+            elevate_degree(&refined, 1).unwrap_or(refined).into_arrays()
+        })
+        .collect()
+}
+
+/// The same surfaces in pieces.
+pub(crate) fn cut(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
+    let model = Model::from_arrays(None, a.to_vec()).unwrap();
+    let fractions = [0, 1].map(|_| vec![0.1 + 0.8 * rng.f64(); rng.usize(0..=1)]);
+    let pieces = cut_model(&model, [&fractions[0], &fractions[1]]).unwrap_or(model);
+    pieces.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect()
+}
+
+/// The same surfaces with u and v exchanged and all weights scaled.
+pub(crate) fn transposed(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
+    let scale = magnitude(rng, -3.0, 3.0);
+    let transpose = |surface: &SurfaceArrays| {
+        let [rows, columns] = surface.counts;
+        let at = |index: usize| {
+            let [x, y, z, w] = surface.control_points[index % rows * columns + index / rows];
+            [x, y, z, scale * w]
+        };
+        let [u, v] = &surface.knots;
+        SurfaceArrays {
+            degree: [surface.degree[1], surface.degree[0]],
+            knots: [v.clone(), u.clone()],
+            counts: [columns, rows],
+            control_points: (0..rows * columns).map(at).collect(),
+        }
+    };
+    a.iter().map(transpose).collect()
+}
+
+/// Scales about the origin, then shifts.
+pub(crate) fn place(model: &mut [SurfaceArrays], scale: f64, shift: [f64; 3]) {
+    for point in model.iter_mut().flat_map(|surface| &mut surface.control_points) {
+        for axis in 0..3 {
+            point[axis] = point[axis] * scale + shift[axis];
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! A second evaluator that shares no code with the library, made for millions
+//! of points: the basis functions of a span in one triangle.
+//!
+//! Piegl and Tiller, *The NURBS Book*, algorithm A2.2, and first derivatives
+//! by the quotient rule. The library extracts Bézier patches instead.
+
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
+use nurbs_hausdorff::{Model, NurbsSurface};
+
+/// Degree 15, plus one, plus one.
+const ROOM: usize = 17;
+
+/// A surface relative to an origin near it, so that points far from the
+/// model's origin lose nothing.
+pub(crate) struct Sheet {
+    degree: [usize; 2],
+    knots: [Vec<f64>; 2],
+    columns: usize,
+    net: Vec<DVec4>,
+    pub(crate) domain: [[f64; 2]; 2],
+}
+
+/// A point with first derivatives by u and v.
+pub(crate) struct Tangents {
+    pub(crate) point: DVec3,
+    pub(crate) u: DVec3,
+    pub(crate) v: DVec3,
+}
+
+struct Basis {
+    first: usize,
+    values: [f64; ROOM],
+    derivatives: [f64; ROOM],
+}
+
+/// The surfaces of a model relative to `origin`.
+pub(crate) fn sheets(model: &Model, origin: DVec3) -> Vec<Sheet> {
+    model.surfaces().iter().map(|surface| Sheet::new(surface, origin)).collect()
+}
+
+impl Sheet {
+    fn new(surface: &NurbsSurface, origin: DVec3) -> Self {
+        let homogeneous = |&[x, y, z, w]: &[f64; 4]| (w * (DVec3::new(x, y, z) - origin)).extend(w);
+        Self {
+            degree: surface.degree(),
+            knots: [0, 1].map(|axis| surface.knots(axis).to_vec()),
+            columns: surface.counts()[1],
+            net: surface.control_points().iter().map(homogeneous).collect(),
+            domain: surface.domain(),
+        }
+    }
+
+    /// The place in the domain for fractions in [0, 1]^2.
+    pub(crate) fn at(&self, fractions: [f64; 2]) -> DVec2 {
+        let at = |[start, end]: [f64; 2], x: f64| (1.0 - x) * start + x * end;
+        DVec2::new(at(self.domain[0], fractions[0]), at(self.domain[1], fractions[1]))
+    }
+
+    pub(crate) fn clamp(&self, place: DVec2) -> DVec2 {
+        let [u, v] = self.domain;
+        place.clamp(DVec2::new(u[0], v[0]), DVec2::new(u[1], v[1]))
+    }
+
+    pub(crate) fn extent(&self) -> DVec2 {
+        let [u, v] = self.domain;
+        DVec2::new(u[1] - u[0], v[1] - v[0])
+    }
+
+    pub(crate) fn point(&self, place: DVec2) -> DVec3 {
+        let [u, v] = [self.basis(0, place.x), self.basis(1, place.y)];
+        let sum = self.sum(&u, &u.values, &v, &v.values);
+        sum.xyz() / sum.w
+    }
+
+    pub(crate) fn tangents(&self, place: DVec2) -> Tangents {
+        let [u, v] = [self.basis(0, place.x), self.basis(1, place.y)];
+        let sum = self.sum(&u, &u.values, &v, &v.values);
+        let by_u = self.sum(&u, &u.derivatives, &v, &v.values);
+        let by_v = self.sum(&u, &u.values, &v, &v.derivatives);
+        let point = sum.xyz() / sum.w;
+        let quotient = |by: DVec4| (by.xyz() - by.w * point) / sum.w;
+        Tangents { point, u: quotient(by_u), v: quotient(by_v) }
+    }
+
+    fn sum(&self, u: &Basis, in_u: &[f64; ROOM], v: &Basis, in_v: &[f64; ROOM]) -> DVec4 {
+        let mut sum = DVec4::ZERO;
+        for (i, n) in in_u[..=self.degree[0]].iter().enumerate() {
+            let row = (u.first + i) * self.columns + v.first;
+            let line: DVec4 =
+                in_v[..=self.degree[1]].iter().zip(&self.net[row..]).map(|(m, x)| *m * *x).sum();
+            sum += *n * line;
+        }
+        sum
+    }
+
+    fn basis(&self, axis: usize, t: f64) -> Basis {
+        let (p, knots) = (self.degree[axis], &self.knots[axis]);
+        let [start, end] = self.domain[axis];
+        let reach = if t < end { t.max(start) } else { end };
+        // The last knot up to t, or at the end of the domain the last before it.
+        let above = if reach < end {
+            knots.partition_point(|&knot| knot <= reach)
+        } else {
+            knots.partition_point(|&knot| knot < end)
+        };
+        let span = above - 1;
+        let (mut values, mut derivatives) = ([0.0; ROOM], [0.0; ROOM]);
+        values[0] = 1.0;
+        for level in 1..=p {
+            let mut saved = 0.0;
+            for r in 0..level {
+                let (low, high) = (knots[span + 1 + r - level], knots[span + 1 + r]);
+                let part = values[r] / (high - low);
+                if level == p {
+                    derivatives[r] -= p as f64 * part;
+                    derivatives[r + 1] += p as f64 * part;
+                }
+                values[r] = saved + (high - t) * part;
+                saved = (t - low) * part;
+            }
+            values[level] = saved;
+        }
+        Basis { first: span - p, values, derivatives }
+    }
+}
