@@ -134,12 +134,11 @@ fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]
         // A sliver, as thin as a curve or nearly.
         5 => {
             let thin = if rng.bool() { 0.0 } else { magnitude(rng, -12.0, -3.0) };
-            for row in 0..rows {
-                for k in 1..columns {
-                    for axis in 0..3 {
-                        let base = points[row * columns][axis];
-                        let point = &mut points[row * columns + k][axis];
-                        *point = base + thin * (*point - base);
+            for row in points.chunks_exact_mut(columns) {
+                let [base, rest @ ..] = row else { continue };
+                for point in rest {
+                    for (x, base) in point[..3].iter_mut().zip(base) {
+                        *x = *base + thin * (*x - *base);
                     }
                 }
             }
