@@ -137,7 +137,7 @@ fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]
             for row in points.chunks_exact_mut(columns) {
                 let [base, rest @ ..] = row else { continue };
                 for point in rest {
-                    for (x, base) in point[..3].iter_mut().zip(base) {
+                    for (x, base) in point[..3].iter_mut().zip(&*base) {
                         *x = *base + thin * (*x - *base);
                     }
                 }
