@@ -1,20 +1,11 @@
 // Points and derivatives of Bézier patches of degrees P and Q, as
-// `src/bezier/evaluate.rs`. The host writes above this text, for these degrees:
+// `src/bezier/evaluate.rs`. After `jet.wgsl`; the host writes above, for these degrees:
 // P, Q, `Basis` with `basis_s` and `basis_t`, and `contract`, the sum of a row
 // of controls (`src/gpu/patch_text.rs`).
 
 const ROWS: u32 = P + 1u;
 const COLUMNS: u32 = Q + 1u;
 const PATCH_SIZE: u32 = ROWS * COLUMNS;
-
-struct Jet {
-    point: vec3<f32>,
-    s: vec3<f32>,
-    t: vec3<f32>,
-    ss: vec3<f32>,
-    st: vec3<f32>,
-    tt: vec3<f32>,
-}
 
 // The homogeneous controls of a patch start at `first`; the result is
 // relative to the patch's centre.

@@ -4,6 +4,7 @@ mod basis;
 mod derivative_bounds;
 mod evaluate;
 mod extract;
+mod monomials;
 mod patch;
 mod restrict;
 mod split;

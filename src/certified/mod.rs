@@ -12,12 +12,16 @@ mod climb;
 mod corners;
 mod foot_map;
 mod nearest;
+mod pieces;
 mod quadratic;
 mod region;
 mod search;
 mod side;
 
-pub(crate) use search::{Interval, Search};
+pub(crate) use nearest::Foot;
+pub(crate) use pieces::{Pieces, Place};
+pub(crate) use region::{Cell, Part, Region};
+pub(crate) use search::{Interval, Returned, Search};
 pub(crate) use side::Side;
 
 pub use quadratic::Quadratic;

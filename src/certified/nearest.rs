@@ -9,11 +9,18 @@ const ITERATIONS: u32 = 16;
 
 /// A point of B near a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Foot {
-    pub(super) patch: u32,
-    pub(super) parameters: [f64; 2],
-    pub(super) distance_squared: f64,
-    pub(super) status: Status,
+pub(crate) struct Foot {
+    pub(crate) patch: u32,
+    pub(crate) parameters: [f64; 2],
+    pub(crate) distance_squared: f64,
+    pub(crate) status: Status,
+}
+
+impl Foot {
+    /// A place on B where an iteration may start, however far.
+    pub(crate) fn start(patch: u32, parameters: [f64; 2]) -> Self {
+        Self { patch, parameters, distance_squared: f64::INFINITY, status: Status::IterationLimit }
+    }
 }
 
 /// The foot on one patch from a start near it.

@@ -5,13 +5,13 @@ use super::nearest::Foot;
 
 /// A rectangle of a patch of A.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     /// The patch.
-    pub(super) patch: u32,
+    pub(crate) patch: u32,
     /// Its centre (s, t).
-    pub(super) center: [f64; 2],
+    pub(crate) center: [f64; 2],
     /// Half its width in s and t.
-    pub(super) half: [f64; 2],
+    pub(crate) half: [f64; 2],
 }
 
 impl Cell {
@@ -41,7 +41,7 @@ impl Cell {
 
 /// What is still to be bounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Part {
+pub(crate) enum Part {
     /// All patches below a node of A's tree.
     Node(u32),
     /// A rectangle of a patch.
@@ -50,14 +50,14 @@ pub(super) enum Part {
 
 /// A part with the bound and the foot it inherits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Region {
-    pub(super) part: Part,
+pub(crate) struct Region {
+    pub(crate) part: Part,
     /// At least the distance of all its points to B.
-    pub(super) upper: f64,
+    pub(crate) upper: f64,
     /// The parent's foot, where the iteration starts.
-    pub(super) foot: Foot,
+    pub(crate) foot: Foot,
     /// Halvings above it.
-    pub(super) level: u32,
+    pub(crate) level: u32,
 }
 
 /// How much longer one side of a cell may be than the other before only the

@@ -78,11 +78,32 @@ pub(crate) struct Search<'a> {
     limit: Option<f64>,
     rounding: f64,
     queue: VecDeque<Region>,
+    /// Cells that a kernel could not decide; they come first.
+    undecided: Vec<Region>,
     dropped: f64,
     farthest: Option<Farthest>,
     exhausted: bool,
+    /// Cells bounded.
+    pub(crate) cells: usize,
+    /// Those of them that a kernel bounded.
+    pub(crate) kernel_cells: usize,
+    pub(crate) levels: u32,
+}
+
+/// What a kernel made of the cells lent to it.
+#[derive(Debug, Default)]
+pub(crate) struct Returned {
+    /// The largest bound of the cells that it decided.
+    pub(crate) dropped: f64,
+    /// Cells that it bounded, and levels that it went down.
     pub(crate) cells: usize,
     pub(crate) levels: u32,
+    /// Cells still to be bounded, by whomever.
+    pub(crate) waiting: Vec<Region>,
+    /// Cells that are for float64.
+    pub(crate) undecided: Vec<Region>,
+    /// A far point of A: patch and parameters.
+    pub(crate) farthest: Option<(u32, [f64; 2])>,
 }
 
 /// What bounding one region gave.
@@ -111,16 +132,10 @@ impl<'a> Search<'a> {
                 .map_or(0.0, |root| root.aabb.min.abs().max(root.aabb.max.abs()).max_element())
         };
         let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
-        let start = Foot {
-            patch: 0,
-            parameters: [0.5; 2],
-            distance_squared: f64::INFINITY,
-            status: Status::IterationLimit,
-        };
         let root = Region {
             part: Part::Node(0),
             upper: farthest_corners(&a, &b, &transform),
-            foot: start,
+            foot: Foot::start(0, [0.5; 2]),
             level: 0,
         };
         let mut search = Self {
@@ -131,10 +146,12 @@ impl<'a> Search<'a> {
             limit,
             rounding: ROUNDING * largest,
             queue: VecDeque::from([root]),
+            undecided: Vec::new(),
             dropped: 0.0,
             farthest: None,
             exhausted: false,
             cells: 0,
+            kernel_cells: 0,
             levels: 0,
         };
         // A witness also where the models' boxes alone answer.
@@ -147,7 +164,7 @@ impl<'a> Search<'a> {
     /// The interval so far.
     pub(crate) fn interval(&self) -> Interval {
         let lower = self.lower();
-        let waiting = self.queue.iter().map(|region| region.upper).fold(0.0, f64::max);
+        let waiting = self.queue.iter().chain(&self.undecided).map(|region| region.upper).fold(0.0, f64::max);
         Interval { lower, upper: self.dropped.max(waiting).max(lower) + self.rounding }
     }
 
@@ -161,12 +178,69 @@ impl<'a> Search<'a> {
         [self.a.patch(farthest.patch), self.b.target.patches.patch(farthest.closest.patch)]
     }
 
+    /// The two models and the transform of the first.
+    pub(crate) fn sides(&self) -> (&Side<'a>, &Side<'a>, &RigidTransform) {
+        (&self.a, &self.b, &self.transform)
+    }
+
+    /// The width asked for.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Parts waiting to be bounded.
+    pub(crate) fn waiting(&self) -> usize {
+        self.queue.len()
+    }
+
+    /// Whether there are cells that only float64 can bound.
+    pub(crate) fn has_undecided(&self) -> bool {
+        !self.undecided.is_empty()
+    }
+
+    /// Takes the next cells out, up to `most`; they must come back by
+    /// [`Search::settle`], for until then nothing here knows of them.
+    pub(crate) fn lend(&mut self, most: usize) -> Vec<Region> {
+        let enough = self.enough();
+        let (mut lent, mut nodes) = (Vec::new(), Vec::new());
+        while lent.len() < most
+            && let Some(region) = self.queue.pop_front()
+        {
+            if region.upper <= enough {
+                self.dropped = self.dropped.max(region.upper);
+            } else if matches!(region.part, Part::Cell(_)) {
+                lent.push(region);
+            } else {
+                nodes.push(region);
+            }
+        }
+        self.queue.extend(nodes);
+        lent
+    }
+
+    /// Takes back what was lent.
+    pub(crate) fn settle(&mut self, returned: Returned) {
+        self.dropped = self.dropped.max(returned.dropped);
+        self.cells += returned.cells;
+        self.kernel_cells += returned.cells;
+        self.levels = self.levels.max(returned.levels);
+        self.queue.extend(returned.waiting);
+        self.undecided.extend(returned.undecided);
+        let Some((patch, parameters)) = returned.farthest else { return };
+        let point = self.transform.apply(self.a.patch(patch).point(parameters));
+        let foot = nearest(&self.b, point, Foot::start(0, [0.5; 2]));
+        if foot.distance_squared.sqrt() > self.lower() {
+            let climbed = climb(&self.a, &self.b, &self.transform, patch, parameters, foot);
+            self.certify_sample(patch, climbed);
+        }
+    }
+
     fn lower(&self) -> f64 {
         self.farthest.map_or(0.0, |farthest| farthest.closest.lower)
     }
 
     /// A bound of at most this ends a cell.
-    fn enough(&self) -> f64 {
+    pub(crate) fn enough(&self) -> f64 {
         let within = self.lower() + self.tolerance;
         self.limit.map_or(within, |limit| within.max(limit - self.rounding))
     }
@@ -176,10 +250,13 @@ impl<'a> Search<'a> {
         if self.limit.is_some_and(|limit| self.lower() > limit) {
             return Some(Stop::Converged);
         }
-        if self.queue.is_empty() {
+        if self.queue.is_empty() && self.undecided.is_empty() {
             return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
         }
-        let regions: Vec<Region> = if self.queue.len() > CAPACITY {
+        let regions: Vec<Region> = if !self.undecided.is_empty() {
+            let keep = self.undecided.len().saturating_sub(CHUNK);
+            self.undecided.drain(keep..).collect()
+        } else if self.queue.len() > CAPACITY {
             let keep = self.queue.len() - CHUNK;
             self.queue.drain(keep..).collect()
         } else {

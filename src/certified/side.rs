@@ -22,6 +22,11 @@ impl<'a> Side<'a> {
         self.target.patches.patch(index as usize)
     }
 
+    /// Derivative bounds of all patches.
+    pub(crate) fn all_bounds(&self) -> &'a [DerivativeBounds] {
+        self.bounds
+    }
+
     pub(super) fn bounds(&self, index: u32) -> &'a DerivativeBounds {
         &self.bounds[index as usize]
     }

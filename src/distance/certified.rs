@@ -5,7 +5,9 @@ use super::{CertifiedDetails, Options, Progress, Stop, now};
 use crate::certified::{Interval, Search, Side};
 use crate::elementary::ln;
 use crate::error::{Error, Result};
+use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
+use std::rc::Rc;
 
 /// Searches until the interval is as narrow as asked or a budget ends it;
 /// `None` for a model without patches, which validation rules out.
@@ -17,6 +19,7 @@ pub(super) async fn certified(
     transform: RigidTransform,
     diagonal: f64,
     options: &Options,
+    gpu: Option<&Rc<Gpu>>,
     progress: &mut Progress<'_>,
 ) -> Result<Option<Directed>> {
     let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
@@ -24,8 +27,11 @@ pub(super) async fn certified(
     let mut search = Search::new(a, b, transform, tolerance, options.limit);
     progress.section(0.0, 1.0);
     let first = search.interval();
+    let mut kernels = Kernels::new(gpu);
     let stop = loop {
-        if let Some(stop) = search.advance() {
+        if !kernels.advance(&mut search).await?
+            && let Some(stop) = search.advance()
+        {
             break stop;
         }
         if options.max_cells.is_some_and(|most| search.cells >= most) {
@@ -64,7 +70,7 @@ pub(super) async fn certified(
         certified: Some(CertifiedDetails {
             tolerance,
             cells: search.cells,
-            cpu_cells: search.cells,
+            cpu_cells: search.cells - search.kernel_cells,
             levels: search.levels,
             stop,
             within,
@@ -79,4 +85,42 @@ fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
     let orders = ln(width(first) / tolerance);
     if orders > 0.0 { (ln(width(first) / width(now)) / orders).clamp(0.0, 1.0) } else { 1.0 }
+}
+
+/// Cells waiting from which on a GPU is worth its set-up: below, float64
+/// takes some milliseconds.
+const WORTH_KERNELS: usize = 4096;
+
+/// The GPU's part in a search.
+struct Kernels<'a> {
+    gpu: Option<&'a Rc<Gpu>>,
+    levels: Option<Levels>,
+}
+
+impl<'a> Kernels<'a> {
+    fn new(gpu: Option<&'a Rc<Gpu>>) -> Self {
+        Self { gpu, levels: None }
+    }
+
+    /// Whether the GPU took a step. Where float32 is not exact enough, or the
+    /// GPU fails, float64 does the rest.
+    async fn advance(&mut self, search: &mut Search<'_>) -> Result<bool> {
+        let Some(gpu) = self.gpu else { return Ok(false) };
+        if search.waiting() < WORTH_KERNELS || search.has_undecided() {
+            return Ok(false);
+        }
+        if self.levels.is_none() {
+            self.levels = Levels::new(gpu, search)?;
+        }
+        match &mut self.levels {
+            Some(levels) => {
+                levels.advance(search).await?;
+                Ok(true)
+            }
+            None => {
+                self.gpu = None;
+                Ok(false)
+            }
+        }
+    }
 }

@@ -94,7 +94,8 @@ impl Engine {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         if options.method == Method::Certified {
-            let run = direction.certified(options, progress).await?;
+            let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
+            let run = direction.certified(gpu.as_ref(), options, progress).await?;
             if !options.field || run.is_cancelled() {
                 return Ok(run);
             }

@@ -56,14 +56,19 @@ impl Ends<'_> {
         Ok(Run { notice, ..run })
     }
 
-    /// Method `certified`, in float64.
-    pub(super) async fn certified(&self, options: &Options, progress: &mut Progress<'_>) -> Result<Run> {
+    /// Method `certified`: in float64, many cells on the GPU if there is one.
+    pub(super) async fn certified(
+        &self,
+        gpu: Option<&Rc<Gpu>>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
         let started = now();
         let (from, to) = (self.from.target(Flatness::Loose), self.to.target(Flatness::Loose));
         let (a, b) = (from.side(), to.side());
         let prepare = now() - started;
         let diagonal = self.diagonal();
-        let directed = certified(a, b, self.transform, diagonal, options, progress).await?;
+        let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;
         Ok(Run {
             directed: directed.ok_or(Error::EmptyModel)?,
             backend: "cpu",

@@ -93,6 +93,80 @@ pub(super) struct Block {
     pub(super) on_edge: u32,
 }
 
+/// `LevelParams` of `cells.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct LevelParams {
+    pub(super) enough: f32,
+    pub(super) grid: f32,
+    pub(super) slack: f32,
+    pub(super) capacity: u32,
+    pub(super) first_piece: u32,
+    pub(super) piece_count: u32,
+}
+
+/// `Cell` of `cells.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct Cell {
+    pub(super) center: [f32; 2],
+    pub(super) half: [f32; 2],
+    pub(super) piece: u32,
+    pub(super) foot: u32,
+    pub(super) foot_at: [f32; 2],
+    pub(super) upper: f32,
+    pub(super) reach: f32,
+    pub(super) level: u32,
+    pub(super) verdict: u32,
+}
+
+/// `Batch` of `cells.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct Batch {
+    pub(super) workgroups: [u32; 3],
+    pub(super) count: u32,
+}
+
+/// `Piece` of `piece.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct Piece {
+    pub(super) center: [i32; 3],
+    pub(super) value_error: f32,
+    pub(super) first_error: [f32; 2],
+    pub(super) first: [f32; 2],
+    pub(super) second_error: [f32; 3],
+    pub(super) radius: f32,
+    pub(super) second: [f32; 3],
+    pub(super) padding: f32,
+    pub(super) third: [f32; 4],
+    pub(super) low: [f32; 2],
+    pub(super) high: [f32; 2],
+}
+
+/// `Tally` of `tally.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct Tally {
+    pub(super) next: u32,
+    pub(super) waiting: u32,
+    pub(super) left: u32,
+    pub(super) dropped: u32,
+    pub(super) farthest: u32,
+    pub(super) farthest_piece: u32,
+    pub(super) farthest_s: u32,
+    pub(super) farthest_t: u32,
+    pub(super) cells: u32,
+    pub(super) levels: u32,
+}
+
+/// `UNDECIDED` of `cells.wgsl`.
+pub(super) const UNDECIDED: u32 = 4;
+
+/// Bytes of `Jet` of `jet.wgsl` in a buffer.
+pub(super) const JET_BYTES: u64 = 96;
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
@@ -106,9 +180,11 @@ mod tests {
     const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
 
     fn kernels() -> Vec<Kernel> {
-        let mut kernels = vec![Kernel::Reduce];
+        let mut kernels = vec![Kernel::Reduce, Kernel::Split, Kernel::Level];
         for degree in DEGREES {
             kernels.push(Kernel::Sample { degree });
+            kernels.push(Kernel::Cell { degree });
+            kernels.push(Kernel::Certify { degree });
             for projection in [Projection::Newton, Projection::TangentPlane] {
                 for culling in [Culling::Tree, Culling::None] {
                     kernels.push(Kernel::Project { degree, projection, culling });
@@ -170,6 +246,12 @@ mod tests {
         }
     }
 
+    fn same_level(module: &Module) {
+        same_layout!(module, LevelParams, enough, grid, slack, capacity, first_piece, piece_count);
+        same_layout!(module, Batch, workgroups, count);
+        same_layout!(module, Cell, center, half, piece, foot, foot_at, upper, reach, level, verdict);
+    }
+
     #[test]
     fn structs_lie_as_in_the_kernels() {
         for kernel in kernels() {
@@ -210,6 +292,44 @@ mod tests {
                     assert_eq!(constant(module, "LEAF_COUNT_BITS"), LEAF_COUNT_BITS);
                     assert_eq!(constant(module, "LEAF_COUNT_MASK"), (1 << LEAF_COUNT_BITS) - 1);
                     assert_eq!(constant(module, "PATCH_MASK"), (1 << STATUS_SHIFT) - 1);
+                }
+                Kernel::Cell { .. } | Kernel::Certify { .. } => {
+                    same_level(module);
+                    same_layout!(
+                        module,
+                        Piece,
+                        center,
+                        value_error,
+                        first_error,
+                        first,
+                        second_error,
+                        radius,
+                        second,
+                        padding,
+                        third,
+                        low,
+                        high
+                    );
+                    same_layout!(module, Best, distance_squared, patch_and_status, s, t);
+                    assert_eq!(u64::from(layout(module, "Jet").1), JET_BYTES);
+                }
+                Kernel::Split | Kernel::Level => {
+                    same_level(module);
+                    assert_eq!(constant(module, "UNDECIDED"), UNDECIDED);
+                    same_layout!(
+                        module,
+                        Tally,
+                        next,
+                        waiting,
+                        left,
+                        dropped,
+                        farthest,
+                        farthest_piece,
+                        farthest_s,
+                        farthest_t,
+                        cells,
+                        levels
+                    );
                 }
                 Kernel::Reduce => {
                     same_layout!(module, ReduceParams, sample_count, block_size);

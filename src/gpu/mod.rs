@@ -6,17 +6,21 @@ mod groups;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
+mod levels;
 mod patch_text;
+mod piece_error;
 mod pipelines;
 mod plan;
 mod resident;
 mod slot;
 mod stages;
+mod upload_pieces;
 mod upload_sampling;
 mod upload_target;
 mod work;
 
 pub use device::Gpu;
+pub(crate) use levels::Levels;
 pub(crate) use resident::Resident;
 pub(crate) use stages::GpuStages;
 pub(crate) use upload_sampling::GpuSampling;

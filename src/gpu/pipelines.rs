@@ -1,6 +1,6 @@
 //! Kernels specialised by degree, made at first use and kept.
 
-use super::layouts::{ProjectParams, ReduceParams, SampleParams};
+use super::layouts::{LevelParams, ProjectParams, ReduceParams, SampleParams};
 use super::patch_text::patch_text;
 use crate::iteration::Culling;
 use crate::project::Projection;
@@ -12,6 +12,7 @@ use std::rc::Rc;
 /// that a kernel with many registers still fits.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
 
+const JET: &str = include_str!(concat!(env!("OUT_DIR"), "/jet.wgsl"));
 const PATCH: &str = include_str!(concat!(env!("OUT_DIR"), "/patch.wgsl"));
 const BEST: &str = include_str!(concat!(env!("OUT_DIR"), "/best.wgsl"));
 const FOOT: &str = include_str!(concat!(env!("OUT_DIR"), "/foot.wgsl"));
@@ -20,6 +21,14 @@ const TANGENT_PLANE: &str = include_str!(concat!(env!("OUT_DIR"), "/tangent_plan
 const SAMPLE: &str = include_str!(concat!(env!("OUT_DIR"), "/sample.wgsl"));
 const PROJECT: &str = include_str!(concat!(env!("OUT_DIR"), "/project.wgsl"));
 const REDUCE: &str = include_str!(concat!(env!("OUT_DIR"), "/reduce.wgsl"));
+const CELLS: &str = include_str!(concat!(env!("OUT_DIR"), "/cells.wgsl"));
+const PIECE: &str = include_str!(concat!(env!("OUT_DIR"), "/piece.wgsl"));
+const HORNER: &str = include_str!(concat!(env!("OUT_DIR"), "/horner.wgsl"));
+const TALLY: &str = include_str!(concat!(env!("OUT_DIR"), "/tally.wgsl"));
+const CELL: &str = include_str!(concat!(env!("OUT_DIR"), "/cell.wgsl"));
+const CERTIFY: &str = include_str!(concat!(env!("OUT_DIR"), "/certify.wgsl"));
+const SPLIT: &str = include_str!(concat!(env!("OUT_DIR"), "/split.wgsl"));
+const LEVEL: &str = include_str!(concat!(env!("OUT_DIR"), "/level.wgsl"));
 
 /// A kernel and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +36,10 @@ pub(super) enum Kernel {
     Sample { degree: [usize; 2] },
     Project { degree: [usize; 2], projection: Projection, culling: Culling },
     Reduce,
+    Cell { degree: [usize; 2] },
+    Certify { degree: [usize; 2] },
+    Split,
+    Level,
 }
 
 impl Kernel {
@@ -34,15 +47,19 @@ impl Kernel {
     pub(super) fn text(self) -> String {
         let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
         match self {
-            Self::Sample { degree } => [&common, &patch_text(degree), PATCH, BEST, SAMPLE].concat(),
+            Self::Sample { degree } => [&common, &patch_text(degree), JET, PATCH, BEST, SAMPLE].concat(),
             Self::Project { degree, projection, .. } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
                     Projection::TangentPlane => TANGENT_PLANE,
                 };
-                [&common, &patch_text(degree), PATCH, BEST, FOOT, step, PROJECT].concat()
+                [&common, &patch_text(degree), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
+            Self::Cell { degree } => piecewise(&common, degree, CELL),
+            Self::Certify { degree } => piecewise(&common, degree, CERTIFY),
+            Self::Split => [&common, BEST, CELLS, PIECE, TALLY, SPLIT].concat(),
+            Self::Level => [&common, CELLS, TALLY, LEVEL].concat(),
         }
     }
 
@@ -52,6 +69,10 @@ impl Kernel {
             Self::Project { culling: Culling::None, .. } => "project_all",
             Self::Project { culling: Culling::Tree, .. } => "project_tree",
             Self::Reduce => "reduce",
+            Self::Cell { .. } => "cell",
+            Self::Certify { .. } => "certify",
+            Self::Split => "split",
+            Self::Level => "level",
         }
     }
 
@@ -61,8 +82,20 @@ impl Kernel {
             Self::Sample { .. } => (size_of::<SampleParams>(), &[false, false, false, false, true, true]),
             Self::Project { .. } => (size_of::<ProjectParams>(), &[false, true, false, false, false]),
             Self::Reduce => (size_of::<ReduceParams>(), &[false, true]),
+            Self::Cell { .. } => (LEVEL_BYTES, &[false, false, false, false, true, true, true]),
+            Self::Certify { .. } => (LEVEL_BYTES, &[false, true, false, false, false, false, false]),
+            Self::Split => (LEVEL_BYTES, &[false, false, true, true, true, false]),
+            Self::Level => (LEVEL_BYTES, &[true, true]),
         }
     }
+}
+
+const LEVEL_BYTES: usize = size_of::<LevelParams>();
+
+/// The text of a stage that evaluates pieces of these degrees.
+fn piecewise(common: &str, [p, q]: [usize; 2], stage: &str) -> String {
+    let degrees = format!("const P: u32 = {p}u;\nconst Q: u32 = {q}u;\n");
+    [common, &degrees, JET, BEST, CELLS, PIECE, HORNER, stage].concat()
 }
 
 /// A compiled kernel and the layout its buffers are bound by.

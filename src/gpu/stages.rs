@@ -5,7 +5,7 @@ use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
 use super::plan::Plan;
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
-use super::work::{Dispatch, Work};
+use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, groups::rounded};
 use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
 use crate::error::Result;
@@ -150,7 +150,7 @@ impl GpuStages {
             pipeline: &pipeline,
             bind_group: &bind_group,
             params: bytes_of(params),
-            workgroups: count.div_ceil(WORKGROUP_SIZE),
+            extent: Extent::Workgroups(count.div_ceil(WORKGROUP_SIZE)),
             units: count as usize,
         });
     }
@@ -173,9 +173,9 @@ impl GpuStages {
         params: &ProjectParams,
         units: usize,
     ) {
-        let workgroups = params.sample_count.div_ceil(WORKGROUP_SIZE);
+        let extent = Extent::Workgroups(params.sample_count.div_ceil(WORKGROUP_SIZE));
         let params = bytes_of(params);
-        work.dispatch(&Dispatch { kernel, pipeline, bind_group, params, workgroups, units });
+        work.dispatch(&Dispatch { kernel, pipeline, bind_group, params, extent, units });
     }
 
     fn record_reduce(&self, work: &mut Work<'_>, count: u32) {
@@ -185,7 +185,7 @@ impl GpuStages {
             pipeline,
             bind_group,
             params: bytes_of(&ReduceParams { sample_count: count, block_size: BLOCK_SIZE }),
-            workgroups: count.div_ceil(BLOCK_SIZE),
+            extent: Extent::Workgroups(count.div_ceil(BLOCK_SIZE)),
             units: count as usize,
         });
     }

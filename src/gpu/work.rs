@@ -48,9 +48,16 @@ pub(super) struct Dispatch<'a> {
     pub(super) pipeline: &'a Pipeline,
     pub(super) bind_group: &'a wgpu::BindGroup,
     pub(super) params: &'a [u8],
-    pub(super) workgroups: u32,
+    pub(super) extent: Extent<'a>,
     /// Units of work: what the kernel's time is proportional to.
     pub(super) units: usize,
+}
+
+/// How many workgroups a dispatch has.
+pub(super) enum Extent<'a> {
+    Workgroups(u32),
+    /// As the first numbers of a buffer say when it comes to it.
+    Indirect(&'a wgpu::Buffer),
 }
 
 /// A submission being recorded.
@@ -114,11 +121,16 @@ impl<'a> Work<'a> {
         if !self.kernels.contains(&dispatch.kernel) {
             self.kernels.push(dispatch.kernel);
         }
-        let rows = dispatch.workgroups.div_ceil(MOST_WORKGROUPS).max(1);
         let mut pass = self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&dispatch.pipeline.pipeline);
         pass.set_bind_group(0, dispatch.bind_group, &[offset as u32]);
-        pass.dispatch_workgroups(dispatch.workgroups.div_ceil(rows).max(1), rows, 1);
+        match dispatch.extent {
+            Extent::Workgroups(count) => {
+                let rows = count.div_ceil(MOST_WORKGROUPS).max(1);
+                pass.dispatch_workgroups(count.div_ceil(rows).max(1), rows, 1);
+            }
+            Extent::Indirect(buffer) => pass.dispatch_workgroups_indirect(buffer, 0),
+        }
     }
 
     /// Copies the first `bytes` of a buffer.

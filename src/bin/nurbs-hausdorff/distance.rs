@@ -18,9 +18,10 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    // The certificate alone is float64 work: no GPU is woken for it.
-    let samples = options.method == Method::Iteration || options.field;
-    let backend = if samples { options.backend } else { Backend::Cpu };
+    // Most certificates are found in float64 before a GPU would be awake.
+    let sampled = options.method == Method::Iteration || options.field;
+    let awake = sampled || options.backend == Backend::Gpu;
+    let backend = if awake { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
     let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));
     let mut bar = Bar::new();

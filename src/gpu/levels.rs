@@ -1,0 +1,357 @@
+//! The stages `cell`, `project`, `certify`, `split` and `level` on the GPU:
+//! several levels of cells in one submission.
+
+use super::Gpu;
+use super::groups::by_degree;
+use super::layouts::{Batch, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED};
+use super::piece_error::PieceError;
+use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
+use super::stages::FARTHEST;
+use super::upload_pieces::{Frame, GpuPieces, Reach};
+use super::upload_target::GpuTarget;
+use super::work::{Dispatch, Extent, Work};
+use crate::bezier::{Patch, power_of_two_below};
+use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
+use crate::distance::now;
+use crate::error::Result;
+use crate::iteration::{Culling, Target};
+use crate::model::RigidTransform;
+use crate::project::Projection;
+use bytemuck::{Pod, Zeroable, bytes_of};
+use std::rc::Rc;
+
+/// Cells that a level has room for.
+const CAPACITY: usize = 1 << 15;
+
+/// Levels of one submission.
+const LEVELS: usize = 4;
+
+/// Cells that a submission may leave over: those of every level, and parts
+/// that found no room in the next.
+const MOST_LEFT: usize = 4 * LEVELS * CAPACITY;
+
+/// Cells that a submission begins with: first, and at least.
+const FIRST_CHUNK: usize = 2048;
+const LEAST_CHUNK: usize = 256;
+
+/// Seconds that a submission should take: browsers kill work of seconds, and
+/// this is also the grain of progress and cancelling.
+const SECONDS: f64 = 0.2;
+
+/// Pieces of a model, at most.
+const MOST_PIECES: usize = 1 << 15;
+
+/// Part of the tolerance that float32 may lose in the pieces of either model,
+/// and in the length of a distance.
+const PIECE_PART: f64 = 0.12;
+const LENGTH_PART: f64 = 0.4;
+
+/// Roundings of a distance relative to itself, `LENGTH_ROUNDINGS` and those of
+/// `DIFFERENCE_ROUNDINGS` in `certify.wgsl`, and of the bound compared.
+const DISTANCE_ROUNDINGS: f64 = 22.0 * f32::EPSILON as f64;
+
+/// Units of the centres' grid from the frame's origin to its farthest point:
+/// a difference of two is within 32 bits.
+const GRID_UNITS: f64 = (1_u32 << 28) as f64;
+
+/// Newton steps on one piece, at most: pieces are small, and a foot that was
+/// not reached only loosens.
+const ITERATIONS: u32 = 8;
+
+/// Both models' pieces on the GPU and the buffers of the levels.
+pub(crate) struct Levels {
+    gpu: Rc<Gpu>,
+    pieces: [Pieces; 2],
+    uploaded: [GpuPieces; 2],
+    frame: Frame,
+    buffers: Buffers,
+    /// The dispatches of a level, cells from one buffer or the other.
+    steps: [Vec<Step>; 2],
+    chunk: usize,
+}
+
+struct Buffers {
+    params: wgpu::Buffer,
+    batch: wgpu::Buffer,
+    cells: [wgpu::Buffer; 2],
+    left: wgpu::Buffer,
+    tally: wgpu::Buffer,
+}
+
+/// One dispatch of a level.
+struct Step {
+    kernel: Kernel,
+    pipeline: Rc<Pipeline>,
+    bind_group: Rc<wgpu::BindGroup>,
+    about: About,
+}
+
+/// The pieces that a dispatch is about.
+#[derive(Clone, Copy)]
+enum About {
+    Pieces { first: usize, count: usize },
+    Project { patches_before: usize },
+    Level,
+}
+
+impl Levels {
+    /// Cuts and uploads both models of a search; `None` where float32 is not
+    /// exact enough for its tolerance.
+    ///
+    /// # Errors
+    /// [`Error::GpuFailed`], [`Error::DeviceLost`].
+    pub(crate) fn new(gpu: &Rc<Gpu>, search: &Search<'_>) -> Result<Option<Self>> {
+        gpu.check()?;
+        let tolerance = search.tolerance();
+        if DISTANCE_ROUNDINGS * search.interval().upper > LENGTH_PART * tolerance {
+            return Ok(None);
+        }
+        let (a, b, transform) = search.sides();
+        let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
+        let Some(from) = Pieces::new(a, transform, fits, MOST_PIECES) else { return Ok(None) };
+        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, fits, MOST_PIECES) else { return Ok(None) };
+        let target = gpu.upload_target(&Target::new(to.patches.clone()))?;
+        let frame = frame(&target, [&from, &to]);
+        let from_groups: Vec<([usize; 2], Vec<u32>)> = by_degree(&from.patches)
+            .into_iter()
+            .map(|(degree, members)| (degree, members.into_iter().map(|member| member as u32).collect()))
+            .collect();
+        let of_group = |before: usize, count: usize| target.patches[before..before + count].to_vec();
+        let to_groups: Vec<([usize; 2], Vec<u32>)> = target
+            .groups
+            .iter()
+            .map(|group| (group.degree, of_group(group.patches_before, group.count)))
+            .collect();
+        let uploaded = [
+            gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame)?,
+            gpu.upload_pieces(&to, &to_groups, Reach::Patch(b.all_bounds()), &frame)?,
+        ];
+        let cells = |label| gpu.storage(label, (CAPACITY * size_of::<Cell>()) as u64);
+        let usages =
+            wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST;
+        let buffers = Buffers {
+            params: gpu.params()?,
+            batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages)?,
+            cells: [cells("cells")?, cells("next cells")?],
+            left: gpu.storage("left cells", (MOST_LEFT * size_of::<Cell>()) as u64)?,
+            tally: gpu.storage("tally", size_of::<Tally>() as u64)?,
+        };
+        let steps = steps(gpu, &buffers, &uploaded, &target)?;
+        Ok(Some(Self {
+            gpu: Rc::clone(gpu),
+            pieces: [from, to],
+            uploaded,
+            frame,
+            buffers,
+            steps,
+            chunk: FIRST_CHUNK,
+        }))
+    }
+
+    /// Bounds the next waiting cells and their parts, some levels down.
+    ///
+    /// # Errors
+    /// [`Error::GpuFailed`], [`Error::DeviceLost`]; the search has its cells back.
+    pub(crate) async fn advance(&mut self, search: &mut Search<'_>) -> Result<()> {
+        let started = now();
+        let lent = search.lend(self.chunk);
+        match self.bound(&lent, search.enough()).await {
+            Ok(returned) => search.settle(returned),
+            Err(error) => {
+                search.settle(Returned { waiting: lent, ..Returned::default() });
+                return Err(error);
+            }
+        }
+        let seconds = now() - started;
+        if seconds > SECONDS {
+            self.chunk = (self.chunk / 2).max(LEAST_CHUNK);
+        } else if 4.0 * seconds < SECONDS {
+            self.chunk = (2 * self.chunk).min(CAPACITY / 4);
+        }
+        Ok(())
+    }
+
+    async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
+        let mut returned = Returned::default();
+        let mut cells: Vec<Cell> = Vec::new();
+        for region in lent {
+            let before = cells.len();
+            if let Part::Cell(cell) = &region.part {
+                cells.extend(self.pieces[0].parts(cell).map(|part| self.cell(part, region)));
+            }
+            if cells.len() > CAPACITY {
+                cells.truncate(before);
+                returned.waiting.push(*region);
+            }
+        }
+        let Buffers { params, batch, cells: buffers, left, tally } = &self.buffers;
+        let count = cells.len() as u32;
+        let first = Batch { workgroups: [count.div_ceil(WORKGROUP_SIZE), 1, 1], count };
+        let queue = &self.gpu.queue;
+        queue.write_buffer(&buffers[0], 0, bytemuck::cast_slice(&cells));
+        queue.write_buffer(batch, 0, bytes_of(&first));
+        queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
+        let mut work = Work::new(&self.gpu, params);
+        let enough = self.frame.scale * enough;
+        let rounded = enough as f32;
+        let level = LevelParams {
+            enough: if f64::from(rounded) > enough { rounded.next_down() } else { rounded },
+            grid: self.frame.grid as f32,
+            // Half a unit in each coordinate of either centre, and a little for float64.
+            slack: 2.0 * self.frame.grid as f32,
+            capacity: CAPACITY as u32,
+            first_piece: 0,
+            piece_count: 0,
+        };
+        for index in 0..LEVELS {
+            for step in &self.steps[index % 2] {
+                self.record(&mut work, step, &level);
+            }
+        }
+        let tally: Tally = self.read(work, tally, 1).await?.pop().unwrap_or(Tally::zeroed());
+        let work = || Work::new(&self.gpu, params);
+        let waiting = self.read(work(), &buffers[LEVELS % 2], tally.waiting as usize).await?;
+        let left: Vec<Cell> = self.read(work(), left, tally.left as usize).await?;
+        for cell in waiting.iter().chain(&left) {
+            let region = self.region(cell)?;
+            if cell.verdict == UNDECIDED {
+                returned.undecided.push(region);
+            } else {
+                returned.waiting.push(region);
+            }
+        }
+        returned.dropped = f64::from(f32::from_bits(tally.dropped)) / self.frame.scale;
+        returned.cells = tally.cells as usize;
+        returned.levels = lent.iter().map(|region| region.level).max().unwrap_or(0) + tally.levels;
+        if tally.farthest > 0 {
+            let center = [tally.farthest_s, tally.farthest_t].map(f32::from_bits);
+            let cell = self.place(tally.farthest_piece, center, [0.0; 2])?;
+            returned.farthest = Some((cell.patch, cell.center));
+        }
+        Ok(returned)
+    }
+
+    fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
+        let params;
+        let project;
+        let (bytes, extent) = match step.about {
+            About::Pieces { first, count } => {
+                params = LevelParams { first_piece: first as u32, piece_count: count as u32, ..*level };
+                (bytes_of(&params), Extent::Indirect(&self.buffers.batch))
+            }
+            About::Project { patches_before } => {
+                project = ProjectParams {
+                    sample_count: CAPACITY as u32,
+                    patches_before: patches_before as u32,
+                    iterations: ITERATIONS,
+                    ..ProjectParams::zeroed()
+                };
+                (bytes_of(&project), Extent::Indirect(&self.buffers.batch))
+            }
+            About::Level => (bytes_of(level), Extent::Workgroups(1)),
+        };
+        let Step { kernel, pipeline, bind_group, .. } = step;
+        work.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params: bytes, extent, units: 0 });
+    }
+
+    async fn read<T: Pod>(&self, mut work: Work<'_>, from: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
+        let bytes = (count * size_of::<T>()) as u64;
+        let readable = self.gpu.readable("readable", bytes)?;
+        work.copy(from, &readable, bytes);
+        // A level has no pace of its own: it is as long as its cells are many.
+        work.submit_unmeasured().await?;
+        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read(&readable, bytes).await?))
+    }
+
+    fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &Region) -> Cell {
+        let upper = self.frame.scale * region.upper;
+        let rounded = upper as f32;
+        Cell {
+            // Dyadic numbers of few digits, so exact.
+            center: center.map(|x| x as f32),
+            half: half.map(|x| x as f32),
+            piece: self.uploaded[0].index_of(piece),
+            foot: 0,
+            foot_at: [0.5; 2],
+            upper: if f64::from(rounded) < upper { rounded.next_up() } else { rounded },
+            reach: FARTHEST,
+            level: region.level,
+            verdict: 0,
+        }
+    }
+
+    fn place(&self, piece: u32, center: [f32; 2], half: [f32; 2]) -> Result<crate::certified::Cell> {
+        let piece = self.uploaded[0].piece(piece)?;
+        let center = center.map(|x| f64::from(x).clamp(-1.0, 1.0));
+        Ok(self.pieces[0].cell(piece, center, half.map(f64::from)))
+    }
+
+    fn region(&self, cell: &Cell) -> Result<Region> {
+        let foot = self.uploaded[1].piece(cell.foot)?;
+        let place = &self.pieces[1].places[foot];
+        let at = place.at(cell.foot_at.map(|x| 2.0 * f64::from(x) - 1.0));
+        Ok(Region {
+            part: Part::Cell(self.place(cell.piece, cell.center, cell.half)?),
+            upper: f64::from(cell.upper) / self.frame.scale,
+            foot: Foot::start(place.patch, at),
+            level: cell.level,
+        })
+    }
+}
+
+/// B's frame with a grid that reaches all centres.
+fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> Frame {
+    let centers = sides.into_iter().flat_map(|pieces| pieces.patches.iter().map(|patch| patch.center));
+    let largest = centers.fold(0.0_f64, |largest, center| {
+        largest.max((target.scale * (center - target.origin)).abs().max_element())
+    });
+    let grid = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / GRID_UNITS;
+    Frame { origin: target.origin, scale: target.scale, grid: grid.max(f64::from(f32::MIN_POSITIVE)) }
+}
+
+/// What a level does, with its cells in either buffer.
+fn steps(
+    gpu: &Rc<Gpu>,
+    buffers: &Buffers,
+    [from, to]: &[GpuPieces; 2],
+    target: &GpuTarget,
+) -> Result<[Vec<Step>; 2]> {
+    let room = CAPACITY as u64;
+    let jets = gpu.storage("jets", room * JET_BYTES)?;
+    let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64)?;
+    let best = gpu.storage("best", room * size_of::<super::layouts::Best>() as u64)?;
+    let Buffers { params, batch, left, tally, .. } = buffers;
+    let both = [0, 1].map(|parity| {
+        let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
+        let mut steps = Vec::new();
+        let mut push = |kernel, storage: &[&wgpu::Buffer], about| {
+            let (pipeline, _) = gpu.pipelines.get(kernel);
+            let bind_group = gpu.bind(&pipeline, params, storage);
+            steps.push(Step { kernel, pipeline, bind_group, about });
+        };
+        for group in &from.groups {
+            let storage = [batch, cells, &group.coefficients, &from.pieces, &jets, &samples, &best];
+            let about = About::Pieces { first: group.first, count: group.count };
+            push(Kernel::Cell { degree: group.degree }, &storage, about);
+        }
+        for group in &target.groups {
+            let kernel = Kernel::Project {
+                degree: group.degree,
+                projection: Projection::Newton,
+                culling: Culling::Tree,
+            };
+            let storage = [&samples, &best, &group.controls.controls, &group.controls.centers, &group.nodes];
+            push(kernel, &storage, About::Project { patches_before: group.patches_before });
+        }
+        for group in &to.groups {
+            let storage = [batch, cells, &jets, &best, &from.pieces, &to.pieces, &group.coefficients];
+            let about = About::Pieces { first: group.first, count: group.count };
+            push(Kernel::Certify { degree: group.degree }, &storage, about);
+        }
+        let about = About::Pieces { first: 0, count: 0 };
+        push(Kernel::Split, &[batch, cells, next, left, tally, &from.pieces], about);
+        push(Kernel::Level, &[batch, tally], About::Level);
+        steps
+    });
+    Ok(both)
+}

@@ -1,0 +1,142 @@
+//! Pieces for the stages of method `certified`: coefficients, centres, bounds.
+
+use super::Gpu;
+use super::groups::rounded;
+use super::layouts::Piece;
+use super::piece_error::{PieceError, normal_weight, scaled};
+use crate::bezier::{DerivativeBounds, Patch};
+use crate::certified::{Pieces, Place};
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+/// Where the kernels' coordinates lie.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    pub(super) origin: DVec3,
+    pub(super) scale: f64,
+    /// Unit of the centres, a power of two.
+    pub(super) grid: f64,
+}
+
+/// Pieces on the GPU, group by group.
+#[derive(Debug)]
+pub(super) struct GpuPieces {
+    pub(super) pieces: wgpu::Buffer,
+    pub(super) groups: Vec<PieceGroup>,
+    /// The piece of every piece on the GPU, and the other way round.
+    order: Vec<u32>,
+    places: Vec<u32>,
+}
+
+impl GpuPieces {
+    /// Where a piece lies on the GPU.
+    pub(super) fn index_of(&self, piece: usize) -> u32 {
+        self.places[piece]
+    }
+
+    /// The piece that a kernel wrote the index of.
+    ///
+    /// # Errors
+    /// [`Error::GpuFailed`] if there is none.
+    pub(super) fn piece(&self, index: u32) -> Result<usize> {
+        let found = || format!("a kernel wrote piece {index} of {}", self.order.len());
+        let piece = self.order.get(index as usize).ok_or_else(|| Error::GpuFailed { found: found() })?;
+        Ok(*piece as usize)
+    }
+}
+
+/// Pieces of one pair of degrees.
+#[derive(Debug)]
+pub(super) struct PieceGroup {
+    pub(super) degree: [usize; 2],
+    pub(super) first: usize,
+    pub(super) count: usize,
+    pub(super) coefficients: wgpu::Buffer,
+}
+
+/// What holds of a piece: over it alone, or over the patch that it is cut from.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reach<'a> {
+    Piece,
+    Patch(&'a [DerivativeBounds]),
+}
+
+impl Gpu {
+    /// Uploads the pieces in the order of `groups`.
+    ///
+    /// # Errors
+    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
+    pub(super) fn upload_pieces(
+        &self,
+        pieces: &Pieces,
+        groups: &[([usize; 2], Vec<u32>)],
+        reach: Reach<'_>,
+        frame: &Frame,
+    ) -> Result<GpuPieces> {
+        let mut order: Vec<u32> = Vec::with_capacity(pieces.places.len());
+        let mut records: Vec<Piece> = Vec::with_capacity(pieces.places.len());
+        let mut uploaded = Vec::with_capacity(groups.len());
+        for (degree, members) in groups {
+            let mut coefficients: Vec<[f32; 4]> = Vec::new();
+            for &member in members {
+                let patch = pieces.patches.patch(member as usize);
+                let lighter = normal_weight(&patch);
+                let monomials = patch.monomials();
+                coefficients.extend(monomials.iter().map(|&c| rounded(scaled(c, lighter, frame.scale))));
+                records.push(record(&patch, &pieces.places[member as usize], reach, frame));
+            }
+            let coefficients = self.upload("coefficients", &coefficients)?;
+            uploaded.push(PieceGroup {
+                degree: *degree,
+                first: order.len(),
+                count: members.len(),
+                coefficients,
+            });
+            order.extend(members);
+        }
+        let mut places = vec![0; order.len()];
+        for (index, &piece) in order.iter().enumerate() {
+            places[piece as usize] = index as u32;
+        }
+        Ok(GpuPieces { pieces: self.upload("pieces", &records)?, groups: uploaded, order, places })
+    }
+}
+
+fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &Frame) -> Piece {
+    let error = PieceError::of(patch, frame.scale);
+    let own = patch.derivative_bounds();
+    // By (σ, τ): half the piece's parameters, a part of the patch's.
+    let (bounds, [h, k], low, high) = match reach {
+        Reach::Piece => (&own, [0.5; 2], [-1.0; 2], [1.0; 2]),
+        Reach::Patch(bounds) => (
+            &bounds[place.patch as usize],
+            place.width.map(|width| 0.5 * width),
+            [0, 1].map(|axis| place.local(axis, 0.0)),
+            [0, 1].map(|axis| place.local(axis, 1.0)),
+        ),
+    };
+    let up = |value: f64| above(frame.scale * value);
+    let [ss, st, tt] = bounds.second;
+    let [sss, sst, stt, ttt] = bounds.third;
+    let center = frame.scale / frame.grid * (patch.center - frame.origin);
+    Piece {
+        center: center.to_array().map(|x| x.round() as i32),
+        value_error: above(error.value),
+        first_error: error.first.map(above),
+        first: [up(h * bounds.first[0]), up(k * bounds.first[1])],
+        second_error: error.second.map(above),
+        radius: up(own.radius),
+        second: [up(h * h * ss), up(h * k * st), up(k * k * tt)],
+        padding: 0.0,
+        third: [up(h * h * h * sss), up(h * h * k * sst), up(h * k * k * stt), up(k * k * k * ttt)],
+        // Dyadic numbers of few digits, so exact.
+        low: low.map(|x| x as f32),
+        high: high.map(|x| x as f32),
+    }
+}
+
+/// A float32 of at least the value.
+fn above(value: f64) -> f32 {
+    let nearest = value as f32;
+    if f64::from(nearest) < value { nearest.next_up() } else { nearest }
+}
