@@ -20,7 +20,7 @@ impl Cell {
     }
 
     /// The (s, t) of a place in [-1, 1]^2.
-    pub(super) fn at(&self, place: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn at(&self, place: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| (self.center[axis] + place[axis] * self.half[axis]).clamp(0.0, 1.0))
     }
 

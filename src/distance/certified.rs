@@ -1,7 +1,7 @@
 //! One direction of method `certified`, within its budgets.
 
 use super::directed::{Directed, surface_point};
-use super::{CertifiedDetails, Options, Progress, Stop, now};
+use super::{Backend, CertifiedDetails, Options, Progress, Stop, now};
 use crate::certified::{Interval, Search, Side};
 use crate::elementary::ln;
 use crate::error::{Error, Result};
@@ -27,7 +27,7 @@ pub(super) async fn certified(
     let mut search = Search::new(a, b, transform, tolerance, options.limit);
     progress.section(0.0, 1.0);
     let first = search.interval();
-    let mut kernels = Kernels::new(gpu);
+    let mut kernels = Kernels { gpu, needed: options.backend == Backend::Gpu, levels: None };
     let stop = loop {
         if !kernels.advance(&mut search).await?
             && let Some(stop) = search.advance()
@@ -87,40 +87,43 @@ fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     if orders > 0.0 { (ln(width(first) / width(now)) / orders).clamp(0.0, 1.0) } else { 1.0 }
 }
 
-/// Cells waiting from which on a GPU is worth its set-up: below, float64
-/// takes some milliseconds.
-const WORTH_KERNELS: usize = 4096;
+/// Cells waiting from which on a GPU is worth its set-up, which takes tenths of
+/// a second: float64 came here in less.
+const WORTH_SETUP: usize = 8192;
+
+/// Cells waiting from which on a submission is worth its latency.
+const WORTH_SUBMISSION: usize = 512;
 
 /// The GPU's part in a search.
 struct Kernels<'a> {
     gpu: Option<&'a Rc<Gpu>>,
+    /// Whether an error of the GPU ends the search; else float64 does the rest.
+    needed: bool,
     levels: Option<Levels>,
 }
 
-impl<'a> Kernels<'a> {
-    fn new(gpu: Option<&'a Rc<Gpu>>) -> Self {
-        Self { gpu, levels: None }
-    }
-
-    /// Whether the GPU took a step. Where float32 is not exact enough, or the
-    /// GPU fails, float64 does the rest.
+impl Kernels<'_> {
+    /// Whether the GPU took a step. Where float32 is not exact enough, float64
+    /// does the rest.
     async fn advance(&mut self, search: &mut Search<'_>) -> Result<bool> {
         let Some(gpu) = self.gpu else { return Ok(false) };
-        if search.waiting() < WORTH_KERNELS || search.has_undecided() {
+        let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
+        if search.waiting() < worth || search.has_undecided() {
             return Ok(false);
         }
+        let step = self.step(gpu, search).await;
+        if !matches!(step, Ok(true)) {
+            (self.gpu, self.levels) = (None, None);
+        }
+        if self.needed { step } else { Ok(step.unwrap_or(false)) }
+    }
+
+    async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut Search<'_>) -> Result<bool> {
         if self.levels.is_none() {
             self.levels = Levels::new(gpu, search)?;
         }
-        match &mut self.levels {
-            Some(levels) => {
-                levels.advance(search).await?;
-                Ok(true)
-            }
-            None => {
-                self.gpu = None;
-                Ok(false)
-            }
-        }
+        let Some(levels) = &mut self.levels else { return Ok(false) };
+        levels.advance(search).await?;
+        Ok(true)
     }
 }

@@ -69,10 +69,12 @@ impl Ends<'_> {
         let prepare = now() - started;
         let diagonal = self.diagonal();
         let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;
+        let directed = directed.ok_or(Error::EmptyModel)?;
+        let helped = directed.certified.is_some_and(|details| details.cpu_cells < details.cells);
         Ok(Run {
-            directed: directed.ok_or(Error::EmptyModel)?,
-            backend: "cpu",
-            adapter: None,
+            directed,
+            backend: if helped { "gpu" } else { "cpu" },
+            adapter: gpu.filter(|_| helped).and_then(|gpu| gpu.adapter()),
             notice: None,
             diagonal,
             sampled_patches: from.target.patches.len(),

@@ -165,13 +165,13 @@ impl Levels {
         let seconds = now() - started;
         if seconds > SECONDS {
             self.chunk = (self.chunk / 2).max(LEAST_CHUNK);
-        } else if 4.0 * seconds < SECONDS {
+        } else if 2.0 * seconds < SECONDS {
             self.chunk = (2 * self.chunk).min(CAPACITY / 4);
         }
         Ok(())
     }
 
-    async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
+    pub(super) async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
         let mut returned = Returned::default();
         let mut cells: Vec<Cell> = Vec::new();
         for region in lent {

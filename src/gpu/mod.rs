@@ -6,6 +6,8 @@ mod groups;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod level_error;
 mod levels;
 mod patch_text;
 mod piece_error;

@@ -1,0 +1,238 @@
+//! What float32 is said to lose in the stages of method `certified`: pieces
+//! against float64, and cells' bounds against certified distances.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+use super::layouts::{Batch, Cell, JET_BYTES, LevelParams};
+use super::piece_error::PieceError;
+use super::pipelines::{Kernel, WORKGROUP_SIZE};
+use super::upload_pieces::{Frame, Reach};
+use super::work::{Dispatch, Extent, Work};
+use super::{Gpu, Levels};
+use crate::bezier::{DerivativeBounds, PatchSet};
+use crate::certified::{Part, Pieces, Search, Side};
+use crate::error::Error;
+use crate::iteration::Target;
+use crate::model::RigidTransform;
+use crate::project::closest;
+use bytemuck::{Zeroable, bytes_of};
+use glam::{DQuat, DVec3, DVec4};
+use std::rc::Rc;
+
+fn gpu(test: &str) -> Option<Rc<Gpu>> {
+    match pollster::block_on(Gpu::new()) {
+        Ok(gpu) => Some(Rc::new(gpu)),
+        Err(Error::NoAdapter { .. }) if std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some() => {
+            // Past libtest, which hides what a passing test prints by macro.
+            let line = format!("\nSKIPPED {test}: no adapter\n");
+            std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes()).unwrap();
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// A patch of these degrees, rough by `roughness`, with weights from 1 to `ratio`.
+fn rough(random: &mut fastrand::Rng, [p, q]: [usize; 2], roughness: f64, ratio: f64) -> Vec<DVec4> {
+    let mut controls = Vec::new();
+    for i in 0..=p {
+        for j in 0..=q {
+            let mut noise = || roughness * (random.f64() - 0.5);
+            let place = DVec3::new(i as f64 / p as f64 + noise(), j as f64 / q as f64 + noise(), noise());
+            let weight = ratio.powf(random.f64());
+            controls.push((weight * (place - DVec3::new(0.5, 0.5, 0.0))).extend(weight));
+        }
+    }
+    controls
+}
+
+fn set(patches: &[Vec<DVec4>], degree: [usize; 2]) -> PatchSet {
+    let mut set = PatchSet::default();
+    for controls in patches {
+        let rational = controls.iter().any(|control| control.w != controls[0].w);
+        set.push(crate::bezier::Patch {
+            surface: 0,
+            degree,
+            domain: [[0.0, 1.0]; 2],
+            center: DVec3::ZERO,
+            controls,
+            rational,
+        });
+    }
+    set
+}
+
+fn bounds(set: &PatchSet) -> Vec<DerivativeBounds> {
+    set.iter().map(|patch| patch.derivative_bounds()).collect()
+}
+
+/// The jets at the cells' centres as the kernel `cell` computes them, in (σ, τ).
+fn jets(gpu: &Gpu, pieces: &Pieces, degree: [usize; 2], cells: &[Cell]) -> Vec<[f32; 24]> {
+    let frame = Frame { origin: DVec3::ZERO, scale: 1.0, grid: 2_f64.powi(-26) };
+    let members = vec![(degree, (0..pieces.places.len() as u32).collect())];
+    let uploaded = gpu.upload_pieces(pieces, &members, Reach::Piece, &frame).unwrap();
+    let count = cells.len() as u32;
+    let batch = Batch { workgroups: [0; 3], count };
+    let params = gpu.params().unwrap();
+    let bytes = u64::from(count) * JET_BYTES;
+    let [jets, samples, best] = ["jets", "samples", "best"].map(|label| gpu.storage(label, bytes).unwrap());
+    let buffers = [gpu.upload("batch", &[batch]).unwrap(), gpu.upload("cells", cells).unwrap()];
+    let group = &uploaded.groups[0];
+    let storage = [&buffers[0], &buffers[1], &group.coefficients, &uploaded.pieces, &jets, &samples, &best];
+    let kernel = Kernel::Cell { degree };
+    let (pipeline, _) = gpu.pipelines.get(kernel);
+    let bind_group = gpu.bind(&pipeline, &params, &storage);
+    let level = LevelParams { piece_count: group.count as u32, ..LevelParams::zeroed() };
+    let mut work = Work::new(gpu, &params);
+    let extent = Extent::Workgroups(count.div_ceil(WORKGROUP_SIZE));
+    work.dispatch(&Dispatch {
+        kernel,
+        pipeline: &pipeline,
+        bind_group: &bind_group,
+        params: bytes_of(&level),
+        extent,
+        units: 0,
+    });
+    let readable = gpu.readable("readable", bytes).unwrap();
+    work.copy(&jets, &readable, bytes);
+    pollster::block_on(work.submit_unmeasured()).unwrap();
+    bytemuck::pod_collect_to_vec(&pollster::block_on(gpu.read(&readable, bytes)).unwrap())
+}
+
+/// Degrees, roughness and ratios of weights of the draws below.
+const KINDS: [([usize; 2], f64, f64); 16] = [
+    ([1, 1], 0.1, 1.0),
+    ([1, 2], 0.5, 3.0),
+    ([2, 2], 0.1, 2.0),
+    ([3, 3], 0.0, 1.0),
+    ([3, 3], 0.1, 1.0),
+    ([3, 3], 1.0, 1.0),
+    ([3, 3], 0.1, 10.0),
+    ([3, 3], 1.0, 1e3),
+    ([2, 5], 0.3, 5.0),
+    ([5, 4], 0.3, 1.0),
+    ([5, 5], 0.3, 5.0),
+    ([7, 7], 0.3, 1.0),
+    ([7, 3], 1.0, 5.0),
+    ([7, 7], 0.1, 5.0),
+    ([10, 6], 0.3, 2.0),
+    ([15, 15], 0.3, 1.2),
+];
+const PATCHES: usize = 64;
+const DRAWS: usize = 1024;
+
+#[test]
+fn a_million_jets_are_off_by_no_more_than_is_said() {
+    let Some(gpu) = gpu("a_million_jets_are_off_by_no_more_than_is_said") else { return };
+    let random = &mut fastrand::Rng::with_seed(11);
+    let mut draws = 0;
+    for (degree, roughness, ratio) in KINDS {
+        let patches: Vec<_> = (0..PATCHES).map(|_| rough(random, degree, roughness, ratio)).collect();
+        let target = Target::new(set(&patches, degree));
+        let bounds = bounds(&target.patches);
+        let side = Side::new(&target, &bounds);
+        // Pieces as they are, and small ones as the search wants them.
+        for depth in [1, 8] {
+            let width = 1.0 / f64::from(depth);
+            let corner = [0, 1].map(|_| f64::from(random.i32(0..depth)) * width);
+            let part = [corner[0], corner[0] + width];
+            let other = [corner[1], corner[1] + width];
+            let small: Vec<_> = target.patches.iter().map(|patch| patch.restricted(part, other)).collect();
+            let smaller = Target::new(set(&small, degree));
+            let side = if depth == 1 { &side } else { &Side::new(&smaller, &bounds) };
+            let pieces = Pieces::new(side, &RigidTransform::IDENTITY, |_| true, PATCHES).unwrap();
+            let cells: Vec<Cell> = (0..PATCHES * DRAWS / 2)
+                .map(|index| Cell {
+                    center: [0, 1].map(|_| if random.u8(0..8) == 0 { 1.0 } else { 2.0 * random.f32() - 1.0 }),
+                    half: [1.0; 2],
+                    piece: (index % PATCHES) as u32,
+                    ..Cell::zeroed()
+                })
+                .collect();
+            let errors: Vec<_> = pieces.patches.iter().map(|patch| PieceError::of(&patch, 1.0)).collect();
+            let mut worst = 0.0_f64;
+            for (cell, jet) in cells.iter().zip(jets(&gpu, &pieces, degree, &cells)) {
+                let patch = pieces.patches.patch(cell.piece as usize);
+                let error = &errors[cell.piece as usize];
+                let exact = patch.jet(cell.center.map(|x| 0.5 * (1.0 + f64::from(x))));
+                let exact = [
+                    (exact.point - patch.center, error.value),
+                    (0.5 * exact.s, error.first[0]),
+                    (0.5 * exact.t, error.first[1]),
+                    (0.25 * exact.ss, error.second[0]),
+                    (0.25 * exact.st, error.second[1]),
+                    (0.25 * exact.tt, error.second[2]),
+                ];
+                for ((exact, stated), found) in exact.into_iter().zip(jet.chunks_exact(4)) {
+                    let found = DVec3::new(found[0].into(), found[1].into(), found[2].into());
+                    let off = found.distance(exact);
+                    assert!(off <= stated, "{degree:?}, weights 1 to {ratio}: {off} > {stated}");
+                    worst = worst.max(off / stated);
+                }
+                draws += 1;
+            }
+            println!(
+                "{degree:?} of roughness {roughness}, weights 1 to {ratio}: at most {worst:.2} of the bound"
+            );
+            // Of use where the search wants it: not orders of magnitude above what is lost.
+            let ordinary = depth > 1 && ratio <= 5.0 && roughness > 0.0;
+            assert!(!ordinary || worst > 1e-3, "{degree:?}, weights 1 to {ratio}: {worst}");
+        }
+    }
+    assert!(draws >= 1_000_000, "{draws}");
+}
+
+/// Cells that go to the kernels, and how many of their parts are passed over
+/// between two that are checked.
+const CELLS: usize = 150;
+const STEP: usize = 25;
+
+#[test]
+fn no_point_of_a_cell_is_beyond_its_bound() {
+    let Some(gpu) = gpu("no_point_of_a_cell_is_beyond_its_bound") else { return };
+    let random = &mut fastrand::Rng::with_seed(12);
+    let mut checked = 0;
+    for (degree, roughness, ratio, shift) in [
+        ([3, 3], 0.1, 1.0, 1e-3),
+        ([3, 3], 0.3, 3.0, 1e-2),
+        ([2, 2], 0.1, 2.0, 0.1),
+        ([1, 4], 0.2, 1.0, 0.01),
+        ([5, 2], 0.2, 2.0, 0.0),
+    ] {
+        let one: Vec<_> = (0..3).map(|_| rough(random, degree, roughness, ratio)).collect();
+        let two: Vec<_> = one
+            .iter()
+            .map(|patch| {
+                patch
+                    .iter()
+                    .map(|control| {
+                        let noise = DVec3::new(random.f64(), random.f64(), random.f64()) * shift;
+                        (control.truncate() + control.w * noise).extend(control.w)
+                    })
+                    .collect()
+            })
+            .collect();
+        let [a, b] = [one, two].map(|patches: Vec<Vec<DVec4>>| Target::new(set(&patches, degree)));
+        let (of_a, of_b) = (bounds(&a.patches), bounds(&b.patches));
+        let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), shift);
+        let transform = RigidTransform::new(turn, DVec3::splat(0.1 * shift)).unwrap();
+        let mut search = Search::new(Side::new(&a, &of_a), Side::new(&b, &of_b), transform, 1e-5, None);
+        // Down to cells, by float64.
+        while search.waiting() < CELLS {
+            assert!(search.advance().is_none(), "{degree:?}: decided too soon");
+        }
+        let levels = Levels::new(&gpu, &search).unwrap().unwrap();
+        let lent = search.lend(CELLS);
+        // A bound of nothing is enough, so that every cell comes back with its own.
+        let returned = pollster::block_on(levels.bound(&lent, 0.0)).unwrap();
+        assert!(returned.cells > CELLS && returned.dropped == 0.0);
+        for region in returned.waiting.iter().chain(&returned.undecided).step_by(STEP) {
+            let Part::Cell(cell) = region.part else { panic!("lent a node") };
+            let place = [0, 1].map(|_| [-1.0, 1.0, 2.0 * random.f64() - 1.0][random.usize(0..3)]);
+            let point = transform.apply(a.patches.patch(cell.patch as usize).point(cell.at(place)));
+            let truth = closest(&b.patches, &b.tree, point, 1e-9).unwrap();
+            assert!(truth.lower <= region.upper, "{degree:?}: {} > {}", truth.lower, region.upper);
+            checked += 1;
+        }
+    }
+    assert!(checked > 5_000, "{checked}");
+}
