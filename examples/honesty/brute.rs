@@ -1,7 +1,17 @@
 //! Distances by dense sampling and polishing: never too small.
+//!
+//! Where extreme weights crowd nearly all of a surface into a millionth of its
+//! domain no grid finds its near points. Before a point counts as far, the
+//! library's own closest point is therefore tried as one more start: what it
+//! says of the distance is not believed, only its parameters are evaluated.
 
 use super::sheet::Sheet;
 use glam::{DVec2, DVec3};
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::project::closest;
+use std::cell::OnceCell;
 
 /// Grid points along each direction of a surface for a first look.
 const GRID: usize = 17;
@@ -16,6 +26,9 @@ const DENSE: [usize; 2] = [65, 1025];
 
 /// Descents from such a grid, at most; each is polished by looking around.
 const DENSE_STARTS: usize = 64;
+
+/// Width of the library's interval for a hint, relative to the diagonal.
+const HINT_GAP: f64 = 1e-12;
 
 /// Steps of a descent, at most.
 const STEPS: usize = 40;
@@ -40,13 +53,17 @@ pub(crate) struct Placed {
 
 /// The model measured to.
 pub(crate) struct Target<'a> {
+    model: &'a Model,
+    /// What the sheets are relative to.
+    origin: DVec3,
+    flat: OnceCell<nurbs_hausdorff::iteration::Target>,
     sheets: &'a [Sheet],
     coarse: Vec<(usize, DVec2, DVec3)>,
 }
 
 impl<'a> Target<'a> {
-    pub(crate) fn new(sheets: &'a [Sheet]) -> Self {
-        Self { sheets, coarse: cloud(sheets) }
+    pub(crate) fn new(model: &'a Model, origin: DVec3, sheets: &'a [Sheet]) -> Self {
+        Self { model, origin, flat: OnceCell::new(), sheets, coarse: cloud(sheets) }
     }
 
     /// A near point of the target, from the nearest grid point or `warm`.
@@ -62,6 +79,24 @@ impl<'a> Target<'a> {
         self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
             || DENSE.iter().any(|&count| self.search(count, point, limit) <= limit)
+            || self.hinted(point) <= limit
+    }
+
+    /// The distance of the place that the library takes for the nearest.
+    fn hinted(&self, point: DVec3) -> f64 {
+        let flat = || {
+            let patches = flatten(&extract(self.model).patches, Flatness::Loose);
+            nurbs_hausdorff::iteration::Target::new(patches)
+        };
+        let target = self.flat.get_or_init(flat);
+        let diagonal = self.model.bounding_box().diagonal();
+        let gap = HINT_GAP * diagonal.max(f64::MIN_POSITIVE);
+        let Some(found) = closest(&target.patches, &target.tree, point + self.origin, gap) else {
+            return f64::INFINITY;
+        };
+        let patch = target.patches.patch(found.patch);
+        let place = DVec2::from_array(patch.surface_parameters(found.parameters));
+        self.sheets[patch.surface].point(place).distance(point)
     }
 
     /// The least distance found by looking hard.

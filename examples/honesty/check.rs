@@ -163,7 +163,7 @@ impl<'a> Direction<'a> {
         let [from_origin, to_origin] = [self.from, self.to].map(|model| model.bounding_box().center());
         let to_sheets = sheets(self.to, to_origin);
         let from_sheets = sheets(self.from, from_origin);
-        let target = Target::new(&to_sheets);
+        let target = Target::new(self.to, to_origin, &to_sheets);
         // From the frame of one model's sheets into that of the other's.
         let shift = self.poses[1].apply_inverse(self.poses[0].apply(from_origin)) - to_origin;
         let turn = self.poses[1].rotation().inverse() * self.poses[0].rotation();
