@@ -6,6 +6,7 @@ import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { toolsEnvironment, toolsFolder } from "../setup/tools.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
+import { shortenImports } from "./imports.mjs";
 
 const out = "dist/wasm";
 const made = ".setup/wasm-made-from";
@@ -18,12 +19,13 @@ const rustFlags = [
 ].join("\u001f");
 
 export const wasmFile = `${out}/nurbs_hausdorff_bg.wasm`;
+const glueFile = `${out}/nurbs_hausdorff.js`;
 
 export async function buildWasm() {
   const sources = digest(
     [
       ...["Cargo.toml", "Cargo.lock", "build.rs", ".cargo", "src", "shaders"],
-      ...["package-lock.json", "scripts/build/wasm.mjs"],
+      ...["package-lock.json", "scripts/build/wasm.mjs", "scripts/build/imports.mjs"],
     ],
     [toolsFolder()],
   );
@@ -47,6 +49,7 @@ export async function buildWasm() {
     ],
     { env: toolsEnvironment({ CARGO_ENCODED_RUSTFLAGS: rustFlags }) },
   );
+  shortenImports(inRoot(wasmFile), inRoot(glueFile));
   // It tells npm to leave the folder out of the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });
   stamp(made, sources);
