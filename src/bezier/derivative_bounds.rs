@@ -1,6 +1,6 @@
 //! Bounds of a patch's derivatives from its control net.
 
-use super::Patch;
+use super::{Patch, PatchSet};
 use glam::{DVec4, Vec4Swizzles};
 
 /// Upper bounds of the lengths of a patch's derivatives over [0, 1]^2, by (s, t).
@@ -15,6 +15,27 @@ pub struct DerivativeBounds {
     /// Third derivatives sss, sst, stt, ttt.
     pub third: [f64; 4],
 }
+
+impl DerivativeBounds {
+    /// Makes these bounds hold on a piece too, whose parameters run `faster`.
+    fn enclose(&mut self, piece: &Self, faster: f64) {
+        let pairs = [
+            (&mut self.first[..], &piece.first[..], faster),
+            (&mut self.second[..], &piece.second[..], faster.powi(2)),
+            (&mut self.third[..], &piece.third[..], faster.powi(3)),
+        ];
+        for (own, of_piece, factor) in pairs {
+            for (own, of_piece) in own.iter_mut().zip(of_piece) {
+                *own = own.max(factor * of_piece);
+            }
+        }
+    }
+}
+
+/// Pieces along each direction that a rational patch's bounds are taken over:
+/// on a sphere's patches a bound of third derivatives is then 1.3 times the
+/// largest one instead of 4 to 10 times.
+const PARTS: usize = 4;
 
 /// Highest order of derivative bounded, plus one.
 const ORDERS: usize = 4;
@@ -63,6 +84,27 @@ impl Patch<'_> {
             second: [bounds[2][0], bounds[1][1], bounds[0][2]],
             third: [bounds[3][0], bounds[2][1], bounds[1][2], bounds[0][3]],
         }
+    }
+
+    /// As [`Patch::derivative_bounds`], of a rational patch piece by piece: the
+    /// recursion's excess is proportional to a piece's size, as its weights
+    /// and its points about its own centre then vary less. O(pieces p q (p + q)).
+    #[must_use]
+    pub fn close_derivative_bounds(&self) -> DerivativeBounds {
+        let whole = self.derivative_bounds();
+        if !self.rational {
+            return whole;
+        }
+        let part = |index: usize| [index as f64 / PARTS as f64, (index + 1) as f64 / PARTS as f64];
+        let mut largest = DerivativeBounds { radius: whole.radius, ..DerivativeBounds::default() };
+        for index in 0..PARTS * PARTS {
+            let controls = self.restricted(part(index / PARTS), part(index % PARTS));
+            let mut piece = PatchSet::default();
+            // Any centre serves, as derivatives do not depend on it.
+            piece.push_centered(Patch { controls: &controls, ..*self }, f64::MIN_POSITIVE);
+            largest.enclose(&piece.patch(0).derivative_bounds(), PARTS as f64);
+        }
+        largest
     }
 
     /// Largest length of the (a, b)-th derivative's controls: space, weight.

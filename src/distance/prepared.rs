@@ -36,7 +36,7 @@ impl PreparedTarget {
     /// The patches as method `certified` wants them.
     pub(crate) fn side(&self) -> Side<'_> {
         let patches = &self.target.patches;
-        let bounds = || map(patches.len(), |index| patches.patch(index).derivative_bounds());
+        let bounds = || map(patches.len(), |index| patches.patch(index).close_derivative_bounds());
         Side::new(&self.target, self.bounds.get_or_init(bounds))
     }
 }
