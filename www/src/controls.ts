@@ -3,6 +3,7 @@ import { Vector3 } from "three";
 import { element } from "./elements.ts";
 import type { Placement, PlainOptions } from "./protocol.ts";
 import { Quantity } from "./quantity.ts";
+import type { Wanted } from "./view.ts";
 
 const input = (id: string) => element(id, HTMLInputElement);
 const select = (id: string) => element(id, HTMLSelectElement);
@@ -11,7 +12,8 @@ const [x, y, z] = [new Quantity("move-x"), new Quantity("move-y"), new Quantity(
 const turn = new Quantity("turn");
 const [samples, samplesText] = [input("samples"), element("samples-text")];
 const [method, tolerance, flatness] = [select("method"), select("tolerance"), select("flatness")];
-const [symmetric, lines, triangles] = [input("symmetric"), input("lines"), input("triangles")];
+const [symmetric, triangles] = [input("symmetric"), input("triangles")];
+const [deviation, lines] = [input("deviation"), input("lines")];
 
 /** The translation of A, in model units. */
 export const moved = (): Vector3 => new Vector3(x.value, y.value, z.value);
@@ -19,9 +21,13 @@ export const moved = (): Vector3 => new Vector3(x.value, y.value, z.value);
 /** Degrees that A is turned about its vertical axis. */
 export const turned = (): number => turn.value;
 
-export const linesWanted = (): boolean => lines.checked;
+export const wanted = (): Wanted => ({
+  deviation: deviation.checked,
+  lines: lines.checked,
+  triangles: triangles.checked,
+});
 
-export const trianglesWanted = (): boolean => triangles.checked;
+const fieldWanted = (): boolean => deviation.checked || lines.checked;
 
 /** The options but for the transform. */
 export function options(): PlainOptions {
@@ -31,7 +37,7 @@ export function options(): PlainOptions {
     samples: Number(samples.value),
     flatness: flatness.value as NonNullable<PlainOptions["flatness"]>,
     symmetric: symmetric.checked,
-    field: lines.checked,
+    field: fieldWanted(),
   };
 }
 
@@ -51,7 +57,10 @@ export function onChange(callback: () => void): void {
     callback();
   };
   for (const quantity of [x, y, z, turn]) quantity.onChange = changed;
-  for (const control of [samples, method, tolerance, flatness, symmetric, lines, triangles]) {
+  for (const control of [
+    ...[samples, method, tolerance, flatness],
+    ...[symmetric, deviation, lines, triangles],
+  ]) {
     control.addEventListener("input", changed);
   }
   tell();
@@ -60,7 +69,7 @@ export function onChange(callback: () => void): void {
 /** Shows only what has a say in what is shown. */
 function tell(): void {
   samplesText.textContent = `${samples.value}²`;
-  const used = [method.value, lines.checked ? "lines" : ""];
+  const used = [method.value, fieldWanted() ? "field" : ""];
   for (const row of document.querySelectorAll<HTMLElement>("[data-for]")) {
     row.hidden = !row.dataset.for?.split(" ").some((use) => used.includes(use));
   }

@@ -27,9 +27,10 @@ export function onDrop(callback: (files: Sides<File>) => void): void {
     if (event.relatedTarget === null) overlay.hidden = true;
   });
   window.addEventListener("drop", (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     overlay.hidden = true;
-    const [first, second] = Array.from(event.dataTransfer?.files ?? []);
+    const [first, second] = Array.from(event.dataTransfer.files);
     if (first === undefined) return;
     const side = sideAt(event);
     if (second !== undefined) callback({ a: first, b: second });

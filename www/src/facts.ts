@@ -1,6 +1,6 @@
 // The details of a result, as terms and texts.
 import type { DistanceResult } from "nurbs-hausdorff";
-import { distanceText, duration, grouped, rough } from "./numbers.ts";
+import { distanceText, duration, grouped, rough, signedText } from "./numbers.ts";
 
 export type Fact = [term: string, text: string];
 
@@ -10,7 +10,7 @@ const STOPS = {
   cells: "its budget of cells",
   time: "its budget of time",
   precision: "the precision of float64",
-  cancelled: "Cancel",
+  cancelled: "cancelling",
 };
 
 export function factsOf(result: DistanceResult): Fact[] {
@@ -22,7 +22,6 @@ export function factsOf(result: DistanceResult): Fact[] {
     ...methods(result),
     ["patches", `${grouped(patches.a)} · ${grouped(patches.b)}`],
     ["diagonal", distanceText(diagonal, diagonal)],
-    ...estimates(result),
   ];
 }
 
@@ -36,8 +35,10 @@ function directions({ forward, reverse, diagonal }: DistanceResult): Fact[] {
 
 function methods(result: DistanceResult): Fact[] {
   if (result.method === "certified") {
-    const cells: Fact = ["cells", `${grouped(result.cells)} in ${result.levels} levels`];
-    return result.converged ? [cells] : [cells, ["ended by", STOPS[result.stop]]];
+    return [
+      ["cells", `${grouped(result.cells)} in ${result.levels} levels`],
+      ["ended by", STOPS[result.stop]],
+    ];
   }
   const { bounds, samples, statuses } = result;
   return [
@@ -51,12 +52,17 @@ function methods(result: DistanceResult): Fact[] {
   ];
 }
 
-function estimates({ statistics, diagonal }: DistanceResult): Fact[] {
+/** Statistics of the samples of A, where the result has them. */
+export function estimatesOf({ forward, diagonal, ...directed }: DistanceResult): Fact[] {
+  const statistics = forward?.statistics ?? directed.statistics;
   if (statistics === undefined) return [];
-  const estimate = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  const about = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   return [
-    ["mean", estimate(statistics.mean)],
-    ["root mean square", estimate(statistics.rms)],
-    ["95 % of the area", estimate(statistics.percentile_95)],
+    ["mean", about(statistics.mean)],
+    ["signed mean", `≈ ${signedText(statistics.signed_mean, diagonal)}`],
+    ["RMS", about(statistics.rms)],
+    ["median", about(statistics.median)],
+    ["95th percentile", about(statistics.percentile_95)],
+    ["99th percentile", about(statistics.percentile_99)],
   ];
 }

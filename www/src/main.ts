@@ -6,7 +6,7 @@ import * as notices from "./notices.ts";
 import { Pose } from "./pose.ts";
 import type { Reply } from "./protocol.ts";
 import * as results from "./results.ts";
-import { offer, onSource, tellSources } from "./sources.ts";
+import { offer, onSource, tellLoading, tellSources } from "./sources.ts";
 import { View } from "./view.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
@@ -18,16 +18,21 @@ element("cancel").addEventListener("click", () => client.cancel());
 element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 canvas.addEventListener("dblclick", () => view.fit());
-controls.onChange(measure);
+controls.onChange(() => {
+  results.hideError();
+  measure();
+});
 onSource((sources, placement) => {
   results.hideError();
+  tellLoading(true);
   client.load(sources, placement);
 });
 
 function measure(): void {
   if (!view.models.complete) return;
   const pose = new Pose(controls.moved(), controls.turned(), view.models.middle);
-  view.show(pose, controls.linesWanted(), controls.trianglesWanted());
+  view.show(pose, controls.wanted());
+  results.showPending();
   client.measure({ ...controls.options(), transform: pose.transform });
 }
 
@@ -41,16 +46,18 @@ function onReply(reply: Reply): void {
       view.models.show(reply.models);
       tellSources(reply.models, reply.placement);
       controls.place(reply.placement, view.models.diagonal);
+      tellLoading(false);
       view.hideResult();
+      results.showNone("working");
       measure();
       view.fit();
       break;
     case "progress":
-      results.showWorking(reply.fraction, reply.interval);
+      results.showWorking(reply.fraction, reply.interval, controls.options().symmetric === true);
       break;
     case "measured":
       results.showResult(reply.result, client.isNewest(reply.run));
-      view.showResult(reply.result);
+      view.showResult(reply.result, reply.transform);
       if (reply.result.notice !== undefined) notices.tellCpu(reply.result.notice);
       break;
     case "cancelled":
@@ -59,9 +66,11 @@ function onReply(reply: Reply): void {
       view.hideResult();
       break;
     case "failed":
+      if (reply.run !== undefined && !client.isNewest(reply.run)) break;
       results.showError(reply.code, reply.message);
+      if (reply.run === undefined) tellLoading(false);
       // A file that could not be read leaves the models and their result as they are.
-      if (reply.run !== undefined) {
+      if (reply.run !== undefined || !view.models.complete) {
         results.showNone("failed");
         view.hideResult();
       }

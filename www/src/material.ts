@@ -1,5 +1,5 @@
 // What the models are made of: A of satin plastic, B of tinted glass.
-import { DoubleSide, MeshPhysicalMaterial } from "three";
+import { DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial } from "three";
 
 /** How much of glass is seen where it faces the viewer. */
 const FACING = 0.28;
@@ -18,6 +18,23 @@ export function satin(color: string): MeshPhysicalMaterial {
     clearcoatRoughness: 0.35,
     side: DoubleSide,
     // Edges lie on the surface, and shall be seen.
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
+}
+
+/**
+ * A dull material in the colours of its vertices, which no gloss shall change,
+ * and no glass: it is drawn with the transparent, and after them.
+ */
+export function painted(): MeshStandardMaterial {
+  return new MeshStandardMaterial({
+    vertexColors: true,
+    transparent: true,
+    roughness: 0.9,
+    metalness: 0,
+    side: DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

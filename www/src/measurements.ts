@@ -4,15 +4,16 @@ import type { PlainOptions, Reply, Sides } from "./protocol.ts";
 
 /**
  * Milliseconds that a measurement is left to run although a newer one waits.
- * Ended at once, none would come to an end while a slider is dragged. Method
- * `certified` then tells the interval so far; `iteration` tells nothing, so it
- * has time to finish.
+ * Ended at once, none would come to an end while a slider is dragged. A
+ * certificate that is ended tells the interval so far; samples tell nothing,
+ * so they have time to finish.
  */
-const GRACE = { certified: 120, iteration: 1000 };
+const GRACE = { certificate: 120, samples: 1000 };
 
 interface Asked {
   run: number;
   options: PlainOptions;
+  abort: AbortController;
 }
 
 export class Measurements {
@@ -21,7 +22,7 @@ export class Measurements {
   readonly #fail: (error: unknown, run: number) => void;
   #models: Sides<NurbsModel> = {};
   #waiting: Asked | undefined;
-  #running: { abort: AbortController; until: number } | undefined;
+  #running: (Asked & { until: number }) | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -44,7 +45,7 @@ export class Measurements {
   }
 
   ask(run: number, options: PlainOptions): void {
-    this.#waiting = { run, options };
+    this.#waiting = { run, options, abort: new AbortController() };
     const running = this.#running;
     if (running === undefined) void this.#runAll();
     else {
@@ -55,36 +56,36 @@ export class Measurements {
     }
   }
 
+  /** Ends the measurement in work and the waiting one, which is told as well. */
   cancel(): void {
-    this.#waiting = undefined;
+    this.#waiting?.abort.abort();
     this.#running?.abort.abort();
   }
 
   async #runAll(): Promise<void> {
     while (this.#waiting !== undefined) {
-      const { run, options } = this.#waiting;
+      const asked = this.#waiting;
       this.#waiting = undefined;
-      const abort = new AbortController();
-      const grace = GRACE[options.method ?? "certified"];
-      this.#running = { abort, until: performance.now() + grace };
-      await this.#measure(run, options, abort.signal);
+      const grace = sampled(asked.options) ? GRACE.samples : GRACE.certificate;
+      this.#running = { ...asked, until: performance.now() + grace };
+      await this.#measure(asked);
       clearTimeout(this.#timer);
       this.#timer = undefined;
       this.#running = undefined;
     }
   }
 
-  async #measure(run: number, options: PlainOptions, signal: AbortSignal): Promise<void> {
+  async #measure({ run, options, abort }: Asked): Promise<void> {
     const { a, b } = this.#models;
     if (a === undefined || b === undefined) return;
     try {
       const result = await this.#engine.distance(a, b, {
         ...options,
-        signal,
+        signal: abort.signal,
         onProgress: (fraction, interval) =>
           this.#reply({ kind: "progress", run, fraction, interval }),
       });
-      this.#reply({ kind: "measured", run, result });
+      this.#reply({ kind: "measured", run, result, transform: options.transform ?? {} });
     } catch (error) {
       if (error instanceof HausdorffError && error.code === "CANCELLED") {
         this.#reply({ kind: "cancelled", run });
@@ -92,3 +93,7 @@ export class Measurements {
     }
   }
 }
+
+/** Whether there is no result before all samples are done. */
+const sampled = ({ method, field }: PlainOptions): boolean =>
+  method === "iteration" || field === true;

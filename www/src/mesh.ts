@@ -1,4 +1,4 @@
-// One model in the scene: its surface, its outline, its triangles.
+// One model in the scene: its surface, plain or painted, its outline, its triangles.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -9,7 +9,7 @@ import {
   Mesh,
   MeshBasicMaterial,
 } from "three";
-import { glass, satin } from "./material.ts";
+import { glass, painted, satin } from "./material.ts";
 import type { Shown } from "./protocol.ts";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
@@ -20,6 +20,7 @@ export class ModelMesh {
   readonly #satin: Material;
   readonly #glass: Material;
   readonly #surface: Mesh;
+  readonly #painted = new Mesh(new BufferGeometry(), painted());
   readonly #triangles: Mesh;
   readonly #outline: LineSegments;
 
@@ -40,10 +41,14 @@ export class ModelMesh {
       edges,
       new LineBasicMaterial({ color: 0x0d151d, transparent: true, opacity: 0.55 }),
     );
+    this.#outline.renderOrder = 3;
     // Its lines are made from the triangles when it is first drawn.
     this.#triangles = new Mesh(geometry, new MeshBasicMaterial(TRIANGLES));
     this.#triangles.visible = false;
-    this.group.add(this.#surface, this.#outline, this.#triangles);
+    this.#triangles.renderOrder = 3;
+    this.#painted.visible = false;
+    this.#painted.renderOrder = 2;
+    this.group.add(this.#surface, this.#painted, this.#outline, this.#triangles);
     this.group.matrixAutoUpdate = false;
   }
 
@@ -56,11 +61,19 @@ export class ModelMesh {
     this.#triangles.visible = visible;
   }
 
+  /** Shows coloured triangles around the same origin in place of the surface, or the surface. */
+  paint(geometry: BufferGeometry | undefined): void {
+    this.#painted.geometry.dispose();
+    if (geometry !== undefined) this.#painted.geometry = geometry;
+    this.#painted.visible = geometry !== undefined;
+    this.#surface.visible = geometry === undefined;
+  }
+
   dispose(): void {
     this.group.removeFromParent();
-    for (const part of [this.#surface, this.#outline, this.#triangles]) part.geometry.dispose();
-    const { material: lines } = this.#outline;
-    const { material: triangles } = this.#triangles;
-    for (const material of [this.#satin, this.#glass, lines, triangles].flat()) material.dispose();
+    const parts = [this.#surface, this.#painted, this.#outline, this.#triangles];
+    for (const part of parts) part.geometry.dispose();
+    const materials = [this.#satin, this.#glass, ...parts.slice(1).map(({ material }) => material)];
+    for (const material of materials.flat()) material.dispose();
   }
 }

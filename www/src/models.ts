@@ -1,5 +1,7 @@
 // The two models in the scene.
+import type { Field, Transform } from "nurbs-hausdorff";
 import { Box3, Group, Vector3 } from "three";
+import { deviationGeometry } from "./deviation.ts";
 import { ModelMesh } from "./mesh.ts";
 import type { Pose } from "./pose.ts";
 import { type Shown, SIDES, type Side, type Sides } from "./protocol.ts";
@@ -37,6 +39,18 @@ export class Models {
     if (a) a.transparent = transparent;
     if (b) b.transparent = true;
     for (const mesh of Object.values(this.#meshes)) mesh.triangles = triangles;
+  }
+
+  /** Paints A by its deviation as it was found in this place, in a scale to `largest`. */
+  paint(fields: Field[], largest: number, transform: Transform): void {
+    const { a } = this.#meshes;
+    if (a === undefined) return;
+    const origin = new Vector3(...a.shown.tessellation.origin);
+    a.paint(deviationGeometry(fields, largest, transform, origin));
+  }
+
+  unpaint(): void {
+    this.#meshes.a?.paint(undefined);
   }
 
   get complete(): boolean {

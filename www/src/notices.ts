@@ -2,6 +2,11 @@
 import { element } from "./elements.ts";
 
 const banner = element("banner");
+const notices = element("notices");
+
+element("dismiss").addEventListener("click", () => {
+  banner.hidden = true;
+});
 
 /** Says what computes. */
 export function tellEngine(
@@ -18,20 +23,22 @@ export function tellEngine(
 
 /** Says why the CPU computes what the GPU could. */
 export function tellCpu(notice: string): void {
-  tell("No WebGPU here, so everything runs on the CPU", notice);
+  tell("No WebGPU here: everything runs on the CPU.", notice);
 }
 
 /** Says why there is nothing to see. */
 export function tellNoWebGl(why: string): void {
-  tell("No WebGL here, so the models cannot be shown; distances are computed all the same", why);
+  tell("No WebGL here: distances are computed, but the models cannot be shown.", why);
 }
 
+/** One line, the reason unfolding below it; each is told once. */
 function tell(what: string, why: string): void {
-  const text = `${what}: ${why}`;
-  const said = [...banner.children].some((line) => line.textContent === text);
-  if (said) return;
-  const line = document.createElement("p");
-  line.textContent = text;
-  banner.append(line);
+  const lines = Array.from(notices.children, ({ firstChild }) => firstChild?.textContent);
+  if (lines.includes(what)) return;
+  const line = document.createElement("details");
+  const summary = document.createElement("summary");
+  summary.textContent = what;
+  line.append(summary, why);
+  notices.append(line);
   banner.hidden = false;
 }

@@ -1,14 +1,21 @@
 // Numbers as text.
 
-/** Digits after the point, at most. */
-const MOST_DIGITS = 12;
+/** Significant digits of float64 that can be trusted. */
+const SIGNIFICANT_DIGITS = 15;
+/** Digits after the point that `toFixed` takes, at most. */
+const MOST_DIGITS = 100;
 /** Digits of a distance beyond the models' order of magnitude. */
 const RELATIVE_DIGITS = 5;
 
 /** A distance with digits in proportion to the models' size. */
 export function distanceText(distance: number, diagonal: number): string {
-  const magnitude = Math.floor(Math.log10(diagonal > 0 ? diagonal : 1));
-  return distance.toFixed(Math.min(MOST_DIGITS, Math.max(0, RELATIVE_DIGITS - magnitude)));
+  return distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)));
+}
+
+/** The same with its sign. */
+export function signedText(distance: number, diagonal: number): string {
+  const text = distanceText(Math.abs(distance), diagonal);
+  return distance < 0 ? `−${text}` : `+${text}`;
 }
 
 /**
@@ -17,8 +24,8 @@ export function distanceText(distance: number, diagonal: number): string {
  */
 export function intervalText(lower: number, upper: number): string {
   const width = upper - lower;
-  const digits = width > 0 ? 2 - Math.floor(Math.log10(width)) : MOST_DIGITS;
-  const shown = Math.min(MOST_DIGITS, Math.max(0, digits));
+  const trusted = SIGNIFICANT_DIGITS - 1 - magnitude(upper);
+  const shown = digitsAfterPoint(width > 0 ? Math.min(2 - magnitude(width), trusted) : trusted);
   const step = 10 ** -shown;
   const outwards = (end: number, sign: -1 | 1) => {
     const rounded = Number(end.toFixed(shown));
@@ -26,6 +33,11 @@ export function intervalText(lower: number, upper: number): string {
   };
   return `[${outwards(lower, -1)}, ${outwards(upper, 1)}]`;
 }
+
+/** The exponent of ten of a size; 0 where there is none. */
+const magnitude = (size: number): number => (size > 0 ? Math.floor(Math.log10(size)) : 0);
+
+const digitsAfterPoint = (wanted: number): number => Math.min(MOST_DIGITS, Math.max(0, wanted));
 
 /** Two significant digits, as for a width: 2.8·10⁻⁶. */
 export function rough(value: number): string {

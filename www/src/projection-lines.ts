@@ -1,4 +1,4 @@
-// Lines from samples to their feet, coloured by length, as in the paper's Fig. 2.
+// Lines from samples to their feet, coloured by the signed deviation, after the paper's Fig. 2.
 import type { Field } from "nurbs-hausdorff";
 import {
   BufferAttribute,
@@ -19,7 +19,7 @@ export class ProjectionLines {
   );
 
   constructor() {
-    this.lines.renderOrder = 2;
+    this.lines.renderOrder = 3;
     this.lines.frustumCulled = false;
     this.hide();
   }
@@ -28,19 +28,15 @@ export class ProjectionLines {
     this.lines.visible = false;
   }
 
-  /** Draws the fields' lines, in a scene around `center`; returns the largest length. */
-  show(fields: Field[], center: Vector3): number {
-    const largest = fields.reduce(
-      (most, { distances }) => distances.reduce((a, b) => Math.max(a, b), most),
-      0,
-    );
+  /** Draws the fields' lines, in a scene around `center` and a scale to `largest`. */
+  show(fields: Field[], largest: number, center: Vector3): void {
     const positions: number[] = [];
     const colors: number[] = [];
     const middle = center.toArray();
     const step = stepOf(fields);
-    for (const { points, feet, distances, counts } of fields) {
+    for (const { points, feet, signed, counts } of fields) {
       for (const index of thinned(counts, step)) {
-        const color = deviationColor(largest > 0 ? (distances[index] ?? 0) / largest : 0);
+        const color = deviationColor(largest > 0 ? (signed[index] ?? 0) / largest : 0);
         for (const ends of [points, feet]) {
           for (let axis = 0; axis < 3; axis++) {
             positions.push((ends[3 * index + axis] ?? 0) - (middle[axis] ?? 0));
@@ -55,7 +51,6 @@ export class ProjectionLines {
     geometry.setAttribute("color", new BufferAttribute(new Float32Array(colors), 3));
     this.lines.geometry = geometry;
     this.lines.visible = true;
-    return largest;
   }
 }
 

@@ -5,6 +5,7 @@ import type {
   ErrorCode,
   ShapeInfo,
   Tessellation,
+  Transform,
   Vector3,
 } from "nurbs-hausdorff";
 
@@ -57,6 +58,6 @@ export type Reply =
     }
   | { kind: "loaded"; models: Sides<Shown>; placement: Placement }
   | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
-  | { kind: "measured"; run: number; result: DistanceResult }
+  | { kind: "measured"; run: number; result: DistanceResult; transform: Transform }
   | { kind: "cancelled"; run: number }
   | { kind: "failed"; run?: number; code: Code; message: string };

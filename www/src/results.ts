@@ -2,8 +2,12 @@
 // and other programs may read is in the section's data attributes.
 import type { DistanceResult } from "nurbs-hausdorff";
 import { element } from "./elements.ts";
-import { type Fact, factsOf } from "./facts.ts";
+import { estimatesOf, type Fact, factsOf } from "./facts.ts";
 import { distanceText, intervalText, rough } from "./numbers.ts";
+
+const SO_FAR = "certain so far";
+/** Both directions are computed in turn, each with an interval of its own. */
+const ONE_DIRECTION = "one direction so far";
 
 const section = element("result");
 const distance = element("distance");
@@ -12,19 +16,32 @@ const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const facts = element("facts");
+const estimates = element("estimates");
+const statistics = element("statistics");
+
+/** A measurement was asked for, of the same models. */
+export function showPending(): void {
+  section.dataset.state = "working";
+  progress.value = 0;
+}
 
 /** Work has come this far, with the interval so far if the method has one. */
-export function showWorking(fraction: number, now: [number, number] | undefined): void {
+export function showWorking(
+  fraction: number,
+  now: [number, number] | undefined,
+  symmetric: boolean,
+): void {
   section.dataset.state = "working";
   progress.value = fraction;
-  if (now !== undefined) showInterval(now[0], now[1], "so far");
+  if (now !== undefined) showInterval(now[0], now[1], symmetric ? ONE_DIRECTION : SO_FAR);
 }
 
 /** `last`: whether no newer measurement is on its way. */
 export function showResult(result: DistanceResult, last: boolean): void {
   distance.textContent = distanceText(result.computed, result.diagonal);
-  showInterval(result.lower, result.upper, result.converged ? "certain" : "certain, not converged");
-  showFacts(factsOf(result));
+  showInterval(result.lower, result.upper, meaning(result, last));
+  show(facts, factsOf(result));
+  showEstimates(estimatesOf(result));
   const { a, b } = result.witness;
   Object.assign(section.dataset, {
     method: result.method,
@@ -34,16 +51,17 @@ export function showResult(result: DistanceResult, last: boolean): void {
     converged: result.converged,
     a: a.point.join(" "),
     b: b.point.join(" "),
-    state: last ? "done" : "working",
+    state: last ? "done" : "live",
   });
 }
 
-/** There is no result, as it was cancelled or failed. */
-export function showNone(state: "cancelled" | "failed"): void {
+/** There is no result: it was cancelled, it failed, or the models are new. */
+export function showNone(state: "cancelled" | "failed" | "working"): void {
   distance.textContent = "–";
-  interval.textContent = state;
+  interval.textContent = state === "working" ? "computing" : state;
   width.textContent = "";
   facts.replaceChildren();
+  showEstimates([]);
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b"]) {
     delete section.dataset[name];
   }
@@ -63,11 +81,22 @@ export function hideError(): void {
 
 function showInterval(lower: number, upper: number, how: string): void {
   interval.textContent = intervalText(lower, upper);
-  width.textContent = `width ${rough(upper - lower)}, ${how}`;
+  width.textContent = `${how} · width ${rough(upper - lower)}`;
 }
 
-function showFacts(all: Fact[]): void {
-  facts.replaceChildren(
+/** What is known of the interval: that it contains the distance, whatever the method. */
+function meaning({ method, converged }: DistanceResult, last: boolean): string {
+  if (method === "iteration" || converged) return "certain to contain it";
+  return last ? "certain, wider than asked" : SO_FAR;
+}
+
+function showEstimates(all: Fact[]): void {
+  estimates.hidden = all.length === 0;
+  show(statistics, all);
+}
+
+function show(list: HTMLElement, all: Fact[]): void {
+  list.replaceChildren(
     ...all.flatMap(([term, text]) => [definition("dt", term), definition("dd", text)]),
   );
 }

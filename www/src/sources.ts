@@ -58,6 +58,11 @@ export function offer(shapes: ShapeInfo[]): void {
   pair.dispatchEvent(new Event("change"));
 }
 
+/** Says that models are on their way, or no longer; large ones take a while. */
+export function tellLoading(loading: boolean): void {
+  element("loading").hidden = !loading;
+}
+
 /** Lets the lists say what is shown. */
 export function tellSources(models: Sides<Shown>, placement: Placement): void {
   for (const side of SIDES) {

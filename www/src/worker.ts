@@ -5,12 +5,18 @@ import { Measurements } from "./measurements.ts";
 import type { Reply, Request } from "./protocol.ts";
 
 const ready = start();
+ready.catch(fail);
 // Settled when no load is in work: a small file does not overtake a large one.
 let loaded: Promise<void> = Promise.resolve();
 
 self.onmessage = async ({ data }: MessageEvent<Request>) => {
-  const started = await ready;
-  if (started === undefined) return;
+  let started: Awaited<typeof ready>;
+  try {
+    started = await ready;
+  } catch (error) {
+    fail(error);
+    return;
+  }
   const { engine, measurements } = started;
   if (data.kind === "measure") measurements.ask(data.run, data.options);
   else if (data.kind === "cancel") measurements.cancel();
@@ -38,15 +44,10 @@ async function replace(
 }
 
 async function start() {
-  try {
-    const engine = await Hausdorff.create();
-    const { backend, adapter, notice } = engine;
-    reply({ kind: "ready", backend, adapter, notice, shapes: Hausdorff.shapes() });
-    return { engine, measurements: new Measurements(engine, reply, fail) };
-  } catch (error) {
-    fail(error);
-    return undefined;
-  }
+  const engine = await Hausdorff.create();
+  const { backend, adapter, notice } = engine;
+  reply({ kind: "ready", backend, adapter, notice, shapes: Hausdorff.shapes() });
+  return { engine, measurements: new Measurements(engine, reply, fail) };
 }
 
 function reply(message: Reply, transfer: Transferable[] = []): void {
