@@ -8,7 +8,7 @@ import type { PlainOptions, Reply, Sides } from "./protocol.ts";
  * certificate that is ended tells the interval so far; samples tell nothing,
  * so they have time to finish.
  */
-const GRACE = { certificate: 120, samples: 1000 };
+const GRACE = { certificate: 120, samples: 4000 };
 
 interface Asked {
   run: number;
@@ -22,8 +22,7 @@ export class Measurements {
   readonly #fail: (error: unknown, run: number) => void;
   #models: Sides<NurbsModel> = {};
   #waiting: Asked | undefined;
-  #running: (Asked & { until: number }) | undefined;
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  #running: Asked | undefined;
 
   constructor(
     engine: Hausdorff,
@@ -46,14 +45,7 @@ export class Measurements {
 
   ask(run: number, options: PlainOptions): void {
     this.#waiting = { run, options, abort: new AbortController() };
-    const running = this.#running;
-    if (running === undefined) void this.#runAll();
-    else {
-      this.#timer ??= setTimeout(
-        () => running.abort.abort(),
-        Math.max(0, running.until - performance.now()),
-      );
-    }
+    if (this.#running === undefined) void this.#runAll();
   }
 
   /** Ends the measurement in work and the waiting one, which is told as well. */
@@ -64,13 +56,9 @@ export class Measurements {
 
   async #runAll(): Promise<void> {
     while (this.#waiting !== undefined) {
-      const asked = this.#waiting;
+      this.#running = this.#waiting;
       this.#waiting = undefined;
-      const grace = sampled(asked.options) ? GRACE.samples : GRACE.certificate;
-      this.#running = { ...asked, until: performance.now() + grace };
-      await this.#measure(asked);
-      clearTimeout(this.#timer);
-      this.#timer = undefined;
+      await this.#measure(this.#running);
       this.#running = undefined;
     }
   }
@@ -78,12 +66,16 @@ export class Measurements {
   async #measure({ run, options, abort }: Asked): Promise<void> {
     const { a, b } = this.#models;
     if (a === undefined || b === undefined) return;
+    const begin = performance.now();
     try {
       const result = await this.#engine.distance(a, b, {
         ...options,
         signal: abort.signal,
-        onProgress: (fraction, interval) =>
-          this.#reply({ kind: "progress", run, fraction, interval }),
+        onProgress: (fraction, interval) => {
+          this.#reply({ kind: "progress", run, fraction, interval });
+          if (this.#waiting === undefined) return;
+          if (mayEnd(options, performance.now() - begin, interval)) abort.abort();
+        },
       });
       this.#reply({ kind: "measured", run, result, transform: options.transform ?? {} });
     } catch (error) {
@@ -94,6 +86,12 @@ export class Measurements {
   }
 }
 
-/** Whether there is no result before all samples are done. */
-const sampled = ({ method, field }: PlainOptions): boolean =>
-  method === "iteration" || field === true;
+/** Whether there is something to tell of a measurement, or it took too long for that. */
+function mayEnd(
+  { method, field }: PlainOptions,
+  milliseconds: number,
+  interval: [number, number] | undefined,
+): boolean {
+  if (method === "iteration" || field === true) return milliseconds > GRACE.samples;
+  return milliseconds > GRACE.certificate && interval !== undefined;
+}

@@ -23,12 +23,12 @@ export function tellEngine(
 
 /** Says why the CPU computes what the GPU could. */
 export function tellCpu(notice: string): void {
-  tell("No WebGPU here: everything runs on the CPU.", notice);
+  tell("No WebGPU: everything runs on the CPU", notice);
 }
 
 /** Says why there is nothing to see. */
 export function tellNoWebGl(why: string): void {
-  tell("No WebGL here: distances are computed, but the models cannot be shown.", why);
+  tell("No WebGL: the models cannot be shown, but distances are computed", why);
 }
 
 /** One line, the reason unfolding below it; each is told once. */
