@@ -9,15 +9,25 @@ const PATIENCE = 60_000;
 
 const screenshots = "tests/screenshots";
 
-/** Opens the page; `webgpu: false` starts a Chromium without it. */
-export async function open({ webgpu = true, size = { width: 1280, height: 800 } } = {}) {
+/**
+ * Opens the page; `webgpu: false` starts a Chromium without it, `webgl: false`
+ * one without any 3D, and `prepare` is given the page before it is loaded.
+ */
+export async function open({
+  webgpu = true,
+  webgl = true,
+  size = { width: 1280, height: 800 },
+  prepare = async () => {},
+} = {}) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
   const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
+  if (!webgl) args.push("--disable-3d-apis");
   const browser = await chromium.launch({ ...launchOptions, args });
   const page = await browser.newPage({ viewport: size });
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.setDefaultTimeout(PATIENCE);
+  await prepare(page);
   await page.goto(server.resolvedUrls.local[0]);
   return {
     page,
@@ -31,6 +41,12 @@ export async function open({ webgpu = true, size = { width: 1280, height: 800 } 
       await change();
       await page.locator(`#result[data-state="${state}"]`).waitFor();
     },
+    /** The terms and texts of a list of the read-out. */
+    async texts(list) {
+      const terms = await page.locator(`${list} dt`).allTextContents();
+      const texts = await page.locator(`${list} dd`).allTextContents();
+      return Object.fromEntries(terms.map((term, index) => [term, texts[index]]));
+    },
     async screenshot(name) {
       mkdirSync(screenshots, { recursive: true });
       await page.waitForTimeout(500);
@@ -42,10 +58,3 @@ export async function open({ webgpu = true, size = { width: 1280, height: 800 } 
     },
   };
 }
-
-/** What a file input takes for a file of this text. */
-export const file = (name, text) => ({
-  name,
-  mimeType: "application/json",
-  buffer: Buffer.from(text),
-});

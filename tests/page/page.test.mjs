@@ -1,18 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { file, open } from "./open.mjs";
-
-/** A square of side 2 in the plane of this height. */
-const plane = (height) => ({
-  surfaces: [
-    {
-      degree: [1, 1],
-      knots_u: [0, 0, 1, 1],
-      knots_v: [0, 0, 1, 1],
-      ctrl: [-1, 1].map((x) => [-1, 1].map((y) => [x, y, height, 1])),
-    },
-  ],
-});
+import { modelFile, planes } from "./models.mjs";
+import { open } from "./open.mjs";
 
 const numbers = (text) => text.split(" ").map(Number);
 
@@ -25,12 +14,46 @@ before(async () => {
 
 after(() => opened.close());
 
+/** Two squares as models A and B, each over the other's every point. */
+async function openPlanes(a, b) {
+  const { page } = opened;
+  await page.setInputFiles("#file-a", modelFile("a.json", planes(...a)));
+  await page
+    .locator("#shape-a option:checked", { hasText: "a.json" })
+    .waitFor({ state: "attached" });
+  await opened.until("done", () =>
+    page.setInputFiles("#file-b", modelFile("b.json", planes(...b))),
+  );
+}
+
+/** Red, green and blue left of the middle of the view, where the arrow is. */
+async function besideMiddle() {
+  const { page } = opened;
+  const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+  await page.waitForTimeout(500);
+  const at = { x: Math.floor(x + 0.44 * width), y: Math.floor(y + height / 2) };
+  const clip = { ...at, width: 1, height: 1 };
+  const image = (await page.screenshot({ clip })).toString("base64");
+  return page.evaluate(async (image) => {
+    const bitmap = await createImageBitmap(
+      await (await fetch(`data:image/png;base64,${image}`)).blob(),
+    );
+    const context = new OffscreenCanvas(1, 1).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    return [...context.getImageData(0, 0, 1, 1).data];
+  }, image);
+}
+
 test("the first preset is measured, and shown as people shall see it", async () => {
+  const { page } = opened;
   const { lower, upper, computed, converged } = await opened.data();
   assert.equal(converged, "true");
   assert.ok(Number(lower) <= Number(computed) && Number(computed) <= Number(upper));
-  assert.match(await opened.page.locator("#engine").textContent(), /WebGPU/);
-  assert.ok(await opened.page.locator("#banner").isHidden());
+  const [from, to] = JSON.parse(await page.locator("#interval").textContent());
+  assert.ok(from <= Number(lower) && Number(upper) <= to, "what is read contains the interval");
+  assert.match(await page.locator("#width").textContent(), /certain to contain it/);
+  assert.match(await page.locator("#engine").textContent(), /WebGPU/);
+  assert.ok(await page.locator("#banner").isHidden());
   await opened.screenshot("page");
 });
 
@@ -52,49 +75,45 @@ for (const method of ["certified", "iteration"]) {
   });
 }
 
-test("planes dropped as files; the slider moves A, and the arrow follows", async () => {
-  await opened.until("done", async () => {
-    await opened.page.selectOption("#method", "certified");
-    await opened.page.setInputFiles("#file-a", file("low.json", JSON.stringify(plane(0))));
-    await opened.page.setInputFiles("#file-b", file("high.json", JSON.stringify(plane(3))));
-    await opened.page.locator("#name-b", { hasText: "high.json" }).waitFor();
-  });
-  await opened.until("done", () => opened.page.locator("#move-z").fill("0"));
-  await opened.until("done", () => opened.page.locator("#turn").fill("0"));
-  await opened.until("done", () => opened.page.locator("#move-z").fill("0.5"));
-  const diagonal = Math.hypot(2, 2);
-  const { computed, a, b } = await opened.data();
-  assert.ok(Math.abs(Number(computed) - (3 - 0.5 * diagonal)) < 1e-9, computed);
-  assert.ok(Math.abs(numbers(a)[2] - 0.5 * diagonal) < 1e-9, a);
-  assert.equal(numbers(b)[2], 3);
-});
-
-test("dragging a slider recomputes on the way", async () => {
-  await opened.until("done", () => opened.page.selectOption("#preset", { label: "Torus, moved" }));
-  const box = await opened.page.locator("#move-x").boundingBox();
-  const seen = new Set();
-  await opened.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await opened.page.mouse.down();
-  for (let step = 1; step <= 5; step++) {
-    await opened.page.mouse.move(box.x + box.width * (0.5 + 0.05 * step), box.y + box.height / 2);
-    await opened.page.waitForTimeout(600);
-    seen.add((await opened.data()).computed);
+test("the deviation of a plane under another and over it is signed, coloured, and counted", async () => {
+  const { page } = opened;
+  await page.selectOption("#method", "certified");
+  await openPlanes([2.9], [3]);
+  await opened.until("done", () => page.locator("#deviation").check());
+  for (const [height, mean, red] of [
+    [2.9, "≈ −0.10000", false],
+    [3.1, "≈ +0.10000", true],
+  ]) {
+    await opened.until("done", () => page.locator("#move-z-exact").fill(`${height - 2.9}`));
+    assert.deepEqual(await opened.texts("#statistics"), {
+      mean: "≈ 0.10000",
+      "signed mean": mean,
+      RMS: "≈ 0.10000",
+      median: "≈ 0.10000",
+      "95th percentile": "≈ 0.10000",
+      "99th percentile": "≈ 0.10000",
+    });
+    assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
+    assert.equal(await page.locator("#scale-low").textContent(), "−0.10000");
+    assert.equal(await page.locator("#scale-high").textContent(), "+0.10000");
+    const [r, , b] = await besideMiddle();
+    assert.ok(red ? r > b + 50 : b > r + 50, `red ${r}, blue ${b}`);
   }
-  await opened.page.mouse.up();
-  assert.ok(seen.size >= 3, `${seen.size} different distances in 5 steps`);
+  await opened.until("done", () => page.locator("#deviation").uncheck());
+  assert.ok(await page.locator("#legend").isHidden());
+  assert.ok(await page.locator("#estimates").isHidden());
 });
 
-test("projection lines come with statistics", async () => {
+test("projection lines and the painted deviation come with a legend", async () => {
   await opened.until("done", () =>
     opened.page.selectOption("#preset", { label: "Two wavy sheets" }),
   );
-  await opened.until("done", async () => {
-    await opened.page.locator("#samples").fill("32");
-    await opened.page.locator("#lines").check();
-  });
-  await opened.page.locator("dt", { hasText: "rms" }).waitFor();
-  await opened.screenshot("lines");
-  await opened.until("done", () => opened.page.locator("#lines").uncheck());
+  for (const box of ["#lines", "#deviation"]) {
+    await opened.until("done", () => opened.page.locator(box).check());
+    assert.ok(await opened.page.locator("#legend").isVisible());
+    await opened.screenshot(box.slice(1));
+    await opened.until("done", () => opened.page.locator(box).uncheck());
+  }
 });
 
 test("a long certificate is cancelled, with the interval so far", async () => {
@@ -102,41 +121,33 @@ test("a long certificate is cancelled, with the interval so far", async () => {
     opened.page.selectOption("#preset", { label: "Concentric spheres" }),
   );
   await opened.until("working", () => opened.page.selectOption("#tolerance", "1e-9"));
+  await opened.page.locator("#cancel").waitFor();
+  await opened.screenshot("working");
   await opened.until("done", () => opened.page.locator("#cancel").click());
   const { converged, lower, upper } = await opened.data();
   assert.equal(converged, "false");
   assert.ok(Number(lower) <= 0.2 + 1e-12 && 0.2 - 1e-12 <= Number(upper), `${lower} ${upper}`);
+  assert.match(await opened.page.locator("#width").textContent(), /wider than asked/);
+  assert.equal((await opened.texts("#facts"))["ended by"], "cancelling");
   await opened.until("done", () => opened.page.selectOption("#tolerance", "1e-6"));
 });
 
-test("broken files are named with their code, and the page goes on", async () => {
-  const weightless = plane(0);
-  weightless.surfaces[0].ctrl[1][0][3] = 0;
-  for (const [text, code] of [
-    ["not JSON", "JSON_SHAPE"],
-    [JSON.stringify(weightless), "WEIGHT_NOT_POSITIVE"],
-  ]) {
-    await opened.until("failed", () =>
-      opened.page.setInputFiles("#file-a", file("broken.json", text)),
-    );
-    assert.match(await opened.page.locator("#error").textContent(), new RegExp(code));
-  }
-  await opened.screenshot("error");
-  await opened.until("done", () => opened.page.selectOption("#preset", { label: "Torus, moved" }));
-  assert.ok(await opened.page.locator("#error").isHidden());
+test("cancelled samples leave no numbers behind", async () => {
+  const { page } = opened;
+  const many = Array.from({ length: 40 }, (_, index) => 0.1 * index);
+  await openPlanes(many, many);
+  assert.equal(await page.locator("#distance").textContent(), "0.00000");
+  await page.locator("#samples").evaluate((samples) => {
+    samples.value = "160";
+  });
+  await opened.until("working", () => page.selectOption("#method", "iteration"));
+  await opened.until("cancelled", () => page.locator("#cancel").click());
+  assert.equal(await page.locator("#distance").textContent(), "–");
+  assert.equal(await page.locator("#interval").textContent(), "cancelled");
+  assert.deepEqual(await opened.texts("#facts"), {});
+  assert.ok(await page.locator("#label").isHidden());
+  assert.equal((await opened.data()).computed, undefined);
+  await opened.screenshot("cancelled");
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));
-
-test("without WebGPU it says so and runs on the CPU, on a narrow screen too", async () => {
-  const narrow = await open({ webgpu: false, size: { width: 400, height: 800 } });
-  try {
-    await narrow.page.locator('#result[data-state="done"]').waitFor();
-    assert.match(await narrow.page.locator("#banner").textContent(), /No WebGPU/);
-    await narrow.until("done", () => narrow.page.selectOption("#method", "iteration"));
-    assert.match(await narrow.page.locator("#facts").textContent(), /on the CPU/);
-    await narrow.screenshot("narrow-cpu");
-  } finally {
-    await narrow.close();
-  }
-});

@@ -1,83 +1,76 @@
 // What the user chose in the panel.
-import type { Vector3 } from "nurbs-hausdorff";
+import { Vector3 } from "three";
 import { element } from "./elements.ts";
-import type { PlainOptions } from "./protocol.ts";
+import type { Placement, PlainOptions } from "./protocol.ts";
+import { Quantity } from "./quantity.ts";
+import type { Wanted } from "./view.ts";
 
-const range = (id: string) => element(id, HTMLInputElement);
+const input = (id: string) => element(id, HTMLInputElement);
 const select = (id: string) => element(id, HTMLSelectElement);
-const moves = ["move-x", "move-y", "move-z"].map(range);
-const [turn, samples] = [range("turn"), range("samples")];
+
+const [x, y, z] = [new Quantity("move-x"), new Quantity("move-y"), new Quantity("move-z")];
+const turn = new Quantity("turn");
+const [samples, samplesText] = [input("samples"), element("samples-text")];
 const [method, tolerance, flatness] = [select("method"), select("tolerance"), select("flatness")];
-const [symmetric, lines, edges] = [range("symmetric"), range("lines"), range("edges")];
+const [symmetric, triangles] = [input("symmetric"), input("triangles")];
+const [deviation, lines] = [input("deviation"), input("lines")];
 
-/** Parts of the diagonal that A is moved along x, y, z. */
-export const moved = (): Vector3 => [
-  Number(moves[0]?.value),
-  Number(moves[1]?.value),
-  Number(moves[2]?.value),
-];
+/** The translation of A, in model units. */
+export const moved = (): Vector3 => new Vector3(x.value, y.value, z.value);
 
-export const turned = (): number => Number(turn.value);
+/** Degrees that A is turned about its vertical axis. */
+export const turned = (): number => turn.value;
 
-export const linesWanted = (): boolean => lines.checked;
+export const wanted = (): Wanted => ({
+  deviation: deviation.checked,
+  lines: lines.checked,
+  triangles: triangles.checked,
+});
 
-export const edgesWanted = (): boolean => edges.checked;
+const fieldWanted = (): boolean => deviation.checked || lines.checked;
 
 /** The options but for the transform. */
 export function options(): PlainOptions {
   return {
-    method: method.value as "certified" | "iteration",
+    method: method.value as NonNullable<PlainOptions["method"]>,
     tolerance: Number(tolerance.value),
     samples: Number(samples.value),
-    flatness: flatness.value as "none" | "loose" | "tight" | "curvature",
+    flatness: flatness.value as NonNullable<PlainOptions["flatness"]>,
     symmetric: symmetric.checked,
-    field: lines.checked,
+    field: fieldWanted(),
   };
 }
 
-/** Sets where A stands. */
-export function place(move: Vector3, degrees: number): void {
-  moves.forEach((input, axis) => {
-    input.value = `${move[axis] ?? 0}`;
+/** Puts A in its place, which is in diagonals of the pair. */
+export function place(placement: Placement, diagonal: number): void {
+  [x, y, z].forEach((quantity, axis) => {
+    quantity.unit = diagonal;
+    quantity.value = (placement.move[axis] ?? 0) * diagonal;
   });
-  turn.value = `${degrees}`;
-  tell();
+  turn.value = placement.turn;
 }
 
-/** Calls back on every change, with what kind it is. */
+/** Calls back on every change. */
 export function onChange(callback: () => void): void {
-  for (const input of [
-    ...moves,
-    turn,
-    samples,
-    method,
-    tolerance,
-    flatness,
-    symmetric,
-    lines,
-    edges,
+  const changed = () => {
+    tell();
+    callback();
+  };
+  for (const quantity of [x, y, z, turn]) quantity.onChange = changed;
+  for (const control of [
+    ...[samples, method, tolerance, flatness],
+    ...[symmetric, deviation, lines, triangles],
   ]) {
-    input.addEventListener("input", () => {
-      tell();
-      callback();
-    });
+    control.addEventListener("input", changed);
   }
   tell();
 }
 
-/** Shows the sliders' values, and only the options of the chosen method. */
+/** Shows only what has a say in what is shown. */
 function tell(): void {
-  for (const input of [...moves, turn, samples]) {
-    const output = input.parentElement?.querySelector("output");
-    if (output) output.textContent = text(input);
+  samplesText.textContent = `${samples.value}²`;
+  const used = [method.value, fieldWanted() ? "field" : ""];
+  for (const row of document.querySelectorAll<HTMLElement>("[data-for]")) {
+    row.hidden = !row.dataset.for?.split(" ").some((use) => used.includes(use));
   }
-  for (const label of document.querySelectorAll<HTMLElement>("[data-for]")) {
-    label.hidden = label.dataset.for !== method.value;
-  }
-}
-
-function text(input: HTMLInputElement): string {
-  if (input === samples) return `${input.value}²`;
-  if (input === turn) return `${input.value}°`;
-  return `${(Number(input.value) * 100).toFixed(1)} %`;
 }

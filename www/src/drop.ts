@@ -1,41 +1,39 @@
-// Files chosen or dropped: the left half of the view is A, the right B.
+// Files dropped on the page: on the view's left half A, on its right half B,
+// or on a model's row of the panel; two files are both.
 import { element } from "./elements.ts";
-import type { Side } from "./protocol.ts";
+import { SIDES, type Side, type Sides } from "./protocol.ts";
 
-export function onFile(callback: (side: Side, name: string, text: string) => void): void {
-  const take = async (side: Side, file: File | null | undefined) => {
-    if (file) callback(side, file.name, await file.text());
-  };
-  for (const side of ["a", "b"] as const) {
-    const input = element(`file-${side}`, HTMLInputElement);
-    input.addEventListener("change", () => {
-      void take(side, input.files?.[0]);
-      input.value = "";
-    });
-    const label = input.closest("label");
-    label?.addEventListener("dragover", (event) => event.preventDefault());
-    label?.addEventListener("drop", (event) => {
-      event.preventDefault();
-      event.stopPropagation();
-      void take(side, event.dataTransfer?.files[0]);
-    });
-  }
+export function onDrop(callback: (files: Sides<File>) => void): void {
   const stage = element("stage");
   const overlay = element("drop");
-  stage.addEventListener("dragover", (event) => {
+  const rows: Record<Side, HTMLElement> = { a: element("model-a"), b: element("model-b") };
+
+  const sideAt = (event: DragEvent): Side | undefined => {
+    const target = event.target instanceof Node ? event.target : null;
+    const row = SIDES.find((side) => rows[side].contains(target));
+    if (row !== undefined || !stage.contains(target)) return row;
+    const { left, width } = stage.getBoundingClientRect();
+    return event.clientX < left + width / 2 ? "a" : "b";
+  };
+
+  // Everywhere, or else the browser leaves the page for the file.
+  window.addEventListener("dragover", (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     overlay.hidden = false;
+    overlay.dataset.side = sideAt(event) ?? "";
   });
-  stage.addEventListener("dragleave", () => {
-    overlay.hidden = true;
+  window.addEventListener("dragleave", (event) => {
+    if (event.relatedTarget === null) overlay.hidden = true;
   });
-  stage.addEventListener("drop", (event) => {
+  window.addEventListener("drop", (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     overlay.hidden = true;
-    const [first, second] = Array.from(event.dataTransfer?.files ?? []);
-    if (second) {
-      void take("a", first);
-      void take("b", second);
-    } else void take(event.offsetX < stage.clientWidth / 2 ? "a" : "b", first);
+    const [first, second] = Array.from(event.dataTransfer.files);
+    if (first === undefined) return;
+    const side = sideAt(event);
+    if (second !== undefined) callback({ a: first, b: second });
+    else if (side !== undefined) callback({ [side]: first });
   });
 }

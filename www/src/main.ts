@@ -1,113 +1,79 @@
-// The page: controls to worker, worker to view and read-out.
-import { Arrow } from "./arrow.ts";
+// The page: panel to worker, worker to view and read-out.
 import { Client } from "./client.ts";
 import * as controls from "./controls.ts";
-import { onFile } from "./drop.ts";
 import { element } from "./elements.ts";
-import { Models } from "./models.ts";
+import * as notices from "./notices.ts";
 import { Pose } from "./pose.ts";
-import { presets } from "./presets.ts";
-import { ProjectionLines } from "./projection-lines.ts";
-import type { Reply, Side } from "./protocol.ts";
+import type { Reply } from "./protocol.ts";
 import * as results from "./results.ts";
-import { Viewport } from "./viewport.ts";
+import { offer, onSource, tellLoading, tellSources } from "./sources.ts";
+import { View } from "./view.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
-const viewport = new Viewport(canvas);
-const models = new Models();
-const arrow = new Arrow(element("label"));
-const lines = new ProjectionLines();
+const view = new View(canvas, notices.tellNoWebGl);
 const client = new Client(onReply);
-const preset = element("preset", HTMLSelectElement);
 
-viewport.scene.add(models.group, arrow.group, lines.lines);
-viewport.onDraw = () => arrow.place(viewport.camera, canvas.clientWidth, canvas.clientHeight);
-
-presets.forEach(({ title }, index) => {
-  preset.append(new Option(title, `${index}`));
-});
-preset.addEventListener("change", loadPreset);
+element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
-element("controls").addEventListener("submit", (event) => event.preventDefault());
-controls.onChange(measure);
-onFile((side, name, text) => {
+element("fit").addEventListener("click", () => view.fit());
+element("approach").addEventListener("click", () => view.approachArrow());
+canvas.addEventListener("dblclick", () => view.fit());
+controls.onChange(() => {
   results.hideError();
-  // Files are compared where they lie.
-  controls.place([0, 0, 0], 0);
-  client.load(side, { json: text, name });
+  measure();
 });
-
-function loadPreset(): void {
-  const chosen = presets[Number(preset.value)];
-  if (chosen === undefined) return;
+onSource((sources, placement) => {
   results.hideError();
-  controls.place(chosen.move, chosen.turn ?? 0);
-  client.load("a", { shape: chosen.a });
-  client.load("b", { shape: chosen.b });
-}
+  tellLoading(true);
+  client.load(sources, placement);
+});
 
 function measure(): void {
-  if (!models.complete) return;
-  const { diagonal } = models;
-  const [x, y, z] = controls.moved();
-  const pose = new Pose(
-    controls.turned(),
-    [x * diagonal, y * diagonal, z * diagonal],
-    models.middle,
-  );
-  models.pose(pose);
-  models.edges = controls.edgesWanted();
-  viewport.draw();
+  if (!view.models.complete) return;
+  const pose = new Pose(controls.moved(), controls.turned(), view.models.middle);
+  view.show(pose, controls.wanted());
+  results.showPending();
   client.measure({ ...controls.options(), transform: pose.transform });
 }
 
 function onReply(reply: Reply): void {
   switch (reply.kind) {
     case "ready":
-      tellEngine(reply.backend, reply.adapter, reply.notice);
-      loadPreset();
+      notices.tellEngine(reply.backend, reply.adapter, reply.notice);
+      offer(reply.shapes);
       break;
     case "loaded":
-      models.show(reply.side, reply.shown);
-      tellName(reply.side, `${reply.shown.name} · ${reply.shown.surfaceCount}`);
-      arrow.hide();
-      lines.hide();
-      viewport.fit(0.5 * models.diagonal);
+      view.models.show(reply.models);
+      tellSources(reply.models, reply.placement);
+      controls.place(reply.placement, view.models.diagonal);
+      tellLoading(false);
+      view.hideResult();
+      results.showNone("working");
       measure();
+      view.fit();
       break;
     case "progress":
-      results.showWorking(reply.fraction, reply.interval);
+      results.showWorking(reply.fraction, reply.interval, controls.options().symmetric === true);
       break;
-    case "measured": {
-      const { result } = reply;
-      results.showResult(result);
-      arrow.show(result, models.center);
-      const field = result.field ?? result.forward?.field;
-      if (controls.linesWanted() && field) lines.show(field, models.center);
-      else lines.hide();
-      viewport.draw();
+    case "measured":
+      results.showResult(reply.result, client.isNewest(reply.run));
+      view.showResult(reply.result, reply.transform);
+      if (reply.result.notice !== undefined) notices.tellCpu(reply.result.notice);
       break;
-    }
     case "cancelled":
-      results.showCancelled();
+      if (!client.isNewest(reply.run)) break;
+      results.showNone("cancelled");
+      view.hideResult();
       break;
     case "failed":
+      if (reply.run !== undefined && !client.isNewest(reply.run)) break;
       results.showError(reply.code, reply.message);
+      if (reply.run === undefined) tellLoading(false);
+      // A file that could not be read leaves the models and their result as they are.
+      if (reply.run !== undefined || !view.models.complete) {
+        results.showNone("failed");
+        view.hideResult();
+      }
       break;
   }
-}
-
-function tellEngine(backend: "gpu" | "cpu", adapter: string | null, notice: string | null): void {
-  element("engine").textContent =
-    backend === "gpu"
-      ? `WebGPU${adapter ? `: ${adapter}` : ""} · certificates in float64`
-      : "CPU, float64";
-  const banner = element("banner");
-  banner.hidden = notice === null;
-  banner.textContent = "No WebGPU here, so everything runs on the CPU.";
-  banner.title = notice ?? "";
-}
-
-function tellName(side: Side, text: string): void {
-  element(`name-${side}`).textContent = text;
 }

@@ -1,112 +1,94 @@
-// The two models as shaded meshes.
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshPhysicalMaterial,
-  Vector3,
-  WireframeGeometry,
-} from "three";
+// The two models in the scene.
+import type { Field, Transform } from "nurbs-hausdorff";
+import { Box3, Group, Vector3 } from "three";
+import { deviationGeometry } from "./deviation.ts";
+import { ModelMesh } from "./mesh.ts";
 import type { Pose } from "./pose.ts";
-import type { Shown, Side } from "./protocol.ts";
-
-const COLORS: Record<Side, number> = { a: 0x2f7fc1, b: 0xe09a35 };
-/** B is seen through, as A may lie inside. */
-const OPACITY: Record<Side, number> = { a: 1, b: 0.42 };
+import { type Shown, SIDES, type Side, type Sides } from "./protocol.ts";
 
 export class Models {
   readonly group = new Group();
-  /** The point that the scene is around, in the models' coordinates. */
+  /**
+   * The middle of the scene in the models' coordinates: float32, which the
+   * GPU draws in, has no digits left for models far from the origin.
+   */
   readonly center = new Vector3();
-  readonly #shown: Partial<Record<Side, Shown>> = {};
-  readonly #meshes: Partial<Record<Side, Mesh>> = {};
-  readonly #edges: Partial<Record<Side, LineSegments>> = {};
-  #edgesVisible = false;
+  readonly #colors: Record<Side, string>;
+  readonly #meshes: Sides<ModelMesh> = {};
 
-  show(side: Side, shown: Shown): void {
-    const { positions, normals, indices } = shown.tessellation;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-    geometry.setIndex(new BufferAttribute(indices, 1));
-    const material = new MeshPhysicalMaterial({
-      color: COLORS[side],
-      roughness: 0.42,
-      metalness: 0.05,
-      clearcoat: 0.35,
-      clearcoatRoughness: 0.4,
-      side: DoubleSide,
-      transparent: OPACITY[side] < 1,
-      opacity: OPACITY[side],
-      depthWrite: OPACITY[side] === 1,
-    });
-    this.#remove(side);
-    const mesh = new Mesh(geometry, material);
-    mesh.renderOrder = side === "a" ? 0 : 1;
-    const edges = new LineSegments(
-      new WireframeGeometry(geometry),
-      new LineBasicMaterial({ color: 0x101820, transparent: true, opacity: 0.22 }),
-    );
-    edges.visible = this.#edgesVisible;
-    mesh.add(edges);
-    mesh.matrixAutoUpdate = false;
-    this.#meshes[side] = mesh;
-    this.#edges[side] = edges;
-    this.#shown[side] = shown;
-    this.group.add(mesh);
-    const b = this.#shown.b ?? shown;
-    this.center
-      .fromArray(b.box.min)
-      .add(new Vector3(...b.box.max))
-      .multiplyScalar(0.5);
+  constructor(colors: Record<Side, string>) {
+    this.#colors = colors;
   }
 
-  set edges(visible: boolean) {
-    this.#edgesVisible = visible;
-    for (const edges of Object.values(this.#edges)) edges.visible = visible;
+  show(models: Sides<Shown>): void {
+    for (const side of SIDES) {
+      const shown = models[side];
+      if (shown === undefined) continue;
+      this.#meshes[side]?.dispose();
+      const mesh = new ModelMesh(shown, this.#colors[side]);
+      this.#meshes[side] = mesh;
+      this.group.add(mesh.group);
+    }
+    const box = (this.#meshes.b ?? this.#meshes.a)?.shown.box;
+    if (box !== undefined) boxOf(box).getCenter(this.center);
+  }
+
+  /** B is always seen through, as A may lie inside; A if what lies inside of it is to be seen. */
+  look(transparent: boolean, triangles: boolean): void {
+    const { a, b } = this.#meshes;
+    if (a) a.transparent = transparent;
+    if (b) b.transparent = true;
+    for (const mesh of Object.values(this.#meshes)) mesh.triangles = triangles;
+  }
+
+  /** Paints A by its deviation as it was found in this place, in a scale to `largest`. */
+  paint(fields: Field[], largest: number, transform: Transform): void {
+    const { a } = this.#meshes;
+    if (a === undefined) return;
+    const origin = new Vector3(...a.shown.tessellation.origin);
+    a.paint(deviationGeometry(fields, largest, transform, origin));
+  }
+
+  unpaint(): void {
+    this.#meshes.a?.paint(undefined);
   }
 
   get complete(): boolean {
-    return this.#shown.a !== undefined && this.#shown.b !== undefined;
+    return SIDES.every((side) => this.#meshes[side] !== undefined);
   }
 
   /** The larger of the two boxes' diagonals. */
   get diagonal(): number {
-    const diagonal = ({ box }: Shown) =>
-      new Vector3(...box.min).distanceTo(new Vector3(...box.max));
-    return Math.max(...Object.values(this.#shown).map(diagonal), 0);
+    const diagonals = Object.values(this.#meshes).map(({ shown: { box } }) =>
+      new Vector3(...box.min).distanceTo(new Vector3(...box.max)),
+    );
+    return Math.max(...diagonals, 0);
   }
 
-  /** The middle of A's box. */
-  get middle(): [number, number, number] {
-    const box = this.#shown.a?.box;
-    if (box === undefined) return [0, 0, 0];
-    const at = (axis: 0 | 1 | 2) => 0.5 * (box.min[axis] + box.max[axis]);
-    return [at(0), at(1), at(2)];
+  /** The middle of A's box, before it is moved. */
+  get middle(): Vector3 {
+    const box = this.#meshes.a?.shown.box;
+    return box === undefined ? new Vector3() : boxOf(box).getCenter(new Vector3());
+  }
+
+  /** Both models where they stand, in the scene's coordinates. */
+  get box(): Box3 {
+    return new Box3().setFromObject(this.group);
   }
 
   /** Puts A where the pose says, B where it is. */
   pose(pose: Pose): void {
-    for (const side of ["a", "b"] as const) {
-      const [mesh, shown] = [this.#meshes[side], this.#shown[side]];
-      if (mesh === undefined || shown === undefined) continue;
-      const origin = new Vector3(...shown.tessellation.origin);
-      if (side === "a") mesh.matrix.copy(pose.matrix(origin, this.center));
-      else mesh.matrix.setPosition(origin.sub(this.center));
-      mesh.matrixWorldNeedsUpdate = true;
+    for (const side of SIDES) {
+      const mesh = this.#meshes[side];
+      if (mesh === undefined) continue;
+      const origin = new Vector3(...mesh.shown.tessellation.origin);
+      if (side === "a") mesh.group.matrix.copy(pose.matrix(origin, this.center));
+      else mesh.group.matrix.setPosition(origin.sub(this.center));
+      mesh.group.matrixWorldNeedsUpdate = true;
     }
   }
+}
 
-  #remove(side: Side): void {
-    const mesh = this.#meshes[side];
-    if (mesh === undefined) return;
-    this.group.remove(mesh);
-    mesh.geometry.dispose();
-    (mesh.material as MeshPhysicalMaterial).dispose();
-    this.#edges[side]?.geometry.dispose();
-  }
+function boxOf({ min, max }: Shown["box"]): Box3 {
+  return new Box3(new Vector3(...min), new Vector3(...max));
 }

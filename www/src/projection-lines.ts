@@ -1,48 +1,42 @@
-// Lines from samples to their feet, coloured by length, as in the paper's Fig. 2.
+// Lines from samples to their feet, coloured by the signed deviation, after the paper's Fig. 2.
 import type { Field } from "nurbs-hausdorff";
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   LineBasicMaterial,
   LineSegments,
   type Vector3,
 } from "three";
+import { deviationColor } from "./colors.ts";
 
 /** Lines drawn, at most; more would hide the models. */
-const MOST_LINES = 3000;
-
-const NEAR = new Color(0x2a9d6f);
-const FAR = new Color(0xc8324b);
+const MOST_LINES = 4096;
 
 export class ProjectionLines {
   readonly lines = new LineSegments(
     new BufferGeometry(),
-    new LineBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }),
+    new LineBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.9 }),
   );
 
   constructor() {
-    this.lines.renderOrder = 2;
+    this.lines.renderOrder = 3;
     this.lines.frustumCulled = false;
+    this.hide();
   }
 
   hide(): void {
     this.lines.visible = false;
   }
 
-  show(fields: Field[], center: Vector3): void {
-    const count = fields.reduce((sum, field) => sum + field.distances.length, 0);
-    const stride = Math.max(1, Math.ceil(count / MOST_LINES));
-    const largest = fields.reduce(
-      (most, field) => field.distances.reduce((a, b) => Math.max(a, b), most),
-      0,
-    );
+  /** Draws the fields' lines, in a scene around `center` and a scale to `largest`. */
+  show(fields: Field[], largest: number, center: Vector3): void {
     const positions: number[] = [];
     const colors: number[] = [];
     const middle = center.toArray();
-    for (const { points, feet, distances } of fields) {
-      for (let index = 0; index < distances.length; index += stride) {
-        const color = NEAR.clone().lerp(FAR, largest > 0 ? (distances[index] ?? 0) / largest : 0);
+    const step = stepOf(fields);
+    for (const { points, feet, signed, counts } of fields) {
+      for (const index of thinned(counts, step)) {
+        const color = deviationColor(largest > 0 ? (signed[index] ?? 0) / largest : 0);
         for (const ends of [points, feet]) {
           for (let axis = 0; axis < 3; axis++) {
             positions.push((ends[3 * index + axis] ?? 0) - (middle[axis] ?? 0));
@@ -52,12 +46,23 @@ export class ProjectionLines {
       }
     }
     this.lines.geometry.dispose();
-    this.lines.geometry = new BufferGeometry();
-    this.lines.geometry.setAttribute(
-      "position",
-      new BufferAttribute(new Float32Array(positions), 3),
-    );
-    this.lines.geometry.setAttribute("color", new BufferAttribute(new Float32Array(colors), 3));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
+    geometry.setAttribute("color", new BufferAttribute(new Float32Array(colors), 3));
+    this.lines.geometry = geometry;
     this.lines.visible = true;
+  }
+}
+
+/** Every how many-th row and column of samples is drawn. */
+function stepOf(fields: Field[]): number {
+  const count = fields.reduce((sum, { distances }) => sum + distances.length, 0);
+  return Math.max(1, Math.ceil(Math.sqrt(count / MOST_LINES)));
+}
+
+/** Indices of the samples on every `step`-th row and column. */
+function* thinned([rows, columns]: [number, number], step: number): Generator<number> {
+  for (let row = 0; row < rows; row += step) {
+    for (let column = 0; column < columns; column += step) yield row * columns + column;
   }
 }

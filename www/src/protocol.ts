@@ -5,29 +5,48 @@ import type {
   ErrorCode,
   ShapeInfo,
   Tessellation,
+  Transform,
   Vector3,
 } from "nurbs-hausdorff";
 
 export type Side = "a" | "b";
 
+export const SIDES: readonly Side[] = ["a", "b"];
+
+/** Something for each of the two models, or for one of them. */
+export type Sides<T> = Partial<Record<Side, T>>;
+
 /** Where a model comes from. */
-export type Source = { shape: string } | { json: string; name: string };
+export type Source = { shape: string } | { file: File };
+
+/** Where model A is put when it is loaded. */
+export interface Placement {
+  /** In diagonals of the pair. */
+  move: Vector3;
+  /** Degrees about its vertical axis. */
+  turn: number;
+}
 
 /** Options that can be posted. */
 export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 
 export type Request =
-  | { kind: "load"; side: Side; source: Source }
+  | { kind: "load"; sources: Sides<Source>; placement: Placement }
   | { kind: "measure"; run: number; options: PlainOptions }
   | { kind: "cancel" };
 
 /** What there is to show of a model. */
 export interface Shown {
-  name: string;
+  source: Source;
   surfaceCount: number;
   box: { min: Vector3; max: Vector3 };
   tessellation: Tessellation;
+  /** Vertices of the tessellation's open edges, two an edge. */
+  outline: Uint32Array<ArrayBuffer>;
 }
+
+/** A code of the package's; `UNEXPECTED` is what it did not raise on purpose. */
+export type Code = ErrorCode | "UNEXPECTED";
 
 export type Reply =
   | {
@@ -37,13 +56,8 @@ export type Reply =
       notice: string | null;
       shapes: ShapeInfo[];
     }
-  | { kind: "loaded"; side: Side; shown: Shown }
+  | { kind: "loaded"; models: Sides<Shown>; placement: Placement }
   | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
-  | { kind: "measured"; run: number; result: DistanceResult }
+  | { kind: "measured"; run: number; result: DistanceResult; transform: Transform }
   | { kind: "cancelled"; run: number }
-  | {
-      kind: "failed";
-      about: Side | "measure" | "start";
-      code: ErrorCode | "ERROR";
-      message: string;
-    };
+  | { kind: "failed"; run?: number; code: Code; message: string };

@@ -1,26 +1,74 @@
-// The read-out: distance, interval, bounds, time; or what went wrong.
+// The read-out: distance, interval, details; or what went wrong. What tests
+// and other programs may read is in the section's data attributes.
 import type { DistanceResult } from "nurbs-hausdorff";
 import { element } from "./elements.ts";
-import { distanceText, milliseconds, precise, rough } from "./numbers.ts";
+import { estimatesOf, type Fact, factsOf } from "./facts.ts";
+import { distanceText, intervalText, rough } from "./numbers.ts";
+
+const SO_FAR = "certain so far";
+/** Both directions are computed in turn, each with an interval of its own. */
+const ONE_DIRECTION = "one direction so far";
 
 const section = element("result");
 const distance = element("distance");
 const interval = element("interval");
-const work = element("work");
+const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const facts = element("facts");
+const estimates = element("estimates");
+const statistics = element("statistics");
 
-export function showWorking(fraction: number, now: [number, number] | undefined): void {
+/** A measurement was asked for, of the same models. */
+export function showPending(): void {
   section.dataset.state = "working";
-  work.hidden = false;
+  progress.value = 0;
+}
+
+/** Work has come this far, with the interval so far if the method has one. */
+export function showWorking(
+  fraction: number,
+  now: [number, number] | undefined,
+  symmetric: boolean,
+): void {
+  section.dataset.state = "working";
   progress.value = fraction;
-  if (now !== undefined) interval.textContent = intervalText(now[0], now[1]);
+  if (now !== undefined) showInterval(now[0], now[1], symmetric ? ONE_DIRECTION : SO_FAR);
+}
+
+/** `last`: whether no newer measurement is on its way. */
+export function showResult(result: DistanceResult, last: boolean): void {
+  distance.textContent = distanceText(result.computed, result.diagonal);
+  showInterval(result.lower, result.upper, meaning(result, last));
+  show(facts, factsOf(result));
+  showEstimates(estimatesOf(result));
+  const { a, b } = result.witness;
+  Object.assign(section.dataset, {
+    method: result.method,
+    computed: result.computed,
+    lower: result.lower,
+    upper: result.upper,
+    converged: result.converged,
+    a: a.point.join(" "),
+    b: b.point.join(" "),
+    state: last ? "done" : "live",
+  });
+}
+
+/** There is no result: it was cancelled, it failed, or the models are new. */
+export function showNone(state: "cancelled" | "failed" | "working"): void {
+  distance.textContent = "–";
+  interval.textContent = state === "working" ? "computing" : state;
+  width.textContent = "";
+  facts.replaceChildren();
+  showEstimates([]);
+  for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b"]) {
+    delete section.dataset[name];
+  }
+  section.dataset.state = state;
 }
 
 export function showError(code: string, message: string): void {
-  section.dataset.state = "failed";
-  work.hidden = true;
   error.hidden = false;
   error.dataset.code = code;
   error.textContent = `${code}: ${message}`;
@@ -31,69 +79,37 @@ export function hideError(): void {
   delete error.dataset.code;
 }
 
-export function showCancelled(): void {
-  section.dataset.state = "cancelled";
-  work.hidden = true;
-  interval.textContent = "cancelled";
+function showInterval(lower: number, upper: number, how: string): void {
+  interval.textContent = intervalText(lower, upper);
+  width.textContent = `${how} · width ${rough(upper - lower)}`;
 }
 
-export function showResult(result: DistanceResult): void {
-  work.hidden = true;
-  distance.textContent = distanceText(result.computed, result.diagonal);
-  interval.textContent = intervalText(result.lower, result.upper);
-  facts.replaceChildren(
-    ...factsOf(result).flatMap(([term, text]) => [node("dt", term), node("dd", text)]),
+/** What is known of the interval: that it contains the distance, whatever the method. */
+function meaning({ method, converged }: DistanceResult, last: boolean): string {
+  if (method === "iteration" || converged) return "certain to contain it";
+  return last ? "certain, wider than asked" : SO_FAR;
+}
+
+function showEstimates(all: Fact[]): void {
+  estimates.hidden = all.length === 0;
+  show(statistics, all);
+}
+
+function show(list: HTMLElement, all: Fact[]): void {
+  list.replaceChildren(
+    ...all.flatMap(([term, text]) => [definition("dt", term), definition("dd", text)]),
   );
-  const { a, b } = result.witness;
-  Object.assign(section.dataset, {
-    method: result.method,
-    computed: result.computed,
-    lower: result.lower,
-    upper: result.upper,
-    converged: result.converged,
-    a: a.point.join(" "),
-    b: b.point.join(" "),
-    state: "done",
-  });
 }
 
-function intervalText(lower: number, upper: number): string {
-  return `certainly in [${precise(lower)}, ${precise(upper)}], width ${rough(upper - lower)}`;
-}
-
-function factsOf(result: DistanceResult): [term: string, text: string][] {
-  const { seconds, patches, statistics } = result;
-  const facts: [string, string][] = [
-    ["time", `${milliseconds(seconds.solve)} on the ${result.backend.toUpperCase()}`],
-    ["preparation", milliseconds(seconds.prepare + seconds.compile)],
-  ];
-  if (result.method === "certified") {
-    facts.push(["cells", `${result.cells.toLocaleString("en")} in ${result.levels} levels`]);
-    if (!result.converged) facts.push(["ended by", result.stop]);
-  } else {
-    const { bounds, samples, statuses } = result;
-    facts.push(
-      ["K_A, published", bounds.k_a.toPrecision(5)],
-      ["K_A, rigorous", bounds.k_a_rigorous.toPrecision(5)],
-      ["K_B, observed", bounds.k_b === null ? "none" : bounds.k_b.toPrecision(3)],
-      ["samples", samples.toLocaleString("en")],
-      ["at iteration limit", statuses.iteration_limit.toLocaleString("en")],
-    );
-  }
-  facts.push(["patches", `${patches.a.toLocaleString("en")} · ${patches.b.toLocaleString("en")}`]);
-  if (statistics !== undefined) {
-    const estimate = (value: number) => `≈ ${distanceText(value, result.diagonal)}`;
-    facts.push(
-      ["mean", estimate(statistics.mean)],
-      ["rms", estimate(statistics.rms)],
-      ["95 % of the area", estimate(statistics.percentile_95)],
-    );
-  }
-  return facts;
-}
-
-function node(name: "dt" | "dd", text: string): HTMLElement {
+/** With what follows `_` up to the comma below the line. */
+function definition(name: "dt" | "dd", text: string): HTMLElement {
   const node = document.createElement(name);
-  node.textContent = text;
+  const [before = "", below, after = ""] = text.split(/_(\w+)/);
+  node.append(before);
+  if (below !== undefined) {
+    const sub = document.createElement("sub");
+    sub.textContent = below;
+    node.append(sub, after);
+  }
   return node;
 }

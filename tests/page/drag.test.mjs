@@ -1,0 +1,81 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { drag } from "./drag.mjs";
+import { sharedFile } from "./models.mjs";
+import { open } from "./open.mjs";
+
+let opened;
+
+before(async () => {
+  // Small and without WebGPU: where no GPU is, drawing takes what samples on it would need.
+  opened = await open({ webgpu: false, size: { width: 800, height: 480 } });
+  await opened.page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+/** Results of a drag that are waited for; a starved page shows none until the mouse rests. */
+const WANTED = 8;
+
+for (const method of ["certified", "iteration"]) {
+  test(`a fast drag shows results of ${method} on the way, and nothing jumps`, async (context) => {
+    await opened.until("done", async () => {
+      await opened.page.selectOption("#method", method);
+      await opened.page.locator("#samples").evaluate((samples) => {
+        samples.value = "16";
+      });
+      await opened.page.selectOption("#preset", { label: "Torus, moved" });
+    });
+    const { results, heights, perSecond } = await drag(opened.page, "#move-x", WANTED);
+    context.diagnostic(`${perSecond.toFixed(1)} results a second`);
+    assert.ok(results.length >= WANTED, `${results.length} results on the way`);
+    for (const { computed, text } of results) assert.equal(text, Number(computed).toFixed(5));
+    assert.equal(heights.length, 2, heights.join(", "));
+    await opened.page.locator('#result[data-state="done"]').waitFor();
+  });
+}
+
+test("a certificate too long for a drag tells intervals on the way, and ends at the last place", async () => {
+  const { page } = opened;
+  await opened.until("done", async () => {
+    await page.selectOption("#method", "certified");
+    await page.selectOption("#preset", { label: "Concentric spheres" });
+  });
+  await opened.until("working", () => page.selectOption("#tolerance", "1e-9"));
+  const { results } = await drag(page, "#move-x", WANTED);
+  await page.selectOption("#tolerance", "1e-4");
+  assert.ok(results.length >= WANTED, `${results.length} results on the way`);
+  for (const { lower, upper } of results) {
+    // A, moved by d, comes 0.2 + d from B.
+    assert.ok(lower <= upper && upper >= 0.2, `${lower} ${upper}`);
+  }
+  await opened.until("done", () => page.locator("#move-x-exact").fill("0.05"));
+  const { lower, upper, converged } = await opened.data();
+  assert.equal(converged, "true");
+  assert.ok(Number(lower) <= 0.25 + 1e-12 && 0.25 - 1e-12 <= Number(upper), `${lower} ${upper}`);
+  await page.selectOption("#tolerance", "1e-6");
+});
+
+/** Results of a real model's drag; enough to tell their rate. */
+const LIVE = 20;
+
+for (const name of ["duck.json", "utah_teapot_4nurbs.json"]) {
+  const model = sharedFile(name);
+  const skip = model === undefined && "there is no ../shared/models";
+  test(`dragging ${name} keeps its certified interval live`, { skip }, async (context) => {
+    const { page } = opened;
+    await page.setInputFiles("#file-a", model);
+    await page.locator("#shape-a option:checked", { hasText: name }).waitFor({ state: "attached" });
+    await page.setInputFiles("#file-b", model);
+    await page.locator("#shape-b option:checked", { hasText: name }).waitFor({ state: "attached" });
+    await opened.until("done", () => page.locator("#move-x").fill("0.04"));
+    const { results, perSecond } = await drag(page, "#move-x", LIVE);
+    context.diagnostic(`${perSecond.toFixed(1)} results a second`);
+    assert.ok(results.length >= LIVE, `${results.length} results on the way`);
+    for (const { lower, upper } of results) assert.ok(lower <= upper, `${lower} ${upper}`);
+    await page.locator('#result[data-state="done"]').waitFor();
+    await opened.screenshot(name.replace(".json", ""));
+  });
+}
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));
