@@ -39,8 +39,8 @@ class Surface:
             for t, ends, knots, p in zip((u, v), self.domain, self.knots, self.degree, strict=True)
         )
         homogeneous = np.concatenate([self.points * self.weights[..., None], self.weights[..., None]], axis=2)
-        values = np.einsum("ia,abk->ibk", rows, homogeneous)
-        values = np.einsum("jb,ibk->ijk", columns, values)
+        along_u = np.tensordot(rows, homogeneous, axes=(1, 0))
+        values = np.tensordot(along_u, columns, axes=(1, 1)).transpose(0, 2, 1)
         return values[..., :3] / values[..., 3:]
 
     def samples(self, count):

@@ -47,8 +47,8 @@ def interval(pair, reference, ours):
     """What is known of the distance: a formula, or both certified intervals."""
     if pair.truth is not None:
         return pair.truth, pair.truth
-    timed = ours.get("interval") or (reference["lower"], reference["upper"])
-    return max(reference["lower"], timed[0]), min(reference["upper"], timed[1])
+    lower, upper = ours.get("interval") or (reference["lower"], reference["upper"])
+    return max(reference["lower"], lower), min(reference["upper"], upper)
 
 
 def markdown(abouts, table, rounds):

@@ -6,7 +6,7 @@ from scipy.spatial import cKDTree
 from peers.sampled import SampledPeer
 
 # Samples of each model, shared among its surfaces.
-POINTS = 200_000
+POINTS = 100_000
 
 
 class Peer(SampledPeer):

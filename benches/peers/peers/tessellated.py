@@ -15,28 +15,12 @@ ANGLE = 0.5
 MESHES = WORK / "meshes.npz"
 
 
-def forget():
-    """Makes the next peer tessellate again."""
-    MESHES.unlink(missing_ok=True)
-
-
-def meshes(a, b):
-    """(vertices, triangles) of both, and the seconds to make them.
-
-    Made once for all peers of a round, each of which counts the time.
-    """
+def kept():
+    """(vertices, triangles) of both models, and the seconds that they took."""
     if not MESHES.is_file():
-        import opencascade
-
-        deflection = DEFLECTION * max(diagonal(a), diagonal(b))
-        made, seconds = {}, 0.0
-        for name, surfaces in (("a", a), ("b", b)):
-            geometry = [opencascade.surface(surface) for surface in surfaces]
-            made[f"v{name}"], made[f"f{name}"], took = opencascade.triangles(geometry, deflection, ANGLE)
-            seconds += took
-        np.savez(MESHES, seconds=seconds, **made)
-    kept = np.load(MESHES)
-    return (kept["va"], kept["fa"]), (kept["vb"], kept["fb"]), float(kept["seconds"])
+        raise RuntimeError("no triangles within the limit")
+    made = np.load(MESHES)
+    return (made["va"], made["fa"]), (made["vb"], made["fb"]), float(made["seconds"])
 
 
 class MeshPeer(Base):
@@ -45,7 +29,7 @@ class MeshPeer(Base):
     how = f"triangles by BRepMesh_IncrementalMesh, deflection {DEFLECTION:g} of the diagonal, angle {ANGLE:g}"
 
     def prepare(self, paths, a, b):
-        self.a, self.b, self.tessellation = meshes(a, b)
+        self.a, self.b, self.tessellation = kept()
         self.diagonal = max(diagonal(a), diagonal(b))
 
     def measure(self):
