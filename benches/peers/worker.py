@@ -32,7 +32,7 @@ def main():
             peer.prepare(paths, *map(load, paths))
             result = peer.measure()
         except Exception as failure:  # a peer's errors are its own
-            answer(failed=f"{type(failure).__name__}: {failure}")
+            answer(failed=str(failure) or type(failure).__name__)
             continue
         answer(value=result.value, seconds=result.seconds, parts=result.parts, interval=result.interval)
 

@@ -12,6 +12,10 @@ class Peer(SampledPeer):
     name = "BREP_kernel"
     settings = f"`project_point_to_surface`, release build, on all cores; {SampledPeer.how}"
 
+    def __init__(self):
+        if not BREP_KERNEL.is_file():
+            raise RuntimeError("not built")
+
     def prepare(self, paths, a, b):
         self.paths = [str(path) for path in paths]
 

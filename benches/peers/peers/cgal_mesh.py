@@ -20,6 +20,10 @@ class Peer(MeshPeer):
         f"EPICK, -O3 -DNDEBUG; {MeshPeer.how}"
     )
 
+    def __init__(self):
+        if not CGAL.is_file():
+            raise RuntimeError("not built")
+
     def prepare(self, paths, a, b):
         super().prepare(paths, a, b)
         for name, (vertices, faces) in (("a", self.a), ("b", self.b)):

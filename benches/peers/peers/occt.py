@@ -1,7 +1,5 @@
 """OpenCASCADE: `GeomAPI_ProjectPointOnSurf` of grid samples."""
 
-from OCP.Extrema import Extrema_ExtAlgo
-from OCP.Geom import Geom_BSplineSurface
 from OCP.GeomAPI import GeomAPI_ProjectPointOnCurve, GeomAPI_ProjectPointOnSurf
 from OCP.gp import gp_Pnt
 
@@ -10,36 +8,40 @@ from peers.sampled import SAMPLES, Boxes, SampledPeer
 
 
 class Target:
-    """A surface of B with its projector."""
+    """A surface of B with its projectors, initialised once."""
 
     def __init__(self, arrays):
-        self.surface: Geom_BSplineSurface = opencascade.surface(arrays)
-        u, v = arrays.domain
-        self.sides = [self.surface.UIso(t) for t in u] + [self.surface.VIso(t) for t in v]
-        self.projector = GeomAPI_ProjectPointOnSurf()
-        self.projector.Init(self.surface, *u, *v, Extrema_ExtAlgo.Extrema_ExtAlgo_Tree)
+        surface = opencascade.surface(arrays)
+        (u0, u1), (v0, v1) = arrays.domain
+        self.inside = GeomAPI_ProjectPointOnSurf()
+        self.inside.Init(surface, u0, u1, v0, v1)
+        self.sides = []
+        for curve, ends in (
+            (surface.UIso(u0), (v0, v1)),
+            (surface.UIso(u1), (v0, v1)),
+            (surface.VIso(v0), (u0, u1)),
+            (surface.VIso(v1), (u0, u1)),
+        ):
+            projector = GeomAPI_ProjectPointOnCurve()
+            projector.Init(curve, *ends)
+            self.sides.append(projector)
+        self.corners = [surface.Value(u, v) for u in (u0, u1) for v in (v0, v1)]
 
     def distance(self, point):
-        """To the nearest orthogonal projection; where there is none, to the boundary."""
-        self.projector.Perform(point)
-        if self.projector.NbPoints():
-            return self.projector.LowerDistance()
-        return min(distance_to_curve(point, side) for side in self.sides)
-
-
-def distance_to_curve(point, curve):
-    """The distance of a bounded curve: of orthogonal projections and its ends."""
-    ends = (curve.Value(curve.FirstParameter()), curve.Value(curve.LastParameter()))
-    nearest = min(point.Distance(end) for end in ends)
-    projector = GeomAPI_ProjectPointOnCurve(point, curve)
-    return min(nearest, projector.LowerDistance()) if projector.NbPoints() else nearest
+        """To the nearest orthogonal projection on the surface or its sides, or the nearest corner."""
+        least = min(point.Distance(corner) for corner in self.corners)
+        for projector in (self.inside, *self.sides):
+            projector.Perform(point)
+            if projector.NbPoints():
+                least = min(least, projector.LowerDistance())
+        return least
 
 
 class Peer(SampledPeer):
     name = "OpenCASCADE"
     settings = (
-        "`GeomAPI_ProjectPointOnSurf`, initialised once a surface, Extrema_ExtAlgo_Tree (as right as the "
-        f"default _Grad here, and faster), called from Python; {SampledPeer.how}"
+        "`GeomAPI_ProjectPointOnSurf`, its default algorithm, initialised once a surface, and its sides by "
+        f"`GeomAPI_ProjectPointOnCurve`, called from Python; {SampledPeer.how}"
     )
 
     def distance(self):

@@ -67,7 +67,9 @@ fn distance(a: &Model, b: &Model, samples: usize) -> Result<f64, Failure> {
 
 fn boxed(arrays: &Arrays) -> Result<Boxed, Failure> {
     // Vec4 is homogeneous: the point is (x, y, z)/w.
-    let row = |row: &Vec<[f64; 4]>| row.iter().map(|&[x, y, z, w]| Vec4 { x: x * w, y: y * w, z: z * w, w }).collect();
+    let row = |row: &Vec<[f64; 4]>| {
+        row.iter().map(|&[x, y, z, w]| Vec4 { x: x * w, y: y * w, z: z * w, w }).collect()
+    };
     let surface = NurbsSurface::new(
         arrays.degree[0],
         arrays.degree[1],
@@ -107,7 +109,8 @@ fn farthest(points: &[Vec3], b: &Model) -> Result<f64, Failure> {
 
 /// Surfaces in the order of their boxes' distances, until no box is near enough.
 fn nearest(point: Vec3, surfaces: &[Boxed]) -> Result<f64, Failure> {
-    let mut order: Vec<(f64, &Boxed)> = surfaces.iter().map(|boxed| (box_distance(point, boxed), boxed)).collect();
+    let mut order: Vec<(f64, &Boxed)> =
+        surfaces.iter().map(|boxed| (box_distance(point, boxed), boxed)).collect();
     order.sort_by(|left, right| left.0.total_cmp(&right.0));
     let mut best = f64::INFINITY;
     for (bound, boxed) in order {
