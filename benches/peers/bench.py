@@ -115,7 +115,7 @@ def write(folder, runners, results, rounds):
     table = rows(abouts, results)
     (folder / "table.md").write_text(markdown(abouts, table, rounds))
     with open(folder / "table.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, fieldnames=list(table[0]))
+        writer = csv.DictWriter(file, fieldnames=list(table[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(table)
 
