@@ -14,7 +14,7 @@ class Peer(Base):
     guarantee = "interval for the surfaces"
     settings = (
         f"`distance A B --tolerance {TOLERANCE:g} --json`, a new process each time; "
-        "seconds.prepare + seconds.solve, from the model in memory to the interval, on all cores"
+        "all of `seconds` (prepare, compile, solve), from the model in memory to the interval, on all cores"
     )
 
     def prepare(self, paths, a, b):
@@ -22,7 +22,7 @@ class Peer(Base):
 
     def measure(self):
         result = distance(self.paths, TOLERANCE)
-        parts = {key: result["seconds"][key] for key in ("prepare", "solve")}
+        parts = result["seconds"]
         interval = (result["lower"], result["upper"])
         return Answer(result["computed"], sum(parts.values()), parts, interval)
 
