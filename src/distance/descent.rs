@@ -1,9 +1,11 @@
 //! One direction of method `hierarchy`, on any backend.
 
+use super::cpu_descent::descend;
 use super::directed::{Directed, surface_point};
 use super::{HierarchyDetails, Options, PreparedModel, Progress};
 use crate::error::{Error, Result};
-use crate::hierarchy::{CellTree, Distances};
+use crate::gpu::GpuDescent;
+use crate::hierarchy::{CellTree, Distances, Traversal};
 use crate::model::RigidTransform;
 
 /// Bytes of a pair: two indices.
@@ -30,18 +32,35 @@ impl Descended {
     }
 }
 
-/// What a backend does for method `hierarchy`, at the pair of roots first.
-pub(crate) trait Descend {
-    /// The levels below the roots.
-    fn levels(&self) -> usize;
+/// The backend's stages, at the pair of roots first.
+pub(super) enum Descending<'a> {
+    /// In float64.
+    Cpu(Traversal<'a>),
+    /// In float32.
+    Gpu(Box<GpuDescent>),
+}
 
-    /// Bounds the boxes on the level below and culls their pairs; goes there
-    /// if no more than `most_pairs` are left.
-    async fn descend(&mut self, most_pairs: usize, progress: &mut Progress<'_>) -> Result<Descended>;
+impl Descending<'_> {
+    fn below_roots(&self) -> usize {
+        match self {
+            Self::Cpu(traversal) => traversal.finest(),
+            Self::Gpu(descent) => descent.levels(),
+        }
+    }
 
-    /// On the last level, the cell of A that is the farthest from B, and a
-    /// cell of B near it.
-    async fn farthest(&mut self) -> Result<[usize; 2]>;
+    async fn descend(&mut self, most_pairs: usize, progress: &mut Progress<'_>) -> Result<Descended> {
+        match self {
+            Self::Cpu(traversal) => descend(traversal, most_pairs, progress).await,
+            Self::Gpu(descent) => descent.descend(most_pairs, progress).await,
+        }
+    }
+
+    async fn farthest(&self, progress: &mut Progress<'_>) -> Result<[usize; 2]> {
+        match self {
+            Self::Cpu(traversal) => Ok(traversal.farthest()),
+            Self::Gpu(descent) => descent.farthest(progress).await,
+        }
+    }
 }
 
 /// The two models of one direction with their trees.
@@ -60,12 +79,12 @@ impl Descent<'_> {
     /// [`Error::PairBudgetExceeded`], [`Error::Cancelled`], the backend's.
     pub(super) async fn run(
         &self,
-        stages: &mut impl Descend,
+        mut stages: Descending<'_>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Directed> {
         let most_pairs = (options.memory_budget << 20) / PAIR_BYTES / LISTS;
-        let levels = stages.levels();
+        let levels = stages.below_roots();
         let mut pairs = vec![1];
         let (mut lower, mut upper) = (0.0_f64, f64::INFINITY);
         for level in 1..=levels {
@@ -86,7 +105,7 @@ impl Descent<'_> {
             upper = upper.min(found.upper);
             progress.interval(lower, upper);
         }
-        let farthest = stages.farthest().await?;
+        let farthest = stages.farthest(progress).await?;
         let [(a_parameters, a), (b_parameters, b)] =
             [0, 1].map(|side| self.trees[side].middle(self.models[side].bezier(), farthest[side]));
         let a = self.transform.apply(a);

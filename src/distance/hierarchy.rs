@@ -1,78 +1,70 @@
 //! One direction of method `hierarchy` on one backend.
 
 use super::cpu_descent::boxes_of;
-use super::descent::Descent;
+use super::descent::{Descending, Descent};
 use super::directed::COORDINATE_ROUNDING;
 use super::run::{Ends, Run};
-use super::{Descend, Options, PreparedCells, Progress, Seconds, now};
+use super::{Options, Progress, Seconds, now};
 use crate::error::Result;
+use crate::gpu::{Frame, Gpu, GpuDescent};
 use crate::hierarchy::Traversal;
 use crate::model::RigidTransform;
+use crate::tree::Aabb;
 use std::rc::Rc;
 
-/// What is prepared for one direction.
-struct Prepared {
-    cells: [Rc<PreparedCells>; 2],
-    started: f64,
-    seconds: Seconds,
-}
-
 impl Ends<'_> {
-    /// Method `hierarchy` in float64.
-    pub(super) async fn hierarchy_on_cpu(
+    /// Method `hierarchy`, on the GPU with boxes rounded outwards, or without
+    /// one in float64.
+    pub(super) async fn hierarchy(
         &self,
+        gpu: Option<&Rc<Gpu>>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
-        let prepared = self.prepare_cells(options)?;
-        let [a, b] = &prepared.cells;
-        let slack = COORDINATE_ROUNDING * self.largest_coordinate();
-        let boxes = [
-            boxes_of(self.from.bezier(), &a.tree, &self.transform, slack),
-            boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
-        ];
-        let mut stages = Traversal::new([&a.tree, &b.tree], [&boxes[0], &boxes[1]]);
-        self.descend(&prepared, &mut stages, options, progress).await
-    }
-
-    fn prepare_cells(&self, options: &Options) -> Result<Prepared> {
         let started = now();
-        let cells = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
-        let seconds = Seconds { prepare: now() - started, ..Seconds::default() };
-        Ok(Prepared { cells, started, seconds })
-    }
-
-    /// At least every coordinate of both models, before and after they are moved.
-    fn largest_coordinate(&self) -> f64 {
-        let of = |aabb: crate::tree::Aabb| aabb.min.abs().max(aabb.max.abs()).length();
-        let (a, b) = (of(self.from.bounding_box()), of(self.to.bounding_box()));
-        (a + self.transform.offset().length()).max(b)
-    }
-
-    async fn descend(
-        &self,
-        prepared: &Prepared,
-        stages: &mut impl Descend,
-        options: &Options,
-        progress: &mut Progress<'_>,
-    ) -> Result<Run> {
-        let Prepared { cells: [a, b], started, seconds } = prepared;
+        let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
+        let slack = COORDINATE_ROUNDING * self.largest_coordinate();
+        let transform = self.transform;
+        let (mut prepare, mut compile) = (now() - started, 0.0);
+        let stages = if let Some(gpu) = gpu {
+            let sides = [
+                a.resident.on(gpu, |gpu| gpu.upload_cells(self.from.bezier(), &a.tree))?,
+                b.resident.on(gpu, |gpu| gpu.upload_cells(self.to.bezier(), &b.tree))?,
+            ];
+            prepare = now() - started;
+            let descent = GpuDescent::new(gpu, sides, &Frame { transform, slack }, progress).await?;
+            compile = descent.compile_seconds();
+            Descending::Gpu(Box::new(descent))
+        } else {
+            let boxes = [
+                boxes_of(self.from.bezier(), &a.tree, &transform, slack),
+                boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
+            ];
+            Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes))
+        };
         let descent = Descent {
             models: [self.from, self.to],
             trees: [&a.tree, &b.tree],
-            transform: self.transform,
+            transform,
             diagonal: self.diagonal(),
         };
         let directed = descent.run(stages, options, progress).await?;
         Ok(Run {
             directed,
-            backend: "cpu",
-            adapter: None,
+            backend: if gpu.is_some() { "gpu" } else { "cpu" },
+            adapter: gpu.and_then(|gpu| gpu.adapter()),
             notice: None,
             diagonal: descent.diagonal,
             sampled_patches: self.from.bezier().patches.len(),
             target_patches: self.to.bezier().patches.len(),
-            seconds: Seconds { solve: now() - started - seconds.prepare - seconds.compile, ..*seconds },
+            seconds: Seconds { prepare, compile, solve: now() - started - prepare - compile },
         })
+    }
+
+    /// At least every coordinate of both models, before and after they are moved.
+    fn largest_coordinate(&self) -> f64 {
+        let of = |aabb: Aabb| aabb.min.abs().max(aabb.max.abs()).length();
+        let (a, b) = (of(self.from.bounding_box()), of(self.to.bounding_box()));
+        (a + self.transform.offset().length()).max(b)
     }
 }

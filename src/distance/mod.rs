@@ -28,7 +28,7 @@ pub use result::{
 };
 
 pub(crate) use clock::now;
-pub(crate) use descent::{Descend, Descended};
+pub(crate) use descent::Descended;
 pub(crate) use monitor::Progress;
-pub(crate) use prepared::{PreparedCells, PreparedSampling, PreparedTarget};
+pub(crate) use prepared::{PreparedSampling, PreparedTarget};
 pub(crate) use stages::{Candidate, Stages};

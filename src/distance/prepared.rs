@@ -4,7 +4,7 @@ use crate::bezier::{BezierModel, DerivativeBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten};
-use crate::gpu::{GpuSampling, GpuTarget, Resident};
+use crate::gpu::{GpuCells, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
@@ -55,6 +55,7 @@ pub(crate) struct PreparedSampling {
 #[derive(Debug)]
 pub(crate) struct PreparedCells {
     pub(crate) tree: CellTree,
+    pub(crate) resident: Resident<GpuCells>,
 }
 
 /// Samplings kept at most: the one in use and, for a slider moved back and
@@ -116,7 +117,10 @@ impl PreparedModel {
         {
             return Ok(Rc::clone(kept));
         }
-        let made = Rc::new(PreparedCells { tree: CellTree::new(&self.bezier, grid)? });
+        let made = Rc::new(PreparedCells {
+            tree: CellTree::new(&self.bezier, grid)?,
+            resident: Resident::default(),
+        });
         *cells = Some(Rc::clone(&made));
         Ok(made)
     }

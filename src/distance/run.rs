@@ -51,7 +51,7 @@ impl Ends<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         if method == Method::Hierarchy {
-            let run = self.hierarchy_on_cpu(options, progress).await?;
+            let run = self.hierarchy(None, options, progress).await?;
             return Ok(Run { notice, ..run });
         }
         let prepared = self.prepare(options);
@@ -101,7 +101,7 @@ impl Ends<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         if method == Method::Hierarchy {
-            return self.hierarchy_on_cpu(options, progress).await;
+            return self.hierarchy(Some(gpu), options, progress).await;
         }
         let mut prepared = self.prepare(options);
         let started = now();

@@ -1,4 +1,4 @@
-//! Stage `boxes`: a box around every piece of a cell.
+//! Stage `boxes`: a box around every part of a cell.
 
 use crate::bezier::{DerivativeBounds, Patch};
 use crate::model::RigidTransform;
@@ -7,14 +7,14 @@ use crate::tree::Aabb;
 /// The part of a cell on one Bézier patch: where second derivatives exist,
 /// which at a knot line they need not.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct Part {
     /// Index of the patch.
     pub patch: usize,
-    /// Its part in s.
+    /// Its range of s.
     pub s: [f64; 2],
-    /// Its part in t.
+    /// Its range of t.
     pub t: [f64; 2],
-    /// How far the piece can be from the triangles through its corners, in
+    /// How far the part can be from the triangles through its corners, in
     /// model units.
     pub growth: f64,
 }
@@ -22,8 +22,8 @@ pub struct Piece {
 /// Room for the rounding of the growth, relative.
 const ROUNDING_ROOM: f64 = 1.0 + 1e-12;
 
-impl Piece {
-    /// The piece s x t of patch `index`, with the bounds of its derivatives.
+impl Part {
+    /// The part s x t of patch `index`, with the bounds of its derivatives.
     ///
     /// The growth is `K = (Δs² M_ss + 2 Δs Δt M_st + Δt² M_tt) / 8` (Filip,
     /// Magedson, Markot 1986, the 2011 paper's too), or the diagonal of the
@@ -39,10 +39,10 @@ impl Piece {
     }
 }
 
-/// The box of the moved piece: that of its four corners, grown on every side
-/// by the piece's growth and by `slack`, which is for rounding. O(p q).
+/// The box of the moved part: that of its four corners, grown on every side
+/// by the part's growth and by `slack`, which is for rounding. O(p q).
 #[must_use]
-pub fn boxes(patch: &Patch<'_>, piece: &Piece, transform: &RigidTransform, slack: f64) -> Aabb {
-    let corner = |index: usize| transform.apply(patch.point([piece.s[index / 2], piece.t[index % 2]]));
-    (0..4).map(corner).fold(Aabb::EMPTY, Aabb::with).grown(piece.growth + slack)
+pub fn boxes(patch: &Patch<'_>, part: &Part, transform: &RigidTransform, slack: f64) -> Aabb {
+    let corner = |index: usize| transform.apply(patch.point([part.s[index / 2], part.t[index % 2]]));
+    (0..4).map(corner).fold(Aabb::EMPTY, Aabb::with).grown(part.growth + slack)
 }

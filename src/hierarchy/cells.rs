@@ -1,6 +1,6 @@
 //! The cells of a regular grid on every surface, and the tree above them.
 
-use super::Piece;
+use super::Part;
 use crate::bezier::BezierModel;
 use crate::error::{Error, Result};
 use crate::iteration::{cell_pieces, uniform};
@@ -39,7 +39,7 @@ impl Children {
 /// Cells of a model, at most: what their boxes take then fits one binding of the GPU.
 pub const MOST_CELLS: usize = 1 << 22;
 
-/// Pieces below a node, at most: kernels loop over them, and llvmpipe ends
+/// Parts below a node, at most: kernels loop over them, and llvmpipe ends
 /// long loops. Cells of more get levels in between.
 pub const MOST_CHILDREN: usize = 64;
 
@@ -51,14 +51,14 @@ const BRANCHING: usize = 4;
 pub struct CellTree {
     /// Cells along each direction of a surface.
     pub grid: usize,
-    /// Levels from the root's down; the children of the last are pieces.
+    /// Levels from the root's down; the children of the last are parts.
     pub levels: Vec<Vec<Children>>,
     /// The level of the cells.
     pub finest: usize,
     /// The cells, in the order of their level.
     pub cells: Vec<Cell>,
-    /// The pieces of all cells.
-    pub pieces: Vec<Piece>,
+    /// The parts of all cells.
+    pub parts: Vec<Part>,
 }
 
 impl CellTree {
@@ -74,10 +74,10 @@ impl CellTree {
             let expected = "at most 4194304 cells on all surfaces";
             return Err(Error::OptionOutOfRange { option: "grid", found: grid.to_string(), expected });
         }
-        let mut tree = Self { grid, levels: Vec::new(), finest: 0, cells: Vec::new(), pieces: Vec::new() };
+        let mut tree = Self { grid, levels: Vec::new(), finest: 0, cells: Vec::new(), parts: Vec::new() };
         tree.add_surfaces(model);
         tree.add_grids();
-        tree.add_pieces(model);
+        tree.add_parts(model);
         Ok(tree)
     }
 
@@ -137,8 +137,8 @@ impl CellTree {
         self.finest = self.levels.len();
     }
 
-    /// The pieces of every cell, and levels in between where they are many.
-    fn add_pieces(&mut self, model: &BezierModel) {
+    /// The parts of every cell, and levels in between where they are many.
+    fn add_parts(&mut self, model: &BezierModel) {
         let patches = &model.patches;
         let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
         let of_surface = |surface: usize| {
@@ -152,16 +152,16 @@ impl CellTree {
         let strips = map(model.grids.len(), of_surface);
         let mut level = Vec::with_capacity(self.cells.len());
         for cell in &self.cells {
-            let first = self.pieces.len() as u32;
+            let first = self.parts.len() as u32;
             let grid = &model.grids[cell.surface as usize];
             let [rows, columns] = &strips[cell.surface as usize];
             for &(u, s) in &rows[cell.row as usize] {
                 for &(v, t) in &columns[cell.column as usize] {
                     let index = grid.first + u * grid.counts()[1] + v;
-                    self.pieces.push(Piece::new(index, &patches.patch(index), &bounds[index], s, t));
+                    self.parts.push(Part::new(index, &patches.patch(index), &bounds[index], s, t));
                 }
             }
-            level.push(Children { first, count: self.pieces.len() as u32 - first });
+            level.push(Children { first, count: self.parts.len() as u32 - first });
         }
         while level.iter().any(|children| children.count as usize > MOST_CHILDREN) {
             let (above, groups) = grouped(&level);

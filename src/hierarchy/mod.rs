@@ -3,7 +3,7 @@
 //! A. Krishnamurthy, S. McMains, I. Hanniel, *GPU-accelerated Hausdorff
 //! distance computation between dynamic deformable NURBS surfaces*,
 //! Computer-Aided Design 43 (2011). Stages, each with the same name in the
-//! kernels: `boxes` around the pieces of a regular grid's cells, the `pyramid`
+//! kernels: `boxes` around the parts of a regular grid's cells, the `pyramid`
 //! of boxes of four boxes each, and down its levels `bound` (each box of A
 //! from its pairs), `extremes` (the bounds of the distance) and `cull` (the
 //! pairs of the next level).
@@ -18,7 +18,7 @@ mod pyramid;
 
 mod traversal;
 
-pub use boxes::{Piece, boxes};
+pub use boxes::{Part, boxes};
 pub use cells::{Cell, CellTree, Children, MOST_CELLS, MOST_CHILDREN};
 pub use distances::Distances;
 pub use pyramid::pyramid;

@@ -3,10 +3,10 @@
 use super::Children;
 use crate::tree::Aabb;
 
-/// The boxes of every level above `pieces`, the root's level first. O(nodes).
+/// The boxes of every level above `parts`, the root's level first. O(nodes).
 #[must_use]
-pub fn pyramid(levels: &[Vec<Children>], pieces: Vec<Aabb>) -> Vec<Vec<Aabb>> {
-    let mut boxes = vec![pieces];
+pub fn pyramid(levels: &[Vec<Children>], parts: Vec<Aabb>) -> Vec<Vec<Aabb>> {
+    let mut boxes = vec![parts];
     for level in levels.iter().rev() {
         let below = &boxes[boxes.len() - 1];
         let union =

@@ -32,7 +32,7 @@ pub struct Bound {
 #[derive(Debug)]
 pub struct Traversal<'a> {
     trees: [&'a CellTree; 2],
-    boxes: [&'a [Vec<Aabb>]; 2],
+    boxes: [Vec<Vec<Aabb>>; 2],
     /// The level of the pairs.
     pub level: usize,
     pairs: Pairs,
@@ -78,7 +78,7 @@ impl Pairs {
 impl<'a> Traversal<'a> {
     /// At the pair of roots. `boxes` are the trees' own, of [`super::pyramid`].
     #[must_use]
-    pub fn new(trees: [&'a CellTree; 2], boxes: [&'a [Vec<Aabb>]; 2]) -> Self {
+    pub fn new(trees: [&'a CellTree; 2], boxes: [Vec<Vec<Aabb>>; 2]) -> Self {
         let pairs = Pairs { nodes: vec![0], starts: vec![0, 1], partners: vec![0] };
         Self { trees, boxes, level: 0, pairs }
     }
@@ -111,7 +111,7 @@ impl<'a> Traversal<'a> {
         }
     }
 
-    fn below(&self, side: usize) -> &'a [Aabb] {
+    fn below(&self, side: usize) -> &[Aabb] {
         &self.boxes[side][self.own(side, self.level + 1)]
     }
 

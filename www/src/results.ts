@@ -70,6 +70,9 @@ function factsOf(result: DistanceResult): [term: string, text: string][] {
   if (result.method === "certified") {
     facts.push(["cells", `${result.cells.toLocaleString("en")} in ${result.levels} levels`]);
     if (!result.converged) facts.push(["ended by", result.stop]);
+  } else if (result.method === "hierarchy") {
+    const pairs = Math.max(...result.hierarchy.pairs);
+    facts.push(["pairs of boxes, at most", pairs.toLocaleString("en")]);
   } else {
     const { bounds, samples, statuses } = result;
     facts.push(
