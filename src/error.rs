@@ -231,6 +231,20 @@ pub enum Error {
         /// What the platform said.
         found: String,
     },
+    /// Method `hierarchy` wants more pairs of boxes than its budget of memory holds.
+    #[error(
+        "level {level} of the hierarchy wants {found} pairs of boxes, expected at most {expected}, which fit the memory budget of {mebibytes} MiB"
+    )]
+    PairBudgetExceeded {
+        /// The level, counted from the root's, 0.
+        level: usize,
+        /// The pairs left after culling.
+        found: u64,
+        /// The pairs that fit.
+        expected: u64,
+        /// The budget in MiB.
+        mebibytes: usize,
+    },
     /// The caller cancelled the work.
     #[error("cancelled")]
     Cancelled,
@@ -261,6 +275,7 @@ impl Error {
             Self::NoAdapter { .. } => "NO_ADAPTER",
             Self::DeviceLost { .. } => "DEVICE_LOST",
             Self::GpuFailed { .. } => "GPU_FAILED",
+            Self::PairBudgetExceeded { .. } => "PAIR_BUDGET_EXCEEDED",
             Self::Cancelled => "CANCELLED",
         }
     }

@@ -7,6 +7,7 @@ mod elementary;
 pub mod error;
 pub mod flatness;
 pub mod gpu;
+pub mod hierarchy;
 pub mod iteration;
 pub mod model;
 mod order;

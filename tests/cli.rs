@@ -109,6 +109,39 @@ fn certified_is_the_default_and_keeps_its_tolerance() {
 }
 
 #[test]
+fn hierarchy_prints_its_pairs_by_level() {
+    let [a, b] = planes("hierarchy");
+    let arguments = ["distance", &a, &b, "--method", "hierarchy", "--backend", "cpu", "--grid", "16"];
+    let result = printed(&run(&[&arguments[..], &["--json"]].concat()));
+    assert_eq!(result["method"], "hierarchy");
+    assert_eq!(keys(&result["hierarchy"]), ["grid", "levels", "pairs"]);
+    assert_eq!(result["hierarchy"]["grid"], 16);
+    assert_eq!(result["hierarchy"]["levels"], 5);
+    // Squares above squares: near the middles of a level's boxes nine pairs each, at the end at least one.
+    let pairs: Vec<u64> = serde_json::from_value(result["hierarchy"]["pairs"].clone()).unwrap();
+    assert_eq!(pairs.len(), 5);
+    assert!(pairs[0] == 1 && pairs[4] >= 256, "{pairs:?}");
+    let [lower, upper] = ["lower", "upper"].map(|key| result[key].as_f64().unwrap());
+    assert!(lower <= 3.0 && (3.0..3.1).contains(&upper), "{lower} {upper}");
+    let text = String::from_utf8(run(&arguments).stdout).unwrap();
+    assert!(text.contains("16 x 16 cells a surface; pairs of boxes by level 1, "), "{text}");
+}
+
+#[test]
+fn a_budget_of_memory_is_an_error_with_the_pairs_wanted() {
+    let sphere = file("budget.json", &shape("sphere").unwrap().to_json().unwrap());
+    let budget = ["--grid", "128", "--memory-budget", "1", "--backend", "cpu"];
+    let output = run(&[&["distance", &sphere, &sphere, "--method", "hierarchy"][..], &budget].concat());
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(status(&output), 2, "{errors}");
+    assert!(errors.contains("error[PAIR_BUDGET_EXCEEDED]"), "{errors}");
+    assert!(
+        errors.contains("pairs of boxes, expected at most 65536") && errors.contains("1 MiB"),
+        "{errors}"
+    );
+}
+
+#[test]
 fn both_backends_agree() {
     let a = file("wavy.json", &shape("wavy-sheet").unwrap().to_json().unwrap());
     let b = file("wavy-b.json", &shape("wavy-sheet-b").unwrap().to_json().unwrap());

@@ -90,11 +90,13 @@ fn endless_files_end_at_the_limit() {
 #[test]
 fn bad_arguments_have_codes() {
     let good = shape_file("arguments", "cone");
-    let cases: [(&[&str], &str, &[&str]); 10] = [
+    let cases: [(&[&str], &str, &[&str]); 12] = [
         (&["--samples", "1"], "OPTION_OUT_OF_RANGE", &["samples", "1", "2 to 1024"]),
         (&["--iterations", "0"], "OPTION_OUT_OF_RANGE", &["iterations", "0"]),
         (&["--step-tolerance", "inf"], "OPTION_OUT_OF_RANGE", &["step tolerance"]),
         (&["--max-cells", "0"], "OPTION_OUT_OF_RANGE", &["max cells"]),
+        (&["--grid", "1"], "OPTION_OUT_OF_RANGE", &["grid", "1", "2 to 1024"]),
+        (&["--memory-budget", "0"], "OPTION_OUT_OF_RANGE", &["memory budget", "1 to 256 MiB"]),
         (&["--samples", "many"], "OPTION_INVALID", &["--samples", "many"]),
         (&["--flatness", "flat"], "OPTION_INVALID", &["--flatness", "none, loose, tight, curvature"]),
         (&["--translate", "1,2"], "OPTION_INVALID", &["--translate", "found 2 numbers, expected 3"]),

@@ -6,7 +6,7 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{Error, Model, RigidTransform};
 use std::collections::HashMap;
 use std::path::Path;
 use support::{gpu::engine, models::folder};
@@ -136,4 +136,38 @@ fn certified_intervals_overlap_every_reference() {
         }
     }
     assert_eq!(impossible, 1, "the reference of the duck moved by 0.001");
+}
+
+#[test]
+fn boxes_contain_every_reference() {
+    let Some(folder) = folder("boxes_contain_every_reference") else { return };
+    let Some(engine) = engine("boxes_contain_every_reference") else { return };
+    let mut shelf = Shelf { folder: &folder, prepared: HashMap::new() };
+    let (mut measured, mut refused) = (0, Vec::new());
+    for reference in references(&folder) {
+        shelf.load(&reference.a);
+        shelf.load(&reference.b);
+        let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
+        let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
+        for backend in [Backend::Gpu, Backend::Cpu] {
+            let options = Options { backend, grid: 8, ..reference.options(Method::Hierarchy) };
+            match pollster::block_on(engine.distance(a, b, &options, &mut Silent)) {
+                Ok(result) => {
+                    measured += 1;
+                    let true_upper = if reference.is_impossible() {
+                        reference.translation.length()
+                    } else {
+                        reference.upper
+                    };
+                    let overlap =
+                        result.lower <= true_upper && reference.lower.min(true_upper) <= result.upper;
+                    assert!(overlap, "{name}: [{}, {}]", result.lower, result.upper);
+                }
+                Err(Error::PairBudgetExceeded { found, .. }) => refused.push(format!("{name}: {found}")),
+                Err(error) => panic!("{name}: {error}"),
+            }
+        }
+    }
+    println!("over the budget of pairs: {refused:#?}");
+    assert!(measured > 4 * refused.len(), "{refused:#?}");
 }

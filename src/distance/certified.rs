@@ -75,6 +75,7 @@ pub(super) async fn certified(
             stop,
             within,
         }),
+        hierarchy: None,
         field: Vec::new(),
     }))
 }

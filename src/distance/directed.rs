@@ -1,8 +1,8 @@
 //! One direction of method `iteration`, on any backend.
 
 use super::{
-    Bounds, Candidate, CertifiedDetails, Field, IterationDetails, Options, PreparedModel, PreparedSampling,
-    PreparedTarget, Progress, Stages, StatusCounts, SurfacePoint,
+    Bounds, Candidate, CertifiedDetails, Field, HierarchyDetails, IterationDetails, Options, PreparedModel,
+    PreparedSampling, PreparedTarget, Progress, Stages, StatusCounts, SurfacePoint,
 };
 use crate::error::Result;
 use crate::iteration::{Projected, Target, sample};
@@ -24,7 +24,7 @@ const MOST_FINISHED: usize = 1024;
 
 /// Rounding of points and distances in float64 relative to the largest
 /// coordinate: 64 units of 2^-53, added to the upper bound once.
-const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(super) const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One direction: A's samples against B's patches.
 pub(super) struct Direction<'a> {
@@ -46,6 +46,7 @@ pub(super) struct Directed {
     pub(super) to: SurfacePoint,
     pub(super) iteration: Option<IterationDetails>,
     pub(super) certified: Option<CertifiedDetails>,
+    pub(super) hierarchy: Option<HierarchyDetails>,
     pub(super) field: Vec<Field>,
 }
 
@@ -215,6 +216,7 @@ impl Direction<'_> {
                 statuses,
             }),
             certified: None,
+            hierarchy: None,
             field,
         }
     }

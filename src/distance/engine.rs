@@ -63,6 +63,7 @@ impl Engine {
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::NoAdapter`] or
     /// [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
+    /// [`Error::PairBudgetExceeded`] with [`Method::Hierarchy`];
     /// [`Error::Cancelled`].
     pub async fn distance(
         &self,
@@ -93,23 +94,26 @@ impl Engine {
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
-        if options.method == Method::Certified {
-            let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
-            let run = direction.certified(gpu.as_ref(), options, progress).await?;
-            if !options.field || run.is_cancelled() {
-                return Ok(run);
+        let run = match options.method {
+            Method::Certified => {
+                let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
+                direction.certified(gpu.as_ref(), options, progress).await?
             }
-            // The samples follow the certificate, on the GPU if there is one.
-            let sampled = self.sampled(direction, options, progress).await?;
-            return Ok(run.with_field_of(sampled));
+            method => self.staged(direction, method, options, progress).await?,
+        };
+        if !options.field || options.method == Method::Iteration || run.is_cancelled() {
+            return Ok(run);
         }
-        self.sampled(direction, options, progress).await
+        // The samples follow the interval, on the GPU if there is one.
+        let sampled = self.staged(direction, Method::Iteration, options, progress).await?;
+        Ok(run.with_field_of(sampled))
     }
 
-    /// One direction of the stages on samples.
-    async fn sampled(
+    /// One direction of a method that is made of stages.
+    async fn staged(
         &self,
         direction: &Ends<'_>,
+        method: Method,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
@@ -121,9 +125,9 @@ impl Engine {
                     return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
                 }
                 let notice = if options.backend == Backend::Cpu { None } else { self.notice() };
-                return direction.on_cpu(options, notice, progress).await;
+                return direction.on_cpu(method, options, notice, progress).await;
             };
-            match direction.on_gpu(&gpu, options, progress).await {
+            match direction.on_gpu(&gpu, method, options, progress).await {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
                 other => return other,
             }

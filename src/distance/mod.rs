@@ -3,9 +3,12 @@
 mod certified;
 mod clock;
 mod cpu;
+mod cpu_descent;
+mod descent;
 mod deviation;
 mod directed;
 mod engine;
+mod hierarchy;
 mod monitor;
 mod options;
 mod prepared;
@@ -20,11 +23,12 @@ pub use monitor::{Monitor, Silent};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{
-    Bounds, CertifiedDetails, DistanceResult, Field, IterationDetails, PatchCounts, Seconds, StatusCounts,
-    Stop, SurfacePoint, Witness,
+    Bounds, CertifiedDetails, DistanceResult, Field, HierarchyDetails, IterationDetails, PatchCounts,
+    Seconds, StatusCounts, Stop, SurfacePoint, Witness,
 };
 
 pub(crate) use clock::now;
+pub(crate) use descent::Descended;
 pub(crate) use monitor::Progress;
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};
 pub(crate) use stages::{Candidate, Stages};

@@ -8,7 +8,7 @@ pub trait Monitor {
     /// The work done so far, from 0 to 1, never falling.
     fn progress(&mut self, fraction: f64);
 
-    /// The interval so far of method `certified`, never widening while one
+    /// The interval so far of methods `certified` and `hierarchy`, never widening while one
     /// direction is in work.
     fn interval(&mut self, _lower: f64, _upper: f64) {}
 

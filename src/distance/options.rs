@@ -17,6 +17,8 @@ pub enum Method {
     Certified,
     /// The 2012 paper's sampling and projection.
     Iteration,
+    /// The 2011 paper's pairs of boxes.
+    Hierarchy,
 }
 
 /// Where the kernels run.
@@ -38,7 +40,8 @@ pub enum Backend {
 pub struct Options {
     /// How the distance is computed.
     pub method: Method,
-    /// `certified`: the width asked of the interval, positive.
+    /// `certified`: the width asked of the interval, positive; `hierarchy`
+    /// only says whether its interval is as narrow.
     pub tolerance: f64,
     /// Whether `tolerance` is in model units; else it is relative to the
     /// larger diagonal of the two models' control-net boxes.
@@ -65,6 +68,12 @@ pub struct Options {
     /// Change of distance that ends the tangent-plane iteration, in model
     /// units, positive; also the paper's `E_B` in `k_b`.
     pub step_tolerance: f64,
+    /// `hierarchy`: cells along each direction of every surface, 2 to 1024,
+    /// as long as a model has at most 2^22 cells.
+    pub grid: usize,
+    /// `hierarchy`: memory for the pairs of boxes of two levels, in MiB, 1 to
+    /// 256, which is one binding a level on the GPU.
+    pub memory_budget: usize,
     /// Whether both directions are measured.
     pub symmetric: bool,
     /// Moves A before it is measured.
@@ -92,6 +101,8 @@ impl Default for Options {
             culling: Culling::default(),
             iterations: 5,
             step_tolerance: 0.01,
+            grid: 64,
+            memory_budget: MOST_MEMORY,
             symmetric: false,
             transform: RigidTransform::IDENTITY,
             backend: Backend::default(),
@@ -100,7 +111,10 @@ impl Default for Options {
     }
 }
 
-/// Samples along a direction, at most: a million a surface.
+/// MiB for pairs, at most: two lists, each in one binding of the GPU.
+const MOST_MEMORY: usize = 256;
+
+/// Samples or cells along a direction, at most: a million a surface.
 const MOST_SAMPLES: usize = 1024;
 
 /// Steps on one patch, at most: far beyond any that still help, and few enough
@@ -118,6 +132,9 @@ impl Options {
         };
         let samples = (2..=MOST_SAMPLES).contains(&self.samples);
         check("samples", samples, self.samples.to_string(), "2 to 1024")?;
+        check("grid", (2..=MOST_SAMPLES).contains(&self.grid), self.grid.to_string(), "2 to 1024")?;
+        let memory = (1..=MOST_MEMORY).contains(&self.memory_budget);
+        check("memory budget", memory, self.memory_budget.to_string(), "1 to 256 MiB")?;
         let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
         check("iterations", iterations, self.iterations.to_string(), "1 to 300")?;
         let positive = |value: f64| value.is_finite() && value > 0.0;

@@ -2,8 +2,10 @@
 
 use crate::bezier::{BezierModel, DerivativeBounds, extract};
 use crate::certified::Side;
+use crate::error::Result;
 use crate::flatness::{Flatness, flatten};
-use crate::gpu::{GpuSampling, GpuTarget, Resident};
+use crate::gpu::{GpuCells, GpuSampling, GpuTarget, Resident};
+use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
 use crate::parallel::map;
@@ -20,6 +22,7 @@ pub struct PreparedModel {
     bounding_box: Aabb,
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
+    cells: RefCell<Option<Rc<PreparedCells>>>,
 }
 
 type SamplingKey = (usize, SamplingRule);
@@ -48,6 +51,13 @@ pub(crate) struct PreparedSampling {
     pub(crate) resident: Resident<GpuSampling>,
 }
 
+/// A tree of cells with its place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedCells {
+    pub(crate) tree: CellTree,
+    pub(crate) resident: Resident<GpuCells>,
+}
+
 /// Samplings kept at most: the one in use and, for a slider moved back and
 /// forth, its neighbours.
 const SAMPLINGS_KEPT: usize = 4;
@@ -62,6 +72,7 @@ impl PreparedModel {
             bounding_box: model.bounding_box(),
             targets: RefCell::default(),
             samplings: RefCell::default(),
+            cells: RefCell::default(),
         }
     }
 
@@ -93,6 +104,25 @@ impl PreparedModel {
             Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
+    }
+
+    /// The tree over `grid` x `grid` cells a surface; the last one is kept.
+    ///
+    /// # Errors
+    /// As [`CellTree::new`].
+    pub(crate) fn cells(&self, grid: usize) -> Result<Rc<PreparedCells>> {
+        let mut cells = self.cells.borrow_mut();
+        if let Some(kept) = cells.as_ref()
+            && kept.tree.grid == grid
+        {
+            return Ok(Rc::clone(kept));
+        }
+        let made = Rc::new(PreparedCells {
+            tree: CellTree::new(&self.bezier, grid)?,
+            resident: Resident::default(),
+        });
+        *cells = Some(Rc::clone(&made));
+        Ok(made)
     }
 
     pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Rc<PreparedSampling> {

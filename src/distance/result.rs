@@ -18,7 +18,7 @@ pub struct DistanceResult {
     pub adapter: Option<String>,
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,
-    /// The largest distance of a sample.
+    /// The distance of the witness, which the method takes for the farthest point.
     pub computed: f64,
     /// At most the true distance.
     pub lower: f64,
@@ -27,7 +27,8 @@ pub struct DistanceResult {
     /// `certified`: whether the interval is as narrow as asked, or the limit
     /// is decided. `iteration`: whether `computed` is the largest distance of
     /// all samples to rounding, or with the tangent-plane step whether the
-    /// witness's iteration ended by its step tolerance.
+    /// witness's iteration ended by its step tolerance. `hierarchy`: whether
+    /// the interval, whose width the grid decides, is as narrow as asked.
     pub converged: bool,
     /// Where the distance is attained.
     pub witness: Witness,
@@ -37,6 +38,9 @@ pub struct DistanceResult {
     /// What only method `certified` tells.
     #[serde(flatten)]
     pub certified: Option<CertifiedDetails>,
+    /// What only method `hierarchy` tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hierarchy: Option<HierarchyDetails>,
     /// Numbers of patches.
     pub patches: PatchCounts,
     /// Where the time went.
@@ -87,6 +91,17 @@ pub struct CertifiedDetails {
     /// search ended before it was known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<bool>,
+}
+
+/// What method `hierarchy` tells besides the interval.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct HierarchyDetails {
+    /// Cells along each direction of every surface.
+    pub grid: usize,
+    /// Levels of boxes, from the whole models to the cells.
+    pub levels: usize,
+    /// On every level, the pairs of boxes left after culling.
+    pub pairs: Vec<u64>,
 }
 
 /// How far `computed` can be from the true distance.

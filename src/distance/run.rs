@@ -4,8 +4,8 @@ use super::certified::certified;
 use super::cpu::CpuStages;
 use super::directed::{Directed, Direction};
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, PreparedSampling, PreparedTarget, Progress, Seconds,
-    Stages, Statistics, Stop, SurfacePoint, Witness, now,
+    DistanceResult, Method, Options, PatchCounts, PreparedModel, PreparedSampling, PreparedTarget, Progress,
+    Seconds, Stages, Statistics, Stop, SurfacePoint, Witness, now,
 };
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
@@ -23,14 +23,14 @@ pub(super) struct Ends<'a> {
 
 /// What one direction found, on which backend, how fast.
 pub(super) struct Run {
-    directed: Directed,
-    backend: &'static str,
-    adapter: Option<String>,
-    notice: Option<String>,
-    diagonal: f64,
-    sampled_patches: usize,
-    target_patches: usize,
-    seconds: Seconds,
+    pub(super) directed: Directed,
+    pub(super) backend: &'static str,
+    pub(super) adapter: Option<String>,
+    pub(super) notice: Option<String>,
+    pub(super) diagonal: f64,
+    pub(super) sampled_patches: usize,
+    pub(super) target_patches: usize,
+    pub(super) seconds: Seconds,
 }
 
 /// What is prepared for one direction.
@@ -42,12 +42,18 @@ struct Prepared {
 }
 
 impl Ends<'_> {
+    /// The stages of a method in float64.
     pub(super) async fn on_cpu(
         &self,
+        method: Method,
         options: &Options,
         notice: Option<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
+        if method == Method::Hierarchy {
+            let run = self.hierarchy(None, options, progress).await?;
+            return Ok(Run { notice, ..run });
+        }
         let prepared = self.prepare(options);
         let Prepared { sampling, target, .. } = &prepared;
         let (sampling, target) = (&sampling.sampling, &target.target);
@@ -83,16 +89,20 @@ impl Ends<'_> {
         })
     }
 
-    fn diagonal(&self) -> f64 {
+    pub(super) fn diagonal(&self) -> f64 {
         self.from.bounding_box().diagonal().max(self.to.bounding_box().diagonal())
     }
 
     pub(super) async fn on_gpu(
         &self,
         gpu: &Rc<Gpu>,
+        method: Method,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
+        if method == Method::Hierarchy {
+            return self.hierarchy(Some(gpu), options, progress).await;
+        }
         let mut prepared = self.prepare(options);
         let started = now();
         let sampling = prepared
@@ -178,7 +188,8 @@ impl Run {
     }
 
     fn into_result(self, options: &Options, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let Directed { computed, lower, upper, converged, iteration, certified, field, .. } = self.directed;
+        let Directed { computed, lower, upper, converged, iteration, certified, hierarchy, field, .. } =
+            self.directed;
         DistanceResult {
             method: options.method,
             backend: self.backend,
@@ -191,6 +202,7 @@ impl Run {
             witness,
             iteration,
             certified,
+            hierarchy,
             patches,
             seconds: self.seconds,
             notice: self.notice,

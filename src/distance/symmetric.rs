@@ -1,6 +1,6 @@
 //! Two directed results into the symmetric one.
 
-use super::{Bounds, CertifiedDetails, DistanceResult, IterationDetails, Stop};
+use super::{Bounds, CertifiedDetails, DistanceResult, HierarchyDetails, IterationDetails, Stop};
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
@@ -16,6 +16,7 @@ impl DistanceResult {
             converged: forward.converged && reverse.converged,
             iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::both),
             certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::both),
+            hierarchy: forward.hierarchy.as_ref().zip(reverse.hierarchy.as_ref()).map(HierarchyDetails::both),
             seconds,
             statistics: None,
             field: Vec::new(),
@@ -43,6 +44,14 @@ impl IterationDetails {
             samples: forward.samples + reverse.samples,
             statuses,
         }
+    }
+}
+
+impl HierarchyDetails {
+    /// The trees are the same two, so both directions have as many levels.
+    fn both((forward, reverse): (&Self, &Self)) -> Self {
+        let pairs = forward.pairs.iter().zip(&reverse.pairs).map(|(forward, reverse)| forward + reverse);
+        Self { pairs: pairs.collect(), ..forward.clone() }
     }
 }
 

@@ -68,6 +68,12 @@ pub(super) fn power_of_two_to_one(number: f64) -> f64 {
     if number > 0.0 { power_of_two_below(number.max(f64::MIN_POSITIVE)).recip() } else { 1.0 }
 }
 
+/// The least float32 that is not below the value.
+pub(super) fn rounded_up(value: f64) -> f32 {
+    let nearest = value as f32;
+    if f64::from(nearest) < value { nearest.next_up() } else { nearest }
+}
+
 /// To the nearest float32.
 pub(super) fn rounded(vector: DVec4) -> [f32; 4] {
     vector.to_array().map(|value| value as f32)

@@ -170,6 +170,10 @@ pub(super) const JET_BYTES: u64 = 96;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
+    use super::super::box_layouts::{
+        Bound, Box, BoxesParams, Children, Farthest, OF_CELLS, OF_DISTANCES, Part, StepParams, Totals,
+        WHOLE_MODEL,
+    };
     use super::super::{pipelines::Kernel, stages::FARTHEST};
     use super::*;
     use crate::iteration::Culling;
@@ -180,8 +184,18 @@ mod tests {
     const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
 
     fn kernels() -> Vec<Kernel> {
-        let mut kernels = vec![Kernel::Reduce, Kernel::Split, Kernel::Level];
+        let mut kernels = vec![
+            Kernel::Reduce,
+            Kernel::Split,
+            Kernel::Level,
+            Kernel::Pyramid,
+            Kernel::Bound,
+            Kernel::Extremes,
+            Kernel::Cull,
+            Kernel::Farthest,
+        ];
         for degree in DEGREES {
+            kernels.push(Kernel::Boxes { degree });
             kernels.push(Kernel::Sample { degree });
             kernels.push(Kernel::Cell { degree });
             kernels.push(Kernel::Certify { degree });
@@ -330,6 +344,43 @@ mod tests {
                         cells,
                         levels
                     );
+                }
+                Kernel::Boxes { .. } => {
+                    same_layout!(
+                        module,
+                        BoxesParams,
+                        first,
+                        end,
+                        rescale,
+                        slack,
+                        rotation_x,
+                        rotation_y,
+                        rotation_z,
+                        translation
+                    );
+                    same_layout!(module, Part, s, t, patch_index, node, growth, padding);
+                    assert_eq!(literal(module, "WHOLE_MODEL"), Literal::F32(WHOLE_MODEL));
+                    same_layout!(module, Box, low, high);
+                }
+                Kernel::Pyramid => {
+                    same_layout!(module, StepParams, first, end, capacity, phase);
+                    same_layout!(module, Children, first, count);
+                    same_layout!(module, Box, low, high);
+                }
+                Kernel::Bound => {
+                    same_layout!(module, Bound, near, far);
+                    assert_eq!(literal(module, "FARTHEST"), Literal::F32(FARTHEST));
+                }
+                Kernel::Extremes | Kernel::Cull => {
+                    same_layout!(module, Bound, near, far);
+                    same_layout!(module, Totals, near, far, pairs);
+                }
+                Kernel::Farthest => {
+                    same_layout!(module, Bound, near, far);
+                    same_layout!(module, Totals, near, far, pairs);
+                    same_layout!(module, Farthest, a, far, b);
+                    assert_eq!(constant(module, "OF_CELLS"), OF_CELLS);
+                    assert_eq!(constant(module, "OF_DISTANCES"), OF_DISTANCES);
                 }
                 Kernel::Reduce => {
                     same_layout!(module, ReduceParams, sample_count, block_size);

@@ -1,6 +1,10 @@
 //! The kernels of `shaders` and what feeds them.
 
+mod box_layouts;
 mod buffers;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod cell_boxes;
+mod descent;
 mod device;
 mod groups;
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -16,14 +20,17 @@ mod plan;
 mod resident;
 mod slot;
 mod stages;
+mod upload_cells;
 mod upload_pieces;
 mod upload_sampling;
 mod upload_target;
 mod work;
 
+pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;
 pub(crate) use levels::Levels;
 pub(crate) use resident::Resident;
 pub(crate) use stages::GpuStages;
+pub(crate) use upload_cells::GpuCells;
 pub(crate) use upload_sampling::GpuSampling;
 pub(crate) use upload_target::GpuTarget;

@@ -27,7 +27,7 @@ pub(super) const FARTHEST: f32 = 3e38;
 
 /// Roundings in moving a sample and in a distance, in units of the largest
 /// coordinate: products, sums, centre, difference, squares and root.
-const ROUNDINGS: f64 = 16.0;
+pub(super) const ROUNDINGS: f64 = 16.0;
 
 /// One direction on the GPU, and the page in work.
 pub(crate) struct GpuStages {

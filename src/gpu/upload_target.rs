@@ -1,7 +1,7 @@
 //! The flat patches that samples are projected on, with their trees.
 
 use super::Gpu;
-use super::groups::{Controls, by_degree, power_of_two_to_one};
+use super::groups::{Controls, by_degree, power_of_two_to_one, rounded_up};
 use super::layouts::{LEAF_COUNT_BITS, Node};
 use crate::bezier::center_grid;
 use crate::error::Result;
@@ -97,14 +97,10 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
 
 /// The node with its box rounded outwards.
 fn node_relative_to(node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
-    let down = |value: f64| {
-        let rounded = value as f32;
-        if f64::from(rounded) > value { rounded.next_down() } else { rounded }
-    };
     Node {
-        box_min: (scale * (node.aabb.min - origin)).to_array().map(down),
+        box_min: (scale * (node.aabb.min - origin)).to_array().map(|value| -rounded_up(-value)),
         second: node.second,
-        box_max: (scale * (node.aabb.max - origin)).to_array().map(|value| -down(-value)),
+        box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
         patches: node.first << LEAF_COUNT_BITS | node.count,
     }
 }

@@ -40,7 +40,7 @@ impl CellRadius {
 
     fn of_surface(model: &BezierModel, surface: usize, grid: &SampleGrid) -> Self {
         let patches = &model.grids[surface];
-        let pieces = [0, 1].map(|axis| pieces(&grid.places[axis]));
+        let pieces = [0, 1].map(|axis| cell_pieces(&grid.places[axis]));
         let columns = grid.counts()[1] - 1;
         let mut boxes = vec![Aabb::EMPTY; columns];
         let mut radius = Self::default();
@@ -77,7 +77,7 @@ impl CellRadius {
 
 /// For every interval between neighbouring places: the patches it touches and
 /// its part of each.
-fn pieces(places: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2])>> {
+pub(crate) fn cell_pieces(places: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2])>> {
     let between = |pair: &[(usize, f64)]| {
         let ((first, start), (last, end)) = (pair[0], pair[1]);
         (first..=last)

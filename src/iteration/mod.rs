@@ -11,9 +11,11 @@ mod sample;
 mod sampling;
 
 pub use cells::CellRadius;
+pub(crate) use cells::cell_pieces;
 pub use project::{Culling, Target, project};
 pub use reduce::reduce;
 pub use sample::sample;
+pub(crate) use sampling::uniform;
 pub use sampling::{PAGE_SAMPLES, SampleGrid, Sampling, SamplingRule};
 
 use crate::project::{Projection, Status};

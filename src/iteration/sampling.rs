@@ -139,7 +139,8 @@ impl SampleGrid {
     }
 }
 
-fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
+/// `samples` parameters evenly from the first of `breaks` to the last.
+pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     (0..samples)
         .map(|index| {

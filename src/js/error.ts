@@ -6,6 +6,8 @@
  *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
+ * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` wants more pairs of boxes than
+ *   its `memoryBudget` holds; the message says how many;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
  * - `DISPOSED`: used after `dispose()`.
@@ -31,6 +33,7 @@ export type ErrorCode =
   | "NO_ADAPTER"
   | "DEVICE_LOST"
   | "GPU_FAILED"
+  | "PAIR_BUDGET_EXCEEDED"
   | "CANCELLED"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"

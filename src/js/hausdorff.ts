@@ -108,7 +108,8 @@ export class Hausdorff {
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
-   * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`.
+   * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
+   * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */
   async distance(
     a: NurbsModel,

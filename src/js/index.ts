@@ -10,6 +10,7 @@ export type {
   CertifiedResult,
   DistanceResult,
   Field,
+  HierarchyResult,
   IterationResult,
   Statistics,
   SurfacePoint,

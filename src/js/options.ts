@@ -17,9 +17,15 @@ export interface Transform {
  * for method `iteration` and the `field`; their defaults are the 2012 paper's.
  */
 export interface DistanceOptions {
-  /** How the distance is computed: `certified` (default) or the paper's `iteration`. */
-  method?: "certified" | "iteration";
-  /** `certified`: the width asked of the interval; default 1e-6. */
+  /**
+   * How the distance is computed: `certified` (default), the 2012 paper's
+   * `iteration` or the 2011 paper's `hierarchy`.
+   */
+  method?: "certified" | "iteration" | "hierarchy";
+  /**
+   * `certified`: the width asked of the interval; default 1e-6. `hierarchy`
+   * only says whether its interval is as narrow.
+   */
   tolerance?: number;
   /** Whether `tolerance` is in model units; else (default) it is relative to the larger diagonal. */
   absolute?: boolean;
@@ -43,6 +49,13 @@ export interface DistanceOptions {
   iterations?: number;
   /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
   stepTolerance?: number;
+  /**
+   * `hierarchy`: cells along each direction of every surface, 2 to 1024 as
+   * long as a model has at most 2^22 cells; default 64.
+   */
+  grid?: number;
+  /** `hierarchy`: MiB for pairs of boxes, 1 to 256; default 256. */
+  memoryBudget?: number;
   /** Whether the distance from B to A is measured too; default no. */
   symmetric?: boolean;
   /** Moves A before it is measured; costs no upload. */
@@ -52,13 +65,13 @@ export interface DistanceOptions {
   /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
   field?: boolean;
   /**
-   * Cancels: `iteration` then rejects with code `CANCELLED`, and so does what
-   * has not begun; `certified` resolves to the interval so far, with `stop`
+   * Cancels: all but `certified` then reject with code `CANCELLED`, and so does
+   * what has not begun; `certified` resolves to the interval so far, with `stop`
    * `cancelled`.
    */
   signal?: AbortSignal;
   /**
-   * Told the part of the work done, rising to 1, and by `certified` the
+   * Told the part of the work done, rising to 1, and but by `iteration` the
    * interval so far. What it throws cancels the work.
    */
   onProgress?: OnProgress;

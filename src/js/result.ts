@@ -42,7 +42,7 @@ export interface Statistics {
   percentile_99: number;
 }
 
-/** What both methods tell. Guaranteed whatever converged: `lower <= true distance <= upper`. */
+/** What all methods tell. Guaranteed whatever converged: `lower <= true distance <= upper`. */
 interface Common {
   backend: "gpu" | "cpu";
   /** The GPU's name; browsers keep it to themselves. */
@@ -108,5 +108,24 @@ export interface IterationResult extends Common {
   reverse?: IterationResult;
 }
 
+/** A distance by method `hierarchy`. */
+export interface HierarchyResult extends Common {
+  method: "hierarchy";
+  /** Whether the interval, whose width the grid decides, is as narrow as `tolerance` asks. */
+  converged: boolean;
+  hierarchy: {
+    /** Cells along each direction of every surface. */
+    grid: number;
+    /** Levels of boxes, from the whole models to the cells. */
+    levels: number;
+    /** On every level, the pairs of boxes left after culling. */
+    pairs: number[];
+  };
+  /** With `symmetric`: from A to B. The result itself is the larger's, its pairs those of both. */
+  forward?: HierarchyResult;
+  /** With `symmetric`: from B to A; its witness is still named by a and b. */
+  reverse?: HierarchyResult;
+}
+
 /** A distance, by the method that it names. */
-export type DistanceResult = CertifiedResult | IterationResult;
+export type DistanceResult = CertifiedResult | IterationResult | HierarchyResult;

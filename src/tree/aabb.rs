@@ -27,6 +27,12 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// This box, larger by `by` on every side.
+    #[must_use]
+    pub fn grown(self, by: f64) -> Self {
+        Self { min: self.min - by, max: self.max + by }
+    }
+
     /// The middle.
     #[must_use]
     pub fn center(&self) -> DVec3 {

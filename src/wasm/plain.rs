@@ -6,7 +6,9 @@
 use super::value::Mismatch;
 use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
-use serde::ser::{Error as _, Impossible, SerializeMap, SerializeStruct, SerializeTuple, Serializer};
+use serde::ser::{
+    Error as _, Impossible, SerializeMap, SerializeSeq, SerializeStruct, SerializeTuple, Serializer,
+};
 use std::fmt::Display;
 use wasm_bindgen::JsValue;
 
@@ -52,7 +54,7 @@ macro_rules! numbers {
 impl Serializer for Plain {
     type Ok = JsValue;
     type Error = Mismatch;
-    type SerializeSeq = Impossible<JsValue, Mismatch>;
+    type SerializeSeq = Items;
     type SerializeTuple = Items;
     type SerializeTupleStruct = Impossible<JsValue, Mismatch>;
     type SerializeTupleVariant = Impossible<JsValue, Mismatch>;
@@ -115,12 +117,12 @@ impl Serializer for Plain {
         none()
     }
 
-    fn serialize_seq(self, _: Option<usize>) -> Result<Self::SerializeSeq, Mismatch> {
-        none()
+    fn serialize_seq(self, _: Option<usize>) -> Result<Items, Mismatch> {
+        Ok(Items(Array::new()))
     }
 
     fn serialize_tuple(self, _: usize) -> Result<Items, Mismatch> {
-        Ok(Items(Array::new()))
+        self.serialize_seq(None)
     }
 
     fn serialize_tuple_struct(
@@ -171,6 +173,19 @@ impl SerializeTuple for Items {
 
     fn end(self) -> Written {
         Ok(self.0.into())
+    }
+}
+
+impl SerializeSeq for Items {
+    type Ok = JsValue;
+    type Error = Mismatch;
+
+    fn serialize_element<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Mismatch> {
+        SerializeTuple::serialize_element(self, value)
+    }
+
+    fn end(self) -> Written {
+        SerializeTuple::end(self)
     }
 }
 

@@ -55,6 +55,7 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   const { min, max } = c.boundingBox;
   console.log(x, y, z, feet, adapter, min[0], max[2], hd.backend, hd.notice, d.name);
   if (result.method === "iteration") return ofIteration(result);
+  if (result.method === "hierarchy") return result.hierarchy.pairs[0] ?? 0;
   const within: boolean | undefined = result.within;
   return within ? result.lower : result.upper;
 }
@@ -72,6 +73,7 @@ export function show(model: NurbsModel): Tessellation {
 export function explain(error: unknown): ErrorCode | undefined {
   if (!(error instanceof HausdorffError)) return undefined;
   switch (error.code) {
+    case "PAIR_BUDGET_EXCEEDED":
     case "CANCELLED":
     case "DISPOSED":
       return error.code;

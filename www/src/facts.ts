@@ -40,6 +40,13 @@ function methods(result: DistanceResult): Fact[] {
       ["ended by", STOPS[result.stop]],
     ];
   }
+  if (result.method === "hierarchy") {
+    const { grid, pairs } = result.hierarchy;
+    return [
+      ["cells a surface", `${grid} × ${grid}`],
+      ["pairs of boxes, at most", grouped(Math.max(...pairs))],
+    ];
+  }
   const { bounds, samples, statuses } = result;
   return [
     ["K_A, as published", bounds.k_a.toPrecision(4)],

@@ -92,6 +92,6 @@ function mayEnd(
   milliseconds: number,
   interval: [number, number] | undefined,
 ): boolean {
-  if (method === "iteration" || field === true) return milliseconds > GRACE.samples;
+  if (method !== "certified" || field === true) return milliseconds > GRACE.samples;
   return milliseconds > GRACE.certificate && interval !== undefined;
 }

@@ -86,7 +86,7 @@ function showInterval(lower: number, upper: number, how: string): void {
 
 /** What is known of the interval: that it contains the distance, whatever the method. */
 function meaning({ method, converged }: DistanceResult, last: boolean): string {
-  if (method === "iteration" || converged) return "certain to contain it";
+  if (method !== "certified" || converged) return "certain to contain it";
   return last ? "certain, wider than asked" : SO_FAR;
 }
 

@@ -79,6 +79,12 @@ pub(crate) struct DistanceArguments {
     /// iteration: change of distance that ends the tangent-plane step, in model units.
     #[arg(long, default_value_t = 0.01)]
     step_tolerance: f64,
+    /// hierarchy: cells along each direction of every surface.
+    #[arg(long, default_value_t = 64)]
+    grid: usize,
+    /// hierarchy: memory for pairs of boxes, in MiB.
+    #[arg(long, value_name = "MIB", default_value_t = 256)]
+    memory_budget: usize,
     /// Both directions; the distance is the larger.
     #[arg(long)]
     symmetric: bool,
@@ -91,7 +97,7 @@ pub(crate) struct DistanceArguments {
     /// Statistics of the deviation at the samples; estimates.
     #[arg(long)]
     statistics: bool,
-    /// Where samples are projected; certified itself is float64 work on the CPU.
+    /// Where iteration and hierarchy work and samples are projected; certified is float64 work on the CPU.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
     /// Prints one JSON object.
@@ -128,6 +134,8 @@ impl DistanceArguments {
             culling: self.culling.into(),
             iterations: self.iterations,
             step_tolerance: self.step_tolerance,
+            grid: self.grid,
+            memory_budget: self.memory_budget,
             symmetric: self.symmetric,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
@@ -149,7 +157,7 @@ macro_rules! named {
     };
 }
 
-named!(MethodName, Method, Certified, Iteration);
+named!(MethodName, Method, Certified, Iteration, Hierarchy);
 named!(SamplingName, SamplingRule, Uniform, ArcLength);
 named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
 named!(ProjectionName, Projection, Newton, TangentPlane);

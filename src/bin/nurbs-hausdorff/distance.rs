@@ -19,8 +19,8 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     // Most certificates are found in float64 before a GPU would be awake.
-    let sampled = options.method == Method::Iteration || options.field;
-    let awake = sampled || options.backend == Backend::Gpu;
+    let staged = options.method != Method::Certified || options.field;
+    let awake = staged || options.backend == Backend::Gpu;
     let backend = if awake { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
     let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));

@@ -25,6 +25,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     }
     certified(out, result)?;
     iteration(out, result)?;
+    hierarchy(out, result)?;
     statistics(out, result)?;
     writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
     writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
@@ -75,6 +76,13 @@ fn iteration(out: &mut String, result: &DistanceResult) -> Result {
         "samples    {}: {} converged, {} on an edge, {} at the iteration limit",
         details.samples, statuses.converged, statuses.on_edge, statuses.iteration_limit
     )
+}
+
+fn hierarchy(out: &mut String, result: &DistanceResult) -> Result {
+    let Some(details) = &result.hierarchy else { return Ok(()) };
+    let pairs: Vec<String> = details.pairs.iter().map(u64::to_string).collect();
+    let grid = details.grid;
+    writeln!(out, "hierarchy  {grid} x {grid} cells a surface; pairs of boxes by level {}", pairs.join(", "))
 }
 
 fn statistics(out: &mut String, result: &DistanceResult) -> Result {

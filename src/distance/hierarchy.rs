@@ -1,0 +1,70 @@
+//! One direction of method `hierarchy` on one backend.
+
+use super::cpu_descent::boxes_of;
+use super::descent::{Descending, Descent};
+use super::directed::COORDINATE_ROUNDING;
+use super::run::{Ends, Run};
+use super::{Options, Progress, Seconds, now};
+use crate::error::Result;
+use crate::gpu::{Frame, Gpu, GpuDescent};
+use crate::hierarchy::Traversal;
+use crate::model::RigidTransform;
+use crate::tree::Aabb;
+use std::rc::Rc;
+
+impl Ends<'_> {
+    /// Method `hierarchy`, on the GPU with boxes rounded outwards, or without
+    /// one in float64.
+    pub(super) async fn hierarchy(
+        &self,
+        gpu: Option<&Rc<Gpu>>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        let started = now();
+        let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
+        let slack = COORDINATE_ROUNDING * self.largest_coordinate();
+        let transform = self.transform;
+        let (mut prepare, mut compile) = (now() - started, 0.0);
+        let stages = if let Some(gpu) = gpu {
+            let sides = [
+                a.resident.on(gpu, |gpu| gpu.upload_cells(self.from.bezier(), &a.tree))?,
+                b.resident.on(gpu, |gpu| gpu.upload_cells(self.to.bezier(), &b.tree))?,
+            ];
+            prepare = now() - started;
+            let descent = GpuDescent::new(gpu, sides, &Frame { transform, slack }, progress).await?;
+            compile = descent.compile_seconds();
+            Descending::Gpu(Box::new(descent))
+        } else {
+            let boxes = [
+                boxes_of(self.from.bezier(), &a.tree, &transform, slack),
+                boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
+            ];
+            Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes))
+        };
+        let descent = Descent {
+            models: [self.from, self.to],
+            trees: [&a.tree, &b.tree],
+            transform,
+            diagonal: self.diagonal(),
+        };
+        let directed = descent.run(stages, options, progress).await?;
+        Ok(Run {
+            directed,
+            backend: if gpu.is_some() { "gpu" } else { "cpu" },
+            adapter: gpu.and_then(|gpu| gpu.adapter()),
+            notice: None,
+            diagonal: descent.diagonal,
+            sampled_patches: self.from.bezier().patches.len(),
+            target_patches: self.to.bezier().patches.len(),
+            seconds: Seconds { prepare, compile, solve: now() - started - prepare - compile },
+        })
+    }
+
+    /// At least every coordinate of both models, before and after they are moved.
+    fn largest_coordinate(&self) -> f64 {
+        let of = |aabb: Aabb| aabb.min.abs().max(aabb.max.abs()).length();
+        let (a, b) = (of(self.from.bounding_box()), of(self.to.bounding_box()));
+        (a + self.transform.offset().length()).max(b)
+    }
+}

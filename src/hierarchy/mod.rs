@@ -1,0 +1,25 @@
+//! Method `hierarchy`: the 2011 paper's boxes and pairs.
+//!
+//! A. Krishnamurthy, S. McMains, I. Hanniel, *GPU-accelerated Hausdorff
+//! distance computation between dynamic deformable NURBS surfaces*,
+//! Computer-Aided Design 43 (2011). Stages, each with the same name in the
+//! kernels: `boxes` around the parts of a regular grid's cells, the `pyramid`
+//! of boxes of four boxes each, and down its levels `bound` (each box of A
+//! from its pairs), `extremes` (the bounds of the distance) and `cull` (the
+//! pairs of the next level).
+//!
+//! Every bound holds for what is inside the boxes, so the interval is certain
+//! wherever the descent ends.
+
+mod boxes;
+mod cells;
+mod distances;
+mod pyramid;
+
+mod traversal;
+
+pub use boxes::{Part, boxes};
+pub use cells::{Cell, CellTree, Children, MOST_CELLS, MOST_CHILDREN};
+pub use distances::Distances;
+pub use pyramid::pyramid;
+pub use traversal::{Bound, Pairs, Traversal, extremes};
