@@ -4,6 +4,7 @@ use super::cpu_descent::descend;
 use super::directed::{Directed, surface_point};
 use super::{HierarchyDetails, Options, PreparedModel, Progress};
 use crate::error::{Error, Result};
+#[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuDescent;
 use crate::hierarchy::{CellTree, Distances, Traversal};
 use crate::model::RigidTransform;
@@ -37,6 +38,7 @@ pub(super) enum Descending<'a> {
     /// In float64.
     Cpu(Traversal<'a>),
     /// In float32.
+    #[cfg(not(target_arch = "wasm32"))]
     Gpu(Box<GpuDescent>),
 }
 
@@ -44,6 +46,7 @@ impl Descending<'_> {
     fn below_roots(&self) -> usize {
         match self {
             Self::Cpu(traversal) => traversal.finest(),
+            #[cfg(not(target_arch = "wasm32"))]
             Self::Gpu(descent) => descent.levels(),
         }
     }
@@ -51,13 +54,18 @@ impl Descending<'_> {
     async fn descend(&mut self, most_pairs: usize, progress: &mut Progress<'_>) -> Result<Descended> {
         match self {
             Self::Cpu(traversal) => descend(traversal, most_pairs, progress).await,
+            #[cfg(not(target_arch = "wasm32"))]
             Self::Gpu(descent) => descent.descend(most_pairs, progress).await,
         }
     }
 
     async fn farthest(&self, progress: &mut Progress<'_>) -> Result<[usize; 2]> {
         match self {
-            Self::Cpu(traversal) => Ok(traversal.farthest()),
+            Self::Cpu(traversal) => {
+                progress.checkpoint(1.0).await?;
+                Ok(traversal.farthest())
+            }
+            #[cfg(not(target_arch = "wasm32"))]
             Self::Gpu(descent) => descent.farthest(progress).await,
         }
     }

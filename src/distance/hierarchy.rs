@@ -6,15 +6,20 @@ use super::directed::COORDINATE_ROUNDING;
 use super::run::{Ends, Run};
 use super::{Options, Progress, Seconds, now};
 use crate::error::Result;
-use crate::gpu::{Frame, Gpu, GpuDescent};
+use crate::gpu::Gpu;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::gpu::{Frame, GpuDescent};
 use crate::hierarchy::Traversal;
 use crate::model::RigidTransform;
 use crate::tree::Aabb;
 use std::rc::Rc;
 
+/// Why a GPU is not used.
+const ON_CPU: &str = "method hierarchy runs on the CPU in the browser";
+
 impl Ends<'_> {
     /// Method `hierarchy`, on the GPU with boxes rounded outwards, or without
-    /// one in float64.
+    /// one and in the browser in float64.
     pub(super) async fn hierarchy(
         &self,
         gpu: Option<&Rc<Gpu>>,
@@ -25,23 +30,28 @@ impl Ends<'_> {
         let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
         let slack = COORDINATE_ROUNDING * self.largest_coordinate();
         let transform = self.transform;
-        let (mut prepare, mut compile) = (now() - started, 0.0);
-        let stages = if let Some(gpu) = gpu {
-            let sides = [
-                a.resident.on(gpu, |gpu| gpu.upload_cells(self.from.bezier(), &a.tree))?,
-                b.resident.on(gpu, |gpu| gpu.upload_cells(self.to.bezier(), &b.tree))?,
-            ];
-            prepare = now() - started;
-            let descent = GpuDescent::new(gpu, sides, &Frame { transform, slack }, progress).await?;
-            compile = descent.compile_seconds();
-            Descending::Gpu(Box::new(descent))
-        } else {
-            let boxes = [
-                boxes_of(self.from.bezier(), &a.tree, &transform, slack),
-                boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
-            ];
-            Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes))
+        let prepared = Seconds { prepare: now() - started, ..Seconds::default() };
+        let (stages, adapter, seconds) = match gpu {
+            #[cfg(not(target_arch = "wasm32"))]
+            Some(gpu) => {
+                let sides = [
+                    a.resident.on(gpu, |gpu| gpu.upload_cells(self.from.bezier(), &a.tree))?,
+                    b.resident.on(gpu, |gpu| gpu.upload_cells(self.to.bezier(), &b.tree))?,
+                ];
+                let prepare = now() - started;
+                let descent = GpuDescent::new(gpu, sides, &Frame { transform, slack }, progress).await?;
+                let seconds = Seconds { prepare, compile: descent.compile_seconds(), ..prepared };
+                (Descending::Gpu(Box::new(descent)), gpu.adapter(), seconds)
+            }
+            _ => {
+                let boxes = [
+                    boxes_of(self.from.bezier(), &a.tree, &transform, slack),
+                    boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
+                ];
+                (Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes)), None, prepared)
+            }
         };
+        let backend = if matches!(stages, Descending::Cpu(_)) { "cpu" } else { "gpu" };
         let descent = Descent {
             models: [self.from, self.to],
             trees: [&a.tree, &b.tree],
@@ -51,13 +61,14 @@ impl Ends<'_> {
         let directed = descent.run(stages, options, progress).await?;
         Ok(Run {
             directed,
-            backend: if gpu.is_some() { "gpu" } else { "cpu" },
-            adapter: gpu.and_then(|gpu| gpu.adapter()),
-            notice: None,
+            backend,
+            adapter,
+            // Natively there are kernels wherever there is a GPU.
+            notice: (gpu.is_some() && backend == "cpu").then(|| ON_CPU.to_owned()),
             diagonal: descent.diagonal,
             sampled_patches: self.from.bezier().patches.len(),
             target_patches: self.to.bezier().patches.len(),
-            seconds: Seconds { prepare, compile, solve: now() - started - prepare - compile },
+            seconds: Seconds { solve: now() - started - seconds.prepare - seconds.compile, ..seconds },
         })
     }
 

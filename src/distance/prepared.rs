@@ -4,7 +4,9 @@ use crate::bezier::{BezierModel, DerivativeBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten};
-use crate::gpu::{GpuCells, GpuSampling, GpuTarget, Resident};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::gpu::GpuCells;
+use crate::gpu::{GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
@@ -55,6 +57,7 @@ pub(crate) struct PreparedSampling {
 #[derive(Debug)]
 pub(crate) struct PreparedCells {
     pub(crate) tree: CellTree,
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) resident: Resident<GpuCells>,
 }
 
@@ -119,6 +122,7 @@ impl PreparedModel {
         }
         let made = Rc::new(PreparedCells {
             tree: CellTree::new(&self.bezier, grid)?,
+            #[cfg(not(target_arch = "wasm32"))]
             resident: Resident::default(),
         });
         *cells = Some(Rc::clone(&made));

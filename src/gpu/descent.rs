@@ -1,6 +1,7 @@
 //! The stages of method `hierarchy` on the GPU.
 
 use super::Gpu;
+use super::box_kernels::BoxKernel;
 use super::box_layouts::{
     Bound, Box, BoxesParams, Farthest, OF_CELLS, OF_DISTANCES, OF_PARTNERS, StepParams, Totals,
 };
@@ -135,10 +136,15 @@ impl GpuDescent {
     /// driver compile them.
     async fn compile(&mut self) -> Result<()> {
         let started = now();
-        let mut kernels =
-            vec![Kernel::Pyramid, Kernel::Bound, Kernel::Extremes, Kernel::Cull, Kernel::Farthest];
+        let mut kernels = vec![
+            Kernel::Box(BoxKernel::Pyramid),
+            Kernel::Box(BoxKernel::Bound),
+            Kernel::Box(BoxKernel::Extremes),
+            Kernel::Box(BoxKernel::Cull),
+            Kernel::Box(BoxKernel::Farthest),
+        ];
         for group in self.sides.iter().flat_map(|side| &side.groups) {
-            let kernel = Kernel::Boxes { degree: group.degree };
+            let kernel = Kernel::Box(BoxKernel::Boxes { degree: group.degree });
             if !kernels.contains(&kernel) {
                 kernels.push(kernel);
             }
@@ -219,12 +225,22 @@ impl GpuDescent {
             let last = boxes.len() - 1;
             for PartGroup { degree, count, controls, parts } in &cells.groups {
                 let storage = [&controls.controls, &controls.centers, parts, &boxes[last]];
-                steps.push(Step::new(Kernel::Boxes { degree: *degree }, &storage, bytes_of(placed), *count));
+                steps.push(Step::new(
+                    Kernel::Box(BoxKernel::Boxes { degree: *degree }),
+                    &storage,
+                    bytes_of(placed),
+                    *count,
+                ));
             }
             for level in (0..last).rev() {
                 let storage = [&cells.levels[level], &boxes[level + 1], &boxes[level]];
                 let params = StepParams::zeroed();
-                steps.push(Step::new(Kernel::Pyramid, &storage, bytes_of(&params), cells.counts[level]));
+                steps.push(Step::new(
+                    Kernel::Box(BoxKernel::Pyramid),
+                    &storage,
+                    bytes_of(&params),
+                    cells.counts[level],
+                ));
             }
         }
         steps
@@ -277,9 +293,9 @@ impl GpuDescent {
         let params = StepParams { capacity: capacity as u32, ..Zeroable::zeroed() };
         let params = bytes_of(&params);
         let steps = [
-            Step::new(Kernel::Bound, &storage[..6], params, self.pair_count),
-            Step::new(Kernel::Extremes, &storage[5..7], params, nodes),
-            Step::new(Kernel::Cull, &storage, params, self.pair_count),
+            Step::new(Kernel::Box(BoxKernel::Bound), &storage[..6], params, self.pair_count),
+            Step::new(Kernel::Box(BoxKernel::Extremes), &storage[5..7], params, nodes),
+            Step::new(Kernel::Box(BoxKernel::Cull), &storage, params, self.pair_count),
         ];
         self.run(&steps, progress, [0.0, 1.0]).await?;
         let Totals { near, far, pairs } = bytemuck::cast(self.read(&totals).await?);
@@ -306,7 +322,7 @@ impl GpuDescent {
         let phases = [(OF_CELLS, cells), (OF_DISTANCES, self.pair_count), (OF_PARTNERS, self.pair_count)];
         let steps = phases.map(|(phase, count)| {
             let params = StepParams { phase, ..Zeroable::zeroed() };
-            Step::new(Kernel::Farthest, &storage, bytes_of(&params), count)
+            Step::new(Kernel::Box(BoxKernel::Farthest), &storage, bytes_of(&params), count)
         });
         self.run(&steps, progress, [1.0, 0.0]).await?;
         let Farthest { a: from, b: to, .. } = bytemuck::cast(self.read(&found).await?);

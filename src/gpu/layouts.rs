@@ -174,7 +174,7 @@ mod tests {
         Bound, Box, BoxesParams, Children, Farthest, OF_CELLS, OF_DISTANCES, Part, StepParams, Totals,
         WHOLE_MODEL,
     };
-    use super::super::{pipelines::Kernel, stages::FARTHEST};
+    use super::super::{box_kernels::BoxKernel, pipelines::Kernel, stages::FARTHEST};
     use super::*;
     use crate::iteration::Culling;
     use crate::project::Projection;
@@ -188,14 +188,14 @@ mod tests {
             Kernel::Reduce,
             Kernel::Split,
             Kernel::Level,
-            Kernel::Pyramid,
-            Kernel::Bound,
-            Kernel::Extremes,
-            Kernel::Cull,
-            Kernel::Farthest,
+            Kernel::Box(BoxKernel::Pyramid),
+            Kernel::Box(BoxKernel::Bound),
+            Kernel::Box(BoxKernel::Extremes),
+            Kernel::Box(BoxKernel::Cull),
+            Kernel::Box(BoxKernel::Farthest),
         ];
         for degree in DEGREES {
-            kernels.push(Kernel::Boxes { degree });
+            kernels.push(Kernel::Box(BoxKernel::Boxes { degree }));
             kernels.push(Kernel::Sample { degree });
             kernels.push(Kernel::Cell { degree });
             kernels.push(Kernel::Certify { degree });
@@ -345,7 +345,7 @@ mod tests {
                         levels
                     );
                 }
-                Kernel::Boxes { .. } => {
+                Kernel::Box(BoxKernel::Boxes { .. }) => {
                     same_layout!(
                         module,
                         BoxesParams,
@@ -362,20 +362,20 @@ mod tests {
                     assert_eq!(literal(module, "WHOLE_MODEL"), Literal::F32(WHOLE_MODEL));
                     same_layout!(module, Box, low, high);
                 }
-                Kernel::Pyramid => {
+                Kernel::Box(BoxKernel::Pyramid) => {
                     same_layout!(module, StepParams, first, end, capacity, phase);
                     same_layout!(module, Children, first, count);
                     same_layout!(module, Box, low, high);
                 }
-                Kernel::Bound => {
+                Kernel::Box(BoxKernel::Bound) => {
                     same_layout!(module, Bound, near, far);
                     assert_eq!(literal(module, "FARTHEST"), Literal::F32(FARTHEST));
                 }
-                Kernel::Extremes | Kernel::Cull => {
+                Kernel::Box(BoxKernel::Extremes | BoxKernel::Cull) => {
                     same_layout!(module, Bound, near, far);
                     same_layout!(module, Totals, near, far, pairs);
                 }
-                Kernel::Farthest => {
+                Kernel::Box(BoxKernel::Farthest) => {
                     same_layout!(module, Bound, near, far);
                     same_layout!(module, Totals, near, far, pairs);
                     same_layout!(module, Farthest, a, far, b);

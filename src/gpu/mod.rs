@@ -1,9 +1,16 @@
 //! The kernels of `shaders` and what feeds them.
+//!
+//! Those of method `hierarchy` are natively only: they would take 12 KiB of the
+//! gzipped wasm module's 150, which every page pays that only wants a distance.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod box_kernels;
+#[cfg(not(target_arch = "wasm32"))]
 mod box_layouts;
 mod buffers;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod cell_boxes;
+#[cfg(not(target_arch = "wasm32"))]
 mod descent;
 mod device;
 mod groups;
@@ -20,17 +27,20 @@ mod plan;
 mod resident;
 mod slot;
 mod stages;
+#[cfg(not(target_arch = "wasm32"))]
 mod upload_cells;
 mod upload_pieces;
 mod upload_sampling;
 mod upload_target;
 mod work;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;
 pub(crate) use levels::Levels;
 pub(crate) use resident::Resident;
 pub(crate) use stages::GpuStages;
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) use upload_cells::GpuCells;
 pub(crate) use upload_sampling::GpuSampling;
 pub(crate) use upload_target::GpuTarget;

@@ -1,6 +1,7 @@
 //! Kernels specialised by degree, made at first use and kept.
 
-use super::box_layouts::{BoxesParams, StepParams};
+#[cfg(not(target_arch = "wasm32"))]
+use super::box_kernels::BoxKernel;
 use super::layouts::{LevelParams, ProjectParams, ReduceParams, SampleParams};
 use super::patch_text::patch_text;
 use crate::iteration::Culling;
@@ -13,8 +14,8 @@ use std::rc::Rc;
 /// that a kernel with many registers still fits.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
 
-const JET: &str = include_str!(concat!(env!("OUT_DIR"), "/jet.wgsl"));
-const PATCH: &str = include_str!(concat!(env!("OUT_DIR"), "/patch.wgsl"));
+pub(super) const JET: &str = include_str!(concat!(env!("OUT_DIR"), "/jet.wgsl"));
+pub(super) const PATCH: &str = include_str!(concat!(env!("OUT_DIR"), "/patch.wgsl"));
 const BEST: &str = include_str!(concat!(env!("OUT_DIR"), "/best.wgsl"));
 const FOOT: &str = include_str!(concat!(env!("OUT_DIR"), "/foot.wgsl"));
 const NEWTON: &str = include_str!(concat!(env!("OUT_DIR"), "/newton.wgsl"));
@@ -30,30 +31,30 @@ const CELL: &str = include_str!(concat!(env!("OUT_DIR"), "/cell.wgsl"));
 const CERTIFY: &str = include_str!(concat!(env!("OUT_DIR"), "/certify.wgsl"));
 const SPLIT: &str = include_str!(concat!(env!("OUT_DIR"), "/split.wgsl"));
 const LEVEL: &str = include_str!(concat!(env!("OUT_DIR"), "/level.wgsl"));
-const BOX: &str = include_str!(concat!(env!("OUT_DIR"), "/box.wgsl"));
-const BOXES: &str = include_str!(concat!(env!("OUT_DIR"), "/boxes.wgsl"));
-const PYRAMID: &str = include_str!(concat!(env!("OUT_DIR"), "/pyramid.wgsl"));
-const BOUND: &str = include_str!(concat!(env!("OUT_DIR"), "/bound.wgsl"));
-const EXTREMES: &str = include_str!(concat!(env!("OUT_DIR"), "/extremes.wgsl"));
-const CULL: &str = include_str!(concat!(env!("OUT_DIR"), "/cull.wgsl"));
-const FARTHEST: &str = include_str!(concat!(env!("OUT_DIR"), "/farthest.wgsl"));
 
 /// A kernel and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kernel {
-    Sample { degree: [usize; 2] },
-    Project { degree: [usize; 2], projection: Projection, culling: Culling },
+    Sample {
+        degree: [usize; 2],
+    },
+    Project {
+        degree: [usize; 2],
+        projection: Projection,
+        culling: Culling,
+    },
     Reduce,
-    Cell { degree: [usize; 2] },
-    Certify { degree: [usize; 2] },
+    Cell {
+        degree: [usize; 2],
+    },
+    Certify {
+        degree: [usize; 2],
+    },
     Split,
     Level,
-    Boxes { degree: [usize; 2] },
-    Pyramid,
-    Bound,
-    Extremes,
-    Cull,
-    Farthest,
+    /// Of method `hierarchy`.
+    #[cfg(not(target_arch = "wasm32"))]
+    Box(BoxKernel),
 }
 
 impl Kernel {
@@ -74,12 +75,8 @@ impl Kernel {
             Self::Certify { degree } => piecewise(&common, degree, CERTIFY),
             Self::Split => [&common, BEST, CELLS, PIECE, TALLY, SPLIT].concat(),
             Self::Level => [&common, CELLS, TALLY, LEVEL].concat(),
-            Self::Boxes { degree } => [&common, &patch_text(degree), JET, PATCH, BOX, BOXES].concat(),
-            Self::Pyramid => [&common, BOX, PYRAMID].concat(),
-            Self::Bound => [&common, BOX, BOUND].concat(),
-            Self::Extremes => [&common, BOX, EXTREMES].concat(),
-            Self::Cull => [&common, BOX, CULL].concat(),
-            Self::Farthest => [&common, BOX, FARTHEST].concat(),
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Box(kernel) => common + &kernel.text(),
         }
     }
 
@@ -93,18 +90,13 @@ impl Kernel {
             Self::Certify { .. } => "certify",
             Self::Split => "split",
             Self::Level => "level",
-            Self::Boxes { .. } => "boxes",
-            Self::Pyramid => "pyramid",
-            Self::Bound => "bound",
-            Self::Extremes => "extremes",
-            Self::Cull => "cull",
-            Self::Farthest => "farthest",
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Box(kernel) => kernel.entry_point(),
         }
     }
 
     /// Bytes of the params, and which storage buffers are written.
     pub(super) fn bindings(self) -> (usize, &'static [bool]) {
-        let step = size_of::<StepParams>();
         match self {
             Self::Sample { .. } => (size_of::<SampleParams>(), &[false, false, false, false, true, true]),
             Self::Project { .. } => (size_of::<ProjectParams>(), &[false, true, false, false, false]),
@@ -113,12 +105,8 @@ impl Kernel {
             Self::Certify { .. } => (LEVEL_BYTES, &[false, true, false, false, false, false, false]),
             Self::Split => (LEVEL_BYTES, &[false, false, true, true, true, false]),
             Self::Level => (LEVEL_BYTES, &[true, true]),
-            Self::Boxes { .. } => (size_of::<BoxesParams>(), &[false, false, false, true]),
-            Self::Pyramid => (step, &[false, false, true]),
-            Self::Bound => (step, &[false, false, false, false, false, true]),
-            Self::Extremes => (step, &[false, true]),
-            Self::Cull => (step, &[false, false, false, false, false, false, true, true]),
-            Self::Farthest => (step, &[false, true, false, false, false, true]),
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Box(kernel) => kernel.bindings(),
         }
     }
 }
