@@ -93,17 +93,22 @@ impl Engine {
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
-        if options.method == Method::Certified {
+        let certified = if options.method == Method::Certified {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
             let run = direction.certified(gpu.as_ref(), options, progress).await?;
             if !options.field || run.is_cancelled() {
                 return Ok(run);
             }
-            // The samples follow the certificate, on the GPU if there is one.
-            let sampled = self.sampled(direction, options, progress).await?;
-            return Ok(run.with_field_of(sampled));
-        }
-        self.sampled(direction, options, progress).await
+            Some(run)
+        } else {
+            None
+        };
+        // After a certificate too the samples are the GPU's if there is one.
+        let sampled = self.sampled(direction, options, progress).await?;
+        Ok(match certified {
+            Some(run) => run.with_field_of(sampled),
+            None => sampled,
+        })
     }
 
     /// One direction of the stages on samples.
@@ -115,15 +120,13 @@ impl Engine {
     ) -> Result<Run> {
         loop {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
-            let Some(gpu) = gpu else {
-                if options.backend == Backend::Gpu {
-                    let found = "the engine was made without one".to_owned();
-                    return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
-                }
-                let notice = if options.backend == Backend::Cpu { None } else { self.notice() };
-                return direction.on_cpu(options, notice, progress).await;
-            };
-            match direction.on_gpu(&gpu, options, progress).await {
+            if gpu.is_none() && options.backend == Backend::Gpu {
+                let found = "the engine was made without one".to_owned();
+                return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
+            }
+            let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
+            let notice = if fell_back { self.notice() } else { None };
+            match direction.sampled(gpu.as_ref(), options, notice, progress).await {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
                 other => return other,
             }

@@ -27,4 +27,4 @@ pub use result::{
 pub(crate) use clock::now;
 pub(crate) use monitor::Progress;
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};
-pub(crate) use stages::{Candidate, Stages};
+pub(crate) use stages::Candidate;

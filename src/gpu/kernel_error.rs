@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use super::{Gpu, GpuStages};
-use crate::distance::{Progress, Silent, Stages};
+use crate::distance::{Progress, Silent};
 use crate::error::Error;
 use crate::flatness::{Flatness, flatten};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, Target, sample};

@@ -7,7 +7,7 @@ use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, groups::rounded};
-use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
+use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
 use crate::iteration::{Projected, Rule};
 use crate::model::RigidTransform;
@@ -235,17 +235,15 @@ impl GpuStages {
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
         }
     }
-}
 
-impl Stages for GpuStages {
-    fn distance_error(&self) -> f64 {
+    pub(crate) fn distance_error(&self) -> f64 {
         let moved = self.sampling.radius + self.offset().length() + self.target.radius;
         self.sampling.coordinate_error
             + self.target.coordinate_error
             + ROUNDINGS * f64::from(f32::EPSILON) * moved
     }
 
-    async fn project(
+    pub(crate) async fn project(
         &mut self,
         index: usize,
         page: &Range<usize>,
@@ -285,7 +283,7 @@ impl Stages for GpuStages {
         work.submit().await
     }
 
-    async fn reduce(&mut self) -> Result<Vec<Candidate>> {
+    pub(crate) async fn reduce(&mut self) -> Result<Vec<Candidate>> {
         let count = self.page.len() as u32;
         let mut work = Work::new(&self.gpu, &self.buffers.params);
         self.record_reduce(&mut work, count);
@@ -305,7 +303,7 @@ impl Stages for GpuStages {
         Ok(by_falling(&candidates, |candidate| candidate.projected.distance_squared))
     }
 
-    fn settle(&mut self, sample: usize, distance_squared: f64) {
+    pub(crate) fn settle(&mut self, sample: usize, distance_squared: f64) {
         let scaled = distance_squared * self.target.scale * self.target.scale;
         let nearest = scaled as f32;
         // Never above the exact value, so that the sample is not taken for farther than it is.
@@ -314,11 +312,11 @@ impl Stages for GpuStages {
         self.gpu.queue.write_buffer(&self.buffers.best, offset, bytes_of(&below));
     }
 
-    async fn statuses(&mut self) -> Result<StatusCounts> {
-        Ok(self.statuses)
+    pub(crate) fn statuses(&self) -> StatusCounts {
+        self.statuses
     }
 
-    async fn field(&mut self) -> Result<Vec<Projected>> {
+    pub(crate) async fn field(&self) -> Result<Vec<Projected>> {
         let work = Work::new(&self.gpu, &self.buffers.params);
         let best: Vec<Best> = self.read(work, &self.buffers.best, self.page.len()).await?;
         Ok(best.iter().map(|best| self.projected(best)).collect())
