@@ -60,7 +60,7 @@ impl Corners<'_> {
         });
         let first = feet[0].1.patch;
         let Some(other) = feet.iter().map(|(_, foot)| foot.patch).find(|&patch| patch != first) else {
-            return self.polygon(feet.iter().map(|(_, foot)| *foot));
+            return self.polygon(&feet.map(|(_, foot)| foot));
         };
         if feet.iter().any(|(_, foot)| foot.patch != first && foot.patch != other) {
             return f64::INFINITY;
@@ -84,7 +84,7 @@ impl Corners<'_> {
         if crossings != 2 {
             return f64::INFINITY;
         }
-        polygons.into_iter().map(|polygon| self.polygon(polygon.into_iter())).fold(0.0, f64::max)
+        self.polygon(&polygons[0]).max(self.polygon(&polygons[1]))
     }
 
     fn point(&self, place: [f64; 2]) -> DVec3 {
@@ -132,7 +132,7 @@ impl Corners<'_> {
     }
 
     /// The lemma for one polygon.
-    fn polygon(&self, feet: impl Iterator<Item = Foot>) -> f64 {
+    fn polygon(&self, feet: &[Foot]) -> f64 {
         let (mut farthest, mut patch) = (0.0_f64, 0);
         let mut low = [1.0_f64; 2];
         let mut high = [0.0_f64; 2];

@@ -1,6 +1,6 @@
 //! The stages in float64 on the CPU: reference and fallback.
 
-use super::{Candidate, Progress, Stages, StatusCounts};
+use super::{Candidate, Progress, StatusCounts};
 use crate::bezier::BezierModel;
 use crate::error::Result;
 use crate::iteration::{Projected, Rule, Sampling, Target, project, reduce, sample};
@@ -33,19 +33,8 @@ impl<'a> CpuStages<'a> {
     ) -> Self {
         Self { model, sampling, target, transform, rule, first: 0, projected: Vec::new() }
     }
-}
 
-impl Stages for CpuStages<'_> {
-    fn distance_error(&self) -> f64 {
-        0.0
-    }
-
-    async fn project(
-        &mut self,
-        _index: usize,
-        page: &Range<usize>,
-        progress: &mut Progress<'_>,
-    ) -> Result<()> {
+    pub(super) async fn project(&mut self, page: &Range<usize>, progress: &mut Progress<'_>) -> Result<()> {
         self.first = page.start;
         self.projected.clear();
         let one = |index: usize| {
@@ -59,16 +48,16 @@ impl Stages for CpuStages<'_> {
         Ok(())
     }
 
-    async fn reduce(&mut self) -> Result<Vec<Candidate>> {
+    pub(super) fn reduce(&self) -> Vec<Candidate> {
         let candidate = |index| Candidate { sample: self.first + index, projected: self.projected[index] };
-        Ok(reduce(&self.projected).into_iter().map(candidate).collect())
+        reduce(&self.projected).into_iter().map(candidate).collect()
     }
 
-    fn settle(&mut self, sample: usize, distance_squared: f64) {
+    pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {
         self.projected[sample - self.first].distance_squared = distance_squared;
     }
 
-    async fn statuses(&mut self) -> Result<StatusCounts> {
+    pub(super) fn statuses(&self) -> StatusCounts {
         let mut counts = StatusCounts::default();
         for projected in &self.projected {
             match projected.status {
@@ -77,10 +66,10 @@ impl Stages for CpuStages<'_> {
                 Status::OnEdge => counts.on_edge += 1,
             }
         }
-        Ok(counts)
+        counts
     }
 
-    async fn field(&mut self) -> Result<Vec<Projected>> {
-        Ok(self.projected.clone())
+    pub(super) fn field(&self) -> Vec<Projected> {
+        self.projected.clone()
     }
 }

@@ -1,8 +1,9 @@
 //! One direction of method `iteration`, on any backend.
 
+use super::stages::Stages;
 use super::{
     Bounds, Candidate, CertifiedDetails, Field, HierarchyDetails, IterationDetails, Options, PreparedModel,
-    PreparedSampling, PreparedTarget, Progress, Stages, StatusCounts, SurfacePoint,
+    PreparedSampling, PreparedTarget, Progress, StatusCounts, SurfacePoint,
 };
 use crate::error::Result;
 use crate::iteration::{Projected, Target, sample};
@@ -74,7 +75,7 @@ impl Direction<'_> {
     /// With the tangent-plane step the farthest is taken as the kernel found it.
     pub(super) async fn run(
         &self,
-        stages: &mut impl Stages,
+        stages: &mut Stages<'_>,
         progress: &mut Progress<'_>,
     ) -> Result<Option<Directed>> {
         let pages = self.sampling.sampling.pages();
@@ -87,7 +88,7 @@ impl Direction<'_> {
             stages.project(index, page, progress).await?;
             let left = self.finish_page(stages, &mut farthest, progress).await?;
             unfinished = unfinished.max(left);
-            statuses += stages.statuses().await?;
+            statuses += stages.statuses();
             if self.options.field {
                 projected.extend(stages.field().await?);
             }
@@ -101,7 +102,7 @@ impl Direction<'_> {
     /// distance that the kernel gave a sample left unfinished.
     async fn finish_page(
         &self,
-        stages: &mut impl Stages,
+        stages: &mut Stages<'_>,
         farthest: &mut Option<Farthest>,
         progress: &mut Progress<'_>,
     ) -> Result<f64> {

@@ -119,15 +119,13 @@ impl Engine {
     ) -> Result<Run> {
         loop {
             let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
-            let Some(gpu) = gpu else {
-                if options.backend == Backend::Gpu {
-                    let found = "the engine was made without one".to_owned();
-                    return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
-                }
-                let notice = if options.backend == Backend::Cpu { None } else { self.notice() };
-                return direction.on_cpu(method, options, notice, progress).await;
-            };
-            match direction.on_gpu(&gpu, method, options, progress).await {
+            if gpu.is_none() && options.backend == Backend::Gpu {
+                let found = "the engine was made without one".to_owned();
+                return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
+            }
+            let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
+            let notice = if fell_back { self.notice() } else { None };
+            match direction.staged(gpu.as_ref(), method, options, notice, progress).await {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
                 other => return other,
             }

@@ -31,4 +31,4 @@ pub(crate) use clock::now;
 pub(crate) use descent::Descended;
 pub(crate) use monitor::Progress;
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};
-pub(crate) use stages::{Candidate, Stages};
+pub(crate) use stages::Candidate;

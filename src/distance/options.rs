@@ -127,33 +127,21 @@ impl Options {
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option.
     pub fn validate(&self) -> Result<()> {
-        let check = |option, valid: bool, found: String, expected| {
-            if valid { Ok(()) } else { Err(Error::OptionOutOfRange { option, found, expected }) }
-        };
-        let samples = (2..=MOST_SAMPLES).contains(&self.samples);
-        check("samples", samples, self.samples.to_string(), "2 to 1024")?;
-        check("grid", (2..=MOST_SAMPLES).contains(&self.grid), self.grid.to_string(), "2 to 1024")?;
+        let Self { samples, iterations, tolerance, step_tolerance, .. } = *self;
+        check("samples", (2..=MOST_SAMPLES).contains(&samples), samples as f64, "2 to 1024")?;
+        check("grid", (2..=MOST_SAMPLES).contains(&self.grid), self.grid as f64, "2 to 1024")?;
         let memory = (1..=MOST_MEMORY).contains(&self.memory_budget);
-        check("memory budget", memory, self.memory_budget.to_string(), "1 to 256 MiB")?;
-        let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
-        check("iterations", iterations, self.iterations.to_string(), "1 to 300")?;
-        let positive = |value: f64| value.is_finite() && value > 0.0;
-        check(
-            "tolerance",
-            positive(self.tolerance),
-            Shown(self.tolerance).to_string(),
-            "a positive finite number",
-        )?;
+        check("memory budget", memory, self.memory_budget as f64, "1 to 256 MiB")?;
+        check("iterations", (1..=MOST_ITERATIONS).contains(&iterations), iterations.into(), "1 to 300")?;
+        check_positive("tolerance", tolerance)?;
         if let Some(limit) = self.limit {
-            let valid = limit.is_finite() && limit >= 0.0;
-            check("limit", valid, Shown(limit).to_string(), "a finite number of at least 0")?;
+            check("limit", limit.is_finite() && limit >= 0.0, limit, "a finite number of at least 0")?;
         }
         if let Some(seconds) = self.max_seconds {
-            check("max seconds", positive(seconds), Shown(seconds).to_string(), "a positive finite number")?;
+            check_positive("max seconds", seconds)?;
         }
-        check("max cells", self.max_cells != Some(0), "0".to_owned(), "at least 1")?;
-        let tolerance = self.step_tolerance.is_finite() && self.step_tolerance > 0.0;
-        check("step tolerance", tolerance, Shown(self.step_tolerance).to_string(), "a positive finite number")
+        check("max cells", self.max_cells != Some(0), 0.0, "at least 1")?;
+        check_positive("step tolerance", step_tolerance)
     }
 
     pub(crate) fn rule(&self) -> Rule {
@@ -164,4 +152,15 @@ impl Options {
             culling: self.culling,
         }
     }
+}
+
+fn check_positive(option: &'static str, found: f64) -> Result<()> {
+    check(option, found.is_finite() && found > 0.0, found, "a positive finite number")
+}
+
+fn check(option: &'static str, valid: bool, found: f64, expected: &'static str) -> Result<()> {
+    if valid {
+        return Ok(());
+    }
+    Err(Error::OptionOutOfRange { option, found: Shown(found).to_string(), expected })
 }

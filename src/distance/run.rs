@@ -3,9 +3,10 @@
 use super::certified::certified;
 use super::cpu::CpuStages;
 use super::directed::{Directed, Direction};
+use super::stages::Stages;
 use super::{
-    DistanceResult, Method, Options, PatchCounts, PreparedModel, PreparedSampling, PreparedTarget, Progress,
-    Seconds, Stages, Statistics, Stop, SurfacePoint, Witness, now,
+    DistanceResult, Method, Options, PatchCounts, PreparedModel, Progress, Seconds, Statistics, Stop,
+    SurfacePoint, Witness, now,
 };
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
@@ -33,33 +34,59 @@ pub(super) struct Run {
     pub(super) seconds: Seconds,
 }
 
-/// What is prepared for one direction.
-struct Prepared {
-    sampling: Rc<PreparedSampling>,
-    target: Rc<PreparedTarget>,
-    started: f64,
-    seconds: Seconds,
-}
-
 impl Ends<'_> {
-    /// The stages of a method in float64.
-    pub(super) async fn on_cpu(
+    /// A method that is made of stages, on the CPU without a GPU.
+    pub(super) async fn staged(
         &self,
+        gpu: Option<&Rc<Gpu>>,
         method: Method,
         options: &Options,
         notice: Option<String>,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         if method == Method::Hierarchy {
-            let run = self.hierarchy(None, options, progress).await?;
-            return Ok(Run { notice, ..run });
+            let run = self.hierarchy(gpu, options, progress).await?;
+            return Ok(Run { notice: notice.or(run.notice), ..run });
         }
-        let prepared = self.prepare(options);
-        let Prepared { sampling, target, .. } = &prepared;
-        let (sampling, target) = (&sampling.sampling, &target.target);
-        let mut stages = CpuStages::new(self.from.bezier(), sampling, target, self.transform, options.rule());
-        let run = self.solve(&prepared, &mut stages, options, progress).await?;
-        Ok(Run { notice, ..run })
+        let started = now();
+        let sampling = self.from.sampling(options.samples, options.sampling);
+        let target = self.to.target(options.flatness);
+        let (prepared, mut stages) = match gpu {
+            Some(gpu) => {
+                let upload = |gpu: &Gpu| gpu.upload_sampling(self.from.bezier(), &sampling.sampling);
+                let uploaded = sampling.resident.on(gpu, upload)?;
+                let to = target.resident.on(gpu, |gpu| gpu.upload_target(&target.target))?;
+                let prepared = now();
+                let stages = GpuStages::new(gpu, uploaded, to, self.transform, options.rule()).await?;
+                (prepared, Stages::Gpu(stages))
+            }
+            None => {
+                let (model, to) = (self.from.bezier(), &target.target);
+                let stages = CpuStages::new(model, &sampling.sampling, to, self.transform, options.rule());
+                (now(), Stages::Cpu(stages))
+            }
+        };
+        let compile = stages.compile_seconds();
+        let diagonal = self.diagonal();
+        let direction = Direction {
+            a: self.from,
+            sampling: &sampling,
+            target: &target,
+            transform: self.transform,
+            diagonal,
+            options,
+        };
+        let directed = direction.run(&mut stages, progress).await?.ok_or(Error::EmptyModel)?;
+        Ok(Run {
+            directed,
+            backend: if gpu.is_some() { "gpu" } else { "cpu" },
+            adapter: gpu.and_then(|gpu| gpu.adapter()),
+            notice,
+            diagonal,
+            sampled_patches: self.from.bezier().patches.len(),
+            target_patches: target.target.patches.len(),
+            seconds: Seconds { prepare: prepared - started, compile, solve: now() - prepared - compile },
+        })
     }
 
     /// Method `certified`: in float64, many cells on the GPU if there is one.
@@ -91,62 +118,6 @@ impl Ends<'_> {
 
     pub(super) fn diagonal(&self) -> f64 {
         self.from.bounding_box().diagonal().max(self.to.bounding_box().diagonal())
-    }
-
-    pub(super) async fn on_gpu(
-        &self,
-        gpu: &Rc<Gpu>,
-        method: Method,
-        options: &Options,
-        progress: &mut Progress<'_>,
-    ) -> Result<Run> {
-        if method == Method::Hierarchy {
-            return self.hierarchy(Some(gpu), options, progress).await;
-        }
-        let mut prepared = self.prepare(options);
-        let started = now();
-        let sampling = prepared
-            .sampling
-            .resident
-            .on(gpu, |gpu| gpu.upload_sampling(self.from.bezier(), &prepared.sampling.sampling))?;
-        let target = prepared.target.resident.on(gpu, |gpu| gpu.upload_target(&prepared.target.target))?;
-        prepared.seconds.prepare += now() - started;
-        let mut stages = GpuStages::new(gpu, sampling, target, self.transform, options.rule()).await?;
-        prepared.seconds.compile = stages.compile_seconds();
-        let run = self.solve(&prepared, &mut stages, options, progress).await?;
-        Ok(Run { backend: "gpu", adapter: gpu.adapter(), ..run })
-    }
-
-    fn prepare(&self, options: &Options) -> Prepared {
-        let started = now();
-        let sampling = self.from.sampling(options.samples, options.sampling);
-        let target = self.to.target(options.flatness);
-        let seconds = Seconds { prepare: now() - started, ..Seconds::default() };
-        Prepared { sampling, target, started, seconds }
-    }
-
-    async fn solve(
-        &self,
-        prepared: &Prepared,
-        stages: &mut impl Stages,
-        options: &Options,
-        progress: &mut Progress<'_>,
-    ) -> Result<Run> {
-        let diagonal = self.diagonal();
-        let Prepared { sampling, target, started, seconds } = prepared;
-        let direction =
-            Direction { a: self.from, sampling, target, transform: self.transform, diagonal, options };
-        let directed = direction.run(stages, progress).await?.ok_or(Error::EmptyModel)?;
-        Ok(Run {
-            directed,
-            backend: "cpu",
-            adapter: None,
-            notice: None,
-            diagonal,
-            sampled_patches: self.from.bezier().patches.len(),
-            target_patches: target.target.patches.len(),
-            seconds: Seconds { solve: now() - started - seconds.prepare - seconds.compile, ..*seconds },
-        })
     }
 }
 

@@ -7,22 +7,30 @@ impl DistanceResult {
     /// is their maximum, so its interval is that of the maxima.
     pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
+        let &Self { method, backend, diagonal, computed, witness, patches, .. } = larger;
+        let (adapter, notice) = (larger.adapter.clone(), larger.notice.clone());
         let mut seconds = forward.seconds;
         seconds += reverse.seconds;
-        let upper = forward.upper.max(reverse.upper);
         Self {
+            method,
+            backend,
+            adapter,
+            diagonal,
+            computed,
             lower: forward.lower.max(reverse.lower),
-            upper,
+            upper: forward.upper.max(reverse.upper),
             converged: forward.converged && reverse.converged,
+            witness,
             iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::both),
             certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::both),
             hierarchy: forward.hierarchy.as_ref().zip(reverse.hierarchy.as_ref()).map(HierarchyDetails::both),
+            patches,
             seconds,
+            notice,
             statistics: None,
             field: Vec::new(),
-            forward: Some(Box::new(forward.clone())),
-            reverse: Some(Box::new(reverse.clone())),
-            ..larger.clone()
+            forward: Some(Box::new(forward)),
+            reverse: Some(Box::new(reverse)),
         }
     }
 }

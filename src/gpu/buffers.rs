@@ -1,7 +1,6 @@
 //! Making buffers within the default limits.
 
 use super::Gpu;
-use crate::error::{Error, Result};
 use bytemuck::Pod;
 
 /// Bytes of one binding, at most: the default limit of WebGPU.
@@ -12,46 +11,42 @@ const SIZE_MULTIPLE: u64 = 16;
 
 impl Gpu {
     /// A storage buffer with this content; not empty even if the content is.
-    ///
-    /// # Errors
-    /// [`Error::GpuFailed`] over [`MOST_BINDING_BYTES`].
-    pub(super) fn upload<T: Pod>(&self, label: &str, content: &[T]) -> Result<wgpu::Buffer> {
-        let bytes: &[u8] = bytemuck::cast_slice(content);
-        let buffer = self.storage(label, bytes.len() as u64)?;
-        self.queue.write_buffer(&buffer, 0, bytes);
-        Ok(buffer)
+    pub(super) fn upload<T: Pod>(&self, label: &str, content: &[T]) -> wgpu::Buffer {
+        self.upload_bytes(label, bytemuck::cast_slice(content))
+    }
+
+    fn upload_bytes(&self, label: &str, content: &[u8]) -> wgpu::Buffer {
+        let buffer = self.storage(label, content.len() as u64);
+        if content.len() as u64 <= buffer.size() {
+            self.queue.write_buffer(&buffer, 0, content);
+        }
+        buffer
     }
 
     /// A storage buffer of at least this size.
-    ///
-    /// # Errors
-    /// [`Error::GpuFailed`] over [`MOST_BINDING_BYTES`].
-    pub(super) fn storage(&self, label: &str, bytes: u64) -> Result<wgpu::Buffer> {
+    pub(super) fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         use wgpu::BufferUsages as Usages;
         self.buffer(label, bytes, Usages::STORAGE | Usages::COPY_DST | Usages::COPY_SRC)
     }
 
     /// A buffer that the CPU can read.
-    ///
-    /// # Errors
-    /// [`Error::GpuFailed`] over [`MOST_BINDING_BYTES`].
-    pub(super) fn readable(&self, label: &str, bytes: u64) -> Result<wgpu::Buffer> {
+    pub(super) fn readable(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         self.buffer(label, bytes, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)
     }
 
-    /// # Errors
-    /// [`Error::GpuFailed`] over [`MOST_BINDING_BYTES`].
-    pub(super) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer> {
-        let size = bytes.max(1).next_multiple_of(SIZE_MULTIPLE);
+    /// Over [`MOST_BINDING_BYTES`] there is room for nothing in it, and the
+    /// next [`Gpu::check`] fails, without which nothing is read back or kept.
+    pub(super) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        let mut size = bytes.max(1).next_multiple_of(SIZE_MULTIPLE);
         if size > MOST_BINDING_BYTES {
-            let found = format!("{label} wants {size} bytes, expected at most {MOST_BINDING_BYTES}");
-            return Err(Error::GpuFailed { found });
+            self.fail(format!("{label} wants {size} bytes, expected at most {MOST_BINDING_BYTES}"));
+            size = SIZE_MULTIPLE;
         }
-        Ok(self.device.create_buffer(&wgpu::BufferDescriptor {
+        self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
             size,
             usage,
             mapped_at_creation: false,
-        }))
+        })
     }
 }

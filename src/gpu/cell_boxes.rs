@@ -17,11 +17,9 @@ use std::rc::Rc;
 
 fn read(gpu: &Rc<Gpu>, buffer: &wgpu::Buffer, count: usize) -> Vec<Box> {
     let bytes = (count * size_of::<Box>()) as u64;
-    let (params, readable) = (gpu.params().unwrap(), gpu.readable("boxes", bytes).unwrap());
-    let mut work = Work::new(gpu, &params);
-    work.copy(buffer, &readable, bytes);
-    pollster::block_on(work.submit_unmeasured()).unwrap();
-    bytemuck::pod_collect_to_vec(&pollster::block_on(gpu.read(&readable, bytes)).unwrap())
+    let (params, readable) = (gpu.params(), gpu.readable("boxes", bytes));
+    let work = Work::new(gpu, &params);
+    bytemuck::pod_collect_to_vec(&pollster::block_on(work.read(buffer, &readable, bytes)).unwrap())
 }
 
 /// A net of this degree, rough and with weights from 1 to `ratio`, about `middle`.
@@ -55,7 +53,7 @@ fn weightless_corners() -> Model {
 fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: usize, name: &str) {
     let models = [a, b].map(extract);
     let trees = [0, 1].map(|side| CellTree::new(&models[side], grid).unwrap());
-    let sides = [0, 1].map(|side| Rc::new(gpu.upload_cells(&models[side], &trees[side]).unwrap()));
+    let sides = [0, 1].map(|side| Rc::new(gpu.upload_cells(&models[side], &trees[side])));
     let origin = sides[1].origin;
     let mut silent = Silent;
     let mut progress = Progress::new(&mut silent, false);

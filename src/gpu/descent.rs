@@ -106,16 +106,16 @@ impl GpuDescent {
         let placed = [placed(a, &frame.transform, offset), placed(b, &RigidTransform::IDENTITY, DVec3::ZERO)];
         let boxes = |cells: &GpuCells| {
             let level = |&count: &usize| gpu.storage("boxes", (count * size_of::<Box>()) as u64);
-            cells.counts.iter().map(level).collect::<Result<Vec<_>>>()
+            cells.counts.iter().map(level).collect()
         };
         let mut descent = Self {
-            boxes: [boxes(a)?, boxes(b)?],
-            params: gpu.params()?,
-            readable: gpu.readable("readable", size_of::<Totals>() as u64)?,
-            pairs: gpu.upload("pairs", &[[0_u32; 2]])?,
+            boxes: [boxes(a), boxes(b)],
+            params: gpu.params(),
+            readable: gpu.readable("readable", size_of::<Totals>() as u64),
+            pairs: gpu.upload("pairs", &[[0_u32; 2]]),
             pair_count: 1,
-            bounds: gpu.storage("bounds", 0)?,
-            totals: gpu.storage("totals", 0)?,
+            bounds: gpu.storage("bounds", 0),
+            totals: gpu.storage("totals", 0),
             level: 0,
             scale,
             compile_seconds: 0.0,
@@ -156,14 +156,11 @@ impl GpuDescent {
         let mut work = Work::new(&self.gpu, &self.params);
         for kernel in kernels {
             let (params_bytes, storage) = kernel.bindings();
-            let empty = storage
-                .iter()
-                .map(|_| self.gpu.storage("empty", LARGEST_ITEM))
-                .collect::<Result<Vec<_>>>()?;
+            let empty: Vec<_> = storage.iter().map(|_| self.gpu.storage("empty", LARGEST_ITEM)).collect();
             let empty: Vec<&wgpu::Buffer> = empty.iter().collect();
             self.record(&mut work, kernel, &empty, &vec![0; params_bytes], 0);
         }
-        work.submit_unmeasured().await?;
+        work.submit().await?;
         self.compile_seconds = now() - started;
         Ok(())
     }
@@ -201,9 +198,7 @@ impl GpuDescent {
         for (index, step) in steps.iter().enumerate() {
             let mut first = 0;
             while first < step.count {
-                if work.is_full() {
-                    work.submit().await?;
-                    work = Work::new(&self.gpu, &self.params);
+                if work.make_room().await? {
                     let done = index as f64 + first as f64 / step.count as f64;
                     progress.checkpoint(start + length * done / steps.len() as f64).await?;
                 }
@@ -260,10 +255,8 @@ impl GpuDescent {
     /// The three numbers that a buffer begins with.
     async fn read(&self, from: &wgpu::Buffer) -> Result<[u32; 3]> {
         let bytes = size_of::<[u32; 3]>() as u64;
-        let mut work = Work::new(&self.gpu, &self.params);
-        work.copy(from, &self.readable, bytes);
-        work.submit_unmeasured().await?;
-        let content = self.gpu.read(&self.readable, bytes).await?;
+        let work = Work::new(&self.gpu, &self.params);
+        let content = work.read(from, &self.readable, bytes).await?;
         Ok(bytemuck::pod_read_unaligned(&content))
     }
 
@@ -285,10 +278,10 @@ impl GpuDescent {
         let [a, b] = [0, 1].map(|side| &self.boxes[side][self.own(side, self.level + 1)]);
         let [nodes_a, nodes_b] = [0, 1].map(|side| self.nodes(side));
         let nodes = self.sides[0].counts[self.own(0, self.level + 1)];
-        let bounds = self.gpu.storage("bounds", (nodes * size_of::<Bound>()) as u64)?;
-        let totals = self.gpu.storage("totals", size_of::<Totals>() as u64)?;
+        let bounds = self.gpu.storage("bounds", (nodes * size_of::<Bound>()) as u64);
+        let totals = self.gpu.storage("totals", size_of::<Totals>() as u64);
         let capacity = most_pairs.min(self.pair_count * MOST_CHILDREN * MOST_CHILDREN);
-        let next = self.gpu.storage("pairs", capacity as u64 * PAIR_BYTES)?;
+        let next = self.gpu.storage("pairs", capacity as u64 * PAIR_BYTES);
         let storage = [&self.pairs, nodes_a, nodes_b, a, b, &bounds, &totals, &next];
         let params = StepParams { capacity: capacity as u32, ..Zeroable::zeroed() };
         let params = bytes_of(&params);
@@ -314,7 +307,7 @@ impl GpuDescent {
     /// # Errors
     /// As [`GpuDescent::new`].
     pub(crate) async fn farthest(&self, progress: &mut Progress<'_>) -> Result<[usize; 2]> {
-        let found = self.gpu.storage("farthest", size_of::<Farthest>() as u64)?;
+        let found = self.gpu.storage("farthest", size_of::<Farthest>() as u64);
         let [a, b] = [0, 1].map(|side| self.sides[side].finest);
         let [boxes_a, boxes_b] = [&self.boxes[0][a], &self.boxes[1][b]];
         let storage = [&self.bounds, &self.totals, &self.pairs, boxes_a, boxes_b, &found];

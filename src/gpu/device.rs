@@ -88,8 +88,15 @@ impl Gpu {
         trouble.lost.get_or_insert_with(|| "destroyed".to_owned());
     }
 
+    /// What the next check fails with, unless it has something before.
+    pub(super) fn fail(&self, found: String) {
+        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
+        trouble.error.get_or_insert(found);
+    }
+
     /// # Errors
-    /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so.
+    /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so or
+    /// a buffer was wanted larger than the limits.
     pub(super) fn check(&self) -> Result<()> {
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = trouble.lost.clone() {

@@ -2,8 +2,7 @@
 
 use super::Gpu;
 use super::buffers::MOST_BINDING_BYTES;
-use crate::bezier::{Patch, PatchSet, power_of_two_below};
-use crate::error::Result;
+use crate::bezier::{PatchSet, power_of_two_below};
 use glam::{DVec3, DVec4};
 
 /// Patches of one pair of degrees on the GPU.
@@ -22,43 +21,42 @@ pub(super) fn most_patches(degree: [usize; 2]) -> usize {
 }
 
 /// Lists of patches of equal degree, each within a binding, in order of degree.
-pub(super) fn by_degree(patches: &PatchSet) -> Vec<([usize; 2], Vec<usize>)> {
-    let mut groups: Vec<([usize; 2], Vec<usize>)> = Vec::new();
+pub(super) fn by_degree(patches: &PatchSet) -> Vec<([usize; 2], Vec<u32>)> {
+    let mut groups: Vec<([usize; 2], Vec<u32>)> = Vec::new();
     for (index, patch) in patches.iter().enumerate() {
-        let open = |(degree, members): &&mut ([usize; 2], Vec<usize>)| {
+        let open = |(degree, members): &&mut ([usize; 2], Vec<u32>)| {
             *degree == patch.degree && members.len() < most_patches(patch.degree)
         };
         match groups.iter_mut().find(open) {
-            Some((_, members)) => members.push(index),
-            None => groups.push((patch.degree, vec![index])),
+            Some((_, members)) => members.push(index as u32),
+            None => groups.push((patch.degree, vec![index as u32])),
         }
     }
     groups
 }
 
 impl Gpu {
-    /// Uploads patches of one degree, relative to `origin` and multiplied by
+    /// Uploads members of a set, of one degree, relative to `origin` and multiplied by
     /// `scale`, rounded once to float32. Their weights are made about 1, which
     /// leaves the points as they are.
-    pub(super) fn upload_patches<'a>(
+    pub(super) fn upload_patches(
         &self,
-        patches: impl Iterator<Item = Patch<'a>>,
+        patches: &PatchSet,
+        members: &[u32],
         origin: DVec3,
         scale: f64,
-    ) -> Result<Controls> {
+    ) -> Controls {
         let mut controls: Vec<[f32; 4]> = Vec::new();
         let mut centers: Vec<[f32; 4]> = Vec::new();
-        for patch in patches {
+        for &member in members {
+            let patch = patches.patch(member as usize);
             let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
             let lighter = power_of_two_to_one(heaviest);
             let scaled = |&control: &DVec4| rounded(lighter * control * DVec3::splat(scale).extend(1.0));
             controls.extend(patch.controls.iter().map(scaled));
             centers.push(rounded((scale * (patch.center - origin)).extend(0.0)));
         }
-        Ok(Controls {
-            controls: self.upload("controls", &controls)?,
-            centers: self.upload("centers", &centers)?,
-        })
+        Controls { controls: self.upload("controls", &controls), centers: self.upload("centers", &centers) }
     }
 }
 

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use super::{Gpu, GpuStages};
-use crate::distance::{Progress, Silent, Stages};
+use crate::distance::{Progress, Silent};
 use crate::error::Error;
 use crate::flatness::{Flatness, flatten};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, Target, sample};
@@ -49,8 +49,8 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
     let target = Target::new(flatten(&b.patches, Flatness::Loose));
     let rule =
         Rule { projection: Projection::Newton, iterations: 12, step_tolerance: 0.01, culling: Culling::Tree };
-    let on_gpu = Rc::new(gpu.upload_sampling(&a, &sampling).unwrap());
-    let to = Rc::new(gpu.upload_target(&target).unwrap());
+    let on_gpu = Rc::new(gpu.upload_sampling(&a, &sampling));
+    let to = Rc::new(gpu.upload_target(&target));
     let mut stages = pollster::block_on(GpuStages::new(gpu, on_gpu, to, transform, rule)).unwrap();
     let mut silent = Silent;
     let mut progress = Progress::new(&mut silent, false);

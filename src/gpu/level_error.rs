@@ -69,13 +69,13 @@ fn bounds(set: &PatchSet) -> Vec<DerivativeBounds> {
 fn jets(gpu: &Gpu, pieces: &Pieces, degree: [usize; 2], cells: &[Cell]) -> Vec<[f32; 24]> {
     let frame = Frame { origin: DVec3::ZERO, scale: 1.0, grid: 2_f64.powi(-26) };
     let members = vec![(degree, (0..pieces.places.len() as u32).collect())];
-    let uploaded = gpu.upload_pieces(pieces, &members, Reach::Piece, &frame).unwrap();
+    let uploaded = gpu.upload_pieces(pieces, &members, Reach::Piece, &frame);
     let count = cells.len() as u32;
     let batch = Batch { workgroups: [0; 3], count };
-    let params = gpu.params().unwrap();
+    let params = gpu.params();
     let bytes = u64::from(count) * JET_BYTES;
-    let [jets, samples, best] = ["jets", "samples", "best"].map(|label| gpu.storage(label, bytes).unwrap());
-    let buffers = [gpu.upload("batch", &[batch]).unwrap(), gpu.upload("cells", cells).unwrap()];
+    let [jets, samples, best] = ["jets", "samples", "best"].map(|label| gpu.storage(label, bytes));
+    let buffers = [gpu.upload("batch", &[batch]), gpu.upload("cells", cells)];
     let group = &uploaded.groups[0];
     let storage = [&buffers[0], &buffers[1], &group.coefficients, &uploaded.pieces, &jets, &samples, &best];
     let kernel = Kernel::Cell { degree };
@@ -92,10 +92,8 @@ fn jets(gpu: &Gpu, pieces: &Pieces, degree: [usize; 2], cells: &[Cell]) -> Vec<[
         extent,
         units: 0,
     });
-    let readable = gpu.readable("readable", bytes).unwrap();
-    work.copy(&jets, &readable, bytes);
-    pollster::block_on(work.submit_unmeasured()).unwrap();
-    bytemuck::pod_collect_to_vec(&pollster::block_on(gpu.read(&readable, bytes)).unwrap())
+    let readable = gpu.readable("readable", bytes);
+    bytemuck::pod_collect_to_vec(&pollster::block_on(work.read(&jets, &readable, bytes)).unwrap())
 }
 
 /// Degrees, roughness and ratios of weights of the draws below.

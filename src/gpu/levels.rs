@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::iteration::{Culling, Target};
 use crate::model::RigidTransform;
 use crate::project::Projection;
-use bytemuck::{Pod, Zeroable, bytes_of};
+use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
 use std::rc::Rc;
 
 /// Cells that a level has room for.
@@ -110,12 +110,9 @@ impl Levels {
         let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
         let Some(from) = Pieces::new(a, transform, fits, MOST_PIECES) else { return Ok(None) };
         let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, fits, MOST_PIECES) else { return Ok(None) };
-        let target = gpu.upload_target(&Target::new(to.patches.clone()))?;
+        let target = gpu.upload_target(&Target::new(to.patches.clone()));
         let frame = frame(&target, [&from, &to]);
-        let from_groups: Vec<([usize; 2], Vec<u32>)> = by_degree(&from.patches)
-            .into_iter()
-            .map(|(degree, members)| (degree, members.into_iter().map(|member| member as u32).collect()))
-            .collect();
+        let from_groups = by_degree(&from.patches);
         let of_group = |before: usize, count: usize| target.patches[before..before + count].to_vec();
         let to_groups: Vec<([usize; 2], Vec<u32>)> = target
             .groups
@@ -123,20 +120,21 @@ impl Levels {
             .map(|group| (group.degree, of_group(group.patches_before, group.count)))
             .collect();
         let uploaded = [
-            gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame)?,
-            gpu.upload_pieces(&to, &to_groups, Reach::Patch(b.all_bounds()), &frame)?,
+            gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame),
+            gpu.upload_pieces(&to, &to_groups, Reach::Patch(b.all_bounds()), &frame),
         ];
         let cells = |label| gpu.storage(label, (CAPACITY * size_of::<Cell>()) as u64);
         let usages =
             wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST;
         let buffers = Buffers {
-            params: gpu.params()?,
-            batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages)?,
-            cells: [cells("cells")?, cells("next cells")?],
-            left: gpu.storage("left cells", (MOST_LEFT * size_of::<Cell>()) as u64)?,
-            tally: gpu.storage("tally", size_of::<Tally>() as u64)?,
+            params: gpu.params(),
+            batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages),
+            cells: [cells("cells"), cells("next cells")],
+            left: gpu.storage("left cells", (MOST_LEFT * size_of::<Cell>()) as u64),
+            tally: gpu.storage("tally", size_of::<Tally>() as u64),
         };
-        let steps = steps(gpu, &buffers, &uploaded, &target)?;
+        let steps = steps(gpu, &buffers, &uploaded, &target);
+        gpu.check()?;
         Ok(Some(Self {
             gpu: Rc::clone(gpu),
             pieces: [from, to],
@@ -177,7 +175,9 @@ impl Levels {
         for region in lent {
             let before = cells.len();
             if let Part::Cell(cell) = &region.part {
-                cells.extend(self.pieces[0].parts(cell).map(|part| self.cell(part, region)));
+                for part in self.pieces[0].parts(cell) {
+                    cells.push(self.cell(part, region));
+                }
             }
             if cells.len() > CAPACITY {
                 cells.truncate(before);
@@ -208,16 +208,21 @@ impl Levels {
                 self.record(&mut work, step, &level);
             }
         }
-        let tally: Tally = self.read(work, tally, 1).await?.pop().unwrap_or(Tally::zeroed());
-        let work = || Work::new(&self.gpu, params);
-        let waiting = self.read(work(), &buffers[LEVELS % 2], tally.waiting as usize).await?;
-        let left: Vec<Cell> = self.read(work(), left, tally.left as usize).await?;
-        for cell in waiting.iter().chain(&left) {
-            let region = self.region(cell)?;
-            if cell.verdict == UNDECIDED {
-                returned.undecided.push(region);
-            } else {
-                returned.waiting.push(region);
+        let tally: Tally = pod_read_unaligned(&self.read(work, tally, size_of::<Tally>()).await?);
+        for (from, count) in [(&buffers[LEVELS % 2], tally.waiting), (left, tally.left)] {
+            let work = Work::new(&self.gpu, params);
+            for cell in self
+                .read(work, from, count as usize * size_of::<Cell>())
+                .await?
+                .chunks_exact(size_of::<Cell>())
+            {
+                let cell: Cell = pod_read_unaligned(cell);
+                let region = self.region(&cell)?;
+                if cell.verdict == UNDECIDED {
+                    returned.undecided.push(region);
+                } else {
+                    returned.waiting.push(region);
+                }
             }
         }
         returned.dropped = f64::from(f32::from_bits(tally.dropped)) / self.frame.scale;
@@ -251,16 +256,13 @@ impl Levels {
             About::Level => (bytes_of(level), Extent::Workgroups(1)),
         };
         let Step { kernel, pipeline, bind_group, .. } = step;
+        // A level has no pace of its own: it is as long as its cells are many.
         work.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params: bytes, extent, units: 0 });
     }
 
-    async fn read<T: Pod>(&self, mut work: Work<'_>, from: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
-        let bytes = (count * size_of::<T>()) as u64;
-        let readable = self.gpu.readable("readable", bytes)?;
-        work.copy(from, &readable, bytes);
-        // A level has no pace of its own: it is as long as its cells are many.
-        work.submit_unmeasured().await?;
-        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read(&readable, bytes).await?))
+    async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
+        let readable = self.gpu.readable("readable", bytes as u64);
+        work.read(from, &readable, bytes as u64).await
     }
 
     fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &Region) -> Cell {
@@ -301,10 +303,12 @@ impl Levels {
 
 /// B's frame with a grid that reaches all centres.
 fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> Frame {
-    let centers = sides.into_iter().flat_map(|pieces| pieces.patches.iter().map(|patch| patch.center));
-    let largest = centers.fold(0.0_f64, |largest, center| {
-        largest.max((target.scale * (center - target.origin)).abs().max_element())
-    });
+    let mut largest = 0.0_f64;
+    for pieces in sides {
+        for patch in pieces.patches.iter() {
+            largest = largest.max((target.scale * (patch.center - target.origin)).abs().max_element());
+        }
+    }
     let grid = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / GRID_UNITS;
     Frame { origin: target.origin, scale: target.scale, grid: grid.max(f64::from(f32::MIN_POSITIVE)) }
 }
@@ -315,13 +319,13 @@ fn steps(
     buffers: &Buffers,
     [from, to]: &[GpuPieces; 2],
     target: &GpuTarget,
-) -> Result<[Vec<Step>; 2]> {
+) -> [Vec<Step>; 2] {
     let room = CAPACITY as u64;
-    let jets = gpu.storage("jets", room * JET_BYTES)?;
-    let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64)?;
-    let best = gpu.storage("best", room * size_of::<super::layouts::Best>() as u64)?;
+    let jets = gpu.storage("jets", room * JET_BYTES);
+    let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64);
+    let best = gpu.storage("best", room * size_of::<super::layouts::Best>() as u64);
     let Buffers { params, batch, left, tally, .. } = buffers;
-    let both = [0, 1].map(|parity| {
+    [0, 1].map(|parity| {
         let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
         let mut steps = Vec::new();
         let mut push = |kernel, storage: &[&wgpu::Buffer], about| {
@@ -352,6 +356,5 @@ fn steps(
         push(Kernel::Split, &[batch, cells, next, left, tally, &from.pieces], about);
         push(Kernel::Level, &[batch, tally], About::Level);
         steps
-    });
-    Ok(both)
+    })
 }

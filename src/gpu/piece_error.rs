@@ -62,7 +62,7 @@ impl PieceError {
         let least = controls().fold(f64::INFINITY, |least, control| least.min(control.w));
         let largest = controls().fold(0.0, |largest: f64, control| largest.max(control.length()));
         let (mut sizes, mut weights) = ([[0.0; ORDERS]; ORDERS], [[0.0; ORDERS]; ORDERS]);
-        let lost = (p + q + 4) as f64 * FINE_UNIT * ((p + q) as f64).exp2() * largest;
+        let lost = (p + q + 4) as f64 * FINE_UNIT * 2_f64.powi((p + q) as i32) * largest;
         for (index, c) in patch.monomials().iter().enumerate() {
             let c = scaled(*c, lighter, scale);
             let (i, j) = (index / (q + 1), index % (q + 1));

@@ -19,14 +19,19 @@ impl<T> Default for Resident<T> {
 
 impl<T> Resident<T> {
     /// The copy on `gpu`, uploaded by `upload` if it is not there yet.
-    pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> Result<T>) -> Result<Rc<T>> {
+    ///
+    /// # Errors
+    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits,
+    /// [`crate::Error::DeviceLost`].
+    pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> T) -> Result<Rc<T>> {
         let mut copy = self.copy.borrow_mut();
         if let Some((id, kept)) = copy.as_ref()
             && *id == gpu.id
         {
             return Ok(Rc::clone(kept));
         }
-        let made = Rc::new(upload(gpu)?);
+        let made = Rc::new(upload(gpu));
+        gpu.check()?;
         *copy = Some((gpu.id, Rc::clone(&made)));
         Ok(made)
     }

@@ -7,13 +7,13 @@ use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, groups::rounded};
-use crate::distance::{Candidate, Progress, Stages, StatusCounts, now};
+use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
 use crate::iteration::{Projected, Rule};
 use crate::model::RigidTransform;
 use crate::order::by_falling;
 use crate::project::Status;
-use bytemuck::{Pod, Zeroable, bytes_of};
+use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
 use std::ops::Range;
 use std::rc::Rc;
@@ -67,13 +67,13 @@ impl GpuStages {
         let rows = |page: &Vec<SampleGroup>| page.iter().map(|group| u64::from(group.row_count)).sum::<u64>();
         let most = sampling.pages.iter().map(rows).max().unwrap_or(0) * sampling.samples as u64;
         let best_bytes = most * size_of::<Best>() as u64;
+        let block_bytes = blocks_of(most) * size_of::<Block>() as u64;
         let buffers = Buffers {
-            params: gpu.params()?,
-            samples: gpu.storage("samples", most * size_of::<[f32; 4]>() as u64)?,
-            best: gpu.storage("best", best_bytes)?,
-            blocks: gpu.storage("blocks", blocks_of(most) * size_of::<Block>() as u64)?,
-            readable: gpu
-                .readable("readable", best_bytes.max(blocks_of(most) * size_of::<Block>() as u64))?,
+            params: gpu.params(),
+            samples: gpu.storage("samples", most * size_of::<[f32; 4]>() as u64),
+            best: gpu.storage("best", best_bytes),
+            blocks: gpu.storage("blocks", block_bytes),
+            readable: gpu.readable("readable", best_bytes.max(block_bytes)),
         };
         let started = now();
         let (pipeline, mut new) = gpu.pipelines.get(Kernel::Reduce);
@@ -133,8 +133,7 @@ impl GpuStages {
             }
         }
         self.record_reduce(&mut work, 0);
-        // The time is the compiler's, so the pace learns nothing from it.
-        work.submit_unmeasured().await
+        work.submit().await
     }
 
     fn record_sample(&self, work: &mut Work<'_>, group: &SampleGroup, params: &SampleParams) {
@@ -210,15 +209,6 @@ impl GpuStages {
         self.transform.apply(self.sampling.origin) - self.target.origin
     }
 
-    /// Reads the first `count` of a buffer's items.
-    async fn read<T: Pod>(&self, mut work: Work<'_>, from: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
-        let bytes = (count * size_of::<T>()) as u64;
-        work.copy(from, &self.buffers.readable, bytes);
-        work.submit().await?;
-        let content = self.gpu.read(&self.buffers.readable, bytes).await?;
-        Ok(bytemuck::pod_collect_to_vec(&content))
-    }
-
     fn projected(&self, best: &Best) -> Projected {
         let place = best.patch_and_status & ((1 << STATUS_SHIFT) - 1);
         let scaled = f64::from(best.distance_squared);
@@ -235,17 +225,15 @@ impl GpuStages {
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
         }
     }
-}
 
-impl Stages for GpuStages {
-    fn distance_error(&self) -> f64 {
+    pub(crate) fn distance_error(&self) -> f64 {
         let moved = self.sampling.radius + self.offset().length() + self.target.radius;
         self.sampling.coordinate_error
             + self.target.coordinate_error
             + ROUNDINGS * f64::from(f32::EPSILON) * moved
     }
 
-    async fn project(
+    pub(crate) async fn project(
         &mut self,
         index: usize,
         page: &Range<usize>,
@@ -255,10 +243,7 @@ impl Stages for GpuStages {
         self.page = page.clone();
         let mut work = Work::new(&self.gpu, &self.buffers.params);
         for group in &self.sampling.pages[index] {
-            if work.is_full() {
-                work.submit().await?;
-                work = Work::new(&self.gpu, &self.buffers.params);
-            }
+            work.make_room().await?;
             self.record_sample(&mut work, group, &self.sample_params(group));
         }
         for (index, group) in self.target.groups.iter().enumerate() {
@@ -266,9 +251,7 @@ impl Stages for GpuStages {
             let (pipeline, bind_group) = self.bind_project(group);
             let mut plan = Plan::new(page.len(), group.count, group.degree, &self.rule);
             while let Some((params, units)) = plan.next(self.gpu.pace.chunk(kernel)) {
-                if work.is_full() {
-                    work.submit().await?;
-                    work = Work::new(&self.gpu, &self.buffers.params);
+                if work.make_room().await? {
                     let of_group = plan.fraction_before();
                     let groups = self.target.groups.len() as f64;
                     progress.checkpoint((index as f64 + of_group) / groups).await?;
@@ -285,12 +268,13 @@ impl Stages for GpuStages {
         work.submit().await
     }
 
-    async fn reduce(&mut self) -> Result<Vec<Candidate>> {
+    pub(crate) async fn reduce(&mut self) -> Result<Vec<Candidate>> {
         let count = self.page.len() as u32;
         let mut work = Work::new(&self.gpu, &self.buffers.params);
         self.record_reduce(&mut work, count);
-        let blocks: Vec<Block> =
-            self.read(work, &self.buffers.blocks, blocks_of(u64::from(count)) as usize).await?;
+        let bytes = blocks_of(u64::from(count)) * size_of::<Block>() as u64;
+        let blocks = work.read(&self.buffers.blocks, &self.buffers.readable, bytes).await?;
+        let blocks: Vec<Block> = bytemuck::pod_collect_to_vec(&blocks);
         self.statuses = StatusCounts::default();
         let mut candidates = Vec::with_capacity(blocks.len());
         for block in &blocks {
@@ -305,7 +289,7 @@ impl Stages for GpuStages {
         Ok(by_falling(&candidates, |candidate| candidate.projected.distance_squared))
     }
 
-    fn settle(&mut self, sample: usize, distance_squared: f64) {
+    pub(crate) fn settle(&mut self, sample: usize, distance_squared: f64) {
         let scaled = distance_squared * self.target.scale * self.target.scale;
         let nearest = scaled as f32;
         // Never above the exact value, so that the sample is not taken for farther than it is.
@@ -314,13 +298,15 @@ impl Stages for GpuStages {
         self.gpu.queue.write_buffer(&self.buffers.best, offset, bytes_of(&below));
     }
 
-    async fn statuses(&mut self) -> Result<StatusCounts> {
-        Ok(self.statuses)
+    pub(crate) fn statuses(&self) -> StatusCounts {
+        self.statuses
     }
 
-    async fn field(&mut self) -> Result<Vec<Projected>> {
+    pub(crate) async fn field(&self) -> Result<Vec<Projected>> {
         let work = Work::new(&self.gpu, &self.buffers.params);
-        let best: Vec<Best> = self.read(work, &self.buffers.best, self.page.len()).await?;
+        let bytes = (self.page.len() * size_of::<Best>()) as u64;
+        let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
+        let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
         Ok(best.iter().map(|best| self.projected(best)).collect())
     }
 }

@@ -5,7 +5,6 @@ use super::box_layouts::{Children, Part, WHOLE_MODEL};
 use super::groups::{Controls, by_degree, power_of_two_to_one, rounded_up};
 use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, center_grid};
-use crate::error::Result;
 use crate::hierarchy::{self, CellTree};
 use glam::DVec3;
 
@@ -39,10 +38,7 @@ pub(super) struct PartGroup {
 
 impl Gpu {
     /// Uploads the tree and the patches of its model.
-    ///
-    /// # Errors
-    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
-    pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &CellTree) -> Result<GpuCells> {
+    pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &CellTree) -> GpuCells {
         let aabb = model.patches.bounding_box();
         let grid = center_grid(aabb.diagonal());
         let origin = (aabb.center() / grid).round() * grid;
@@ -52,7 +48,7 @@ impl Gpu {
         for (degree, members) in by_degree(&model.patches) {
             let mut places = vec![None; model.patches.len()];
             for (place, &patch) in members.iter().enumerate() {
-                places[patch] = Some(place as u32);
+                places[patch as usize] = Some(place as u32);
             }
             let in_group = |(node, part): (usize, &hierarchy::Part)| {
                 let growth = part.growth + patch_error(&model.patches.patch(part.patch));
@@ -67,27 +63,26 @@ impl Gpu {
                 })
             };
             let parts: Vec<Part> = tree.parts.iter().enumerate().filter_map(in_group).collect();
-            let patches = members.iter().map(|&index| model.patches.patch(index));
             groups.push(PartGroup {
                 degree,
                 count: parts.len(),
-                controls: self.upload_patches(patches, origin, scale)?,
-                parts: self.upload("parts", &parts)?,
+                controls: self.upload_patches(&model.patches, &members, origin, scale),
+                parts: self.upload("parts", &parts),
             });
         }
         let node = |&hierarchy::Children { first, count }: &hierarchy::Children| Children { first, count };
         let level = |nodes: &Vec<hierarchy::Children>| {
             self.upload("nodes", &nodes.iter().map(node).collect::<Vec<_>>())
         };
-        Ok(GpuCells {
+        GpuCells {
             origin,
             scale,
             radius,
             groups,
-            root: self.upload("root", &[Children { first: 0, count: 1 }])?,
-            levels: tree.levels.iter().map(level).collect::<Result<_>>()?,
+            root: self.upload("root", &[Children { first: 0, count: 1 }]),
+            levels: tree.levels.iter().map(level).collect(),
             counts: tree.levels.iter().map(Vec::len).chain([tree.parts.len()]).collect(),
             finest: tree.finest,
-        })
+        }
     }
 }

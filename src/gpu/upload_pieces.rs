@@ -63,16 +63,13 @@ pub(super) enum Reach<'a> {
 
 impl Gpu {
     /// Uploads the pieces in the order of `groups`.
-    ///
-    /// # Errors
-    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
     pub(super) fn upload_pieces(
         &self,
         pieces: &Pieces,
         groups: &[([usize; 2], Vec<u32>)],
         reach: Reach<'_>,
         frame: &Frame,
-    ) -> Result<GpuPieces> {
+    ) -> GpuPieces {
         let mut order: Vec<u32> = Vec::with_capacity(pieces.places.len());
         let mut records: Vec<Piece> = Vec::with_capacity(pieces.places.len());
         let mut uploaded = Vec::with_capacity(groups.len());
@@ -81,16 +78,16 @@ impl Gpu {
             for &member in members {
                 let patch = pieces.patches.patch(member as usize);
                 let lighter = normal_weight(&patch);
-                let monomials = patch.monomials();
-                coefficients.extend(monomials.iter().map(|&c| rounded(scaled(c, lighter, frame.scale))));
+                for c in patch.monomials() {
+                    coefficients.push(rounded(scaled(c, lighter, frame.scale)));
+                }
                 records.push(record(&patch, &pieces.places[member as usize], reach, frame));
             }
-            let coefficients = self.upload("coefficients", &coefficients)?;
             uploaded.push(PieceGroup {
                 degree: *degree,
                 first: order.len(),
                 count: members.len(),
-                coefficients,
+                coefficients: self.upload("coefficients", &coefficients),
             });
             order.extend(members);
         }
@@ -98,7 +95,7 @@ impl Gpu {
         for (index, &piece) in order.iter().enumerate() {
             places[piece as usize] = index as u32;
         }
-        Ok(GpuPieces { pieces: self.upload("pieces", &records)?, groups: uploaded, order, places })
+        GpuPieces { pieces: self.upload("pieces", &records), groups: uploaded, order, places }
     }
 }
 

@@ -5,7 +5,6 @@ use super::groups::{Controls, most_patches, power_of_two_to_one};
 use super::layouts::{Place, Row};
 use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, Patch, center_grid};
-use crate::error::Result;
 use crate::iteration::{SampleGrid, Sampling};
 use crate::tree::Aabb;
 use glam::DVec3;
@@ -43,7 +42,7 @@ struct Draft {
     columns: usize,
     rows: Vec<Row>,
     places: Vec<Place>,
-    patches: Vec<usize>,
+    patches: Vec<u32>,
     /// Surface and row of patches uploaded last, and where they begin.
     last: Option<((usize, usize), u32)>,
     /// Surface whose places were written last, and where they begin.
@@ -66,10 +65,7 @@ impl Draft {
 
 impl Gpu {
     /// Uploads all pages.
-    ///
-    /// # Errors
-    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
-    pub(crate) fn upload_sampling(&self, model: &BezierModel, sampling: &Sampling) -> Result<GpuSampling> {
+    pub(crate) fn upload_sampling(&self, model: &BezierModel, sampling: &Sampling) -> GpuSampling {
         let aabb = model.patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
         let grid = center_grid(aabb.diagonal());
         let origin = (aabb.center() / grid).round() * grid;
@@ -79,15 +75,15 @@ impl Gpu {
             .pages()
             .iter()
             .map(|page| self.upload_page(model, sampling, page, origin, scale))
-            .collect::<Result<Vec<_>>>()?;
-        Ok(GpuSampling {
+            .collect();
+        GpuSampling {
             origin,
             scale,
             pages,
             samples: sampling.grids.first().map_or(0, |grid| grid.counts()[1]),
             coordinate_error: model.patches.iter().map(|patch| patch_error(&patch)).fold(0.0, f64::max),
             radius,
-        })
+        }
     }
 
     fn upload_page(
@@ -97,7 +93,7 @@ impl Gpu {
         page: &Range<usize>,
         origin: DVec3,
         scale: f64,
-    ) -> Result<Vec<SampleGroup>> {
+    ) -> Vec<SampleGroup> {
         let mut drafts: Vec<Draft> = Vec::new();
         for surface in sampling.surface(page.start)..=sampling.surface(page.end - 1) {
             let grid = &sampling.grids[surface];
@@ -107,16 +103,13 @@ impl Gpu {
                 add_row(&mut drafts, model, surface, grid, first_sample, (first_sample - page.start) as u32);
             }
         }
-        let group = |draft: &Draft| {
-            let patches = draft.patches.iter().map(|&index| model.patches.patch(index));
-            Ok(SampleGroup {
-                degree: draft.degree,
-                row_count: draft.rows.len() as u32,
-                columns: draft.columns as u32,
-                controls: self.upload_patches(patches, origin, scale)?,
-                rows: self.upload("rows", &draft.rows)?,
-                places: self.upload("places", &draft.places)?,
-            })
+        let group = |draft: &Draft| SampleGroup {
+            degree: draft.degree,
+            row_count: draft.rows.len() as u32,
+            columns: draft.columns as u32,
+            controls: self.upload_patches(&model.patches, &draft.patches, origin, scale),
+            rows: self.upload("rows", &draft.rows),
+            places: self.upload("places", &draft.places),
         };
         drafts.iter().map(group).collect()
     }
@@ -148,7 +141,7 @@ fn add_row(
         _ => {
             let first = draft.patches.len() as u32;
             let start = patches.first + patch_row * in_v;
-            draft.patches.extend(start..start + in_v);
+            draft.patches.extend(start as u32..(start + in_v) as u32);
             draft.last = Some(((surface, patch_row), first));
             first
         }

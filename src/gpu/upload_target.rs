@@ -4,7 +4,6 @@ use super::Gpu;
 use super::groups::{Controls, by_degree, power_of_two_to_one, rounded_up};
 use super::layouts::{LEAF_COUNT_BITS, Node};
 use crate::bezier::center_grid;
-use crate::error::Result;
 use crate::iteration::Target;
 use crate::tree::{Aabb, BoxTree};
 use glam::DVec3;
@@ -47,10 +46,7 @@ const ROUNDING: f64 = f32::EPSILON as f64;
 
 impl Gpu {
     /// Uploads the target's patches group by group.
-    ///
-    /// # Errors
-    /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits.
-    pub(crate) fn upload_target(&self, target: &Target) -> Result<GpuTarget> {
+    pub(crate) fn upload_target(&self, target: &Target) -> GpuTarget {
         let aabb = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
         let grid = center_grid(aabb.diagonal());
         let origin = (aabb.center() / grid).round() * grid;
@@ -60,26 +56,26 @@ impl Gpu {
         let mut patches: Vec<u32> = Vec::with_capacity(target.patches.len());
         let mut coordinate_error = 0.0_f64;
         for (degree, members) in by_degree(&target.patches) {
-            let boxes: Vec<Aabb> =
-                members.iter().map(|&index| target.patches.patch(index).bounding_box()).collect();
-            let tree = BoxTree::new(&boxes);
-            let order: Vec<usize> = tree.order().iter().map(|&place| members[place as usize]).collect();
-            let in_order = || order.iter().map(|&index| target.patches.patch(index));
-            for patch in in_order() {
+            let mut boxes: Vec<Aabb> = Vec::with_capacity(members.len());
+            for &member in &members {
+                let patch = target.patches.patch(member as usize);
+                boxes.push(patch.bounding_box());
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
+            let tree = BoxTree::new(&boxes);
             let nodes: Vec<Node> =
                 tree.nodes().iter().map(|node| node_relative_to(node, origin, scale)).collect();
+            let patches_before = patches.len();
+            patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
                 degree,
-                count: order.len(),
-                patches_before: patches.len(),
-                controls: self.upload_patches(in_order(), origin, scale)?,
-                nodes: self.upload("nodes", &nodes)?,
+                count: members.len(),
+                patches_before,
+                controls: self.upload_patches(&target.patches, &patches[patches_before..], origin, scale),
+                nodes: self.upload("nodes", &nodes),
             });
-            patches.extend(order.iter().map(|&index| index as u32));
         }
-        Ok(GpuTarget { origin, scale, groups, patches, coordinate_error, radius })
+        GpuTarget { origin, scale, groups, patches, coordinate_error, radius }
     }
 }
 

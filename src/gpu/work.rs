@@ -49,7 +49,8 @@ pub(super) struct Dispatch<'a> {
     pub(super) bind_group: &'a wgpu::BindGroup,
     pub(super) params: &'a [u8],
     pub(super) extent: Extent<'a>,
-    /// Units of work: what the kernel's time is proportional to.
+    /// Units of work: what the kernel's time is proportional to. 0 where the
+    /// time says nothing of the kernel.
     pub(super) units: usize,
 }
 
@@ -72,7 +73,7 @@ pub(super) struct Work<'a> {
 
 impl Gpu {
     /// A buffer for the params of a submission.
-    pub(super) fn params(&self) -> Result<wgpu::Buffer> {
+    pub(super) fn params(&self) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         self.buffer("params", (MOST_DISPATCHES * PARAMS_STRIDE) as u64, usage)
     }
@@ -108,7 +109,7 @@ impl<'a> Work<'a> {
     }
 
     /// Whether the submission is long enough, in time or in dispatches.
-    pub(super) fn is_full(&self) -> bool {
+    fn is_full(&self) -> bool {
         self.expected >= MOST_SECONDS || self.bytes.len() >= MOST_DISPATCHES * PARAMS_STRIDE
     }
 
@@ -118,7 +119,7 @@ impl<'a> Work<'a> {
         self.bytes.extend_from_slice(dispatch.params);
         self.bytes.resize(offset + PARAMS_STRIDE, 0);
         self.expected += dispatch.units as f64 / self.gpu.pace.rate(dispatch.kernel);
-        if !self.kernels.contains(&dispatch.kernel) {
+        if dispatch.units > 0 && !self.kernels.contains(&dispatch.kernel) {
             self.kernels.push(dispatch.kernel);
         }
         let mut pass = self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -133,24 +134,35 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Copies the first `bytes` of a buffer.
-    pub(super) fn copy(&mut self, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) {
-        self.encoder.copy_buffer_to_buffer(from, 0, to, 0, bytes);
+    /// Submits and begins anew if it is full; whether it was.
+    pub(super) async fn make_room(&mut self) -> Result<bool> {
+        let full = self.is_full();
+        if full {
+            std::mem::replace(self, Work::new(self.gpu, self.params)).submit().await?;
+        }
+        Ok(full)
     }
 
-    /// Submits and waits.
-    pub(super) async fn submit_unmeasured(self) -> Result<()> {
-        self.gpu.queue.write_buffer(self.params, 0, &self.bytes);
-        self.gpu.queue.submit([self.encoder.finish()]);
-        self.gpu.finish().await
+    /// Submits, waits, and reads the first `bytes` of a buffer by way of another.
+    pub(super) async fn read(
+        mut self,
+        from: &wgpu::Buffer,
+        readable: &wgpu::Buffer,
+        bytes: u64,
+    ) -> Result<Vec<u8>> {
+        let gpu = self.gpu;
+        self.encoder.copy_buffer_to_buffer(from, 0, readable, 0, bytes);
+        self.submit().await?;
+        gpu.read(readable, bytes).await
     }
 
     /// Submits, waits, and learns how fast the kernels are.
-    pub(super) async fn submit(mut self) -> Result<()> {
-        let (gpu, expected) = (self.gpu, self.expected);
-        let kernels = std::mem::take(&mut self.kernels);
+    pub(super) async fn submit(self) -> Result<()> {
+        let Self { gpu, params, encoder, bytes, expected, kernels } = self;
         let started = now();
-        self.submit_unmeasured().await?;
+        gpu.queue.write_buffer(params, 0, &bytes);
+        gpu.queue.submit([encoder.finish()]);
+        gpu.finish().await?;
         let factor = (expected / (now() - started)).clamp(1.0 / MOST_RATE_CHANGE, MOST_RATE_CHANGE);
         let mut rates = gpu.pace.0.borrow_mut();
         for kernel in kernels {

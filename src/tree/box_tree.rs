@@ -1,6 +1,7 @@
 //! A binary tree of boxes over patches.
 
 use super::Aabb;
+use crate::order::select;
 use glam::DVec3;
 
 /// A node: an inner one has two children, a leaf some boxes.
@@ -29,7 +30,7 @@ const LEAF_SIZE: usize = 2;
 
 impl BoxTree {
     /// Halves the boxes at the median of their centres along the longest axis,
-    /// so that the depth is at most `ceil(log2 n)`. O(n log n).
+    /// so that the depth is at most `ceil(log2 n)`. O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut tree = Self {
@@ -56,7 +57,7 @@ impl BoxTree {
         let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(of(index).center()));
         let axis = longest_axis(centers.extent());
         let middle = order.len() / 2;
-        order.select_nth_unstable_by(middle, |a, b| of(a).center()[axis].total_cmp(&of(b).center()[axis]));
+        select(order, middle, &|index| boxes[index as usize].center()[axis]);
         let (low, high) = order.split_at_mut(middle);
         self.build(boxes, low, first);
         self.nodes[node].second = self.nodes.len() as u32;

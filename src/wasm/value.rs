@@ -5,9 +5,7 @@
 
 use js_sys::{Array, ArrayBuffer, Object};
 use serde::de::value::SeqDeserializer;
-use serde::de::{
-    DeserializeSeed, Deserializer, Error as _, Expected, IntoDeserializer, MapAccess, Unexpected, Visitor,
-};
+use serde::de::{DeserializeSeed, Deserializer, Expected, IntoDeserializer, MapAccess, Unexpected, Visitor};
 use serde::forward_to_deserialize_any;
 use std::fmt::Display;
 use wasm_bindgen::{JsCast, JsValue};
@@ -41,31 +39,38 @@ impl serde::de::Error for Mismatch {
     }
 }
 
-/// A number, text, flag or array.
+/// A number, text, flag or tuple.
 pub(super) struct Value(pub(super) JsValue);
 
-enum Kind {
-    Whole(u64),
-    Number(f64),
-    Text(String),
-    Flag(bool),
-    Items(Vec<JsValue>),
-    Other,
+impl Value {
+    /// A whole number of at least 0 that float64 tells from its neighbours.
+    fn whole(&self) -> Option<u64> {
+        let number = self.0.as_f64()?;
+        let whole = number.fract() == 0.0 && (0.0..LEAST_INEXACT).contains(&number);
+        whole.then_some(number as u64)
+    }
+
+    fn items(&self) -> Option<Vec<JsValue>> {
+        let value = &self.0;
+        (Array::is_array(value) || ArrayBuffer::is_view(value)).then(|| Array::from(value).to_vec())
+    }
 }
 
-impl Value {
-    fn kind(&self) -> Kind {
-        let value = &self.0;
-        if let Some(number) = value.as_f64() {
-            let whole = number.fract() == 0.0 && (0.0..LEAST_INEXACT).contains(&number);
-            return if whole { Kind::Whole(number as u64) } else { Kind::Number(number) };
-        }
-        if Array::is_array(value) || ArrayBuffer::is_view(value) {
-            return Kind::Items(Array::from(value).to_vec());
-        }
-        let text = value.as_string().map(Kind::Text);
-        text.or_else(|| value.as_bool().map(Kind::Flag)).unwrap_or(Kind::Other)
-    }
+fn expected<T>(what: &dyn Expected) -> Result<T, Mismatch> {
+    Err(Mismatch(format!("expected {what}")))
+}
+
+/// Each method reads one kind of value and nothing else, so that no option
+/// carries the code of all kinds.
+macro_rules! read {
+    ($read:expr, $visit:ident: $($method:ident)+) => {
+        $(fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
+            match $read(&self) {
+                Some(value) => visitor.$visit(value),
+                None => expected(&visitor),
+            }
+        })+
+    };
 }
 
 impl<'de> IntoDeserializer<'de, Mismatch> for Value {
@@ -80,19 +85,20 @@ impl<'de> Deserializer<'de> for Value {
     type Error = Mismatch;
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-        match self.kind() {
-            Kind::Whole(number) => visitor.visit_u64(number),
-            Kind::Number(number) => visitor.visit_f64(number),
-            Kind::Text(text) => visitor.visit_string(text),
-            Kind::Flag(flag) => visitor.visit_bool(flag),
-            Kind::Items(items) => {
-                let mut items = SeqDeserializer::new(items.into_iter().map(Value));
-                let value = visitor.visit_seq(&mut items)?;
-                items.end()?;
-                Ok(value)
-            }
-            Kind::Other => visitor.visit_unit(),
-        }
+        expected(&visitor)
+    }
+
+    read!(Self::whole, visit_u64:
+        deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64);
+    read!(|value: &Self| value.0.as_f64(), visit_f64: deserialize_f32 deserialize_f64);
+    read!(|value: &Self| value.0.as_bool(), visit_bool: deserialize_bool);
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, _: usize, visitor: V) -> Result<V::Value, Mismatch> {
+        let Some(items) = self.items() else { return expected(&visitor) };
+        let mut items = SeqDeserializer::new(items.into_iter().map(Value));
+        let value = visitor.visit_seq(&mut items)?;
+        items.end()?;
+        Ok(value)
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
@@ -107,13 +113,13 @@ impl<'de> Deserializer<'de> for Value {
     ) -> Result<V::Value, Mismatch> {
         match self.0.as_string() {
             Some(text) => visitor.visit_enum(text.into_deserializer()),
-            None => Err(Mismatch::invalid_type(Unexpected::Enum, &"a text")),
+            None => expected(&"a text"),
         }
     }
 
     forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit
-        unit_struct newtype_struct seq tuple tuple_struct map struct identifier ignored_any
+        i8 i16 i32 i64 i128 u128 char str string bytes byte_buf unit unit_struct newtype_struct seq
+        tuple_struct map struct identifier ignored_any
     }
 }
 

@@ -3,6 +3,7 @@
 use super::insert_knot;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::order::rising;
 use crate::shown::Shown;
 
 /// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
@@ -45,12 +46,12 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
     let mut pieces = model.surfaces().to_vec();
     for (axis, fractions) in fractions.into_iter().enumerate() {
-        let mut fractions = fractions.to_vec();
-        fractions.sort_by(f64::total_cmp);
+        let order = rising(fractions);
         let mut cut = Vec::new();
         for mut rest in pieces {
             let [start, end] = rest.domain()[axis];
-            for fraction in &fractions {
+            for &index in &order {
+                let fraction = fractions[index];
                 let [below, above] = cut_surface(&rest, axis, (1.0 - fraction) * start + fraction * end)?;
                 cut.push(below);
                 rest = above;
