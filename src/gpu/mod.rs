@@ -1,5 +1,7 @@
 //! The kernels of `shaders` and what feeds them.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod bench;
 mod box_layouts;
 mod buffers;
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -26,6 +28,9 @@ mod upload_sampling;
 mod upload_target;
 mod work;
 
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub use bench::StageBench;
 pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;
 pub(crate) use levels::Levels;

@@ -156,12 +156,21 @@ impl Pipelines {
         if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
-        let pipeline = Rc::new(self.make(kernel));
+        let pipeline = Rc::new(self.make(kernel, kernel.text()));
         self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
         (pipeline, true)
     }
 
-    fn make(&self, kernel: Kernel) -> Pipeline {
+    /// Makes the kernel's pipeline of another text.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn replace(&self, kernel: Kernel, text: String) {
+        let pipeline = Rc::new(self.make(kernel, text));
+        let mut made = self.made.borrow_mut();
+        made.retain(|(of, _)| *of != kernel);
+        made.push((kernel, pipeline));
+    }
+
+    fn make(&self, kernel: Kernel, text: String) -> Pipeline {
         let label = Some(kernel.entry_point());
         let (params_bytes, written) = kernel.bindings();
         // No params struct is empty.
@@ -187,7 +196,7 @@ impl Pipelines {
         });
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label,
-            source: wgpu::ShaderSource::Wgsl(kernel.text().into()),
+            source: wgpu::ShaderSource::Wgsl(text.into()),
         });
         let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label,

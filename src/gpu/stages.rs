@@ -210,6 +210,46 @@ impl GpuStages {
         self.transform.apply(self.sampling.origin) - self.target.origin
     }
 
+    /// Stage `sample` on page `index` up to a submission that is left open.
+    async fn sampled(&self, index: usize) -> Result<Work<'_>> {
+        let mut work = Work::new(&self.gpu, &self.buffers.params);
+        for group in &self.sampling.pages[index] {
+            if work.is_full() {
+                work.submit().await?;
+                work = Work::new(&self.gpu, &self.buffers.params);
+            }
+            self.record_sample(&mut work, group, &self.sample_params(group));
+        }
+        Ok(work)
+    }
+
+    /// Stage `sample` alone, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) async fn sample(&self, index: usize) -> Result<()> {
+        self.sampled(index).await?.submit().await
+    }
+
+    /// The kernels of stage `project`, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn project_kernels(&self) -> Vec<Kernel> {
+        let mut kernels: Vec<Kernel> = Vec::new();
+        for group in &self.target.groups {
+            let kernel = self.project_kernel(group);
+            if !kernels.contains(&kernel) {
+                kernels.push(kernel);
+            }
+        }
+        kernels
+    }
+
+    /// `Best.s` of the page as the kernel wrote it, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) async fn written(&self) -> Result<Vec<f32>> {
+        let work = Work::new(&self.gpu, &self.buffers.params);
+        let best: Vec<Best> = self.read(work, &self.buffers.best, self.page.len()).await?;
+        Ok(best.iter().map(|best| best.s).collect())
+    }
+
     /// Reads the first `count` of a buffer's items.
     async fn read<T: Pod>(&self, mut work: Work<'_>, from: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
         let bytes = (count * size_of::<T>()) as u64;
@@ -253,14 +293,7 @@ impl Stages for GpuStages {
     ) -> Result<()> {
         progress.checkpoint(0.0).await?;
         self.page = page.clone();
-        let mut work = Work::new(&self.gpu, &self.buffers.params);
-        for group in &self.sampling.pages[index] {
-            if work.is_full() {
-                work.submit().await?;
-                work = Work::new(&self.gpu, &self.buffers.params);
-            }
-            self.record_sample(&mut work, group, &self.sample_params(group));
-        }
+        let mut work = self.sampled(index).await?;
         for (index, group) in self.target.groups.iter().enumerate() {
             let kernel = self.project_kernel(group);
             let (pipeline, bind_group) = self.bind_project(group);
