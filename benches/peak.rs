@@ -1,6 +1,7 @@
 //! The share of the GPU's float32 peak that the projection kernel reaches.
 //!
-//! `cargo bench --bench peak`: prints Markdown. Peak and kernels run in turn,
+//! `cargo bench --bench peak [-- NAME]`: settings whose names contain NAME, as
+//! Markdown. Peak and kernels run in turn,
 //! in many short rounds of which the fastest count, so that other work on the
 //! machine matters little.
 
@@ -47,18 +48,18 @@ impl Case {
     fn new(
         gpu: &Rc<Gpu>,
         name: &str,
-        [a, b]: [&Model; 2],
+        model: &Model,
         samples: usize,
         translation: [f64; 3],
         flatness: Flatness,
     ) -> Self {
-        let diagonal = b.bounding_box().diagonal();
-        let (a, b) = (extract(a), extract(b));
-        let sampling = Sampling::new(&a, samples, SamplingRule::Uniform);
-        let target = Target::new(flatten(&b.patches, flatness));
+        let diagonal = model.bounding_box().diagonal();
+        let model = extract(model);
+        let sampling = Sampling::new(&model, samples, SamplingRule::Uniform);
+        let target = Target::new(flatten(&model.patches, flatness));
         let transform =
             RigidTransform::translation(diagonal * DVec3::from_array(translation)).expect("finite");
-        let mut bench = StageBench::new(gpu, &a, &sampling, &target, transform, RULE).expect("a GPU");
+        let mut bench = StageBench::new(gpu, &model, &sampling, &target, transform, RULE).expect("a GPU");
         bench.edit(&|text| flops::counting(&text));
         bench.project().expect("a projection");
         let written = bench.written().expect("counts");
@@ -91,7 +92,8 @@ fn main() {
     let gpu = Rc::new(pollster::block_on(Gpu::new()).expect("an adapter"));
     println!("Adapter: {}\n", gpu.adapter().unwrap_or_default());
     let peak = peak::Peak::new();
-    let mut cases = cases(&gpu);
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let mut cases = cases(&gpu, &wanted);
     let mut fastest = vec![0.0_f64; peak::VARIANTS.len()];
     for _ in 0..ROUNDS {
         for (best, (_, this)) in fastest.iter_mut().zip(peak.measure()) {
@@ -121,42 +123,28 @@ fn main() {
     }
 }
 
-fn cases(gpu: &Rc<Gpu>) -> Vec<Case> {
+/// The settings whose names contain `wanted`.
+fn cases(gpu: &Rc<Gpu>, wanted: &str) -> Vec<Case> {
     let mut cases = Vec::new();
+    let mut add = |name: &str, model: &Model, samples, translation, flatness| {
+        if name.contains(wanted) {
+            cases.push(Case::new(gpu, name, model, samples, translation, flatness));
+        }
+    };
     let offset = [0.01, 0.005, 0.1];
     for degree in [[1, 1], [2, 2], [3, 3], [2, 5], [5, 5]] {
-        let one = models::rough(degree, [1, 1], 1.0, 1);
         let name = format!("one patch of degrees {degree:?}");
-        cases.push(Case::new(gpu, &name, [&one, &one], 192, offset, Flatness::None));
+        add(&name, &models::rough(degree, [1, 1], 1.0, 1), 192, offset, Flatness::None);
     }
     let rational = models::rough([3, 3], [1, 1], 2.0, 1);
-    cases.push(Case::new(
-        gpu,
-        "one rational patch of degrees [3, 3]",
-        [&rational, &rational],
-        192,
-        offset,
-        Flatness::None,
-    ));
+    add("one rational patch of degrees [3, 3]", &rational, 192, offset, Flatness::None);
     let sheet = models::rough([3, 3], [16, 16], 1.0, 2);
-    cases.push(Case::new(
-        gpu,
-        "16 x 16 bicubic patches",
-        [&sheet, &sheet],
-        192,
-        [0.01, 0.005, 0.02],
-        Flatness::None,
-    ));
+    add("16 x 16 bicubic patches", &sheet, 192, [0.01, 0.005, 0.02], Flatness::None);
     for (name, samples) in [("duck", 128), ("occt_terrain", 192)] {
-        if let Some(model) = shared(name) {
-            cases.push(Case::new(
-                gpu,
-                name,
-                [&model, &model],
-                samples,
-                [0.01, 0.005, 0.002],
-                Flatness::Loose,
-            ));
+        if name.contains(wanted)
+            && let Some(model) = shared(name)
+        {
+            add(name, &model, samples, [0.01, 0.005, 0.002], Flatness::Loose);
         }
     }
     cases

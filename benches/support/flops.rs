@@ -6,7 +6,9 @@
 //! component, `fma` two, a dot product of n components 2n - 1; comparisons,
 //! selections, least and largest, signs and conversions nothing.
 
-use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
+use naga::valid::{
+    Capabilities, FunctionInfo, ShaderStages, SubgroupOperationSet, ValidationFlags, Validator,
+};
 use naga::{
     BinaryOperator, Block, Expression, Function, GlobalVariable, Handle, Literal, MathFunction, Module,
     Range, ScalarKind, Span, Statement, TypeInner,
@@ -20,7 +22,7 @@ const COUNTED_END: &str = "let flops_before = best[sample].s;\nbest[sample] = se
 /// summed over the groups of patches. Exact below 2^24 a sample.
 pub(crate) fn counting(text: &str) -> String {
     assert!(text.contains(END), "the kernel ends in another way");
-    let counted = format!("var<private> flops: u32 = 0u;\n{}", text.replace(END, COUNTED_END));
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(END, COUNTED_END));
     let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
     let info = validated(&module);
     let (flops, _) = module
@@ -40,7 +42,11 @@ pub(crate) fn counting(text: &str) -> String {
 }
 
 fn validated(module: &Module) -> naga::valid::ModuleInfo {
-    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module).expect("a valid module")
+    Validator::new(ValidationFlags::all(), Capabilities::SUBGROUP)
+        .subgroup_stages(ShaderStages::COMPUTE)
+        .subgroup_operations(SubgroupOperationSet::all())
+        .validate(module)
+        .expect("a valid module")
 }
 
 struct Counter<'a> {

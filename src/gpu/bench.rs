@@ -1,6 +1,5 @@
 //! The kernels' stages one at a time, for `benches`; no part of the interface.
 
-use super::pipelines::Kernel;
 use super::{Gpu, GpuStages};
 use crate::bezier::BezierModel;
 use crate::distance::{Progress, Silent, Stages};
@@ -76,13 +75,7 @@ impl StageBench {
     /// Replaces the kernels of `project` by an edited text, on this device, until replaced again.
     pub fn edit(&self, edit: &dyn Fn(String) -> String) {
         for kernel in self.stages.project_kernels() {
-            self.gpu.pipelines.replace(kernel, edit(kernel.text()));
+            self.gpu.pipelines.replace(kernel, edit(kernel.text(self.gpu.pipelines.lanes)));
         }
-    }
-
-    /// The kernels of `project`.
-    #[must_use]
-    pub fn texts(&self) -> Vec<String> {
-        self.stages.project_kernels().into_iter().map(Kernel::text).collect()
     }
 }

@@ -57,17 +57,18 @@ pub(super) enum Kernel {
 }
 
 impl Kernel {
-    /// The WGSL text of the kernel.
-    pub(super) fn text(self) -> String {
+    /// The WGSL text of the kernel, for subgroups of `lanes` threads that load
+    /// together, or for threads that load alone if 0.
+    pub(super) fn text(self, lanes: u32) -> String {
         let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
         match self {
-            Self::Sample { degree } => [&common, &patch_text(degree), JET, PATCH, BEST, SAMPLE].concat(),
+            Self::Sample { degree } => [&common, &patch_text(degree, 0), JET, PATCH, BEST, SAMPLE].concat(),
             Self::Project { degree, projection, .. } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
                     Projection::TangentPlane => TANGENT_PLANE,
                 };
-                [&common, &patch_text(degree), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
+                [&common, &patch_text(degree, lanes), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
             Self::Cell { degree } => piecewise(&common, degree, CELL),
@@ -143,12 +144,14 @@ pub(super) struct Pipeline {
 #[derive(Debug)]
 pub(super) struct Pipelines {
     device: wgpu::Device,
+    /// Threads of the subgroups that load together, or 0.
+    pub(super) lanes: u32,
     made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
 }
 
 impl Pipelines {
-    pub(super) fn new(device: &wgpu::Device) -> Self {
-        Self { device: device.clone(), made: RefCell::default() }
+    pub(super) fn new(device: &wgpu::Device, lanes: u32) -> Self {
+        Self { device: device.clone(), lanes, made: RefCell::default() }
     }
 
     /// The kernel's pipeline, and whether it is new.
@@ -156,7 +159,7 @@ impl Pipelines {
         if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
-        let pipeline = Rc::new(self.make(kernel, kernel.text()));
+        let pipeline = Rc::new(self.make(kernel, kernel.text(self.lanes)));
         self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
         (pipeline, true)
     }
