@@ -29,7 +29,7 @@ struct Trouble {
 
 impl Gpu {
     /// The platform's preferred adapter, whatever it is, on the limits that
-    /// WebGPU guarantees everywhere.
+    /// WebGPU guarantees everywhere; with subgroups if it is a processor.
     ///
     /// # Errors
     /// [`Error::NoAdapter`] if there is none or it gives no device.

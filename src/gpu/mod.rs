@@ -9,6 +9,8 @@ mod cell_boxes;
 mod descent;
 mod device;
 mod groups;
+#[cfg(not(target_arch = "wasm32"))]
+mod kept_text;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
