@@ -75,7 +75,7 @@ impl Kernel {
             Self::Certify { degree } => piecewise(&common, degree, CERTIFY),
             Self::Split => [&common, BEST, CELLS, PIECE, TALLY, SPLIT].concat(),
             Self::Level => [&common, CELLS, TALLY, LEVEL].concat(),
-            Self::Boxes { degree } => [&common, &patch_text(degree), JET, PATCH, BOX, BOXES].concat(),
+            Self::Boxes { degree } => [&common, &patch_text(degree, 0), JET, PATCH, BOX, BOXES].concat(),
             Self::Pyramid => [&common, BOX, PYRAMID].concat(),
             Self::Bound => [&common, BOX, BOUND].concat(),
             Self::Extremes => [&common, BOX, EXTREMES].concat(),
