@@ -45,6 +45,10 @@ const MOST_TURNS: u32 = 4000u;
 @group(0) @binding(4) var<storage, read> centers: array<vec4<f32>>;
 @group(0) @binding(5) var<storage, read> nodes: array<Node>;
 
+// Turns of an evaluation, whose rows may be looped over; loading the patch and
+// finding its nearest control take no more.
+const TURNS_OF_EVALUATION: u32 = P + 2u;
+
 struct Search {
     known: Best,
     turns: u32,
@@ -54,7 +58,7 @@ fn offer(before: Search, patch_index: u32, point: vec3<f32>) -> Search {
     let local = point - centers[patch_index].xyz;
     let found = foot(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
     var after = before;
-    after.turns += ROWS + found.evaluations * (ROWS + 1u);
+    after.turns += (found.evaluations + 1u) * TURNS_OF_EVALUATION;
     if found.distance_squared < before.known.distance_squared {
         let packed = (params.patches_before + patch_index) | (found.status << STATUS_SHIFT);
         after.known = Best(found.distance_squared, packed, found.at.x, found.at.y);
@@ -74,63 +78,82 @@ fn thread(id: vec3<u32>, groups: vec3<u32>) -> u32 {
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = thread(id, groups);
-    if index >= params.sample_count {
-        return;
-    }
+    let exists = index < params.sample_count;
     let sample = params.first_sample + index;
-    let point = samples[sample].xyz;
+    join();
     // The host keeps the number of patches within the turns of all threads.
     var search = Search(best[sample], 0u);
+    let point = samples[sample].xyz;
     for (var k = 0u; k < params.patch_count; k++) {
-        search = offer(search, params.first_patch + k, point);
+        take((params.first_patch + k) * PATCH_SIZE, exists);
+        if exists {
+            search = offer(search, params.first_patch + k, point);
+        }
     }
-    best[sample] = search.known;
+    if exists {
+        best[sample] = search.known;
+    }
 }
 
+// Every thread looks for its next patch, then all project at once: the
+// projections are what takes long.
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = thread(id, groups);
-    if index >= params.sample_count {
-        return;
-    }
+    let exists = index < params.sample_count;
     let sample = params.first_sample + index;
+    join();
     let point = samples[sample].xyz;
     var search = Search(best[sample], 0u);
     var waiting: array<u32, STACK_SIZE>;
     var distances: array<f32, STACK_SIZE>;
-    var height = 1u;
+    var height = select(0u, 1u, exists);
     waiting[0] = 0u;
     distances[0] = box_distance_squared(0u, point);
-    while height > 0u {
-        search.turns++;
-        if search.turns > MOST_TURNS {
-            // Not tried on everything: the distance may be too large, never too small.
-            search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
-                | (ITERATION_LIMIT << STATUS_SHIFT);
+    // Patches of a leaf.
+    var next = 0u;
+    var end = 0u;
+    loop {
+        while next == end && height > 0u {
+            search.turns++;
+            if search.turns > MOST_TURNS {
+                // Not tried on everything: the distance may be too large, never too small.
+                search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
+                    | (ITERATION_LIMIT << STATUS_SHIFT);
+                break;
+            }
+            height--;
+            let node = waiting[height];
+            if distances[height] >= search.known.distance_squared {
+                continue;
+            }
+            let second = nodes[node].second;
+            if second == 0u {
+                let patches = nodes[node].patches;
+                next = patches >> LEAF_COUNT_BITS;
+                end = next + (patches & LEAF_COUNT_MASK);
+                continue;
+            }
+            let near = box_distance_squared(node + 1u, point);
+            let far = box_distance_squared(second, point);
+            let swap = far < near;
+            waiting[height] = select(second, node + 1u, swap);
+            distances[height] = max(near, far);
+            waiting[height + 1u] = select(node + 1u, second, swap);
+            distances[height + 1u] = min(near, far);
+            height += 2u;
+        }
+        let found = next < end;
+        if !any_of(found) {
             break;
         }
-        height--;
-        let node = waiting[height];
-        if distances[height] >= search.known.distance_squared {
-            continue;
+        take(next * PATCH_SIZE, found);
+        if found {
+            search = offer(search, next, point);
+            next++;
         }
-        let second = nodes[node].second;
-        if second == 0u {
-            let patches = nodes[node].patches;
-            let first = patches >> LEAF_COUNT_BITS;
-            for (var k = 0u; k < (patches & LEAF_COUNT_MASK); k++) {
-                search = offer(search, first + k, point);
-            }
-            continue;
-        }
-        let near = box_distance_squared(node + 1u, point);
-        let far = box_distance_squared(second, point);
-        let swap = far < near;
-        waiting[height] = select(second, node + 1u, swap);
-        distances[height] = max(near, far);
-        waiting[height + 1u] = select(node + 1u, second, swap);
-        distances[height + 1u] = min(near, far);
-        height += 2u;
     }
-    best[sample] = search.known;
+    if exists {
+        best[sample] = search.known;
+    }
 }

@@ -29,7 +29,7 @@ struct Trouble {
 
 impl Gpu {
     /// The platform's preferred adapter, whatever it is, on the limits that
-    /// WebGPU guarantees everywhere.
+    /// WebGPU guarantees everywhere; with subgroups if it is a processor.
     ///
     /// # Errors
     /// [`Error::NoAdapter`] if there is none or it gives no device.
@@ -44,9 +44,12 @@ impl Gpu {
             })
             .await
             .map_err(|error| no_adapter(error.to_string()))?;
+        let lanes = lanes_that_load_together(&adapter);
+        let required_features = if lanes > 0 { wgpu::Features::SUBGROUP } else { wgpu::Features::empty() };
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 required_limits: wgpu::Limits::default(),
+                required_features,
                 ..Default::default()
             })
             .await
@@ -64,7 +67,7 @@ impl Gpu {
         }));
         let name = adapter.get_info().name;
         Ok(Self {
-            pipelines: Pipelines::new(&device),
+            pipelines: Pipelines::new(&device, lanes),
             pace: Pace::default(),
             device,
             queue,
@@ -145,4 +148,20 @@ impl Gpu {
         buffer.unmap();
         Ok(content)
     }
+}
+
+/// Threads of a subgroup where loading together pays, else 0: on processors,
+/// whose vectors are narrow and load from one place at a time.
+#[cfg(not(target_arch = "wasm32"))]
+fn lanes_that_load_together(adapter: &wgpu::Adapter) -> u32 {
+    let info = adapter.get_info();
+    let known = info.subgroup_min_size == info.subgroup_max_size;
+    let has = adapter.features().contains(wgpu::Features::SUBGROUP);
+    if info.device_type == wgpu::DeviceType::Cpu && known && has { info.subgroup_max_size } else { 0 }
+}
+
+/// Browsers do not tell what they run on.
+#[cfg(target_arch = "wasm32")]
+fn lanes_that_load_together(_adapter: &wgpu::Adapter) -> u32 {
+    0
 }

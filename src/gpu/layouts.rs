@@ -178,10 +178,14 @@ mod tests {
     use super::*;
     use crate::iteration::Culling;
     use crate::project::Projection;
+    use naga::valid::{Capabilities, SubgroupOperationSet, Validator};
     use naga::{Expression, Literal, Module, TypeInner};
     use std::mem::offset_of;
 
     const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
+
+    /// Threads that load alone, and subgroups that load together.
+    const LANES: [u32; 3] = [0, 4, 8];
 
     fn kernels() -> Vec<Kernel> {
         let mut kernels = vec![
@@ -208,8 +212,8 @@ mod tests {
         kernels
     }
 
-    fn parsed(kernel: Kernel) -> Module {
-        naga::front::wgsl::parse_str(&kernel.text()).unwrap()
+    fn parsed(kernel: Kernel, lanes: u32) -> Module {
+        naga::front::wgsl::parse_str(&kernel.text(lanes)).unwrap()
     }
 
     /// Offsets of the members and size of a struct, by naga.
@@ -250,13 +254,20 @@ mod tests {
 
     #[test]
     fn kernels_are_valid_for_every_kind_of_degrees() {
-        for kernel in kernels() {
-            let module = parsed(kernel);
+        for (kernel, lanes) in kernels().into_iter().flat_map(|kernel| LANES.map(|lanes| (kernel, lanes))) {
+            let module = parsed(kernel, lanes);
             let flags = naga::valid::ValidationFlags::all();
-            let capabilities = naga::valid::Capabilities::empty();
-            naga::valid::Validator::new(flags, capabilities)
+            // Threads that load alone want nothing that WebGPU does not have.
+            let (capabilities, operations) = if lanes > 0 {
+                (Capabilities::SUBGROUP, SubgroupOperationSet::all())
+            } else {
+                (Capabilities::empty(), SubgroupOperationSet::empty())
+            };
+            Validator::new(flags, capabilities)
+                .subgroup_stages(naga::valid::ShaderStages::COMPUTE)
+                .subgroup_operations(operations)
                 .validate(&module)
-                .unwrap_or_else(|error| panic!("{kernel:?}: {error:?}"));
+                .unwrap_or_else(|error| panic!("{kernel:?}, {lanes} lanes: {error:?}"));
         }
     }
 
@@ -269,7 +280,7 @@ mod tests {
     #[test]
     fn structs_lie_as_in_the_kernels() {
         for kernel in kernels() {
-            let module = &parsed(kernel);
+            let module = &parsed(kernel, 0);
             match kernel {
                 Kernel::Sample { .. } => {
                     same_layout!(
@@ -394,7 +405,7 @@ mod tests {
 
     #[test]
     fn statuses_are_numbered_as_in_the_kernels() {
-        let module = &parsed(Kernel::Reduce);
+        let module = &parsed(Kernel::Reduce, 0);
         for (name, status) in [
             ("CONVERGED", crate::project::Status::Converged),
             ("ITERATION_LIMIT", crate::project::Status::IterationLimit),

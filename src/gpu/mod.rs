@@ -4,6 +4,8 @@
 //! gzipped wasm module's 150, which every page pays that only wants a distance.
 
 #[cfg(not(target_arch = "wasm32"))]
+mod bench;
+#[cfg(not(target_arch = "wasm32"))]
 mod box_kernels;
 #[cfg(not(target_arch = "wasm32"))]
 mod box_layouts;
@@ -14,6 +16,8 @@ mod cell_boxes;
 mod descent;
 mod device;
 mod groups;
+#[cfg(not(target_arch = "wasm32"))]
+mod kept_text;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
@@ -34,6 +38,9 @@ mod upload_sampling;
 mod upload_target;
 mod work;
 
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub use bench::StageBench;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;

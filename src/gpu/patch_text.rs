@@ -7,34 +7,65 @@
 use std::fmt::Write;
 
 /// Constants and functions that `patch.wgsl` and `foot.wgsl` build on.
-pub(super) fn patch_text([p, q]: [usize; 2]) -> String {
+/// Subgroups of `lanes` threads load together, or each thread alone if 0.
+pub(super) fn patch_text(degree: [usize; 2], lanes: u32) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = write(&mut text, p, q);
+    let _ = write(&mut text, degree, lanes as usize);
     text
 }
 
-fn write(text: &mut String, p: usize, q: usize) -> std::fmt::Result {
+#[cfg_attr(target_arch = "wasm32", expect(unused_variables, reason = "browsers' threads load alone"))]
+fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
     let order = p.max(q) + 1;
-    writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;\nconst ORDER: u32 = {order}u;")?;
+    writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;")?;
     let array = format!("array<f32, {order}>");
     writeln!(text, "struct Basis {{ value: {array}, first: {array}, second: {array} }}")?;
     for (name, degree) in [("basis_s", p), ("basis_t", q)] {
         write_basis(text, name, degree, order)?;
     }
-    let terms: Vec<String> = (0..=q).map(|j| format!("basis[{j}] * controls[first + {j}u]")).collect();
-    writeln!(
-        text,
-        "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {}; }}",
-        terms.join(" + ")
-    )?;
-    writeln!(text, "fn nearest_in_row(first: u32, local: vec3<f32>) -> vec2<f32> {{")?;
-    writeln!(text, "var nearest = vec2<f32>(control_distance_squared(first, local), 0.0);")?;
-    for j in 1..=q {
-        writeln!(text, "let d{j} = control_distance_squared(first + {j}u, local);")?;
-        writeln!(text, "if d{j} < nearest.x {{ nearest = vec2<f32>(d{j}, {j}.0); }}")?;
+    #[cfg(not(target_arch = "wasm32"))]
+    if lanes > 0 && (p + 1) * (q + 1) <= super::kept_text::MOST_KEPT {
+        return super::kept_text::write_kept(text, [p, q], lanes);
     }
-    writeln!(text, "return nearest;\n}}")
+    write_alone(text, [p, q], &array)
+}
+
+/// Derivatives by s and t of the members of `Blend`.
+pub(super) const BLEND: [(&str, [&str; 2]); 6] = [
+    ("h", ["value", "value"]),
+    ("s", ["first", "value"]),
+    ("t", ["value", "first"]),
+    ("ss", ["second", "value"]),
+    ("st", ["first", "first"]),
+    ("tt", ["value", "second"]),
+];
+
+/// Functions that read the controls where they are wanted.
+fn write_alone(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
+    let (rows, columns) = (p + 1, q + 1);
+    writeln!(text, "fn join() {{}}\nfn any_of(wanted: bool) -> bool {{ return wanted; }}")?;
+    writeln!(text, "fn take(first: u32, wanted: bool) {{}}")?;
+    let terms: Vec<String> = (0..=q).map(|j| format!("basis[{j}] * controls[first + {j}u]")).collect();
+    let terms = terms.join(" + ");
+    writeln!(text, "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {terms}; }}")?;
+    writeln!(text, "fn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{\nvar sums: Blend;")?;
+    writeln!(text, "for (var i = 0u; i < {rows}u; i++) {{\nlet row = first + i * {columns}u;")?;
+    for basis in ["value", "first", "second"] {
+        writeln!(text, "let {basis} = contract(row, in_t.{basis});")?;
+    }
+    for (member, [s, t]) in BLEND {
+        writeln!(text, "sums.{member} += in_s.{s}[i] * {t};")?;
+    }
+    writeln!(text, "}}\nreturn sums;\n}}")?;
+    writeln!(text, "fn nearest_control(first: u32, local: vec3<f32>) -> vec2<f32> {{")?;
+    writeln!(text, "var nearest = vec2<f32>(0.0);\nvar least = FARTHEST;")?;
+    writeln!(text, "for (var i = 0u; i < {rows}u; i++) {{")?;
+    for j in 0..=q {
+        writeln!(text, "let d{j} = distance_squared(controls[first + i * {columns}u + {j}u], local);")?;
+        writeln!(text, "if d{j} < least {{ least = d{j}; nearest = vec2<f32>(f32(i), {j}.0); }}")?;
+    }
+    writeln!(text, "}}\nreturn nearest / vec2<f32>({p}.0, {q}.0);\n}}")
 }
 
 /// Bernstein polynomials and two derivatives: `b<level>_<i>` by raising one

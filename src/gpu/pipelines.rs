@@ -58,17 +58,18 @@ pub(super) enum Kernel {
 }
 
 impl Kernel {
-    /// The WGSL text of the kernel.
-    pub(super) fn text(self) -> String {
+    /// The WGSL text of the kernel, for subgroups of `lanes` threads that load
+    /// together, or for threads that load alone if 0.
+    pub(super) fn text(self, lanes: u32) -> String {
         let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
         match self {
-            Self::Sample { degree } => [&common, &patch_text(degree), JET, PATCH, BEST, SAMPLE].concat(),
+            Self::Sample { degree } => [&common, &patch_text(degree, 0), JET, PATCH, BEST, SAMPLE].concat(),
             Self::Project { degree, projection, .. } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
                     Projection::TangentPlane => TANGENT_PLANE,
                 };
-                [&common, &patch_text(degree), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
+                [&common, &patch_text(degree, lanes), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
             Self::Cell { degree } => piecewise(&common, degree, CELL),
@@ -131,12 +132,14 @@ pub(super) struct Pipeline {
 #[derive(Debug)]
 pub(super) struct Pipelines {
     device: wgpu::Device,
+    /// Threads of the subgroups that load together, or 0.
+    pub(super) lanes: u32,
     made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
 }
 
 impl Pipelines {
-    pub(super) fn new(device: &wgpu::Device) -> Self {
-        Self { device: device.clone(), made: RefCell::default() }
+    pub(super) fn new(device: &wgpu::Device, lanes: u32) -> Self {
+        Self { device: device.clone(), lanes, made: RefCell::default() }
     }
 
     /// The kernel's pipeline, and whether it is new.
@@ -144,12 +147,21 @@ impl Pipelines {
         if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
-        let pipeline = Rc::new(self.make(kernel));
+        let pipeline = Rc::new(self.make(kernel, kernel.text(self.lanes)));
         self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
         (pipeline, true)
     }
 
-    fn make(&self, kernel: Kernel) -> Pipeline {
+    /// Makes the kernel's pipeline of another text.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn replace(&self, kernel: Kernel, text: String) {
+        let pipeline = Rc::new(self.make(kernel, text));
+        let mut made = self.made.borrow_mut();
+        made.retain(|(of, _)| *of != kernel);
+        made.push((kernel, pipeline));
+    }
+
+    fn make(&self, kernel: Kernel, text: String) -> Pipeline {
         let label = Some(kernel.entry_point());
         let (params_bytes, written) = kernel.bindings();
         // No params struct is empty.
@@ -175,7 +187,7 @@ impl Pipelines {
         });
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label,
-            source: wgpu::ShaderSource::Wgsl(kernel.text().into()),
+            source: wgpu::ShaderSource::Wgsl(text.into()),
         });
         let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label,

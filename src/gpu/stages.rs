@@ -209,6 +209,45 @@ impl GpuStages {
         self.transform.apply(self.sampling.origin) - self.target.origin
     }
 
+    /// Stage `sample` on page `index` up to a submission that is left open.
+    async fn sampled(&self, index: usize) -> Result<Work<'_>> {
+        let mut work = Work::new(&self.gpu, &self.buffers.params);
+        for group in &self.sampling.pages[index] {
+            work.make_room().await?;
+            self.record_sample(&mut work, group, &self.sample_params(group));
+        }
+        Ok(work)
+    }
+
+    /// Stage `sample` alone, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) async fn sample(&self, index: usize) -> Result<()> {
+        self.sampled(index).await?.submit().await
+    }
+
+    /// The kernels of stage `project`, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn project_kernels(&self) -> Vec<Kernel> {
+        let mut kernels: Vec<Kernel> = Vec::new();
+        for group in &self.target.groups {
+            let kernel = self.project_kernel(group);
+            if !kernels.contains(&kernel) {
+                kernels.push(kernel);
+            }
+        }
+        kernels
+    }
+
+    /// `Best.s` of the page as the kernel wrote it, for `benches`.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) async fn written(&self) -> Result<Vec<f32>> {
+        let work = Work::new(&self.gpu, &self.buffers.params);
+        let bytes = (self.page.len() * size_of::<Best>()) as u64;
+        let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
+        let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
+        Ok(best.iter().map(|best| best.s).collect())
+    }
+
     fn projected(&self, best: &Best) -> Projected {
         let place = best.patch_and_status & ((1 << STATUS_SHIFT) - 1);
         let scaled = f64::from(best.distance_squared);
@@ -241,11 +280,7 @@ impl GpuStages {
     ) -> Result<()> {
         progress.checkpoint(0.0).await?;
         self.page = page.clone();
-        let mut work = Work::new(&self.gpu, &self.buffers.params);
-        for group in &self.sampling.pages[index] {
-            work.make_room().await?;
-            self.record_sample(&mut work, group, &self.sample_params(group));
-        }
+        let mut work = self.sampled(index).await?;
         for (index, group) in self.target.groups.iter().enumerate() {
             let kernel = self.project_kernel(group);
             let (pipeline, bind_group) = self.bind_project(group);

@@ -1,0 +1,193 @@
+//! Every stage alone, on the CPU in float64 and on the GPU.
+//!
+//! `cargo bench --bench stages [-- FILTER]`; `elem/s` are patches (extraction,
+//! tree), samples (sample, reduce), projections of a sample on the whole model
+//! (project) or cells (certify) a second. On the GPU `project` includes
+//! `sample`, whose time is given too, and `reduce` the reading back.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "support/models.rs"]
+mod models;
+
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::DVec3;
+use nurbs_hausdorff::bezier::{BezierModel, extract};
+use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::gpu::{Gpu, StageBench};
+use nurbs_hausdorff::iteration::{
+    Culling, Projected, Rule, Sampling, SamplingRule, Target, project, reduce, sample,
+};
+use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::tree::BoxTree;
+use nurbs_hausdorff::{Model, RigidTransform};
+use rayon::prelude::*;
+use std::hint::black_box;
+use std::rc::Rc;
+use std::time::Duration;
+
+/// Degrees that `project` is measured for.
+const DEGREES: [[usize; 2]; 5] = [[1, 1], [2, 2], [3, 3], [2, 5], [5, 5]];
+
+/// Patches along each direction of a measured net.
+const SPANS: usize = 12;
+
+/// Samples along each direction.
+const SAMPLES: usize = 96;
+
+/// Cells after which `certify` stops.
+const CELLS: usize = 20_000;
+
+fn group<'a>(c: &'a mut Criterion, name: &str, elements: usize) -> BenchmarkGroup<'a, WallTime> {
+    let mut group = c.benchmark_group(name);
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_millis(1000))
+        .throughput(Throughput::Elements(elements as u64));
+    group
+}
+
+/// A net of these degrees and the same a little above, as stage `project` meets them.
+struct Pair {
+    model: BezierModel,
+    sampling: Sampling,
+    target: Target,
+    transform: RigidTransform,
+}
+
+impl Pair {
+    fn new(degree: [usize; 2]) -> Self {
+        let model = extract(&models::rough(degree, [SPANS; 2], 1.0, 1));
+        let sampling = Sampling::new(&model, SAMPLES, SamplingRule::Uniform);
+        let target = Target::new(flatten(&model.patches, Flatness::Loose));
+        let transform = RigidTransform::translation(DVec3::new(0.01, 0.005, 0.02)).expect("finite");
+        Self { model, sampling, target, transform }
+    }
+
+    fn samples(&self) -> Vec<DVec3> {
+        (0..self.sampling.len())
+            .into_par_iter()
+            .map(|index| sample(&self.model, &self.sampling, index, &self.transform))
+            .collect()
+    }
+
+    fn projected(&self, samples: &[DVec3], rule: &Rule) -> Vec<Projected> {
+        samples.par_iter().map(|&sample| project(&self.target, sample, rule)).collect()
+    }
+
+    fn on(&self, gpu: &Rc<Gpu>, rule: Rule) -> StageBench {
+        let bench = StageBench::new(gpu, &self.model, &self.sampling, &self.target, self.transform, rule);
+        bench.expect("a GPU")
+    }
+}
+
+fn rule(projection: Projection) -> Rule {
+    Rule { projection, iterations: 5, step_tolerance: 0.01, culling: Culling::Tree }
+}
+
+fn extraction(c: &mut Criterion) {
+    let net = models::rough([3, 3], [100, 100], 1.0, 1);
+    let patches = extract(&net).patches;
+    let mut group = group(c, "extraction", patches.len());
+    group.bench_function("cpu", |b| b.iter(|| extract(black_box(&net))));
+    group.bench_function("flatten cpu", |b| b.iter(|| flatten(black_box(&patches), Flatness::Loose)));
+    group.finish();
+}
+
+fn tree(c: &mut Criterion) {
+    let patches = extract(&models::rough([3, 3], [100, 100], 1.0, 1)).patches;
+    let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
+    let mut group = group(c, "tree", boxes.len());
+    group.bench_function("cpu", |b| b.iter(|| BoxTree::new(black_box(&boxes))));
+    group.finish();
+}
+
+fn sampling(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+    let pair = Pair::new([3, 3]);
+    let mut group = group(c, "sample", pair.sampling.len());
+    group.bench_function("cpu", |b| b.iter(|| pair.samples()));
+    if let Some(gpu) = gpu {
+        let mut bench = pair.on(gpu, rule(Projection::Newton));
+        group.bench_function("gpu", |b| b.iter(|| bench.sample().expect("samples")));
+    }
+    group.finish();
+}
+
+fn projection(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+    for projection in [Projection::Newton, Projection::TangentPlane] {
+        let rule = rule(projection);
+        for degree in DEGREES {
+            let pair = Pair::new(degree);
+            let samples = pair.samples();
+            let name = format!("project {projection:?}");
+            let mut group = group(c, &name, samples.len());
+            let of = format!("{}x{}", degree[0], degree[1]);
+            group
+                .bench_function(BenchmarkId::new("cpu", &of), |b| b.iter(|| pair.projected(&samples, &rule)));
+            if let Some(gpu) = gpu {
+                let mut bench = pair.on(gpu, rule);
+                group.bench_function(BenchmarkId::new("gpu", &of), |b| {
+                    b.iter(|| bench.project().expect("projections"));
+                });
+            }
+            group.finish();
+        }
+    }
+}
+
+fn reduction(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+    let pair = Pair::new([3, 3]);
+    let rule = rule(Projection::Newton);
+    let projected = pair.projected(&pair.samples(), &rule);
+    let mut group = group(c, "reduce", projected.len());
+    group.bench_function("cpu", |b| b.iter(|| reduce(black_box(&projected))));
+    if let Some(gpu) = gpu {
+        let mut bench = pair.on(gpu, rule);
+        bench.project().expect("projections");
+        group.bench_function("gpu", |b| b.iter(|| bench.reduce().expect("blocks")));
+    }
+    group.finish();
+}
+
+/// Method `certified` within a budget of cells, on a net and its copy moved
+/// by little, which never ends early.
+fn certify(c: &mut Criterion) {
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("the CPU");
+    for degree in [[2, 2], [3, 3], [5, 5]] {
+        let net: Model = models::rough(degree, [SPANS; 2], 1.0, 1);
+        let model = PreparedModel::new(&net);
+        let options = Options {
+            method: Method::Certified,
+            tolerance: 1e-9,
+            max_cells: Some(CELLS),
+            transform: RigidTransform::translation(DVec3::new(0.0, 0.0, 1e-3)).expect("finite"),
+            ..Options::default()
+        };
+        let run = || {
+            pollster::block_on(engine.distance(&model, &model, &options, &mut Silent)).expect("a distance")
+        };
+        let cells = run().certified.expect("cells").cells;
+        let mut group = group(c, "certify", cells);
+        group
+            .bench_function(BenchmarkId::new("cpu", format!("{}x{}", degree[0], degree[1])), |b| b.iter(run));
+        group.finish();
+    }
+}
+
+fn stages(c: &mut Criterion) {
+    let gpu = pollster::block_on(Gpu::new()).map(Rc::new).ok();
+    let adapter = gpu.as_ref().and_then(|gpu| gpu.adapter());
+    println!("Adapter: {}", adapter.unwrap_or_else(|| "none, the CPU alone".to_owned()));
+    extraction(c);
+    tree(c);
+    sampling(c, gpu.as_ref());
+    projection(c, gpu.as_ref());
+    reduction(c, gpu.as_ref());
+    certify(c);
+}
+
+criterion_group!(benches, stages);
+criterion_main!(benches);

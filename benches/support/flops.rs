@@ -1,0 +1,135 @@
+//! Counts a kernel's floating-point operations by adding the counting to its text.
+//!
+//! Every block of the kernel, as naga parses it, is made to add the operations
+//! it evaluates to a counter of the thread, so branches not taken and turns not
+//! made do not count. Add, subtract, multiply, divide and root are one each and
+//! component, `fma` two, a dot product of n components 2n - 1; comparisons,
+//! selections, least and largest, signs and conversions nothing.
+
+use naga::valid::{
+    Capabilities, FunctionInfo, ShaderStages, SubgroupOperationSet, ValidationFlags, Validator,
+};
+use naga::{
+    BinaryOperator, Block, Expression, Function, GlobalVariable, Handle, Literal, MathFunction, Module,
+    Range, ScalarKind, Span, Statement, TypeInner,
+};
+
+/// Where the kernel of `project` ends, and what is written there instead.
+const END: &str = "best[sample] = search.known;";
+const COUNTED_END: &str = "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);";
+
+/// The kernel of `project` with the operations made written to `Best.s`,
+/// summed over the groups of patches. Exact below 2^24 a sample.
+pub(crate) fn counting(text: &str) -> String {
+    assert!(text.contains(END), "the kernel ends in another way");
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(END, COUNTED_END));
+    let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
+    let info = validated(&module);
+    let (flops, _) = module
+        .global_variables
+        .iter()
+        .find(|(_, variable)| variable.name.as_deref() == Some("flops"))
+        .expect("the counter");
+    let original = module.clone();
+    for (handle, function) in module.functions.iter_mut() {
+        Counter { module: &original, info: &info[handle], flops }.count(function);
+    }
+    for (index, entry) in module.entry_points.iter_mut().enumerate() {
+        Counter { module: &original, info: info.get_entry_point(index), flops }.count(&mut entry.function);
+    }
+    let info = validated(&module);
+    naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty()).expect("WGSL")
+}
+
+fn validated(module: &Module) -> naga::valid::ModuleInfo {
+    Validator::new(ValidationFlags::all(), Capabilities::SUBGROUP)
+        .subgroup_stages(ShaderStages::COMPUTE)
+        .subgroup_operations(SubgroupOperationSet::all())
+        .validate(module)
+        .expect("a valid module")
+}
+
+struct Counter<'a> {
+    module: &'a Module,
+    info: &'a FunctionInfo,
+    flops: Handle<GlobalVariable>,
+}
+
+impl Counter<'_> {
+    fn count(&self, function: &mut Function) {
+        let body = std::mem::take(&mut function.body);
+        function.body = self.block(function, body);
+    }
+
+    /// The block with what it evaluates added before anything that could leave it.
+    fn block(&self, function: &mut Function, block: Block) -> Block {
+        let mut operations = 0;
+        let mut statements = Vec::new();
+        for (mut statement, _) in block.span_into_iter() {
+            if let Statement::Emit(range) = &statement {
+                operations += range.clone().map(|handle| self.operations(function, handle)).sum::<u32>();
+            } else if operations > 0 {
+                statements.extend(self.addition(function, operations));
+                operations = 0;
+            }
+            match &mut statement {
+                Statement::Block(inner) => *inner = self.block(function, std::mem::take(inner)),
+                Statement::If { accept, reject, .. } => {
+                    *accept = self.block(function, std::mem::take(accept));
+                    *reject = self.block(function, std::mem::take(reject));
+                }
+                Statement::Loop { body, continuing, .. } => {
+                    *body = self.block(function, std::mem::take(body));
+                    *continuing = self.block(function, std::mem::take(continuing));
+                }
+                Statement::Switch { .. } => panic!("a switch is not counted"),
+                _ => {}
+            }
+            statements.push(statement);
+        }
+        if operations > 0 {
+            statements.extend(self.addition(function, operations));
+        }
+        Block::from_vec(statements)
+    }
+
+    fn addition(&self, function: &mut Function, operations: u32) -> [Statement; 2] {
+        let mut append = |expression| function.expressions.append(expression, Span::UNDEFINED);
+        let pointer = append(Expression::GlobalVariable(self.flops));
+        let right = append(Expression::Literal(Literal::U32(operations)));
+        let left = append(Expression::Load { pointer });
+        let value = append(Expression::Binary { op: BinaryOperator::Add, left, right });
+        [Statement::Emit(Range::new_from_bounds(left, value)), Statement::Store { pointer, value }]
+    }
+
+    fn operations(&self, function: &Function, handle: Handle<Expression>) -> u32 {
+        match function.expressions[handle] {
+            Expression::Binary {
+                op:
+                    BinaryOperator::Add
+                    | BinaryOperator::Subtract
+                    | BinaryOperator::Multiply
+                    | BinaryOperator::Divide,
+                ..
+            } => self.floats(handle),
+            Expression::Math { fun, arg, .. } => match fun {
+                MathFunction::Dot => 2 * self.floats(arg) - 1,
+                MathFunction::Length => 2 * self.floats(arg),
+                MathFunction::Sqrt => self.floats(arg),
+                MathFunction::Fma => 2 * self.floats(arg),
+                MathFunction::Abs | MathFunction::Min | MathFunction::Max | MathFunction::Clamp => 0,
+                other => panic!("{other:?} is not counted"),
+            },
+            _ => 0,
+        }
+    }
+
+    /// Floating-point components of an expression's value.
+    fn floats(&self, handle: Handle<Expression>) -> u32 {
+        match *self.info[handle].ty.inner_with(&self.module.types) {
+            TypeInner::Scalar(scalar) if scalar.kind == ScalarKind::Float => 1,
+            TypeInner::Vector { size, scalar } if scalar.kind == ScalarKind::Float => size as u32,
+            _ => 0,
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! WGSL of patches that a subgroup loads together and its threads keep.
+//!
+//! A processor's adapter has no instruction that loads from as many places as
+//! it has lanes: llvmpipe loads every component lane by lane, with a bounds
+//! check each. There all lanes of a subgroup load parts of one lane's patch
+//! and hand them round, for one patch after the other, once a projection.
+
+use super::patch_text::BLEND;
+use std::fmt::Write;
+
+/// Controls of a patch that threads keep, at most: rows are then written out,
+/// which takes llvmpipe's compiler minutes for the largest patches.
+pub(super) const MOST_KEPT: usize = 36;
+
+/// `join`, `any_of` and `take`, after which `blend` and `nearest_control` work
+/// on the patch taken. All threads of a subgroup must call these three.
+pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
+    let size = (p + 1) * (q + 1);
+    writeln!(text, "var<private> lane: u32;\nvar<private> net: array<vec4<f32>, {size}>;")?;
+    writeln!(text, "fn join() {{ lane = subgroupExclusiveAdd(1u); }}")?;
+    writeln!(text, "fn any_of(wanted: bool) -> bool {{ return subgroupAny(wanted); }}")?;
+    writeln!(text, "fn take(first: u32, wanted: bool) {{\nvar waits = wanted;\nwhile subgroupAny(waits) {{")?;
+    writeln!(text, "let next = subgroupMin(select(0xffffffffu, first, waits));")?;
+    writeln!(text, "let mine = waits && first == next;\nwaits = waits && !mine;")?;
+    for part in 0..size.div_ceil(lanes) {
+        writeln!(text, "let part{part} = controls[next + lane + {}u];", part * lanes)?;
+    }
+    for k in 0..size {
+        let (part, from) = (k / lanes, k % lanes);
+        writeln!(text, "let c{k} = subgroupBroadcast(part{part}, {from}u);")?;
+        writeln!(text, "net[{k}] = select(net[{k}], c{k}, mine);")?;
+    }
+    writeln!(text, "}}\n}}\nfn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{")?;
+    for i in 0..=p {
+        for basis in ["value", "first", "second"] {
+            let row = sum(q, |j| format!("in_t.{basis}[{j}] * net[{}]", i * (q + 1) + j));
+            writeln!(text, "let {basis}{i} = {row};")?;
+        }
+    }
+    let sums = BLEND.map(|(_, [s, t])| sum(p, |i| format!("in_s.{s}[{i}] * {t}{i}")));
+    writeln!(text, "return Blend({});\n}}", sums.join(",\n"))?;
+    writeln!(text, "fn nearest_control(first: u32, local: vec3<f32>) -> vec2<f32> {{")?;
+    writeln!(text, "var nearest = vec2<f32>(0.0);\nvar least = distance_squared(net[0], local);")?;
+    for k in 1..size {
+        let (i, j) = (k / (q + 1), k % (q + 1));
+        writeln!(text, "let d{k} = distance_squared(net[{k}], local);")?;
+        writeln!(text, "if d{k} < least {{ least = d{k}; nearest = vec2<f32>({i}.0, {j}.0); }}")?;
+    }
+    writeln!(text, "return nearest / vec2<f32>({p}.0, {q}.0);\n}}")
+}
+
+/// The terms from 0 to `last` added.
+fn sum(last: usize, term: impl Fn(usize) -> String) -> String {
+    (0..=last).map(term).collect::<Vec<_>>().join(" + ")
+}
