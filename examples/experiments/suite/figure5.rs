@@ -54,7 +54,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let [computed, published, rigorous] = curves;
     let panel = Panel {
         title: format!("Plane across a cylinder of radius {FIGURE5_RADIUS}: the distance is the radius"),
-        x: Axis::logarithmic("distance between neighbouring samples, model units"),
+        x: Axis::linear("distance between neighbouring samples, model units"),
         y: Axis::linear("directed distance, model units"),
         series: vec![
             Series::new("certified", 0, Style::Line, level(certified.computed)),

@@ -33,5 +33,10 @@ pub(crate) fn methods(samples: usize) -> Vec<Entry> {
         published("2012 paper: none", Flatness::None),
         published("2012 paper: loose", Flatness::Loose),
         published("2012 paper: tight", Flatness::Tight),
+        Entry {
+            name: "hierarchy",
+            options: Options { method: Method::Hierarchy, grid: samples, ..Options::default() },
+            on_all_patches: false,
+        },
     ]
 }

@@ -17,13 +17,15 @@ pub(crate) fn shared(name: &str) -> Anyhow<Option<Model>> {
     Ok(Some(Model::from_json(&std::fs::read_to_string(path)?)?))
 }
 
-/// A wavy sheet with `counts` control points and a wave for every eight of them.
-///
-/// `variant` changes the waves, so that two sheets differ.
+/// A wavy sheet with `counts` control points; `variant` changes the waves, so
+/// that two sheets differ.
 pub(crate) fn sheet(counts: [usize; 2], variant: usize) -> Anyhow<Model> {
-    const POINTS_A_WAVE: f64 = 8.0;
-    let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).max(1.0) / (1.0 + 0.3 * variant as f64));
-    let amplitude = SHEET_SIZE / (10.0 * waves[0].max(waves[1]));
+    // Enough control points a wave to be smooth, and few enough waves to see.
+    const POINTS_A_WAVE: f64 = 5.0;
+    const MOST_WAVES: f64 = 4.0;
+    let stretch = 1.0 + 0.3 * variant as f64;
+    let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).min(MOST_WAVES) / stretch);
+    let amplitude = SHEET_SIZE / (8.0 * waves[0].max(waves[1]));
     let sheet = WavySheet { counts, size: [SHEET_SIZE; 2], amplitude, waves, phase: 0.7 * variant as f64 };
     Ok(wavy_sheet(&sheet)?)
 }

@@ -21,22 +21,22 @@ pub(crate) struct Pair {
 /// How far A goes from B's centre, relative to where their boxes part.
 const REACH: f64 = 1.5;
 
-/// Off the centre, so that equal models do not coincide and no symmetry helps.
+/// Off the centre, so that equal bodies do not coincide and no symmetry helps.
 const ASIDE: DVec3 = DVec3::new(0.05, 0.04, 0.03);
 
 /// The pairs; in a quick run the small one only.
 pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
-    let mut pairs = vec![pair("small", sheet([6, 6], 0)?, sheet([6, 6], 1)?, DVec3::Z)];
+    let mut pairs = vec![pair("small", sheet([6, 6], 0)?, sheet([6, 6], 1)?, DVec3::Z, DVec3::ZERO)];
     if setup.quick {
         return Ok(pairs);
     }
-    pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X));
-    pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z));
-    pairs.push(pair("several", duck()?, teapot()?, DVec3::X));
+    pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X, ASIDE));
+    pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z, DVec3::ZERO));
+    pairs.push(pair("several", duck()?, teapot()?, DVec3::X, ASIDE));
     Ok(pairs)
 }
 
-fn pair(name: &'static str, a: Model, b: Model, axis: DVec3) -> Pair {
+fn pair(name: &'static str, a: Model, b: Model, axis: DVec3, aside: DVec3) -> Pair {
     let of = |model: &Model| {
         let largest = model.surfaces().iter().map(|surface| surface.counts()).max_by_key(|[n, m]| n * m);
         let [n, m] = largest.unwrap_or_default();
@@ -44,7 +44,7 @@ fn pair(name: &'static str, a: Model, b: Model, axis: DVec3) -> Pair {
         let surfaces = if count == 1 { String::new() } else { format!("{count} surfaces, ") };
         format!("{name} ({surfaces}{n} x {m})")
     };
-    Pair { name, title: format!("{} against {}", of(&a), of(&b)), a, b, axis, aside: ASIDE }
+    Pair { name, title: format!("{} against {}", of(&a), of(&b)), a, b, axis, aside }
 }
 
 impl Pair {

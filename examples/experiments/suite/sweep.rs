@@ -4,6 +4,7 @@ use super::methods::{Entry, methods};
 use super::pairs::Pair;
 use super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
+use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
 
 /// What one method gave at one position.
@@ -22,12 +23,11 @@ pub(crate) struct Curve {
 }
 
 /// Projections of samples on patches beyond which a method that tries all
-/// patches is run at the two ends and the middle only, and beyond which never.
+/// patches is run in the middle only, and there only if it cuts none.
 const MANY_PROJECTIONS: usize = 20_000_000;
-const MOST_PROJECTIONS: usize = 250_000_000;
 
 /// A run shorter than this, in seconds, is repeated and its median told.
-const SHORT: f64 = 0.25;
+const SHORT: f64 = 0.4;
 const ROUNDS: usize = 3;
 
 const COLUMNS: [&str; 14] = [
@@ -56,12 +56,11 @@ pub(crate) fn sweep(setup: &Setup, pair: &Pair) -> Anyhow<Vec<Curve>> {
         .collect();
     let positions = pair.positions(setup.choose(21, 5));
     for (index, &position) in positions.iter().enumerate() {
-        let at_stop = index % ((positions.len() - 1) / 2) == 0;
+        let in_the_middle = index == positions.len() / 2;
         for curve in &mut curves {
             let options = Options { transform: pair.at(position)?, ..curve.method.options.clone() };
-            let projections = if curve.method.on_all_patches { projections(&a, &b, &options) } else { 0 };
-            let affordable = projections <= MANY_PROJECTIONS || (at_stop && projections <= MOST_PROJECTIONS);
-            let result = if affordable {
+            let many = curve.method.on_all_patches && projections(&a, &b, &options) > MANY_PROJECTIONS;
+            let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
                 repeated(setup, &a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
@@ -86,7 +85,6 @@ fn repeated(
     options: &Options,
 ) -> Result<DistanceResult, Error> {
     let mut result = setup.measure(a, b, options)?;
-    let prepare = result.seconds.prepare;
     if result.seconds.solve < SHORT {
         let mut times = vec![result.seconds.solve];
         while times.len() < ROUNDS {
@@ -95,7 +93,6 @@ fn repeated(
         times.sort_by(f64::total_cmp);
         result.seconds.solve = times[ROUNDS / 2];
     }
-    result.seconds.prepare = prepare;
     Ok(result)
 }
 

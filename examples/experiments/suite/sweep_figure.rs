@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Series, Style};
 use super::pairs::{Pair, pairs};
 use super::sweep::{Curve, sweep, table};
 use super::{Anyhow, Setup};
-use nurbs_hausdorff::distance::DistanceResult;
+use nurbs_hausdorff::distance::{DistanceResult, Method};
 
 /// Every pair: `sweep-NAME`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
@@ -15,69 +15,83 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     Ok(())
 }
 
-fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 3] {
+fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
     let along = || Axis::linear("position of A's centre from B's, model units");
     [
         Panel {
             title: pair.title.clone(),
             x: along(),
             y: Axis::logarithmic("solve time, seconds"),
-            series: each(curves, |result| result.seconds.solve),
+            series: each(curves, Style::Marked, |result, _| Some(result.seconds.solve)),
         },
         Panel {
             title: "Directed distance from A to B".to_owned(),
             x: along(),
-            y: Axis::linear("computed distance, model units"),
-            series: each(curves, |result| result.computed),
+            y: Axis::linear("distance, model units"),
+            series: each(curves, Style::Line, |result, _| Some(result.computed)),
         },
         Panel {
             title: "Distance less that of `certified`, with bounds".to_owned(),
             x: along(),
             y: Axis::linear("difference, model units"),
-            series: differences(curves),
+            series: bounds(curves),
+        },
+        Panel {
+            title: "Size of that difference".to_owned(),
+            x: along(),
+            y: Axis::logarithmic("difference, model units"),
+            series: sizes(curves),
         },
     ]
 }
 
-/// One number of every result, a curve a method; a failure is a gap.
-fn each(curves: &[Curve], of: impl Fn(&DistanceResult) -> f64) -> Vec<Series> {
-    curves
-        .iter()
-        .enumerate()
-        .map(|(color, curve)| series(color, curve, Style::Marked, "", |result, _| Some(of(result))))
-        .collect()
+/// A number of every result, a curve a method; a failure is a gap.
+fn each(
+    curves: &[Curve],
+    style: Style,
+    of: impl Fn(&DistanceResult, usize) -> Option<f64>,
+) -> Vec<Series> {
+    curves.iter().enumerate().map(|(color, curve)| series(color, curve, style, "", &of)).collect()
 }
 
-/// What the methods computed less the certified distance, and where the
-/// bounds of the iteration say that the certified distance can be.
-fn differences(curves: &[Curve]) -> Vec<Series> {
-    let Some((certified, others)) = curves.split_first() else { return Vec::new() };
-    let truth: Vec<Option<f64>> = certified
-        .outcomes
-        .iter()
-        .map(|outcome| outcome.result.as_ref().ok().map(|result| 0.5 * (result.lower + result.upper)))
-        .collect();
-    let less_truth = |index: usize, value: f64| truth[index].map(|truth| value - truth);
-    let mut all = Vec::new();
-    for (color, curve) in (1..).zip(others) {
-        all.push(series(color, curve, Style::Marked, "", |result, index| {
-            less_truth(index, result.computed)
-        }));
-    }
-    // The bounds of the paper are those of its loose flatness; K_A is the same in all.
-    let bounds = |result: &DistanceResult| result.iteration.map(|details| details.bounds);
-    if let Some((color, loose)) = (1..).zip(others).find(|(_, curve)| curve.method.name.ends_with("loose")) {
-        all.push(series(color, loose, Style::Dashed, " + K_A", |result, index| {
-            less_truth(index, result.computed + bounds(result)?.k_a)
-        }));
-        all.push(series(color + 3, loose, Style::Dashed, " - K_B", |result, index| {
-            less_truth(index, result.computed - bounds(result)?.k_b?)
-        }));
-        all.push(series(6, loose, Style::Dashed, " + rigorous K_A", |result, index| {
-            less_truth(index, result.computed + bounds(result)?.k_a_rigorous)
-        }));
+/// The certified distances: the middles of the intervals.
+fn truth(curves: &[Curve]) -> Vec<Option<f64>> {
+    let middle = |result: &DistanceResult| 0.5 * (result.lower + result.upper);
+    let outcomes = curves.first().map_or(&[][..], |certified| &certified.outcomes);
+    outcomes.iter().map(|outcome| outcome.result.as_ref().ok().map(middle)).collect()
+}
+
+/// What the methods computed less the certified distance, and where their
+/// bounds say that it can be.
+fn bounds(curves: &[Curve]) -> Vec<Series> {
+    let truth = truth(curves);
+    let less = |index: usize, value: f64| truth[index].map(|truth| value - truth);
+    let mut all = each(curves, Style::Line, |result, index| less(index, result.computed));
+    let of = |result: &DistanceResult| result.iteration.map(|details| details.bounds);
+    for (color, curve) in curves.iter().enumerate() {
+        let dashed = |suffix: &str, value: &dyn Fn(&DistanceResult) -> Option<f64>| {
+            series(color, curve, Style::Dashed, suffix, |result, index| less(index, value(result)?))
+        };
+        // K_A is that of the samples, whatever the flatness; K_B hardly differs.
+        if curve.method.name.ends_with("loose") {
+            all.push(dashed(" + K_A", &|result| Some(result.computed + of(result)?.k_a)));
+            all.push(dashed(" - K_B", &|result| Some(result.computed - of(result)?.k_b?)));
+        }
+        if matches!(curve.method.options.method, Method::Hierarchy) {
+            all.push(dashed(": upper", &|result| Some(result.upper)));
+            all.push(dashed(": lower", &|result| Some(result.lower)));
+        }
     }
     all
+}
+
+/// How far from the certified distance each method is; that one's interval is half as wide.
+fn sizes(curves: &[Curve]) -> Vec<Series> {
+    let truth = truth(curves);
+    each(curves, Style::Line, |result, index| match result.method {
+        Method::Certified => Some(0.5 * (result.upper - result.lower)),
+        _ => truth[index].map(|truth| (result.computed - truth).abs()),
+    })
 }
 
 fn series(

@@ -18,16 +18,26 @@ const PANEL_HEIGHT: u32 = 330;
 /// Width kept for the legend, right of the curves.
 const LEGEND_WIDTH: u32 = 250;
 
+/// Attributes that say what SVG assumes anyway: a quarter of a figure's bytes.
+const DEFAULTS: [&str; 3] = [" opacity=\"1\"", " stroke=\"none\"", " stroke-width=\"1\""];
+
 /// Draws `panels` from top to bottom into the file `path`.
 pub(crate) fn save(path: &Path, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
     let size = (WIDTH, PANEL_HEIGHT * panels.len() as u32);
-    let root = SVGBackend::new(path, size).into_drawing_area();
-    root.fill(&WHITE)?;
-    for (area, panel) in root.split_evenly((panels.len(), 1)).iter().zip(panels) {
-        let (curves, legend) = area.split_horizontally(WIDTH - LEGEND_WIDTH);
-        panel.draw(&curves)?;
-        legend::draw(&legend, &panel.series)?;
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        root.fill(&WHITE)?;
+        for (area, panel) in root.split_evenly((panels.len(), 1)).iter().zip(panels) {
+            let (curves, legend) = area.split_horizontally(WIDTH - LEGEND_WIDTH);
+            panel.draw(&curves)?;
+            legend::draw(&legend, &panel.series)?;
+        }
+        root.present()?;
     }
-    root.present()?;
+    for default in DEFAULTS {
+        text = text.replace(default, "");
+    }
+    std::fs::write(path, text)?;
     Ok(())
 }

@@ -38,16 +38,17 @@ impl Axis {
             return if self.logarithmic { 0.1..1.0 } else { 0.0..1.0 };
         }
         if self.logarithmic {
-            return low / LOGARITHMIC_ROOM..high * LOGARITHMIC_ROOM;
+            // Whole orders of magnitude, as ticks stand at their ends.
+            return 10_f64.powf(low.log10().floor())..10_f64.powf((high * LOGARITHMIC_ROOM).log10().ceil());
         }
         let room = if high > low { LINEAR_ROOM * (high - low) } else { LINEAR_ROOM * high.abs().max(1.0) };
         low - room..high + room
     }
 }
 
-/// Room at the ends of an axis: a part of its length, or a factor.
+/// Room at the ends of an axis: a part of its length, or a factor above.
 const LINEAR_ROOM: f64 = 0.05;
-const LOGARITHMIC_ROOM: f64 = 1.4;
+const LOGARITHMIC_ROOM: f64 = 1.05;
 
 /// A title, two axes and what is drawn between them.
 #[derive(Debug, Clone)]
@@ -103,12 +104,12 @@ impl Panel {
             let width = if series.style == Style::Dashed { 1 } else { 2 };
             let line = series.color.stroke_width(width);
             for part in series.parts(|&[x, y]| self.x.shows(x) && self.y.shows(y)) {
-                if series.style == Style::Marked {
+                if series.style == Style::Marked || part.len() == 1 {
                     let mark = |&point: &(f64, f64)| Circle::new(point, 2, series.color.filled());
                     chart.draw_series(part.iter().map(mark))?;
                 }
                 if series.style == Style::Dashed {
-                    chart.draw_series(DashedLineSeries::new(part, 6, 4, line))?;
+                    chart.draw_series(DashedLineSeries::new(part, 10, 7, line))?;
                 } else {
                     chart.draw_series(LineSeries::new(part, line))?;
                 }
