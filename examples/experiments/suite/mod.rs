@@ -1,10 +1,16 @@
 //! The experiments, each a table and a figure.
 
-pub(crate) mod chart;
+mod chart;
+mod convergence;
 mod figure5;
 mod methods;
 mod models;
+mod nurbs_evaluation;
+mod order;
 mod pairs;
+mod patch_count;
+mod sampling_rule;
+mod split_rule;
 mod sweep;
 mod sweep_figure;
 mod table;
@@ -59,7 +65,16 @@ impl Setup {
 type Experiment = fn(&Setup) -> Anyhow<()>;
 
 /// Every experiment by the name of its files, with a sweep's pair after a hyphen.
-const EXPERIMENTS: [(&str, Experiment); 2] = [("sweep", sweep_figure::run), ("figure5", figure5::run)];
+const EXPERIMENTS: [(&str, Experiment); 8] = [
+    ("sweep", sweep_figure::run),
+    ("figure5", figure5::run),
+    ("nurbs-evaluation", nurbs_evaluation::run),
+    ("split-rule", split_rule::run),
+    ("sampling-rule", sampling_rule::run),
+    ("convergence", convergence::run),
+    ("order", order::run),
+    ("patch-count", patch_count::run),
+];
 
 /// Runs the experiments whose names contain `only`.
 pub(crate) fn run(setup: &Setup, only: &str) -> Anyhow<()> {
