@@ -24,13 +24,14 @@ const REACH: f64 = 1.5;
 /// Off the centre, so that equal bodies do not coincide and no symmetry helps.
 const ASIDE: DVec3 = DVec3::new(0.05, 0.04, 0.03);
 
-/// The pairs; in a quick run the small one only.
+/// The pairs, and one whose A comes to lie exactly on B; in a quick run the small one only.
 pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
     let mut pairs = vec![pair("small", sheet([6, 6], 0)?, sheet([6, 6], 1)?, DVec3::Z, DVec3::ZERO)];
     if setup.quick {
         return Ok(pairs);
     }
     pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X, ASIDE));
+    pairs.push(pair("copy", duck_body()?, duck_body()?, DVec3::X, DVec3::ZERO));
     pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z, DVec3::ZERO));
     pairs.push(pair("several", duck()?, teapot()?, DVec3::X, ASIDE));
     Ok(pairs)

@@ -42,7 +42,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut panels = Vec::new();
     for (name, [a, b], shift) in cases(setup)? {
         let b = extract(&b).patches;
-        let samples = samples(&a, setup.choose(64, 10), shift)?;
+        let samples = samples(&a, setup.choose(40, 10), shift)?;
         let uncut = Target::new(b.clone());
         let truth: Vec<f64> = samples
             .par_iter()
@@ -86,8 +86,8 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
         cases.push(("duck body against itself moved", [duck_body()?, duck_body()?], moved));
-        let wings = [shape("naca-wing-thicker")?, shape("naca-wing")?];
-        cases.push(("wing against a thinner one moved", wings, moved));
+        let tori = [shape("torus-fatter")?, shape("torus")?];
+        cases.push(("torus against a thinner one moved", tori, moved));
     }
     Ok(cases)
 }

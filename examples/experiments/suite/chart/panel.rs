@@ -35,11 +35,14 @@ impl Axis {
             .filter(|&value| self.shows(value))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         if low > high {
-            return if self.logarithmic { 0.1..1.0 } else { 0.0..1.0 };
+            return if self.logarithmic { 1.0..10.0 } else { 0.0..1.0 };
         }
         if self.logarithmic {
-            // Whole orders of magnitude, as ticks stand at their ends.
-            return 10_f64.powf(low.log10().floor())..10_f64.powf((high * LOGARITHMIC_ROOM).log10().ceil());
+            let (low, high) = (low / LOGARITHMIC_ROOM, high * LOGARITHMIC_ROOM);
+            // Ticks stand at whole orders of magnitude: two at least.
+            let several = high.log10().floor() - low.log10().ceil() >= 1.0;
+            let out = 10_f64.powf(low.log10().floor())..10_f64.powf(high.log10().ceil());
+            return if several { low..high } else { out };
         }
         let room = if high > low { LINEAR_ROOM * (high - low) } else { LINEAR_ROOM * high.abs().max(1.0) };
         low - room..high + room
@@ -48,7 +51,7 @@ impl Axis {
 
 /// Room at the ends of an axis: a part of its length, or a factor above.
 const LINEAR_ROOM: f64 = 0.05;
-const LOGARITHMIC_ROOM: f64 = 1.05;
+const LOGARITHMIC_ROOM: f64 = 1.15;
 
 /// A title, two axes and what is drawn between them.
 #[derive(Debug, Clone)]

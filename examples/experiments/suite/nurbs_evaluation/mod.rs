@@ -16,7 +16,7 @@ use nurbs_hausdorff::project::{Projection, closest};
 use std::time::Instant;
 
 /// Control points of B along each direction.
-const COUNTS: [usize; 10] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96];
+const COUNTS: [usize; 9] = [4, 6, 8, 12, 16, 24, 32, 48, 64];
 
 /// The 2012 paper's iteration on every patch.
 const PUBLISHED: Rule = Rule {
@@ -31,6 +31,9 @@ const TRUTH: f64 = 1e-9;
 
 /// How far the sampled sheet lies above B, in model units.
 const ABOVE: f64 = 0.5;
+
+/// Runs of which the fastest counts.
+const ROUNDS: usize = 3;
 
 const COLUMNS: [&str; 5] =
     ["patches", "method", "seconds_a_sample", "missed_percent", "evaluations_a_second"];
@@ -58,9 +61,13 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
             &|point| nurbs.tangent_plane(point, PUBLISHED.iterations, PUBLISHED.step_tolerance),
         ];
         for (index, way) in ways.into_iter().enumerate() {
-            let started = Instant::now();
-            let distances: Vec<f64> = points.iter().map(|&point| way(point)).collect();
-            let seconds = started.elapsed().as_secs_f64() / points.len() as f64;
+            let mut seconds = f64::INFINITY;
+            let mut distances = Vec::new();
+            for _ in 0..ROUNDS {
+                let started = Instant::now();
+                distances = points.iter().map(|&point| way(point)).collect();
+                seconds = seconds.min(started.elapsed().as_secs_f64() / points.len() as f64);
+            }
             let is_missed = |(&point, distance): (&DVec3, f64)| {
                 let found = closest(&target.patches, &target.tree, point, TRUTH);
                 found.is_some_and(|found| distance > found.upper + PUBLISHED.step_tolerance)
