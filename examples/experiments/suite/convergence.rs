@@ -80,7 +80,12 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         row.push(shapes.join(" ").as_str().into());
         table.rows.push(row);
     }
-    let names = ["tangent plane: 5 steps", "tangent plane: 100 steps", "damped Newton: 5 steps", "damped Newton: 100 steps"];
+    let names = [
+        "tangent plane: 5 steps",
+        "tangent plane: 100 steps",
+        "damped Newton: 5 steps",
+        "damped Newton: 100 steps",
+    ];
     let colors = [1, 1, 0, 0];
     let styles = [Style::Dashed, Style::Marked, Style::Dashed, Style::Marked];
     let series = curves
@@ -121,7 +126,8 @@ fn draw(patch: &Patch<'_>, d_kappa: f64, rng: &mut Rng) -> Option<(DVec3, f64)> 
     let largest = if curvatures[0].abs() > curvatures[1].abs() { curvatures[0] } else { curvatures[1] };
     // Towards the centre of curvature is the concave side.
     let distance = -d_kappa / largest;
-    let least = curvatures.map(|curvature| 1.0 - distance * curvature).into_iter().fold(f64::INFINITY, f64::min);
+    let least =
+        curvatures.map(|curvature| 1.0 - distance * curvature).into_iter().fold(f64::INFINITY, f64::min);
     (distance > 0.0 && distance.is_finite() && least > LEAST_EIGENVALUE)
         .then(|| (jet.point + distance * normal, distance))
 }

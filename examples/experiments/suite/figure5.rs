@@ -10,7 +10,8 @@ use nurbs_hausdorff::shapes::{FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder,
 /// Samples along each direction; the paper's spacing of 16 is among them.
 const SAMPLES: [usize; 9] = [11, 15, 21, 29, FIGURE5_SAMPLES, 57, 81, 113, 161];
 
-const COLUMNS: [&str; 8] = ["method", "samples", "spacing", "computed", "lower", "upper", "k_a", "k_a_rigorous"];
+const COLUMNS: [&str; 8] =
+    ["method", "samples", "spacing", "computed", "lower", "upper", "k_a", "k_a_rigorous"];
 
 /// `figure5`: the iteration as published at several spacings, and `certified`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {

@@ -4,8 +4,8 @@ use super::methods::{Entry, methods};
 use super::pairs::Pair;
 use super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
-use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
+use nurbs_hausdorff::flatness::Flatness;
 
 /// What one method gave at one position.
 #[derive(Debug, Clone)]

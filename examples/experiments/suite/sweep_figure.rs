@@ -46,11 +46,7 @@ fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
 }
 
 /// A number of every result, a curve a method; a failure is a gap.
-fn each(
-    curves: &[Curve],
-    style: Style,
-    of: impl Fn(&DistanceResult, usize) -> Option<f64>,
-) -> Vec<Series> {
+fn each(curves: &[Curve], style: Style, of: impl Fn(&DistanceResult, usize) -> Option<f64>) -> Vec<Series> {
     curves.iter().enumerate().map(|(color, curve)| series(color, curve, style, "", &of)).collect()
 }
 

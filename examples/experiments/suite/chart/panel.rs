@@ -66,7 +66,9 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 impl Panel {
     pub(super) fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
-        let values = |axis: usize| self.series.iter().flat_map(|series| &series.points).flatten().map(move |point| point[axis]);
+        let values = |axis: usize| {
+            self.series.iter().flat_map(|series| &series.points).flatten().map(move |point| point[axis])
+        };
         let (x, y) = (self.x.range(values(0)), self.y.range(values(1)));
         match (self.x.logarithmic, self.y.logarithmic) {
             (false, false) => self.draw_over(area, x, y),

@@ -38,7 +38,8 @@ impl<'a> NurbsEvaluator<'a> {
         for i in 0..=degree[0] {
             let first = (row + i) * columns + column;
             let line = &self.controls[first..=first + degree[1]];
-            let sum = |values: &Values| line.iter().zip(values).fold(DVec4::ZERO, |sum, (&c, &b)| sum + b * c);
+            let sum =
+                |values: &Values| line.iter().zip(values).fold(DVec4::ZERO, |sum, (&c, &b)| sum + b * c);
             let value = sum(&in_v[0]);
             h += in_u[0][i] * value;
             u += in_u[1][i] * value;

@@ -1,9 +1,9 @@
 //! Evaluations a second of the two kernels of `evaluation.wgsl`.
 
 use crate::suite::Anyhow;
+use nurbs_hausdorff::Model;
 use nurbs_hausdorff::NurbsSurface;
 use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::Model;
 use std::time::Instant;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -34,7 +34,8 @@ impl Gpu {
     /// `None` without an adapter.
     pub(super) fn new() -> Option<Self> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
+        let adapter =
+            pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
         let (device, queue) =
             pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).ok()?;
         let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
@@ -112,7 +113,8 @@ impl Gpu {
         let bezier = extract(&Model::new(None, vec![surface.clone()])?);
         let patches = bezier.patches.iter().flat_map(|patch| {
             let center = patch.center;
-            let global = patch.local_points().map(move |point| (point + center).as_vec3().extend(1.0).to_array());
+            let global =
+                patch.local_points().map(move |point| (point + center).as_vec3().extend(1.0).to_array());
             global.collect::<Vec<_>>()
         });
         let bezier_controls: Vec<[f32; 4]> = patches.collect();

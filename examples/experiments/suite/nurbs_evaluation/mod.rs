@@ -55,11 +55,10 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let nurbs = NurbsEvaluator::new(surface);
         let in_tree = Rule { culling: Culling::Tree, ..PUBLISHED };
         let project = |point, rule| project(&target, point, rule).distance_squared.sqrt();
-        let ways: [&dyn Fn(DVec3) -> f64; 3] = [
-            &|point| project(point, &PUBLISHED),
-            &|point| project(point, &in_tree),
-            &|point| nurbs.tangent_plane(point, PUBLISHED.iterations, PUBLISHED.step_tolerance),
-        ];
+        let ways: [&dyn Fn(DVec3) -> f64; 3] =
+            [&|point| project(point, &PUBLISHED), &|point| project(point, &in_tree), &|point| {
+                nurbs.tangent_plane(point, PUBLISHED.iterations, PUBLISHED.step_tolerance)
+            }];
         for (index, way) in ways.into_iter().enumerate() {
             let mut seconds = f64::INFINITY;
             let mut distances = Vec::new();
@@ -76,7 +75,8 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
             let percent = 100.0 * missed as f64 / points.len() as f64;
             curves[0][index].push(Some([patches as f64, MICROSECONDS * seconds]));
             curves[1][index].push(Some([patches as f64, percent]));
-            let row = vec![patches.into(), names[index].into(), seconds.into(), percent.into(), None::<f64>.into()];
+            let row =
+                vec![patches.into(), names[index].into(), seconds.into(), percent.into(), None::<f64>.into()];
             table.rows.push(row);
         }
         let Some(gpu) = &gpu else { continue };

@@ -29,7 +29,8 @@ pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
 }
 
 fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: u32) {
-    let normals: Normals = std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)]).normal()));
+    let normals: Normals =
+        std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)]).normal()));
     if left == 0 || span(normals.iter().flatten()) <= angle {
         pieces.push(patch);
         return;
@@ -76,6 +77,9 @@ fn along(normals: &Normals, axis: usize, fixed: usize, moving: usize) -> &Option
 /// The largest angle between two of the normals.
 fn span<'a>(normals: impl Iterator<Item = &'a Option<DVec3>>) -> f64 {
     let normals: Vec<DVec3> = normals.flatten().copied().collect();
-    let pairs = normals.iter().enumerate().flat_map(|(k, first)| normals[k + 1..].iter().map(move |second| first.dot(*second)));
+    let pairs = normals
+        .iter()
+        .enumerate()
+        .flat_map(|(k, first)| normals[k + 1..].iter().map(move |second| first.dot(*second)));
     pairs.fold(1.0, f64::min).clamp(-1.0, 1.0).acos()
 }
