@@ -31,7 +31,7 @@ pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
         return Ok(pairs);
     }
     pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X, ASIDE));
-    pairs.push(pair("copy", duck_body()?, duck_body()?, DVec3::X, DVec3::ZERO));
+    pairs.push(pair("copy", sheet([6, 6], 0)?, sheet([6, 6], 0)?, DVec3::Z, DVec3::ZERO));
     pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z, DVec3::ZERO));
     pairs.push(pair("several", duck()?, teapot()?, DVec3::X, ASIDE));
     Ok(pairs)

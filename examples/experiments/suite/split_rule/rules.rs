@@ -1,7 +1,7 @@
 //! The two rules: the same criterion, another place to cut at.
 
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{Patch, PatchSet};
+use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
 
 /// Samples of normals along each direction of a patch.
 const SAMPLES: usize = 9;
@@ -11,6 +11,10 @@ const MOST_CUTS: u32 = 8;
 
 /// The nearest that a cut comes to an end of the patch, so that pieces shrink.
 const LEAST_PART: f64 = 0.15;
+
+/// A tangent this much shorter than the patch's longest is that of a
+/// degenerate edge, whose direction is rounding.
+const DEGENERATE_RATIO: f64 = 1e-6;
 
 type Normals = [[Option<DVec3>; SAMPLES]; SAMPLES];
 pub(super) type Cut = fn(&Normals, usize) -> f64;
@@ -29,8 +33,7 @@ pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
 }
 
 fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: u32) {
-    let normals: Normals =
-        std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)]).normal()));
+    let normals = normals(&patch);
     if left == 0 || span(normals.iter().flatten()) <= angle {
         pieces.push(patch);
         return;
@@ -49,6 +52,22 @@ fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: 
         domain[axis] = range.map(|part| (1.0 - part) * start + part * end);
         cut_one(pieces, Patch { controls: &controls, domain, ..patch }, angle, cut, left - 1);
     }
+}
+
+/// The normals at the samples, but those of degenerate edges.
+fn normals(patch: &Patch<'_>) -> Normals {
+    let jets: [[Jet; SAMPLES]; SAMPLES] =
+        std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)])));
+    let longest = |tangent: fn(&Jet) -> DVec3| {
+        jets.iter().flatten().map(|jet| tangent(jet).length()).fold(0.0, f64::max)
+    };
+    let least = [longest(|jet| jet.s), longest(|jet| jet.t)].map(|longest| DEGENERATE_RATIO * longest);
+    jets.map(|line| {
+        line.map(|jet| {
+            let regular = jet.s.length() > least[0] && jet.t.length() > least[1];
+            if regular { jet.normal() } else { None }
+        })
+    })
 }
 
 /// Where the normals have turned by half of what they turn along the axis,
