@@ -19,7 +19,7 @@ type Row = BTreeMap<String, String>;
 fn quick(only: &str) -> BTreeMap<String, Vec<Row>> {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("experiments-{only}"));
     let _ = std::fs::remove_dir_all(&folder);
-    suite::run(&Setup::new(folder.clone(), true).unwrap(), only).unwrap();
+    suite::run(&Setup::new(folder.clone(), true, only.to_owned()).unwrap()).unwrap();
     let mut tables = BTreeMap::new();
     for entry in std::fs::read_dir(&folder).unwrap() {
         let path = entry.unwrap().path();
@@ -63,7 +63,7 @@ fn intervals_of_all_methods_overlap_the_certified_at_every_position() {
     let mut methods: Vec<&String> = rows.iter().map(|row| &row["method"]).collect();
     methods.sort();
     methods.dedup();
-    assert_eq!(methods.len(), 6, "{methods:?}");
+    assert_eq!(methods.len(), 7, "{methods:?}");
     assert_eq!(rows.len(), 5 * methods.len());
     for row in rows {
         assert_eq!(row["failure"], "", "{row:?}");

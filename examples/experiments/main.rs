@@ -19,7 +19,7 @@ struct Arguments {
     /// The folder to write to, made if it is not there.
     #[arg(long)]
     out: PathBuf,
-    /// Only experiments whose names contain this.
+    /// Only experiments whose files' names contain this.
     #[arg(long, default_value = "")]
     only: String,
     /// Few positions, few samples and small models, in seconds.
@@ -29,6 +29,6 @@ struct Arguments {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
-    let setup = suite::Setup::new(arguments.out, arguments.quick)?;
-    suite::run(&setup, &arguments.only)
+    let setup = suite::Setup::new(arguments.out, arguments.quick, arguments.only)?;
+    suite::run(&setup)
 }

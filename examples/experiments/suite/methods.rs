@@ -14,6 +14,9 @@ pub(crate) struct Entry {
     pub(crate) on_all_patches: bool,
 }
 
+/// How many times the samples the finer boxes are.
+const FINER: usize = 4;
+
 /// Every method, `certified` first; `samples` along each direction of a surface.
 pub(crate) fn methods(samples: usize) -> Vec<Entry> {
     let iteration = Options { method: Method::Iteration, samples, ..Options::default() };
@@ -27,16 +30,18 @@ pub(crate) fn methods(samples: usize) -> Vec<Entry> {
         },
         on_all_patches: true,
     };
+    let boxes = |name, grid| Entry {
+        name,
+        options: Options { method: Method::Hierarchy, grid, ..Options::default() },
+        on_all_patches: false,
+    };
     vec![
         Entry { name: "certified", options: Options::default(), on_all_patches: false },
         Entry { name: "iteration", options: iteration.clone(), on_all_patches: false },
         published("2012 paper: none", Flatness::None),
         published("2012 paper: loose", Flatness::Loose),
         published("2012 paper: tight", Flatness::Tight),
-        Entry {
-            name: "hierarchy",
-            options: Options { method: Method::Hierarchy, grid: samples, ..Options::default() },
-            on_all_patches: false,
-        },
+        boxes("hierarchy", samples),
+        boxes("hierarchy: finer", FINER * samples),
     ]
 }

@@ -30,14 +30,20 @@ pub(crate) struct Setup {
     pub(crate) out: PathBuf,
     /// Few positions, few samples and small models.
     pub(crate) quick: bool,
+    only: String,
     engine: Engine,
 }
 
 impl Setup {
     /// Makes the folder, and an engine on the GPU if there is one.
-    pub(crate) fn new(out: PathBuf, quick: bool) -> Anyhow<Self> {
+    pub(crate) fn new(out: PathBuf, quick: bool, only: String) -> Anyhow<Self> {
         std::fs::create_dir_all(&out)?;
-        Ok(Self { out, quick, engine: pollster::block_on(Engine::new(Backend::Auto))? })
+        Ok(Self { out, quick, only, engine: pollster::block_on(Engine::new(Backend::Auto))? })
+    }
+
+    /// Whether the files of this name are wanted, or some that begin with it.
+    pub(crate) fn wants(&self, name: &str) -> bool {
+        name.contains(&self.only) || self.only.starts_with(name)
     }
 
     /// The distance from `a` to `b`.
@@ -76,11 +82,11 @@ const EXPERIMENTS: [(&str, Experiment); 8] = [
     ("patch-count", patch_count::run),
 ];
 
-/// Runs the experiments whose names contain `only`.
-pub(crate) fn run(setup: &Setup, only: &str) -> Anyhow<()> {
+/// Runs the experiments that are wanted.
+pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let adapter = setup.engine.adapter().unwrap_or_else(|| "none; all on the CPU".to_owned());
     println!("GPU: {adapter}");
-    for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| name.contains(only)) {
+    for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| setup.wants(name)) {
         let started = Instant::now();
         experiment(setup)?;
         println!("{name}: {:.1} s", started.elapsed().as_secs_f64());

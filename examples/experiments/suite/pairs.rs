@@ -3,6 +3,7 @@
 use super::models::{duck, duck_body, sheet, teapot};
 use super::{Anyhow, Setup};
 use glam::DVec3;
+use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Two models; A moves along `axis` through B.
@@ -24,7 +25,8 @@ const REACH: f64 = 1.5;
 /// Off the centre, so that equal bodies do not coincide and no symmetry helps.
 const ASIDE: DVec3 = DVec3::new(0.05, 0.04, 0.03);
 
-/// The pairs, and one whose A comes to lie exactly on B; in a quick run the small one only.
+/// The pairs, one whose A comes to lie exactly on B, and one whose A comes to
+/// be equally far from all of B; in a quick run the small one only.
 pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
     let mut pairs = vec![pair("small", sheet([6, 6], 0)?, sheet([6, 6], 1)?, DVec3::Z, DVec3::ZERO)];
     if setup.quick {
@@ -32,6 +34,8 @@ pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
     }
     pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X, ASIDE));
     pairs.push(pair("copy", sheet([6, 6], 0)?, sheet([6, 6], 0)?, DVec3::Z, DVec3::ZERO));
+    let (ball, hollow) = (sphere(DVec3::ZERO, 0.2)?, sphere(DVec3::ZERO, 2.0)?);
+    pairs.push(pair("nested", ball, hollow, DVec3::X, DVec3::ZERO));
     pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z, DVec3::ZERO));
     pairs.push(pair("several", duck()?, teapot()?, DVec3::X, ASIDE));
     Ok(pairs)

@@ -9,8 +9,12 @@ use nurbs_hausdorff::distance::{DistanceResult, Method};
 /// Every pair: `sweep-NAME`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     for pair in pairs(setup)? {
+        let name = format!("sweep-{}", pair.name);
+        if !setup.wants(&name) {
+            continue;
+        }
         let curves = sweep(setup, &pair)?;
-        setup.save(&format!("sweep-{}", pair.name), &table(&curves), &panels(&pair, &curves))?;
+        setup.save(&name, &table(&curves), &panels(&pair, &curves))?;
     }
     Ok(())
 }
@@ -73,7 +77,7 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
             all.push(dashed(" + K_A", &|result| Some(result.computed + of(result)?.k_a)));
             all.push(dashed(" - K_B", &|result| Some(result.computed - of(result)?.k_b?)));
         }
-        if matches!(curve.method.options.method, Method::Hierarchy) {
+        if curve.method.name == "hierarchy" {
             all.push(dashed(": upper", &|result| Some(result.upper)));
             all.push(dashed(": lower", &|result| Some(result.lower)));
         }
