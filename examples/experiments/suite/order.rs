@@ -1,6 +1,7 @@
 //! How the work of `certified` grows with the tolerance asked.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::methods::certified;
 use super::models::{duck, teapot};
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
@@ -87,7 +88,7 @@ fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[
             tolerance,
             max_cells: Some(MOST_CELLS),
             transform: RigidTransform::translation(case.translation)?,
-            ..Options::default()
+            ..certified()
         };
         let result = setup.measure(&a, &b, &options)?;
         let Some(details) = result.certified.filter(|_| result.converged) else { break };

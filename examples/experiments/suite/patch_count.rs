@@ -1,6 +1,7 @@
 //! How the work of `certified` grows with the number of B's patches.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::methods::certified;
 use super::models::{shared, sheet};
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
@@ -42,7 +43,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
             tolerance,
             absolute: true,
             transform: RigidTransform::translation(shift)?,
-            ..Options::default()
+            ..certified()
         };
         let mut results = Vec::new();
         for _ in 0..ROUNDS {

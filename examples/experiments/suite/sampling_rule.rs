@@ -2,6 +2,7 @@
 //! parameter, an open question of the 2012 paper.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::methods::certified;
 use super::models::duck_body;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
@@ -24,8 +25,8 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     for (name, models, translation) in cases(setup)? {
         let [a, b] = models.each_ref().map(PreparedModel::new);
         let transform = RigidTransform::translation(translation)?;
-        let certified = setup.measure(&a, &b, &Options { transform, ..Options::default() })?;
-        let truth = 0.5 * (certified.lower + certified.upper);
+        let found = setup.measure(&a, &b, &Options { transform, ..certified() })?;
+        let truth = 0.5 * (found.lower + found.upper);
         let mut series = Vec::new();
         for (color, (sampling, rule)) in RULES.into_iter().enumerate() {
             let mut curves: [Vec<Option<[f64; 2]>>; 2] = Default::default();

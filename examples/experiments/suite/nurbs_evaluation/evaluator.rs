@@ -35,15 +35,15 @@ impl<'a> NurbsEvaluator<'a> {
         let degree = self.surface.degree();
         let columns = self.surface.counts()[1];
         let [mut h, mut u, mut v] = [DVec4::ZERO; 3];
-        for i in 0..=degree[0] {
+        for (i, (value_u, slope_u)) in in_u[0].iter().zip(&in_u[1]).enumerate().take(degree[0] + 1) {
             let first = (row + i) * columns + column;
             let line = &self.controls[first..=first + degree[1]];
             let sum =
                 |values: &Values| line.iter().zip(values).fold(DVec4::ZERO, |sum, (&c, &b)| sum + b * c);
             let value = sum(&in_v[0]);
-            h += in_u[0][i] * value;
-            u += in_u[1][i] * value;
-            v += in_u[0][i] * sum(&in_v[1]);
+            h += value_u * value;
+            u += slope_u * value;
+            v += value_u * sum(&in_v[1]);
         }
         let point = h.xyz() / h.w;
         [point, (u.xyz() - u.w * point) / h.w, (v.xyz() - v.w * point) / h.w]

@@ -99,8 +99,8 @@ impl Gpu {
             results.push(self.read(&sums)?);
         }
         let largest = results[0].iter().fold(0.0_f32, |largest, value| largest.max(value.abs()));
-        let apart = |(a, b): (&f32, &f32)| !((a - b).abs() <= AGREEMENT * largest);
-        if results[0].iter().zip(&results[1]).any(apart) {
+        let agree = |(a, b): (&f32, &f32)| (a - b).abs() <= AGREEMENT * largest;
+        if !results[0].iter().zip(&results[1]).all(agree) {
             return Err("the kernels disagree".into());
         }
         Ok(rates)
