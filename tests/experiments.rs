@@ -102,7 +102,7 @@ fn newton_finds_feet_that_the_tangent_plane_misses_beyond_curvature() {
             // Contraction below a half: a hundred steps leave nothing.
             assert!(missed[0] <= 0.05 && missed[1] <= 0.05, "{row:?}");
         } else if d_kappa > 1.25 {
-            // Gauss-Newton repels from the foot; it is met only by starting on it or at an edge.
+            // Contraction above 1: the step leads away from the foot.
             assert!(missed[0] >= 0.5 && missed[1] <= 0.05, "{row:?}");
         }
     }
