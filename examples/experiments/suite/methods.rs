@@ -1,0 +1,53 @@
+//! The methods that are compared.
+
+use nurbs_hausdorff::distance::{Backend, Method, Options};
+use nurbs_hausdorff::flatness::Flatness;
+use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::project::Projection;
+
+/// A method with its settings.
+#[derive(Debug, Clone)]
+pub(crate) struct Entry {
+    pub(crate) name: &'static str,
+    pub(crate) options: Options,
+    /// Whether every sample is projected on every patch, as in the 2012 paper.
+    pub(crate) on_all_patches: bool,
+}
+
+/// How many times the samples the finer boxes are.
+const FINER: usize = 4;
+
+/// Method `certified` in float64 on the CPU, whose cells and times do not
+/// depend on what takes a GPU's place.
+pub(crate) fn certified() -> Options {
+    Options { backend: Backend::Cpu, ..Options::default() }
+}
+
+/// Every method, `certified` first; `samples` along each direction of a surface.
+pub(crate) fn methods(samples: usize) -> Vec<Entry> {
+    let iteration = Options { method: Method::Iteration, samples, ..Options::default() };
+    let published = |name, flatness| Entry {
+        name,
+        options: Options {
+            flatness,
+            projection: Projection::TangentPlane,
+            culling: Culling::None,
+            ..iteration.clone()
+        },
+        on_all_patches: true,
+    };
+    let boxes = |name, grid| Entry {
+        name,
+        options: Options { method: Method::Hierarchy, grid, ..Options::default() },
+        on_all_patches: false,
+    };
+    vec![
+        Entry { name: "certified", options: certified(), on_all_patches: false },
+        Entry { name: "iteration", options: iteration.clone(), on_all_patches: false },
+        published("2012 paper: none", Flatness::None),
+        published("2012 paper: loose", Flatness::Loose),
+        published("2012 paper: tight", Flatness::Tight),
+        boxes("hierarchy", samples),
+        boxes("hierarchy: finer", FINER * samples),
+    ]
+}

@@ -1,0 +1,95 @@
+//! The experiments, each a table and a figure.
+
+mod chart;
+mod convergence;
+mod figure5;
+mod methods;
+mod models;
+mod nurbs_evaluation;
+mod order;
+mod pairs;
+mod patch_count;
+mod sampling_rule;
+mod split_rule;
+mod sweep;
+mod sweep_figure;
+mod table;
+
+use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Instant;
+pub(crate) use table::{Cell, Table};
+
+/// A result that any error ends.
+pub(crate) type Anyhow<T> = Result<T, Box<dyn Error>>;
+
+/// Where results go, how much is measured, and on what.
+#[derive(Debug)]
+pub(crate) struct Setup {
+    pub(crate) out: PathBuf,
+    /// Few positions, few samples and small models.
+    pub(crate) quick: bool,
+    only: String,
+    engine: Engine,
+}
+
+impl Setup {
+    /// Makes the folder, and an engine on the GPU if there is one.
+    pub(crate) fn new(out: PathBuf, quick: bool, only: String) -> Anyhow<Self> {
+        std::fs::create_dir_all(&out)?;
+        Ok(Self { out, quick, only, engine: pollster::block_on(Engine::new(Backend::Auto))? })
+    }
+
+    /// Whether the files of this name are wanted, or some that begin with it.
+    pub(crate) fn wants(&self, name: &str) -> bool {
+        name.contains(&self.only) || self.only.starts_with(name)
+    }
+
+    /// The distance from `a` to `b`.
+    pub(crate) fn measure(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &Options,
+    ) -> nurbs_hausdorff::Result<DistanceResult> {
+        pollster::block_on(self.engine.distance(a, b, options, &mut Silent))
+    }
+
+    /// `full`, or `quick` in a quick run.
+    pub(crate) fn choose<T>(&self, full: T, quick: T) -> T {
+        if self.quick { quick } else { full }
+    }
+
+    /// Writes NAME.csv and NAME.svg.
+    pub(crate) fn save(&self, name: &str, table: &Table, panels: &[chart::Panel]) -> Anyhow<()> {
+        table.save(&self.out.join(format!("{name}.csv")))?;
+        chart::save(&self.out.join(format!("{name}.svg")), panels)
+    }
+}
+
+type Experiment = fn(&Setup) -> Anyhow<()>;
+
+/// Every experiment by the name of its files, with a sweep's pair after a hyphen.
+const EXPERIMENTS: [(&str, Experiment); 8] = [
+    ("sweep", sweep_figure::run),
+    ("figure5", figure5::run),
+    ("nurbs-evaluation", nurbs_evaluation::run),
+    ("split-rule", split_rule::run),
+    ("sampling-rule", sampling_rule::run),
+    ("convergence", convergence::run),
+    ("order", order::run),
+    ("patch-count", patch_count::run),
+];
+
+/// Runs the experiments that are wanted.
+pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
+    let adapter = setup.engine.adapter().unwrap_or_else(|| "none; all on the CPU".to_owned());
+    println!("GPU: {adapter}");
+    for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| setup.wants(name)) {
+        let started = Instant::now();
+        experiment(setup)?;
+        println!("{name}: {:.1} s", started.elapsed().as_secs_f64());
+    }
+    Ok(())
+}

@@ -1,0 +1,107 @@
+//! How the work of `certified` grows with the tolerance asked.
+
+use super::chart::{Axis, Panel, Series, Style};
+use super::methods::certified;
+use super::models::{duck, teapot};
+use super::{Anyhow, Setup, Table};
+use glam::DVec3;
+use nurbs_hausdorff::distance::{Options, PreparedModel};
+use nurbs_hausdorff::shapes::{shape, sphere, torus};
+use nurbs_hausdorff::{Model, RigidTransform};
+
+/// Tolerances per order of magnitude, from the first one on.
+const STEPS_A_DECADE: f64 = 2.0;
+const FIRST_TOLERANCE: f64 = 1e-2;
+const TOLERANCES: usize = 11;
+
+/// Cells after which a pair is left at its last tolerance: some ten seconds.
+const MOST_CELLS: usize = 3_000_000;
+
+/// The exponent to expect on exact offsets: halving cells there makes four of
+/// one and bounds eight times as narrow.
+const SLOPE: f64 = -2.0 / 3.0;
+
+const COLUMNS: [&str; 7] = ["pair", "tolerance", "cells", "levels", "seconds_solve", "lower", "upper"];
+
+struct Case {
+    name: &'static str,
+    models: [Model; 2],
+    translation: DVec3,
+    /// Whether B is an exact offset of A, all of which is equally far.
+    offset: bool,
+}
+
+/// `order`: cells by tolerance, on exact offsets and on other pairs.
+pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
+    let mut table = Table::new(&COLUMNS);
+    let (mut offsets, mut others) = (Vec::new(), Vec::new());
+    for case in cases(setup)? {
+        let points = measure(setup, &case, &mut table)?;
+        let group = if case.offset { &mut offsets } else { &mut others };
+        group.push(Series::new(case.name, group.len(), Style::Marked, points));
+    }
+    if let Some([tolerance, cells]) = offsets[0].points.iter().flatten().last().copied() {
+        let at = |other: f64| Some([other, cells * (other / tolerance).powf(SLOPE)]);
+        let slope = vec![at(FIRST_TOLERANCE), at(tolerance)];
+        offsets.push(Series::new("slope -2/3", 6, Style::Dashed, slope));
+    }
+    let panel = |title: &str, y, series| Panel {
+        title: title.to_owned(),
+        x: Axis::logarithmic("tolerance, relative to the diagonal"),
+        y,
+        series,
+    };
+    let panels = [
+        panel("Exact offsets: a power of the tolerance", Axis::logarithmic("cells bounded"), offsets),
+        panel("Other pairs: at most its logarithm", Axis::linear("cells bounded"), others),
+    ];
+    setup.save("order", &table, &panels)
+}
+
+fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
+    let case = |name, models, translation, offset| Case { name, models, translation, offset };
+    let still = |name, models, offset| case(name, models, DVec3::ZERO, offset);
+    let spheres = [sphere(DVec3::ZERO, 1.0)?, sphere(DVec3::ZERO, 1.1)?];
+    let mut cases = vec![
+        still("spheres, radius 1 and 1.1", spheres, true),
+        still("wavy sheets", [shape("wavy-sheet")?, shape("wavy-sheet-b")?], false),
+    ];
+    if setup.quick {
+        return Ok(cases);
+    }
+    cases.push(still("tori, tube 1 and 1.05", [torus(3.0, 1.0)?, torus(3.0, 1.05)?], true));
+    let aside = DVec3::new(0.3, 0.1, 0.0);
+    cases.push(case("glass and bottle", [shape("glass")?, shape("bottle")?], aside, false));
+    cases.push(still("wings of other sections", [shape("naca-wing")?, shape("naca-wing-thicker")?], false));
+    cases.push(case("duck and duck moved", [duck()?, duck()?], DVec3::new(0.4, 0.1, 0.0), false));
+    cases.push(still("duck and teapot", [duck()?, teapot()?], false));
+    Ok(cases)
+}
+
+/// Cells at every tolerance, up to the first that the budget does not reach.
+fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[f64; 2]>>> {
+    let [a, b] = case.models.each_ref().map(PreparedModel::new);
+    let mut points = Vec::new();
+    for step in 0..setup.choose(TOLERANCES, 5) {
+        let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_A_DECADE);
+        let options = Options {
+            tolerance,
+            max_cells: Some(MOST_CELLS),
+            transform: RigidTransform::translation(case.translation)?,
+            ..certified()
+        };
+        let result = setup.measure(&a, &b, &options)?;
+        let Some(details) = result.certified.filter(|_| result.converged) else { break };
+        points.push(Some([tolerance, details.cells as f64]));
+        table.rows.push(vec![
+            case.name.replace(',', ":").as_str().into(),
+            tolerance.into(),
+            details.cells.into(),
+            f64::from(details.levels).into(),
+            result.seconds.solve.into(),
+            result.lower.into(),
+            result.upper.into(),
+        ]);
+    }
+    Ok(points)
+}

@@ -1,0 +1,104 @@
+//! The two rules: the same criterion, another place to cut at.
+
+use glam::DVec3;
+use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
+
+/// Samples of normals along each direction of a patch.
+const SAMPLES: usize = 9;
+
+/// Cuts of one patch along all directions together, at most.
+const MOST_CUTS: u32 = 8;
+
+/// The nearest that a cut comes to an end of the patch, so that pieces shrink.
+const LEAST_PART: f64 = 0.15;
+
+/// A tangent this much shorter than the patch's longest is that of a
+/// degenerate edge, whose direction is rounding.
+const DEGENERATE_RATIO: f64 = 1e-6;
+
+type Normals = [[Option<DVec3>; SAMPLES]; SAMPLES];
+pub(super) type Cut = fn(&Normals, usize) -> f64;
+
+/// Where a patch is cut along an axis.
+pub(super) const CUTS: [(&str, Cut); 2] =
+    [("cut in the middle", |_, _| 0.5), ("cut where turning is halved", halves_turning)];
+
+/// The patches, cut until the normals of each span at most `degrees`.
+pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
+    let mut pieces = PatchSet::default();
+    for patch in patches.iter() {
+        cut_one(&mut pieces, patch, degrees.to_radians(), cut, MOST_CUTS);
+    }
+    pieces
+}
+
+fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: u32) {
+    let normals = normals(&patch);
+    if left == 0 || span(normals.iter().flatten()) <= angle {
+        pieces.push(patch);
+        return;
+    }
+    let spans = [0, 1].map(|axis| {
+        let across = |fixed| span((0..SAMPLES).map(|moving| along(&normals, axis, fixed, moving)));
+        (0..SAMPLES).map(across).fold(0.0, f64::max)
+    });
+    let axis = usize::from(spans[1] > spans[0]);
+    let place = cut(&normals, axis).clamp(LEAST_PART, 1.0 - LEAST_PART);
+    for range in [[0.0, place], [place, 1.0]] {
+        let ranges = if axis == 0 { [range, [0.0, 1.0]] } else { [[0.0, 1.0], range] };
+        let controls = patch.restricted(ranges[0], ranges[1]);
+        let mut domain = patch.domain;
+        let [start, end] = patch.domain[axis];
+        domain[axis] = range.map(|part| (1.0 - part) * start + part * end);
+        cut_one(pieces, Patch { controls: &controls, domain, ..patch }, angle, cut, left - 1);
+    }
+}
+
+/// The normals at the samples, but those of degenerate edges.
+fn normals(patch: &Patch<'_>) -> Normals {
+    let jets: [[Jet; SAMPLES]; SAMPLES] =
+        std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)])));
+    let longest = |tangent: fn(&Jet) -> DVec3| {
+        jets.iter().flatten().map(|jet| tangent(jet).length()).fold(0.0, f64::max)
+    };
+    let least = [longest(|jet| jet.s), longest(|jet| jet.t)].map(|longest| DEGENERATE_RATIO * longest);
+    jets.map(|line| {
+        line.map(|jet| {
+            let regular = jet.s.length() > least[0] && jet.t.length() > least[1];
+            if regular { jet.normal() } else { None }
+        })
+    })
+}
+
+/// Where the normals have turned by half of what they turn along the axis,
+/// summed over the lines across: the integral of the normal curvature.
+fn halves_turning(normals: &Normals, axis: usize) -> f64 {
+    let mut turned = [0.0; SAMPLES];
+    for moving in 1..SAMPLES {
+        let step = |fixed| span([moving - 1, moving].into_iter().map(|k| along(normals, axis, fixed, k)));
+        turned[moving] = turned[moving - 1] + (0..SAMPLES).map(step).sum::<f64>();
+    }
+    let half = 0.5 * turned[SAMPLES - 1];
+    let next = turned.partition_point(|&turned| turned < half).clamp(1, SAMPLES - 1);
+    let (low, high) = (turned[next - 1], turned[next]);
+    let fraction = if high > low { (half - low) / (high - low) } else { 0.5 };
+    at(next - 1) + fraction * (at(next) - at(next - 1))
+}
+
+fn at(index: usize) -> f64 {
+    index as f64 / (SAMPLES - 1) as f64
+}
+
+fn along(normals: &Normals, axis: usize, fixed: usize, moving: usize) -> &Option<DVec3> {
+    if axis == 0 { &normals[moving][fixed] } else { &normals[fixed][moving] }
+}
+
+/// The largest angle between two of the normals.
+fn span<'a>(normals: impl Iterator<Item = &'a Option<DVec3>>) -> f64 {
+    let normals: Vec<DVec3> = normals.flatten().copied().collect();
+    let pairs = normals
+        .iter()
+        .enumerate()
+        .flat_map(|(k, first)| normals[k + 1..].iter().map(move |second| first.dot(*second)));
+    pairs.fold(1.0, f64::min).clamp(-1.0, 1.0).acos()
+}

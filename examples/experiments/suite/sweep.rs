@@ -1,0 +1,125 @@
+//! One pair, every position, every method.
+
+use super::methods::{Entry, methods};
+use super::pairs::Pair;
+use super::{Anyhow, Cell, Setup, Table};
+use nurbs_hausdorff::Error;
+use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
+use nurbs_hausdorff::flatness::Flatness;
+
+/// What one method gave at one position.
+#[derive(Debug, Clone)]
+pub(crate) struct Outcome {
+    pub(crate) position: f64,
+    /// The result, or why there is none: an error's code, or "left-out".
+    pub(crate) result: Result<DistanceResult, &'static str>,
+}
+
+/// A method's outcomes in the order of the positions.
+#[derive(Debug)]
+pub(crate) struct Curve {
+    pub(crate) method: Entry,
+    pub(crate) outcomes: Vec<Outcome>,
+}
+
+/// Projections of samples on patches beyond which a method that tries all
+/// patches is run in the middle only, and there only if it cuts none.
+const MANY_PROJECTIONS: usize = 20_000_000;
+
+/// A run shorter than this, in seconds, is repeated and the shortest told.
+const SHORT: f64 = 0.15;
+const ROUNDS: usize = 5;
+
+const COLUMNS: [&str; 14] = [
+    "position",
+    "method",
+    "computed",
+    "lower",
+    "upper",
+    "k_a",
+    "k_a_rigorous",
+    "k_b",
+    "converged",
+    "seconds_solve",
+    "seconds_prepare",
+    "cells",
+    "patches_of_b",
+    "failure",
+];
+
+/// Runs every method at every position, the methods in turn.
+pub(crate) fn sweep(setup: &Setup, pair: &Pair) -> Anyhow<Vec<Curve>> {
+    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let mut curves: Vec<Curve> = methods(setup.choose(64, 12))
+        .into_iter()
+        .map(|method| Curve { method, outcomes: Vec::new() })
+        .collect();
+    let positions = pair.positions(setup.choose(21, 5));
+    for (index, &position) in positions.iter().enumerate() {
+        let in_the_middle = index == positions.len() / 2;
+        for curve in &mut curves {
+            let options = Options { transform: pair.at(position)?, ..curve.method.options.clone() };
+            let many = curve.method.on_all_patches && projections(&a, &b, &options) > MANY_PROJECTIONS;
+            let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
+                repeated(setup, &a, &b, &options).map_err(|error| error.code())
+            } else {
+                Err("left-out")
+            };
+            curve.outcomes.push(Outcome { position, result });
+        }
+    }
+    Ok(curves)
+}
+
+/// Projections that a method takes which tries every patch that extraction
+/// gives; flatter patches are more.
+fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize {
+    a.bezier().grids.len() * options.samples * options.samples * b.bezier().patches.len()
+}
+
+/// The result with the shortest of the times, as other work on the machine
+/// only adds.
+fn repeated(
+    setup: &Setup,
+    a: &PreparedModel,
+    b: &PreparedModel,
+    options: &Options,
+) -> Result<DistanceResult, Error> {
+    let mut result = setup.measure(a, b, options)?;
+    if result.seconds.solve < SHORT {
+        for _ in 1..setup.choose(ROUNDS, 1) {
+            let again = setup.measure(a, b, options)?.seconds.solve;
+            result.seconds.solve = result.seconds.solve.min(again);
+        }
+    }
+    Ok(result)
+}
+
+/// A row for every method and position.
+pub(crate) fn table(curves: &[Curve]) -> Table {
+    let mut table = Table::new(&COLUMNS);
+    for curve in curves {
+        for Outcome { position, result } in &curve.outcomes {
+            let found = result.as_ref().ok();
+            let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
+            let bounds = found.and_then(|result| result.iteration).map(|details| details.bounds);
+            table.rows.push(vec![
+                (*position).into(),
+                curve.method.name.into(),
+                number(&|result| result.computed),
+                number(&|result| result.lower),
+                number(&|result| result.upper),
+                bounds.map(|bounds| bounds.k_a).into(),
+                bounds.map(|bounds| bounds.k_a_rigorous).into(),
+                bounds.and_then(|bounds| bounds.k_b).into(),
+                found.map(|result| if result.converged { "yes" } else { "no" }).into(),
+                number(&|result| result.seconds.solve),
+                number(&|result| result.seconds.prepare),
+                found.and_then(|result| result.certified).map(|details| details.cells).into(),
+                found.map(|result| result.patches.b).into(),
+                result.as_ref().err().copied().into(),
+            ]);
+        }
+    }
+    table
+}

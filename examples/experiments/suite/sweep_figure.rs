@@ -1,0 +1,114 @@
+//! Times, distances and differences by position (the 2012 paper's Figs 6 to 11).
+
+use super::chart::{Axis, Panel, Series, Style};
+use super::pairs::{Pair, pairs};
+use super::sweep::{Curve, sweep, table};
+use super::{Anyhow, Setup};
+use nurbs_hausdorff::distance::{DistanceResult, Method};
+
+/// Every pair: `sweep-NAME`.
+pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
+    for pair in pairs(setup)? {
+        let name = format!("sweep-{}", pair.name);
+        if !setup.wants(&name) {
+            continue;
+        }
+        let curves = sweep(setup, &pair)?;
+        setup.save(&name, &table(&curves), &panels(&pair, &curves))?;
+    }
+    Ok(())
+}
+
+fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
+    let along = || Axis::linear("position of A's centre from B's, model units");
+    [
+        Panel {
+            title: pair.title.clone(),
+            x: along(),
+            y: Axis::logarithmic("solve time, seconds"),
+            series: each(curves, Style::Marked, |result, _| Some(result.seconds.solve)),
+        },
+        Panel {
+            title: "Directed distance from A to B".to_owned(),
+            x: along(),
+            y: Axis::linear("distance, model units"),
+            series: each(curves, Style::Line, |result, _| Some(result.computed)),
+        },
+        Panel {
+            title: "Distance less that of `certified`, with bounds".to_owned(),
+            x: along(),
+            y: Axis::linear("difference, model units"),
+            series: bounds(curves),
+        },
+        Panel {
+            title: "Size of that difference".to_owned(),
+            x: along(),
+            y: Axis::logarithmic("difference, model units"),
+            series: sizes(curves),
+        },
+    ]
+}
+
+/// A number of every result, a curve a method; a failure is a gap.
+fn each(curves: &[Curve], style: Style, of: impl Fn(&DistanceResult, usize) -> Option<f64>) -> Vec<Series> {
+    curves.iter().enumerate().map(|(color, curve)| series(color, curve, style, "", &of)).collect()
+}
+
+/// The certified distances: the middles of the intervals.
+fn truth(curves: &[Curve]) -> Vec<Option<f64>> {
+    let middle = |result: &DistanceResult| 0.5 * (result.lower + result.upper);
+    let outcomes = curves.first().map_or(&[][..], |certified| &certified.outcomes);
+    outcomes.iter().map(|outcome| outcome.result.as_ref().ok().map(middle)).collect()
+}
+
+/// What the methods computed less the certified distance, and where their
+/// bounds say that it can be.
+fn bounds(curves: &[Curve]) -> Vec<Series> {
+    let truth = truth(curves);
+    let less = |index: usize, value: f64| truth[index].map(|truth| value - truth);
+    let mut all = each(curves, Style::Line, |result, index| less(index, result.computed));
+    let of = |result: &DistanceResult| result.iteration.map(|details| details.bounds);
+    for (color, curve) in curves.iter().enumerate() {
+        let dashed = |suffix: &str, value: &dyn Fn(&DistanceResult) -> Option<f64>| {
+            series(color, curve, Style::Dashed, suffix, |result, index| less(index, value(result)?))
+        };
+        // K_A is that of the samples, whatever the flatness; K_B hardly differs.
+        if curve.method.name.ends_with("loose") {
+            all.push(dashed(" + K_A", &|result| Some(result.computed + of(result)?.k_a)));
+            all.push(dashed(" - K_B", &|result| Some(result.computed - of(result)?.k_b?)));
+        }
+        if curve.method.name == "hierarchy" {
+            all.push(dashed(": upper", &|result| Some(result.upper)));
+            all.push(dashed(": lower", &|result| Some(result.lower)));
+        }
+    }
+    all
+}
+
+/// How far from the certified distance each method is; that one's interval is half as wide.
+fn sizes(curves: &[Curve]) -> Vec<Series> {
+    let truth = truth(curves);
+    each(curves, Style::Line, |result, index| match result.method {
+        Method::Certified => Some(0.5 * (result.upper - result.lower)),
+        _ => truth[index].map(|truth| (result.computed - truth).abs()),
+    })
+}
+
+fn series(
+    color: usize,
+    curve: &Curve,
+    style: Style,
+    suffix: &str,
+    value: impl Fn(&DistanceResult, usize) -> Option<f64>,
+) -> Series {
+    let points = curve
+        .outcomes
+        .iter()
+        .enumerate()
+        .map(|(index, outcome)| {
+            let value = value(outcome.result.as_ref().ok()?, index)?;
+            Some([outcome.position, value])
+        })
+        .collect();
+    Series::new(format!("{}{suffix}", curve.method.name), color, style, points)
+}

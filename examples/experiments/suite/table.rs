@@ -1,0 +1,71 @@
+//! A table of numbers and names, written as CSV (RFC 4180 without quotes: no
+//! cell of ours holds a comma, a quote or a line end).
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Rows under named columns.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Table {
+    pub(crate) columns: &'static [&'static str],
+    pub(crate) rows: Vec<Vec<Cell>>,
+}
+
+/// One entry of a row.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Cell {
+    /// A name.
+    Text(String),
+    /// A number, written so that reading it gives the same number.
+    Number(f64),
+    /// Not measured, or failed.
+    Empty,
+}
+
+impl From<f64> for Cell {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<usize> for Cell {
+    fn from(number: usize) -> Self {
+        Self::Number(number as f64)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Empty, Into::into)
+    }
+}
+
+impl Table {
+    pub(crate) fn new(columns: &'static [&'static str]) -> Self {
+        Self { columns, rows: Vec::new() }
+    }
+
+    /// Writes the header and the rows to `path`.
+    pub(crate) fn save(&self, path: &Path) -> std::io::Result<()> {
+        let mut text = self.columns.join(",") + "\n";
+        for row in &self.rows {
+            for (index, cell) in row.iter().enumerate() {
+                let separator = if index == 0 { "" } else { "," };
+                // Writing to a string cannot fail.
+                let _ = match cell {
+                    Cell::Text(name) => write!(text, "{separator}{name}"),
+                    Cell::Number(number) => write!(text, "{separator}{number:?}"),
+                    Cell::Empty => write!(text, "{separator}"),
+                };
+            }
+            text.push('\n');
+        }
+        std::fs::write(path, text)
+    }
+}
