@@ -27,11 +27,10 @@ pub(super) async fn certified(
     let mut search = Search::new(a, b, transform, tolerance, options.limit);
     progress.section(0.0, 1.0);
     let first = search.interval();
-    let mut kernels = Kernels { gpu, needed: options.backend == Backend::Gpu, levels: None };
+    let needed = options.backend == Backend::Gpu;
+    let mut kernels = Kernels { gpu, needed, levels: None, slowest: f64::INFINITY };
     let stop = loop {
-        if !kernels.advance(&mut search).await?
-            && let Some(stop) = search.advance()
-        {
+        if let Some(stop) = kernels.advance(&mut search).await? {
             break stop;
         }
         if options.max_cells.is_some_and(|most| search.cells >= most) {
@@ -101,22 +100,35 @@ struct Kernels<'a> {
     /// Whether an error of the GPU ends the search; else float64 does the rest.
     needed: bool,
     levels: Option<Levels>,
+    /// Seconds a cell that the GPU may take: a software adapter can be slower
+    /// than float64.
+    slowest: f64,
 }
 
 impl Kernels<'_> {
-    /// Whether the GPU took a step. Where float32 is not exact enough, float64
-    /// does the rest.
-    async fn advance(&mut self, search: &mut Search<'_>) -> Result<bool> {
-        let Some(gpu) = self.gpu else { return Ok(false) };
+    /// Bounds the next cells, on the GPU where they are many; `Some` when there
+    /// is nothing left to do. Where float32 is not exact enough, float64 does
+    /// the rest.
+    async fn advance(&mut self, search: &mut Search<'_>) -> Result<Option<Stop>> {
+        let (started, before) = (now(), search.cells);
         let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
-        if search.waiting() < worth || search.has_undecided() {
-            return Ok(false);
-        }
+        let many = search.waiting() >= worth && !search.has_undecided();
+        let Some(gpu) = self.gpu.filter(|_| many) else {
+            let stop = search.advance();
+            if search.cells > before {
+                self.slowest = (now() - started) / (search.cells - before) as f64;
+            }
+            return Ok(stop);
+        };
+        let first = self.levels.is_none();
         let step = self.step(gpu, search).await;
-        if !matches!(step, Ok(true)) {
+        let per_cell = (now() - started) / (search.cells - before).max(1) as f64;
+        // The first submission waits for the driver's compiler.
+        let too_slow = !first && !self.needed && per_cell > self.slowest;
+        if too_slow || !matches!(step, Ok(true)) {
             (self.gpu, self.levels) = (None, None);
         }
-        if self.needed { step } else { Ok(step.unwrap_or(false)) }
+        if self.needed { step.map(|_| None) } else { Ok(None) }
     }
 
     async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut Search<'_>) -> Result<bool> {
