@@ -251,6 +251,10 @@ pub enum Error {
 }
 
 impl Error {
+    pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
+        Self::OptionOutOfRange { option, found: Shown(found).to_string(), expected }
+    }
+
     /// The stable code, the same in Rust, on the command line and in JavaScript.
     #[must_use]
     pub fn code(&self) -> &'static str {

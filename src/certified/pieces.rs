@@ -54,7 +54,7 @@ impl Pieces {
     pub(crate) fn new(
         side: &Side<'_>,
         transform: &RigidTransform,
-        fits: impl Fn(&Patch<'_>) -> bool,
+        fits: &dyn Fn(&Patch<'_>) -> bool,
         most: usize,
     ) -> Option<Self> {
         let set = &side.target.patches;
@@ -66,7 +66,7 @@ impl Pieces {
             let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
             let place = Place { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
-            if !pieces.cut(&moved, place, grid, &fits, MOST_HALVINGS, most) {
+            if !pieces.cut(&moved, place, grid, fits, MOST_HALVINGS, most) {
                 return None;
             }
             pieces.of_patch.push(first..pieces.places.len());
@@ -79,7 +79,7 @@ impl Pieces {
         patch: &Patch<'_>,
         place: Place,
         grid: f64,
-        fits: &impl Fn(&Patch<'_>) -> bool,
+        fits: &dyn Fn(&Patch<'_>) -> bool,
         halvings: u32,
         most: usize,
     ) -> bool {
@@ -134,19 +134,19 @@ impl Pieces {
 fn extent(patch: &Patch<'_>, axis: usize) -> f64 {
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
-    let step = |from: usize, to: usize| points[from].distance(points[to]);
-    let (steps, lines) =
-        if axis == 0 { (patch.degree[0], columns) } else { (patch.degree[1], patch.degree[0] + 1) };
-    (0..steps)
-        .map(|k| {
-            let longest = (0..lines).map(|line| {
-                if axis == 0 {
-                    step(k * columns + line, (k + 1) * columns + line)
-                } else {
-                    step(line * columns + k, line * columns + k + 1)
-                }
-            });
-            longest.fold(0.0, f64::max)
-        })
-        .sum()
+    let (steps, lines, along, across) = if axis == 0 {
+        (patch.degree[0], columns, columns, 1)
+    } else {
+        (patch.degree[1], patch.degree[0] + 1, 1, columns)
+    };
+    let mut sum = 0.0;
+    for k in 0..steps {
+        let mut longest = 0.0_f64;
+        for line in 0..lines {
+            let from = k * along + line * across;
+            longest = longest.max(points[from].distance(points[from + along]));
+        }
+        sum += longest;
+    }
+    sum
 }

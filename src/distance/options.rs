@@ -5,7 +5,6 @@ use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
 use crate::project::Projection;
-use crate::shown::Shown;
 use serde::{Deserialize, Serialize};
 
 /// How the distance is computed.
@@ -159,8 +158,5 @@ fn check_positive(option: &'static str, found: f64) -> Result<()> {
 }
 
 fn check(option: &'static str, valid: bool, found: f64, expected: &'static str) -> Result<()> {
-    if valid {
-        return Ok(());
-    }
-    Err(Error::OptionOutOfRange { option, found: Shown(found).to_string(), expected })
+    if valid { Ok(()) } else { Err(Error::out_of_range(option, found, expected)) }
 }

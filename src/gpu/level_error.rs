@@ -137,7 +137,7 @@ fn a_million_jets_are_off_by_no_more_than_is_said() {
             let small: Vec<_> = target.patches.iter().map(|patch| patch.restricted(part, other)).collect();
             let smaller = Target::new(set(&small, degree));
             let side = if depth == 1 { &side } else { &Side::new(&smaller, &bounds) };
-            let pieces = Pieces::new(side, &RigidTransform::IDENTITY, |_| true, PATCHES).unwrap();
+            let pieces = Pieces::new(side, &RigidTransform::IDENTITY, &|_| true, PATCHES).unwrap();
             let cells: Vec<Cell> = (0..PATCHES * DRAWS / 2)
                 .map(|index| Cell {
                     center: [0, 1].map(|_| if random.u8(0..8) == 0 { 1.0 } else { 2.0 * random.f32() - 1.0 }),

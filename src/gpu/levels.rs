@@ -108,8 +108,8 @@ impl Levels {
         }
         let (a, b, transform) = search.sides();
         let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
-        let Some(from) = Pieces::new(a, transform, fits, MOST_PIECES) else { return Ok(None) };
-        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, fits, MOST_PIECES) else { return Ok(None) };
+        let Some(from) = Pieces::new(a, transform, &fits, MOST_PIECES) else { return Ok(None) };
+        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, &fits, MOST_PIECES) else { return Ok(None) };
         let target = gpu.upload_target(&Target::new(to.patches.clone()));
         let frame = frame(&target, [&from, &to]);
         let from_groups = by_degree(&from.patches);

@@ -9,9 +9,9 @@
 //! of a cell, 11.31, which is the paper's bound K_A. Where in the cell the axis
 //! lay is not published; here it is on the cell's diagonal.
 
-use super::{lateral, named};
+use super::{lateral, named, net_surface};
 use crate::error::Result;
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::model::Model;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Radius of [`figure5_cylinder`], the true distance.
@@ -35,22 +35,10 @@ const SIDE: f64 = 640.0;
 /// None: the numbers are valid.
 pub fn figure5_plane() -> Result<Model> {
     let low = -0.5 * SIDE + FIGURE5_NEAREST_SAMPLE * FRAC_1_SQRT_2;
-    let high = low + SIDE;
-    let surface = NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [1, 1],
-            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
-            counts: [2, 2],
-            control_points: vec![
-                [low, low, 0.0, 1.0],
-                [low, high, 0.0, 1.0],
-                [high, low, 0.0, 1.0],
-                [high, high, 0.0, 1.0],
-            ],
-        },
-    )?;
-    named("Fig. 5 plane", vec![surface])
+    let ends = [low, low + SIDE];
+    let knots = [0.0, 0.0, 1.0, 1.0];
+    let plane = net_surface([1, 1], [&knots, &knots], [2, 2], &|i, j| [ends[i], ends[j], 0.0, 1.0])?;
+    named("Fig. 5 plane", vec![plane])
 }
 
 /// The open cylinder of radius [`FIGURE5_RADIUS`] about the z axis, from

@@ -37,8 +37,7 @@ pub use wigley::wigley_hull;
 pub use wing::{Wing, wing};
 
 use crate::error::{Error, Result};
-use crate::model::{Model, NurbsSurface};
-use crate::shown::Shown;
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
 
 /// A model of this name.
 fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
@@ -46,13 +45,25 @@ fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
 }
 
 /// `value` if it is finite and more than 0.
+/// The surface whose control point in row i along u and column j along v is `point(i, j)`.
+fn net_surface(
+    degree: [usize; 2],
+    knots: [&[f64]; 2],
+    counts: [usize; 2],
+    point: &dyn Fn(usize, usize) -> [f64; 4],
+) -> Result<NurbsSurface> {
+    let mut control_points = Vec::with_capacity(counts[0] * counts[1]);
+    for i in 0..counts[0] {
+        for j in 0..counts[1] {
+            control_points.push(point(i, j));
+        }
+    }
+    NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
+}
+
 fn positive(option: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Error::OptionOutOfRange {
-        option,
-        found: Shown(value).to_string(),
-        expected: "a finite number above 0",
-    })
+    Err(Error::out_of_range(option, value, "a finite number above 0"))
 }

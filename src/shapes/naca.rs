@@ -2,7 +2,6 @@
 
 use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
-use crate::shown::Shown;
 
 /// A section of the NACA four-digit series, in fractions of the chord.
 ///
@@ -54,9 +53,7 @@ impl Naca4 {
 
     /// Refuses what the formulas are not for.
     pub(super) fn validate(&self) -> Result<()> {
-        let out_of_range = |option, value: f64, expected| {
-            Err(Error::OptionOutOfRange { option, found: Shown(value).to_string(), expected })
-        };
+        let out_of_range = |option, value: f64, expected| Err(Error::out_of_range(option, value, expected));
         if !(0.0..0.1).contains(&self.camber) {
             return out_of_range("camber", self.camber, "0 or more and below 0.1");
         }

@@ -1,9 +1,9 @@
 //! Surfaces of revolution.
 
-use super::PlaneCurve;
 use super::circle::{UNIT_CIRCLE, UNIT_CIRCLE_KNOTS};
+use super::{PlaneCurve, net_surface};
 use crate::error::Result;
-use crate::model::{NurbsSurface, SurfaceArrays};
+use crate::model::NurbsSurface;
 
 /// The surface that `profile`, with x as radius and y as height, sweeps in a
 /// full turn about the z axis; u goes round from the x axis, v along the profile.
@@ -15,22 +15,13 @@ use crate::model::{NurbsSurface, SurfaceArrays};
 /// # Errors
 /// As [`NurbsSurface::new`] if `profile` is not a valid NURBS curve.
 pub fn revolve(profile: &PlaneCurve) -> Result<NurbsSurface> {
-    let control_points = UNIT_CIRCLE
-        .iter()
-        .flat_map(|&[x, y, around]| {
-            profile
-                .control_points
-                .iter()
-                .map(move |&[radius, height, along]| [radius * x, radius * y, height, around * along])
-        })
-        .collect();
-    NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [2, profile.degree],
-            knots: [UNIT_CIRCLE_KNOTS.to_vec(), profile.knots.clone()],
-            counts: [UNIT_CIRCLE.len(), profile.control_points.len()],
-            control_points,
+    net_surface(
+        [2, profile.degree],
+        [&UNIT_CIRCLE_KNOTS, &profile.knots],
+        [UNIT_CIRCLE.len(), profile.control_points.len()],
+        &|i, j| {
+            let ([x, y, around], [radius, height, along]) = (UNIT_CIRCLE[i], profile.control_points[j]);
+            [radius * x, radius * y, height, around * along]
         },
     )
 }

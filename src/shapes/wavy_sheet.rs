@@ -1,11 +1,10 @@
 //! Wavy B-spline sheets with nets of any size.
 
 use super::plane_curve::clamped_knots;
-use super::{named, positive};
+use super::{named, net_surface, positive};
 use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
-use crate::shown::Shown;
+use crate::model::Model;
 use std::f64::consts::TAU;
 
 /// Degree of a sheet in both directions.
@@ -41,27 +40,15 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
         [("amplitude", amplitude), ("waves", waves[0]), ("waves", waves[1]), ("phase", phase)]
     {
         if !value.is_finite() {
-            let found = Shown(value).to_string();
-            return Err(Error::OptionOutOfRange { option, found, expected: "a finite number" });
+            return Err(Error::out_of_range(option, value, "a finite number"));
         }
     }
     let fraction = |index: usize, axis: usize| index as f64 / (counts[axis].max(2) - 1) as f64;
-    let control_points = (0..counts[0])
-        .flat_map(|i| (0..counts[1]).map(move |j| (i, j)))
-        .map(|(i, j)| {
-            let (x, y) = (fraction(i, 0), fraction(j, 1));
-            let height = amplitude * sin(TAU * waves[0] * x + phase) * cos(TAU * waves[1] * y);
-            [size[0] * (x - 0.5), size[1] * (y - 0.5), height, 1.0]
-        })
-        .collect();
-    let surface = NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [DEGREE; 2],
-            knots: counts.map(|count| clamped_knots(DEGREE, count)),
-            counts,
-            control_points,
-        },
-    )?;
-    named("wavy sheet", vec![surface])
+    let [along_x, along_y] = counts.map(|count| clamped_knots(DEGREE, count));
+    let sheet = net_surface([DEGREE; 2], [&along_x, &along_y], counts, &|i, j| {
+        let (x, y) = (fraction(i, 0), fraction(j, 1));
+        let height = amplitude * sin(TAU * waves[0] * x + phase) * cos(TAU * waves[1] * y);
+        [size[0] * (x - 0.5), size[1] * (y - 0.5), height, 1.0]
+    })?;
+    named("wavy sheet", vec![sheet])
 }

@@ -1,8 +1,8 @@
 //! The Wigley hull, a test form of naval architecture.
 
-use super::{named, positive};
+use super::{named, net_surface, positive};
 use crate::error::Result;
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::model::Model;
 
 /// The Bézier knots of degree 1 and 2.
 const LINEAR: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
@@ -29,25 +29,13 @@ pub fn wigley_hull(length: f64, beam: f64, draft: f64) -> Result<Model> {
     let height = [-draft, -0.5 * draft, 0.0];
     // The side whose v runs downwards has its normal on the other side.
     let side = |sign: f64, rows: [usize; 3]| {
-        let control_points = (0..3)
-            .flat_map(|i| rows.map(|j| (i, j)))
-            .map(|(i, j)| [station[i], sign * half_beam * WATERLINE[i] * FRAME[j], height[j], 1.0])
-            .collect();
-        bezier([2, 2], [QUADRATIC.to_vec(), QUADRATIC.to_vec()], control_points)
+        net_surface([2, 2], [&QUADRATIC, &QUADRATIC], [3, 3], &|i, j| {
+            let frame = FRAME[rows[j]];
+            [station[i], sign * half_beam * WATERLINE[i] * frame, height[rows[j]], 1.0]
+        })
     };
-    let deck = (0..3)
-        .flat_map(|i| [-1.0, 1.0].map(|sign| [station[i], sign * half_beam * WATERLINE[i], 0.0, 1.0]))
-        .collect();
-    named(
-        "Wigley hull",
-        vec![
-            side(1.0, [2, 1, 0])?,
-            side(-1.0, [0, 1, 2])?,
-            bezier([2, 1], [QUADRATIC.to_vec(), LINEAR.to_vec()], deck)?,
-        ],
-    )
-}
-
-fn bezier(degree: [usize; 2], knots: [Vec<f64>; 2], control_points: Vec<[f64; 4]>) -> Result<NurbsSurface> {
-    NurbsSurface::new(0, SurfaceArrays { degree, knots, counts: degree.map(|p| p + 1), control_points })
+    let deck = net_surface([2, 1], [&QUADRATIC, &LINEAR], [3, 2], &|i, j| {
+        [station[i], [-half_beam, half_beam][j] * WATERLINE[i], 0.0, 1.0]
+    })?;
+    named("Wigley hull", vec![side(1.0, [2, 1, 0])?, side(-1.0, [0, 1, 2])?, deck])
 }

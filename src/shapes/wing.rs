@@ -2,16 +2,18 @@
 
 use super::interpolation::interpolate;
 use super::operations::cut_surface;
-use super::{Naca4, PlaneCurve, named, positive};
+use super::{Naca4, PlaneCurve, named, net_surface, positive};
 use crate::elementary::tan;
 use crate::error::{Error, Result};
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
-use crate::shown::Shown;
+use crate::model::{Model, NurbsSurface};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Points that the section's cubic spline passes: its largest error is then
 /// below 1e-4 of the chord. Odd, so that the leading edge is one of them.
 const SECTION_POINTS: usize = 41;
+
+/// Knots of degree 1 between two lines.
+const RULED: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
 /// What a wing is made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,12 +45,7 @@ pub fn wing(wing: &Wing) -> Result<Model> {
     let root = positive("root_chord", wing.root_chord)?;
     let tip = root * positive("taper", wing.taper)?;
     if !(-FRAC_PI_2..=FRAC_PI_2).contains(&wing.sweep) {
-        let found = Shown(wing.sweep).to_string();
-        return Err(Error::OptionOutOfRange {
-            option: "sweep",
-            found,
-            expected: "an angle within 90 degrees",
-        });
+        return Err(Error::out_of_range("sweep", wing.sweep, "an angle within 90 degrees"));
     }
     let section = interpolate(SECTION_POINTS, |fraction| wing.section.point(PI * (2.0 * fraction - 1.0)));
     let back = 0.25 * (root - tip) + half_span * tan(wing.sweep);
@@ -60,54 +57,29 @@ pub fn wing(wing: &Wing) -> Result<Model> {
 
 /// The section scaled to every rib `(y, chord, x)`, ruled between them.
 fn skin(section: &PlaneCurve, ribs: &[(f64, f64, f64); 3]) -> Result<NurbsSurface> {
-    let place = |&[x, z, w]: &[f64; 3]| ribs.map(|(y, chord, back)| [back + chord * x, y, chord * z, w]);
-    NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [section.degree, 1],
-            knots: [section.knots.clone(), vec![0.0, 0.0, 0.5, 1.0, 1.0]],
-            counts: [section.control_points.len(), ribs.len()],
-            control_points: section.control_points.iter().flat_map(place).collect(),
-        },
-    )
+    let counts = [section.control_points.len(), ribs.len()];
+    net_surface([section.degree, 1], [&section.knots, &[0.0, 0.0, 0.5, 1.0, 1.0]], counts, &|i, j| {
+        let ([x, z, w], (y, chord, back)) = (section.control_points[i], ribs[j]);
+        [back + chord * x, y, chord * z, w]
+    })
 }
 
 /// The strip between the skin's two edges along the span.
 fn trailing_edge(skin: &NurbsSurface) -> Result<NurbsSurface> {
     let ribs = skin.counts()[1];
     let net = skin.control_points();
-    let control_points = (0..ribs).flat_map(|rib| [net[rib], net[net.len() - ribs + rib]]).collect();
-    NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [1, 1],
-            knots: [skin.knots(1).to_vec(), vec![0.0, 0.0, 1.0, 1.0]],
-            counts: [ribs, 2],
-            control_points,
-        },
-    )
+    let edges = [0, net.len() - ribs];
+    net_surface([1, 1], [skin.knots(1), &RULED], [ribs, 2], &|rib, edge| net[edges[edge] + rib])
 }
 
 /// The flat cap of rib `rib`, ruled between the lower and the upper side.
 fn rib_cap(skin: &NurbsSurface, rib: usize, downward: bool) -> Result<NurbsSurface> {
     let middle = 0.5 * (skin.domain()[0][0] + skin.domain()[0][1]);
     let [lower, upper] = cut_surface(skin, 0, middle)?;
-    let column = |side: &NurbsSurface| -> Vec<[f64; 4]> {
-        side.control_points().chunks(side.counts()[1]).map(|row| row[rib]).collect()
-    };
+    let [rows, columns] = upper.counts();
     // The knots are symmetric about the leading edge, so the upper side's serve both.
-    let (from_nose, upper_points) = (column(&lower).into_iter().rev(), column(&upper));
-    let control_points = from_nose
-        .zip(upper_points)
-        .flat_map(|(low, high)| if downward { [high, low] } else { [low, high] })
-        .collect();
-    NurbsSurface::new(
-        0,
-        SurfaceArrays {
-            degree: [upper.degree()[0], 1],
-            knots: [upper.knots(0).to_vec(), vec![0.0, 0.0, 1.0, 1.0]],
-            counts: [upper.counts()[0], 2],
-            control_points,
-        },
-    )
+    net_surface([upper.degree()[0], 1], [upper.knots(0), &RULED], [rows, 2], &|i, j| {
+        let (side, row) = if (j == 0) == downward { (&upper, i) } else { (&lower, rows - 1 - i) };
+        side.control_points()[row * columns + rib]
+    })
 }

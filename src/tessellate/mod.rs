@@ -6,7 +6,6 @@ mod triangles;
 
 use crate::bezier::BezierModel;
 use crate::error::{Error, Result};
-use crate::shown::Shown;
 use divisions::Divisions;
 use glam::DVec3;
 use sheet::Sheet;
@@ -45,11 +44,7 @@ pub struct Tessellation {
 /// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number.
 pub fn tessellate(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessellation> {
     if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
-        return Err(Error::OptionOutOfRange {
-            option: "tolerance",
-            found: Shown(found).to_string(),
-            expected: "a positive finite number",
-        });
+        return Err(Error::out_of_range("tolerance", found, "a positive finite number"));
     }
     let aabb = model.patches.bounding_box();
     let tolerance = tolerance.unwrap_or(DEFAULT_TOLERANCE * aabb.diagonal());

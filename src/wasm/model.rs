@@ -66,7 +66,7 @@ impl PreparedModel {
 pub fn shapes() -> Array {
     let all = Array::new();
     for ShapeInfo { name, title } in list() {
-        all.push(&object([("name", name.into()), ("title", title.into())]));
+        all.push(&object(&[("name", name.into()), ("title", title.into())]));
     }
     all
 }

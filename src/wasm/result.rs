@@ -30,7 +30,7 @@ fn add_field(object: &JsValue, result: &DistanceResult) -> Result<(), JsValue> {
 
 fn field(field: &Field) -> JsValue {
     let counts: Array = field.counts.iter().map(|&count| JsValue::from(count as u32)).collect();
-    object([
+    object(&[
         ("surface", JsValue::from(field.surface as u32)),
         ("counts", counts.into()),
         ("points", Float64Array::from(field.points.as_slice()).into()),

@@ -10,13 +10,13 @@ pub(super) fn plain(tessellation: &Tessellation) -> JsValue {
     let number = |count: usize| JsValue::from_f64(count as f64);
     let surfaces = Array::new();
     for range in &tessellation.surfaces {
-        surfaces.push(&object([("firstIndex", number(range.start)), ("indexCount", number(range.len()))]));
+        surfaces.push(&object(&[("firstIndex", number(range.start)), ("indexCount", number(range.len()))]));
     }
     let origin = Array::new();
     for coordinate in tessellation.origin.to_array() {
         origin.push(&coordinate.into());
     }
-    object([
+    object(&[
         ("positions", Float32Array::from(tessellation.positions.as_slice()).into()),
         ("normals", Float32Array::from(tessellation.normals.as_slice()).into()),
         ("indices", Uint32Array::from(tessellation.indices.as_slice()).into()),

@@ -145,6 +145,15 @@ impl Properties {
         Ok(Self { rest: all.into_iter(), current: None })
     }
 
+    fn value(&self) -> Value {
+        Value(self.current.as_ref().map_or(JsValue::UNDEFINED, |(_, value)| value.clone()))
+    }
+
+    fn at_current(&self, error: &Mismatch) -> Mismatch {
+        let (name, value) = self.current.clone().unwrap_or_default();
+        Mismatch(format!("{name} is {}, {error}", described(&value)))
+    }
+
     /// These without the one of that name, and its value.
     pub(super) fn without(self, name: &str) -> (Self, Option<JsValue>) {
         let (named, others): (Vec<_>, Vec<_>) = self.rest.partition(|(of, _)| of == name);
@@ -163,9 +172,7 @@ impl<'de> MapAccess<'de> for Properties {
     }
 
     fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Mismatch> {
-        let (name, value) = self.current.take().unwrap_or_default();
-        let found = described(&value);
-        seed.deserialize(Value(value)).map_err(|error| Mismatch(format!("{name} is {found}, {error}")))
+        seed.deserialize(self.value()).map_err(|error| self.at_current(&error))
     }
 }
 

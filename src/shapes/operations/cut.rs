@@ -2,9 +2,9 @@
 
 use super::insert_knot;
 use crate::error::{Error, Result};
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::model::{Model, NurbsSurface};
 use crate::order::rising;
-use crate::shown::Shown;
+use crate::shapes::net_surface;
 
 /// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
 /// else v), which keep their parameters.
@@ -18,11 +18,7 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
     let axis = usize::from(axis != 0);
     let [start, end] = surface.domain()[axis];
     if !(parameter > start && parameter < end) {
-        return Err(Error::OptionOutOfRange {
-            option: "parameter",
-            found: Shown(parameter).to_string(),
-            expected: "a parameter inside the domain",
-        });
+        return Err(Error::out_of_range("parameter", parameter, "a parameter inside the domain"));
     }
     let degree = surface.degree()[axis];
     let present = surface.knots(axis).iter().filter(|&&knot| knot == parameter).count();
@@ -33,8 +29,8 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
     let full = vec![parameter; degree + 1];
     let count = refined.counts()[axis];
     Ok([
-        piece(&refined, axis, [&knots[..first], full.as_slice()].concat(), 0, first)?,
-        piece(&refined, axis, [full.as_slice(), &knots[after..]].concat(), after - degree - 1, count)?,
+        piece(&refined, axis, &[&knots[..first], full.as_slice()].concat(), 0, first)?,
+        piece(&refined, axis, &[full.as_slice(), &knots[after..]].concat(), after - degree - 1, count)?,
     ])
 }
 
@@ -67,24 +63,15 @@ pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
 fn piece(
     surface: &NurbsSurface,
     axis: usize,
-    knots: Vec<f64>,
+    knots: &[f64],
     first: usize,
     end: usize,
 ) -> Result<NurbsSurface> {
     let columns = surface.counts()[1];
-    let (rows, kept) =
-        if axis == 0 { (first..end, 0..columns) } else { (0..surface.counts()[0], first..end) };
-    let control_points = rows
-        .flat_map(|row| &surface.control_points()[row * columns + kept.start..row * columns + kept.end])
-        .copied()
-        .collect();
-    let mut arrays = SurfaceArrays {
-        degree: surface.degree(),
-        knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
-        counts: surface.counts(),
-        control_points,
-    };
-    arrays.knots[axis] = knots;
-    arrays.counts[axis] = end - first;
-    NurbsSurface::new(0, arrays)
+    let mut all: [&[f64]; 2] = [surface.knots(0), surface.knots(1)];
+    let (mut counts, mut skipped) = (surface.counts(), [0; 2]);
+    (all[axis], counts[axis], skipped[axis]) = (knots, end - first, first);
+    net_surface(surface.degree(), all, counts, &|i, j| {
+        surface.control_points()[(skipped[0] + i) * columns + skipped[1] + j]
+    })
 }

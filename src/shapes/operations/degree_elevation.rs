@@ -19,7 +19,7 @@ pub fn elevate_degree(surface: &NurbsSurface, axis: usize) -> Result<NurbsSurfac
     let degree = surface.degree()[axis];
     let knots = surface.knots(axis);
     let elevated = elevated_knots(knots, degree, surface.domain()[axis]);
-    map_lines(surface, axis, degree + 1, elevated.clone(), |line| {
+    map_lines(surface, axis, degree + 1, &elevated, &|line| {
         (0..elevated.len() - degree - 2)
             .map(|index| {
                 let span = longest_span(&elevated[index..=index + degree + 2], knots, degree, line.len());

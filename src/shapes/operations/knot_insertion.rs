@@ -3,7 +3,6 @@
 use super::net::map_lines;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
-use crate::shown::Shown;
 use glam::DVec4;
 
 /// The same surface with `knot` inserted `times` times along `axis` (0: u, else v).
@@ -19,18 +18,14 @@ pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize)
     let axis = usize::from(axis != 0);
     let [start, end] = surface.domain()[axis];
     if !(start..=end).contains(&knot) {
-        let found = Shown(knot).to_string();
-        return Err(Error::OptionOutOfRange { option: "knot", found, expected: "a parameter in the domain" });
+        return Err(Error::out_of_range("knot", knot, "a parameter in the domain"));
     }
     let degree = surface.degree()[axis];
     let knots = surface.knots(axis);
     let multiplicity = knots.iter().filter(|&&other| other == knot).count();
     if times > degree.saturating_sub(multiplicity) {
-        return Err(Error::OptionOutOfRange {
-            option: "times",
-            found: times.to_string(),
-            expected: "at most the degree less the knot's multiplicity",
-        });
+        let expected = "at most the degree less the knot's multiplicity";
+        return Err(Error::out_of_range("times", times as f64, expected));
     }
     if times == 0 {
         return Ok(surface.clone());
@@ -38,7 +33,7 @@ pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize)
     let after = knots.partition_point(|&other| other <= knot);
     let mut refined = knots.to_vec();
     refined.splice(after..after, std::iter::repeat_n(knot, times));
-    map_lines(surface, axis, degree, refined, |line| {
+    map_lines(surface, axis, degree, &refined, &|line| {
         let mut knots = knots.to_vec();
         let mut line = line.to_vec();
         for inserted in 0..times {

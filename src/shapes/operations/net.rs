@@ -1,7 +1,8 @@
 //! Linear maps of a surface's net along one direction.
 
 use crate::error::Result;
-use crate::model::{NurbsSurface, SurfaceArrays};
+use crate::model::NurbsSurface;
+use crate::shapes::net_surface;
 use glam::{DVec4, Vec4Swizzles};
 
 /// `surface` with degree and knots along `axis` replaced, and every line of
@@ -13,8 +14,8 @@ pub(super) fn map_lines(
     surface: &NurbsSurface,
     axis: usize,
     degree: usize,
-    knots: Vec<f64>,
-    map: impl Fn(&[DVec4]) -> Vec<DVec4>,
+    knots: &[f64],
+    map: &dyn Fn(&[DVec4]) -> Vec<DVec4>,
 ) -> Result<NurbsSurface> {
     let points = surface.control_points();
     let weight = points[0][3];
@@ -36,21 +37,10 @@ pub(super) fn map_lines(
             map(&line)
         })
         .collect();
-    let length = mapped.first().map_or(0, Vec::len);
-    let control_points = if axis == 0 {
-        (0..length).flat_map(|index| mapped.iter().map(move |line| lower(line[index]))).collect()
-    } else {
-        mapped.iter().flatten().map(|&point| lower(point)).collect()
-    };
-    let mut arrays = SurfaceArrays {
-        degree: surface.degree(),
-        knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
-        counts: surface.counts(),
-        control_points,
-    };
+    let mut counts = surface.counts();
+    let mut degrees = surface.degree();
+    let mut all: [&[f64]; 2] = [surface.knots(0), surface.knots(1)];
     let axis = usize::from(axis != 0);
-    arrays.degree[axis] = degree;
-    arrays.knots[axis] = knots;
-    arrays.counts[axis] = length;
-    NurbsSurface::new(0, arrays)
+    (counts[axis], degrees[axis], all[axis]) = (mapped.first().map_or(0, Vec::len), degree, knots);
+    net_surface(degrees, all, counts, &|i, j| lower(if axis == 0 { mapped[j][i] } else { mapped[i][j] }))
 }
