@@ -16,7 +16,7 @@ export function tellEngine(
 ): void {
   element("engine").textContent =
     backend === "gpu"
-      ? `WebGPU${adapter ? `: ${adapter}` : ""} · certificates in float64`
+      ? `WebGPU${adapter ? `: ${adapter}` : ""} · certificates finish in float64`
       : "CPU, float64";
   if (notice !== null) tellCpu(notice);
 }
