@@ -15,6 +15,11 @@ use crate::model::RigidTransform;
 use glam::DVec3;
 use std::rc::Rc;
 
+/// Bézier patches of A from which on they are not cut flat for its cells: the
+/// cutting then takes longer than the search, which needs flat patches of B
+/// only. Few patches are, for closer bounds of their derivatives.
+const FINE: usize = 1000;
+
 /// The two models of one direction; the transform takes `from` into the frame of `to`.
 pub(super) struct Ends<'a> {
     pub(super) from: &'a PreparedModel,
@@ -97,7 +102,9 @@ impl Ends<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         let started = now();
-        let (from, to) = (self.from.target(Flatness::Loose), self.to.target(Flatness::Loose));
+        let fine = self.from.bezier().patches.len() >= FINE;
+        let of_cells = if fine { Flatness::None } else { Flatness::Loose };
+        let (from, to) = (self.from.target(of_cells), self.to.target(Flatness::Loose));
         let (a, b) = (from.side(), to.side());
         let prepare = now() - started;
         let diagonal = self.diagonal();
