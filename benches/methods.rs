@@ -45,7 +45,7 @@ fn measure(engine: &Engine, pair: &Pair) {
         ..Options::default()
     };
     let certified = Options { method: Method::Certified, backend: Backend::Cpu, ..moved.clone() };
-    let on_gpu = Options { backend: Backend::Auto, ..certified.clone() };
+    let on_gpu = Options { backend: Backend::Gpu, ..certified.clone() };
     let iteration = Options { method: Method::Iteration, ..moved };
     let published =
         Options { projection: Projection::TangentPlane, culling: Culling::None, ..iteration.clone() };

@@ -96,7 +96,12 @@ impl Engine {
     ) -> Result<Run> {
         let run = match options.method {
             Method::Certified => {
-                let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
+                // On the processor float64 is about as fast, and ready at once.
+                let helps = |gpu: &Rc<Gpu>| match options.backend {
+                    Backend::Auto => !gpu.is_software(),
+                    backend => backend == Backend::Gpu,
+                };
+                let gpu = self.gpu.borrow().clone().filter(helps);
                 direction.certified(gpu.as_ref(), options, progress).await?
             }
             method => self.staged(direction, method, options, progress).await?,

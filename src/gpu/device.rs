@@ -17,6 +17,7 @@ pub struct Gpu {
     /// Tells this device from those before it.
     pub(super) id: u64,
     adapter: Option<String>,
+    software: bool,
     trouble: Arc<Mutex<Trouble>>,
 }
 
@@ -65,7 +66,8 @@ impl Gpu {
             let mut trouble = on_error.lock().unwrap_or_else(PoisonError::into_inner);
             trouble.error.get_or_insert(error.to_string());
         }));
-        let name = adapter.get_info().name;
+        let info = adapter.get_info();
+        let name = info.name;
         Ok(Self {
             pipelines: Pipelines::new(&device, lanes),
             pace: Pace::default(),
@@ -73,6 +75,7 @@ impl Gpu {
             queue,
             id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
             adapter: (!name.is_empty()).then_some(name),
+            software: info.device_type == wgpu::DeviceType::Cpu,
             trouble,
         })
     }
@@ -81,6 +84,11 @@ impl Gpu {
     #[must_use]
     pub fn adapter(&self) -> Option<String> {
         self.adapter.clone()
+    }
+
+    /// Whether its kernels run on the processor, as far as the platform tells.
+    pub(crate) fn is_software(&self) -> bool {
+        self.software
     }
 
     /// Takes the device away, as a driver's reset does.
