@@ -1,6 +1,7 @@
 //! How far apart are two NURBS models?
 
 pub mod bezier;
+mod both;
 pub mod certified;
 pub mod distance;
 mod elementary;

@@ -2,6 +2,7 @@
 
 use super::Patch;
 use super::basis::Basis;
+use crate::both::both;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A point of a surface with its first and second derivatives by (s, t).
@@ -37,7 +38,7 @@ impl Patch<'_> {
     /// 2 (p + q) units of rounding of the patch's radius. O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
-        let basis = [0, 1].map(|axis| Basis::new(self.degree[axis], parameters[axis]));
+        let basis = both(|axis| Basis::new(self.degree[axis], parameters[axis]));
         let columns = self.degree[1] + 1;
         let mut sum = DVec4::ZERO;
         for (row, s) in self.controls.chunks_exact(columns).zip(basis[0].derivatives[0]) {
@@ -50,7 +51,7 @@ impl Patch<'_> {
     /// quotient rule (Piegl and Tiller, *The NURBS Book*, eq. 4.20). O(p q).
     #[must_use]
     pub fn jet(&self, parameters: [f64; 2]) -> Jet {
-        let basis = [0, 1].map(|axis| Basis::new(self.degree[axis], parameters[axis]).derivatives);
+        let basis = both(|axis| Basis::new(self.degree[axis], parameters[axis]).derivatives);
         let columns = self.degree[1] + 1;
         let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
         for (i, row) in self.controls.chunks_exact(columns).enumerate() {

@@ -1,6 +1,7 @@
 //! Bézier extraction: one patch for every non-empty knot rectangle.
 
 use super::{MAX_ORDER, Patch, PatchSet};
+use crate::both::both;
 use crate::model::{Model, NurbsSurface};
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4};
@@ -100,7 +101,7 @@ pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3
 fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
     let first = patches.len();
     let degree = surface.degree();
-    let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+    let [in_u, in_v] = both(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
     let (rows, columns) = (degree[0] + 1, degree[1] + 1);
     let mut net = vec![DVec4::ZERO; rows * columns];
     let mut partial = vec![DVec4::ZERO; rows * columns];

@@ -6,6 +6,7 @@ use super::nearest::Foot;
 use super::quadratic::Quadratic;
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Jet};
+use crate::both::both;
 use glam::{DVec2, DVec3};
 
 /// At least the distance to B of every point of the cell, given A's moved jet
@@ -37,7 +38,7 @@ pub(super) fn certify(
     }
     let jet = b.patch(foot.patch).jet(foot.parameters);
     let residual = jet.point - a.point;
-    let frozen = [0, 1].map(|axis| {
+    let frozen = both(|axis| {
         let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
         let parameter = foot.parameters[axis];
         (parameter <= 0.0 && gradient > 0.0) || (parameter >= 1.0 && gradient < 0.0)

@@ -5,6 +5,7 @@ use super::foot_map::FootMap;
 use super::nearest::{Foot, foot_on, nearest};
 use super::side::moved;
 use crate::bezier::Jet;
+use crate::both::both;
 use crate::model::RigidTransform;
 use glam::DVec2;
 
@@ -41,7 +42,7 @@ pub(super) fn climb(
         let mut scale = 1.0;
         let mut higher = None;
         for _ in 0..HALVINGS {
-            let next = [0, 1].map(|axis| (at[axis] + scale * step[axis]).clamp(0.0, 1.0));
+            let next = both(|axis| (at[axis] + scale * step[axis]).clamp(0.0, 1.0));
             let point = transform.apply(surface.point(next));
             let found = nearest(b, point, foot_on(b, point, best.patch, best.parameters));
             if found.distance_squared > best.distance_squared {
@@ -59,7 +60,7 @@ pub(super) fn climb(
 fn ascent(at: [f64; 2], a: &Jet, b: &Jet) -> Option<DVec2> {
     let residual = a.point - b.point;
     let gradient = DVec2::new(residual.dot(a.s), residual.dot(a.t));
-    let free = [0, 1].map(|axis| {
+    let free = both(|axis| {
         !((at[axis] <= 0.0 && gradient[axis] < 0.0) || (at[axis] >= 1.0 && gradient[axis] > 0.0))
     });
     let follow = FootMap::linearised(b, -residual, [a.s, a.t], [false; 2]).unwrap_or(FootMap::CONSTANT);

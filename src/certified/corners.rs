@@ -19,6 +19,7 @@ use super::Side;
 use super::nearest::{Foot, foot_on, nearest};
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Patch};
+use crate::both::both;
 use crate::model::RigidTransform;
 use glam::DVec3;
 
@@ -100,7 +101,7 @@ impl Corners<'_> {
     /// A place between two corners, with feet on both their patches, that are
     /// about equally far: a safeguarded secant on the difference.
     fn crossing(&self, from: ([f64; 2], Foot), to: ([f64; 2], Foot)) -> ([f64; 2], Foot, Foot) {
-        let at = |x: f64| [0, 1].map(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
+        let at = |x: f64| both(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
         let both = |x: f64, here: &Foot, next: &Foot| {
             let point = self.point(at(x));
             let here = foot_on(self.b, point, from.1.patch, here.parameters);
@@ -144,7 +145,7 @@ impl Corners<'_> {
                 high[axis] = high[axis].max(foot.parameters[axis]);
             }
         }
-        let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
+        let extent = both(|axis| (high[axis] - low[axis]).max(0.0));
         let of_cell = self.cell.half.map(|half| 2.0 * half);
         farthest.sqrt()
             + interpolation_error(self.bounds, of_cell)

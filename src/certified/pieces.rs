@@ -3,6 +3,7 @@
 use super::Side;
 use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
+use crate::both::both;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
@@ -106,7 +107,7 @@ impl Pieces {
         let (center, half) = (cell.center, cell.half);
         self.of_patch[cell.patch as usize].clone().filter_map(move |piece| {
             let place = &self.places[piece];
-            let ends = [0, 1].map(|axis| {
+            let ends = both(|axis| {
                 let low = place.local(axis, center[axis] - half[axis]).max(-1.0);
                 let high = place.local(axis, center[axis] + half[axis]).min(1.0);
                 [low, high]
@@ -125,7 +126,7 @@ impl Pieces {
     /// The cell of a rectangle in a piece's parameters.
     pub(crate) fn cell(&self, piece: usize, center: [f64; 2], half: [f64; 2]) -> Cell {
         let place = &self.places[piece];
-        let half = [0, 1].map(|axis| 0.5 * half[axis] * place.width[axis]);
+        let half = both(|axis| 0.5 * half[axis] * place.width[axis]);
         Cell { patch: place.patch, center: place.at(center), half }
     }
 }

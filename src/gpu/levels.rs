@@ -11,6 +11,7 @@ use super::upload_pieces::{Frame, GpuPieces, Reach};
 use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
+use crate::both::both;
 use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
 use crate::distance::now;
 use crate::error::Result;
@@ -325,7 +326,7 @@ fn steps(
     let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64);
     let best = gpu.storage("best", room * size_of::<super::layouts::Best>() as u64);
     let Buffers { params, batch, left, tally, .. } = buffers;
-    [0, 1].map(|parity| {
+    both(|parity| {
         let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
         let mut steps = Vec::new();
         let mut push = |kernel, storage: &[&wgpu::Buffer], about| {

@@ -5,6 +5,7 @@ use super::groups::rounded;
 use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
 use crate::bezier::{DerivativeBounds, Patch};
+use crate::both::both;
 use crate::certified::{Pieces, Place};
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -108,8 +109,8 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &Frame) -> 
         Reach::Patch(bounds) => (
             &bounds[place.patch as usize],
             place.width.map(|width| 0.5 * width),
-            [0, 1].map(|axis| place.local(axis, 0.0)),
-            [0, 1].map(|axis| place.local(axis, 1.0)),
+            both(|axis| place.local(axis, 0.0)),
+            both(|axis| place.local(axis, 1.0)),
         ),
     };
     let up = |value: f64| above(frame.scale * value);

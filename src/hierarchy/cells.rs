@@ -2,6 +2,7 @@
 
 use super::Part;
 use crate::bezier::BezierModel;
+use crate::both::both;
 use crate::error::{Error, Result};
 use crate::iteration::{cell_pieces, uniform};
 use crate::parallel::map;
@@ -92,7 +93,7 @@ impl CellTree {
             (1.0 - fraction) * breaks[0] + fraction * breaks[breaks.len() - 1]
         };
         let parameters = [at(0, row), at(1, column)];
-        let [(i, s), (j, t)] = [0, 1].map(|axis| grid.locate(axis, parameters[axis]));
+        let [(i, s), (j, t)] = both(|axis| grid.locate(axis, parameters[axis]));
         let patch = model.patches.patch(grid.first + i * grid.counts()[1] + j);
         (parameters, patch.point([s, t]))
     }
@@ -143,7 +144,7 @@ impl CellTree {
         let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
         let of_surface = |surface: usize| {
             let grid = &model.grids[surface];
-            [0, 1].map(|axis| {
+            both(|axis| {
                 let parameters = uniform(&grid.breaks[axis], self.grid + 1);
                 let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
                 cell_pieces(&places)

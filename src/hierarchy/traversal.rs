@@ -2,6 +2,7 @@
 //! `extremes` and `cull`.
 
 use super::{CellTree, Distances};
+use crate::both::both;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use std::ops::Range;
@@ -169,7 +170,7 @@ impl<'a> Traversal<'a> {
     /// bound from below, and of its partners the one that bounds it from above.
     #[must_use]
     pub fn farthest(&self) -> [usize; 2] {
-        let [a, b] = [0, 1].map(|side| &self.boxes[side][self.trees[side].finest]);
+        let [a, b] = both(|side| &self.boxes[side][self.trees[side].finest]);
         let of_pair = |place: usize, partner: u32| {
             Distances::of(&a[self.pairs.nodes[place] as usize], &b[partner as usize])
         };

@@ -2,6 +2,7 @@
 
 use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
+use crate::both::both;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use glam::DVec3;
@@ -40,7 +41,7 @@ impl CellRadius {
 
     fn of_surface(model: &BezierModel, surface: usize, grid: &SampleGrid) -> Self {
         let patches = &model.grids[surface];
-        let pieces = [0, 1].map(|axis| cell_pieces(&grid.places[axis]));
+        let pieces = both(|axis| cell_pieces(&grid.places[axis]));
         let columns = grid.counts()[1] - 1;
         let mut boxes = vec![Aabb::EMPTY; columns];
         let mut radius = Self::default();

@@ -1,6 +1,7 @@
 //! Where a model is sampled.
 
 use crate::bezier::{BezierModel, PatchGrid};
+use crate::both::both;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -55,7 +56,7 @@ impl Sampling {
     pub fn new(model: &BezierModel, samples: usize, rule: SamplingRule) -> Self {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
         for grid in &model.grids {
-            let parameters = [0, 1].map(|axis| match rule {
+            let parameters = both(|axis| match rule {
                 SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });

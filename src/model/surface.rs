@@ -1,6 +1,7 @@
 //! One validated NURBS surface.
 
 use super::knots;
+use crate::both::both;
 use crate::error::{Direction, Error, Result};
 
 /// A surface as plain arrays, not yet validated.
@@ -90,7 +91,7 @@ impl NurbsSurface {
     /// The parameter ranges `[[u0, u1], [v0, v1]]`, each of positive length.
     #[must_use]
     pub fn domain(&self) -> [[f64; 2]; 2] {
-        [0, 1].map(|axis| {
+        both(|axis| {
             let knots = &self.arrays.knots[axis];
             [knots[self.arrays.degree[axis]], knots[self.arrays.counts[axis]]]
         })

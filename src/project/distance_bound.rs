@@ -1,5 +1,6 @@
 //! A lower bound of the distance from a point to a patch.
 
+use crate::both::both;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
@@ -20,7 +21,7 @@ pub fn least_distance_squared(degree: [usize; 2], controls: &[DVec4], target: DV
     let [p, q] = degree;
     let (columns, doubled) = (q + 1, 2 * q + 1);
     let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
-    let weights = [0, 1].map(|axis| product_weights(degree[axis]));
+    let weights = both(|axis| product_weights(degree[axis]));
     let relative: Vec<DVec4> =
         controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).collect();
     for i in 0..=p {

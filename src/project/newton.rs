@@ -2,6 +2,7 @@
 
 use super::{Foot, Status};
 use crate::bezier::{Jet, Patch};
+use crate::both::both;
 use glam::DVec3;
 
 /// The cosine between the residual and a tangent below which a point is
@@ -39,7 +40,7 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
     for _ in 0..iterations {
         let residual = jet.point - target;
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
-        let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
+        let free = both(|axis| !pushes_out(at[axis], gradient[axis]));
         if stationarity(&jet, residual, gradient, free) <= STATIONARY_COSINE {
             return Foot { parameters: at, distance_squared: value, status: settled(free) };
         }
@@ -48,7 +49,7 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
         let mut scale = 1.0;
         let mut halvings = 0;
         loop {
-            let next = [0, 1].map(|axis| (at[axis] + scale * full[axis]).clamp(0.0, 1.0));
+            let next = both(|axis| (at[axis] + scale * full[axis]).clamp(0.0, 1.0));
             let next_jet = patch.jet(next);
             let next_value = next_jet.point.distance_squared(target);
             if next_value < value {

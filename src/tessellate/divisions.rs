@@ -1,6 +1,7 @@
 //! How finely each knot span is divided.
 
 use crate::bezier::{BezierModel, Patch, PatchGrid};
+use crate::both::both;
 
 /// Triangles of a model, about and at most, unless it has more patches: what
 /// an integrated GPU still turns smoothly.
@@ -57,7 +58,7 @@ impl Divisions {
     }
 
     fn triangles(&self) -> f64 {
-        let [rows, columns] = [0, 1].map(|axis| self.parts[axis].iter().sum::<usize>() as f64);
+        let [rows, columns] = both(|axis| self.parts[axis].iter().sum::<usize>() as f64);
         2.0 * rows * columns
     }
 
@@ -90,8 +91,8 @@ fn parts_of(patch: &Patch<'_>, tolerance: f64, halvings: u32) -> [f64; 2] {
     for controls in patch.halves(axis) {
         let half = Patch { controls: &controls, ..*patch };
         let of_half = parts_of(&half, tolerance, halvings - 1);
-        of_halves = [0, 1].map(|axis| of_halves[axis].max(of_half[axis]));
+        of_halves = both(|axis| of_halves[axis].max(of_half[axis]));
     }
     of_halves[axis] *= 2.0;
-    [0, 1].map(|axis| parts[axis].ceil().min(of_halves[axis]))
+    both(|axis| parts[axis].ceil().min(of_halves[axis]))
 }

@@ -2,6 +2,7 @@
 
 use super::divisions::Divisions;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
+use crate::both::both;
 use crate::elementary::cos;
 use glam::DVec3;
 
@@ -45,7 +46,7 @@ impl Sheet {
     /// The vertices of a surface; gaps up to `tolerance` are closed.
     /// O(vertices p q).
     pub(super) fn new(patches: &PatchSet, grid: &PatchGrid, divisions: &Divisions, tolerance: f64) -> Self {
-        let [rows, columns] = [0, 1].map(|axis| lines(&divisions.parts[axis]));
+        let [rows, columns] = both(|axis| lines(&divisions.parts[axis]));
         let mut vertices = Vec::with_capacity(rows.len() * columns.len());
         for row in &rows {
             for column in &columns {

@@ -3,7 +3,6 @@
 //! Unlike `serde-wasm-bindgen`, which knows every kind of data and keeps
 //! tables, this knows what results are made of.
 
-use super::value::Mismatch;
 use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
 use serde::ser::{
@@ -11,6 +10,18 @@ use serde::ser::{
 };
 use std::fmt::Display;
 use wasm_bindgen::JsValue;
+
+/// Why a result cannot be written.
+#[derive(Debug)]
+pub(super) struct Mismatch(pub(super) String);
+
+impl Display for Mismatch {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Mismatch {}
 
 impl serde::ser::Error for Mismatch {
     fn custom<T: Display>(message: T) -> Self {

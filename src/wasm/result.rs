@@ -1,8 +1,7 @@
 //! A result as a plain JavaScript object.
 
 use super::object::object;
-use super::plain::Plain;
-use super::value::Mismatch;
+use super::plain::{Mismatch, Plain};
 use crate::distance::{DistanceResult, Field};
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;

@@ -1,196 +1,151 @@
-//! Small JavaScript values as data for serde.
+//! Options from the properties of plain JavaScript objects.
 //!
-//! Unlike `serde-wasm-bindgen`, which carries every kind of value, this knows
-//! numbers, texts, flags and short arrays, and it sees unknown names.
+//! Unlike serde's derived code, which is large for every field, one loop goes
+//! through a list of places, and it sees unknown names.
 
+use crate::distance::{Backend, Method};
+use crate::flatness::Flatness;
+use crate::iteration::{Culling, SamplingRule};
+use crate::project::Projection;
 use js_sys::{Array, ArrayBuffer, Object};
-use serde::de::value::SeqDeserializer;
-use serde::de::{DeserializeSeed, Deserializer, Expected, IntoDeserializer, MapAccess, Unexpected, Visitor};
-use serde::forward_to_deserialize_any;
-use std::fmt::Display;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// Whole numbers below this, 2^53, are exact in float64.
-const LEAST_INEXACT: f64 = 9_007_199_254_740_992.0;
+/// Values by their names, in the order told.
+pub(super) type Names<T> = &'static [(&'static str, T)];
 
-/// What was expected, or what else is wrong.
-#[derive(Debug)]
-pub(super) struct Mismatch(pub(super) String);
+pub(super) const BACKENDS: Names<Backend> =
+    &[("auto", Backend::Auto), ("gpu", Backend::Gpu), ("cpu", Backend::Cpu)];
+const METHODS: Names<Method> =
+    &[("certified", Method::Certified), ("iteration", Method::Iteration), ("hierarchy", Method::Hierarchy)];
+const SAMPLINGS: Names<SamplingRule> =
+    &[("uniform", SamplingRule::Uniform), ("arc-length", SamplingRule::ArcLength)];
+const FLATNESSES: Names<Flatness> = &[
+    ("none", Flatness::None),
+    ("loose", Flatness::Loose),
+    ("tight", Flatness::Tight),
+    ("curvature", Flatness::Curvature),
+];
+const PROJECTIONS: Names<Projection> =
+    &[("newton", Projection::Newton), ("tangent-plane", Projection::TangentPlane)];
+const CULLINGS: Names<Culling> = &[("tree", Culling::Tree), ("none", Culling::None)];
 
-impl Display for Mismatch {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.write_str(&self.0)
-    }
+/// Where the value of a property goes, by its type.
+pub(super) enum Place<'a> {
+    Flag(&'a mut bool),
+    Number(&'a mut f64),
+    /// Null is none.
+    OptionalNumber(&'a mut Option<f64>),
+    Count(&'a mut usize),
+    /// Null is none.
+    OptionalCount(&'a mut Option<usize>),
+    Steps(&'a mut u32),
+    /// As many numbers as there are; null leaves them.
+    Numbers(&'a mut [f64]),
+    /// To be read on its own.
+    Object(&'a mut JsValue),
+    Backend(&'a mut Backend),
+    Method(&'a mut Method),
+    Sampling(&'a mut SamplingRule),
+    Flatness(&'a mut Flatness),
+    Projection(&'a mut Projection),
+    Culling(&'a mut Culling),
 }
 
-impl std::error::Error for Mismatch {}
-
-impl serde::de::Error for Mismatch {
-    fn custom<T: Display>(message: T) -> Self {
-        Self(message.to_string())
-    }
-
-    fn invalid_type(_found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Self(format!("expected {expected}"))
-    }
-
-    fn invalid_value(_found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Self(format!("expected {expected}"))
-    }
-}
-
-/// A number, text, flag or tuple.
-pub(super) struct Value(pub(super) JsValue);
-
-impl Value {
-    /// A whole number of at least 0 that float64 tells from its neighbours.
-    fn whole(&self) -> Option<u64> {
-        let number = self.0.as_f64()?;
-        let whole = number.fract() == 0.0 && (0.0..LEAST_INEXACT).contains(&number);
-        whole.then_some(number as u64)
-    }
-
-    fn items(&self) -> Option<Vec<JsValue>> {
-        let value = &self.0;
-        (Array::is_array(value) || ArrayBuffer::is_view(value)).then(|| Array::from(value).to_vec())
-    }
-}
-
-fn expected<T>(what: &dyn Expected) -> Result<T, Mismatch> {
-    Err(Mismatch(format!("expected {what}")))
-}
-
-/// Each method reads one kind of value and nothing else, so that no option
-/// carries the code of all kinds.
-macro_rules! read {
-    ($read:expr, $visit:ident: $($method:ident)+) => {
-        $(fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-            match $read(&self) {
-                Some(value) => visitor.$visit(value),
-                None => expected(&visitor),
-            }
-        })+
-    };
-}
-
-impl<'de> IntoDeserializer<'de, Mismatch> for Value {
-    type Deserializer = Self;
-
-    fn into_deserializer(self) -> Self {
-        self
-    }
-}
-
-impl<'de> Deserializer<'de> for Value {
-    type Error = Mismatch;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-        expected(&visitor)
-    }
-
-    read!(Self::whole, visit_u64:
-        deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64);
-    read!(|value: &Self| value.0.as_f64(), visit_f64: deserialize_f32 deserialize_f64);
-    read!(|value: &Self| value.0.as_bool(), visit_bool: deserialize_bool);
-
-    fn deserialize_tuple<V: Visitor<'de>>(self, _: usize, visitor: V) -> Result<V::Value, Mismatch> {
-        let Some(items) = self.items() else { return expected(&visitor) };
-        let mut items = SeqDeserializer::new(items.into_iter().map(Value));
-        let value = visitor.visit_seq(&mut items)?;
-        items.end()?;
-        Ok(value)
-    }
-
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-        if self.0.is_null() { visitor.visit_none() } else { visitor.visit_some(self) }
-    }
-
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        _name: &'static str,
-        _variants: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        match self.0.as_string() {
-            Some(text) => visitor.visit_enum(text.into_deserializer()),
-            None => expected(&"a text"),
-        }
-    }
-
-    forward_to_deserialize_any! {
-        i8 i16 i32 i64 i128 u128 char str string bytes byte_buf unit unit_struct newtype_struct seq
-        tuple_struct map struct identifier ignored_any
-    }
-}
-
-/// The properties of an object that are not undefined.
-pub(super) struct Properties {
-    rest: std::vec::IntoIter<(String, JsValue)>,
-    current: Option<(String, JsValue)>,
-}
-
-impl Properties {
+impl Place<'_> {
     /// # Errors
-    /// [`Mismatch`] for what is no object.
-    pub(super) fn of(value: &JsValue) -> Result<Self, Mismatch> {
-        let Some(object) = value.dyn_ref::<Object>() else {
-            return Err(Mismatch(format!("found {}, expected an object", described(value))));
-        };
-        let property = |entry: JsValue| {
-            let entry: Array = entry.unchecked_into();
-            let value = entry.get(1);
-            (!value.is_undefined()).then(|| (entry.get(0).as_string().unwrap_or_default(), value))
-        };
-        let all: Vec<_> = Object::entries(object).iter().filter_map(property).collect();
-        Ok(Self { rest: all.into_iter(), current: None })
-    }
-
-    fn value(&self) -> Value {
-        Value(self.current.as_ref().map_or(JsValue::UNDEFINED, |(_, value)| value.clone()))
-    }
-
-    fn at_current(&self, error: &Mismatch) -> Mismatch {
-        let (name, value) = self.current.clone().unwrap_or_default();
-        Mismatch(format!("{name} is {}, {error}", described(&value)))
-    }
-
-    /// These without the one of that name, and its value.
-    pub(super) fn without(self, name: &str) -> (Self, Option<JsValue>) {
-        let (named, others): (Vec<_>, Vec<_>) = self.rest.partition(|(of, _)| of == name);
-        let value = named.into_iter().next().map(|(_, value)| value);
-        (Self { rest: others.into_iter(), current: None }, value)
-    }
-}
-
-impl<'de> MapAccess<'de> for Properties {
-    type Error = Mismatch;
-
-    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Mismatch> {
-        self.current = self.rest.next();
-        let Some((name, _)) = &self.current else { return Ok(None) };
-        seed.deserialize(name.as_str().into_deserializer()).map(Some)
-    }
-
-    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Mismatch> {
-        seed.deserialize(self.value()).map_err(|error| self.at_current(&error))
+    /// What is expected.
+    fn take(&mut self, value: &JsValue) -> Result<(), String> {
+        match self {
+            Self::Flag(flag) => **flag = value.as_bool().ok_or("a boolean")?,
+            Self::Number(to) => **to = number(value)?,
+            Self::Count(count) => **count = whole(value)? as usize,
+            Self::Steps(steps) => **steps = whole(value)?,
+            Self::Object(object) => **object = value.clone(),
+            Self::Backend(backend) => **backend = named(value, BACKENDS)?,
+            Self::Method(method) => **method = named(value, METHODS)?,
+            Self::Sampling(sampling) => **sampling = named(value, SAMPLINGS)?,
+            Self::Flatness(flatness) => **flatness = named(value, FLATNESSES)?,
+            Self::Projection(projection) => **projection = named(value, PROJECTIONS)?,
+            Self::Culling(culling) => **culling = named(value, CULLINGS)?,
+            _ if value.is_null() => {}
+            Self::OptionalNumber(to) => **to = Some(number(value)?),
+            Self::OptionalCount(count) => **count = Some(whole(value)? as usize),
+            Self::Numbers(numbers) => {
+                let listed = Array::is_array(value) || ArrayBuffer::is_view(value);
+                let items = if listed { Array::from(value) } else { Array::new() };
+                if !listed || items.length() as usize != numbers.len() {
+                    return Err(format!("an array of length {}", numbers.len()));
+                }
+                for (index, to) in numbers.iter_mut().enumerate() {
+                    *to = number(&items.get(index as u32))?;
+                }
+            }
+        }
+        Ok(())
     }
 }
 
-impl<'de> Deserializer<'de> for Properties {
-    type Error = Mismatch;
+fn number(value: &JsValue) -> Result<f64, String> {
+    value.as_f64().ok_or_else(|| "a number".to_owned())
+}
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-        visitor.visit_map(self)
-    }
+/// A whole number of at least 0 that `usize` holds.
+fn whole(value: &JsValue) -> Result<u32, String> {
+    let number = value.as_f64().unwrap_or(f64::NAN);
+    let whole = number as u32;
+    if f64::from(whole) == number { Ok(whole) } else { Err("a whole number".to_owned()) }
+}
 
-    forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit
-        unit_struct newtype_struct seq tuple tuple_struct map struct identifier ignored_any option enum
+/// # Errors
+/// The names that there are.
+pub(super) fn named<T: Copy>(value: &JsValue, names: Names<T>) -> Result<T, String> {
+    let text = value.as_string();
+    match names.iter().find(|(name, _)| text.as_deref() == Some(name)) {
+        Some(&(_, found)) => Ok(found),
+        None => Err(one_of(names.iter().map(|&(name, _)| name))),
     }
+}
+
+fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut text = "one of".to_owned();
+    for name in names {
+        text.push_str(if text.ends_with('`') { ", `" } else { " `" });
+        text.push_str(name);
+        text.push('`');
+    }
+    text
+}
+
+/// Takes the object's properties that are not undefined to their places, each
+/// read once.
+///
+/// # Errors
+/// What is wrong: no object, a name without a place, a value of another type.
+pub(super) fn take(value: &JsValue, places: &mut [(&str, Place<'_>)]) -> Result<(), String> {
+    let Some(object) = value.dyn_ref::<Object>() else {
+        return Err(format!("found {}, expected an object", described(value)));
+    };
+    for entry in Object::entries(object).iter() {
+        let entry: Array = entry.unchecked_into();
+        let (name, value) = (entry.get(0).as_string().unwrap_or_default(), entry.get(1));
+        if value.is_undefined() {
+            continue;
+        }
+        let Some((_, place)) = places.iter_mut().find(|(of, _)| *of == name) else {
+            let expected = one_of(places.iter().map(|&(name, _)| name));
+            return Err(format!("unknown field `{name}`, expected {expected}"));
+        };
+        place.take(&value).map_err(|expected| mismatch(&name, &value, &expected))?;
+    }
+    Ok(())
+}
+
+pub(super) fn mismatch(name: &str, value: &JsValue, expected: &str) -> String {
+    format!("{name} is {}, expected {expected}", described(value))
 }
 
 /// A number or text itself, else the value's type.
-pub(super) fn described(value: &JsValue) -> String {
+fn described(value: &JsValue) -> String {
     match (value.as_f64(), value.as_string()) {
         (Some(number), _) => crate::shown::Shown(number).to_string(),
         (None, Some(text)) => format!("\"{text}\""),

@@ -1,0 +1,8 @@
+//! A value for each of two.
+
+/// The values for 0 and 1: of two directions of a surface, two models, two
+/// buffers. Compiles to two calls, where `[0, 1].map` leaves a loop with guards.
+pub(crate) fn both<T>(mut of: impl FnMut(usize) -> T) -> [T; 2] {
+    let first = of(0);
+    [first, of(1)]
+}
