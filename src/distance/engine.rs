@@ -95,15 +95,15 @@ impl Engine {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         let run = match options.method {
-            Method::Certified => {
+            Method::Certified => loop {
                 // On the processor float64 is about as fast, and ready at once.
-                let helps = |gpu: &Rc<Gpu>| match options.backend {
-                    Backend::Auto => !gpu.is_software(),
-                    backend => backend == Backend::Gpu,
-                };
-                let gpu = self.gpu.borrow().clone().filter(helps);
-                direction.certified(gpu.as_ref(), options, progress).await?
-            }
+                let helps = |gpu: &Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                let gpu = self.gpu_for(options.backend)?.filter(helps);
+                match direction.certified(gpu.as_ref(), options, progress).await {
+                    Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
+                    other => break other?,
+                }
+            },
             method => self.staged(direction, method, options, progress).await?,
         };
         if !options.field || options.method == Method::Iteration || run.is_cancelled() {
@@ -112,6 +112,16 @@ impl Engine {
         // The samples follow the interval, on the GPU if there is one.
         let sampled = self.staged(direction, Method::Iteration, options, progress).await?;
         Ok(run.with_field_of(sampled))
+    }
+
+    /// The GPU that a backend asks for, or none.
+    fn gpu_for(&self, backend: Backend) -> Result<Option<Rc<Gpu>>> {
+        let gpu = self.gpu.borrow().clone().filter(|_| backend != Backend::Cpu);
+        if gpu.is_none() && backend == Backend::Gpu {
+            let found = "the engine was made without one".to_owned();
+            return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
+        }
+        Ok(gpu)
     }
 
     /// One direction of a method that is made of stages.
@@ -123,11 +133,7 @@ impl Engine {
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
         loop {
-            let gpu = if options.backend == Backend::Cpu { None } else { self.gpu.borrow().clone() };
-            if gpu.is_none() && options.backend == Backend::Gpu {
-                let found = "the engine was made without one".to_owned();
-                return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
-            }
+            let gpu = self.gpu_for(options.backend)?;
             let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
             let notice = if fell_back { self.notice() } else { None };
             match direction.staged(gpu.as_ref(), method, options, notice, progress).await {
