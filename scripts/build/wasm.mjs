@@ -15,7 +15,7 @@ const made = ".setup/wasm-made-from";
 // takes a tenth longer, and at 50 the module is 1 KiB larger, gzipped, for
 // nothing. Panics name their places, which shall not name this machine's folders.
 const rustFlags = [
-  "-Cllvm-args=-inline-threshold=35",
+  "-Cllvm-args=-inline-threshold=30",
   `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`,
 ].join("\u001f");
 
