@@ -5,7 +5,7 @@
 //! check each. There all lanes of a subgroup load parts of one lane's patch
 //! and hand them round, for one patch after the other, once a projection.
 
-use super::patch_text::BLEND;
+use super::patch_text::{BLEND, list};
 use std::fmt::Write;
 
 /// Controls of a patch that threads keep, at most: rows are then written out,
@@ -33,11 +33,11 @@ pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) ->
     writeln!(text, "}}\n}}\nfn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{")?;
     for i in 0..=p {
         for basis in ["value", "first", "second"] {
-            let row = sum(q, |j| format!("in_t.{basis}[{j}] * net[{}]", i * (q + 1) + j));
+            let row = list(q + 1, " + ", &|j| format!("in_t.{basis}[{j}] * net[{}]", i * (q + 1) + j));
             writeln!(text, "let {basis}{i} = {row};")?;
         }
     }
-    let sums = BLEND.map(|(_, [s, t])| sum(p, |i| format!("in_s.{s}[{i}] * {t}{i}")));
+    let sums = BLEND.map(|(_, [s, t])| list(p + 1, " + ", &|i| format!("in_s.{s}[{i}] * {t}{i}")));
     writeln!(text, "return Blend({});\n}}", sums.join(",\n"))?;
     writeln!(text, "fn nearest_control(first: u32, local: vec3<f32>) -> vec2<f32> {{")?;
     writeln!(text, "var nearest = vec2<f32>(0.0);\nvar least = distance_squared(net[0], local);")?;
@@ -47,9 +47,4 @@ pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) ->
         writeln!(text, "if d{k} < least {{ least = d{k}; nearest = vec2<f32>({i}.0, {j}.0); }}")?;
     }
     writeln!(text, "return nearest / vec2<f32>({p}.0, {q}.0);\n}}")
-}
-
-/// The terms from 0 to `last` added.
-fn sum(last: usize, term: impl Fn(usize) -> String) -> String {
-    (0..=last).map(term).collect::<Vec<_>>().join(" + ")
 }

@@ -46,8 +46,7 @@ fn write_alone(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::
     let (rows, columns) = (p + 1, q + 1);
     writeln!(text, "fn join() {{}}\nfn any_of(wanted: bool) -> bool {{ return wanted; }}")?;
     writeln!(text, "fn take(first: u32, wanted: bool) {{}}")?;
-    let terms: Vec<String> = (0..=q).map(|j| format!("basis[{j}] * controls[first + {j}u]")).collect();
-    let terms = terms.join(" + ");
+    let terms = list(q + 1, " + ", &|j| format!("basis[{j}] * controls[first + {j}u]"));
     writeln!(text, "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {terms}; }}")?;
     writeln!(text, "fn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{\nvar sums: Blend;")?;
     writeln!(text, "for (var i = 0u; i < {rows}u; i++) {{\nlet row = first + i * {columns}u;")?;
@@ -85,14 +84,12 @@ fn write_basis(text: &mut String, name: &str, degree: usize, order: usize) -> st
         if (0..=level as isize).contains(&i) { format!("b{level}_{i}") } else { "0.0".to_owned() }
     };
     let n = degree as isize;
-    let list = |entry: &dyn Fn(isize) -> String| {
-        let entries: Vec<String> =
-            (0..order as isize).map(|i| if i <= n { entry(i) } else { "0.0".to_owned() }).collect();
-        entries.join(", ")
+    let values = |entry: &dyn Fn(isize) -> String| {
+        list(order, ", ", &|i| if i <= degree { entry(i as isize) } else { "0.0".to_owned() })
     };
-    let value = list(&|i| at(degree, i));
-    let first = list(&|i| format!("{n}.0 * ({} - {})", at(degree - 1, i - 1), at(degree - 1, i)));
-    let second = list(&|i| {
+    let value = values(&|i| at(degree, i));
+    let first = values(&|i| format!("{n}.0 * ({} - {})", at(degree - 1, i - 1), at(degree - 1, i)));
+    let second = values(&|i| {
         if degree < 2 {
             return "0.0".to_owned();
         }
@@ -101,4 +98,16 @@ fn write_basis(text: &mut String, name: &str, degree: usize, order: usize) -> st
     });
     let array = format!("array<f32, {order}>");
     writeln!(text, "return Basis({array}({value}), {array}({first}), {array}({second}));\n}}")
+}
+
+/// So many entries in a row.
+pub(super) fn list(count: usize, separator: &str, entry: &dyn Fn(usize) -> String) -> String {
+    let mut list = String::new();
+    for index in 0..count {
+        if index > 0 {
+            list.push_str(separator);
+        }
+        list.push_str(&entry(index));
+    }
+    list
 }

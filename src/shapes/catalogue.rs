@@ -73,7 +73,11 @@ pub fn list() -> impl Iterator<Item = ShapeInfo> {
 /// ```
 pub fn shape(name: &str) -> Result<Model> {
     let Some((_, _, make)) = CATALOGUE.iter().find(|(known, ..)| *known == name) else {
-        let expected = list().map(|info| info.name).collect::<Vec<_>>().join(", ");
+        let mut expected = String::new();
+        for (known, ..) in CATALOGUE {
+            expected.push_str(if expected.is_empty() { "" } else { ", " });
+            expected.push_str(known);
+        }
         return Err(Error::UnknownShape { found: name.to_owned(), expected });
     };
     make()
