@@ -13,7 +13,7 @@ impl Patch<'_> {
     #[must_use]
     pub fn monomials(&self) -> Vec<DVec4> {
         let [p, q] = self.degree;
-        let (rows, columns) = (p + 1, q + 1);
+        let columns = q + 1;
         let mut coefficients = self.controls.to_vec();
         for row in coefficients.chunks_exact_mut(columns) {
             to_powers(row, q, 1);
@@ -21,7 +21,6 @@ impl Patch<'_> {
         for column in 0..columns {
             to_powers(&mut coefficients[column..], p, columns);
         }
-        coefficients.truncate(rows * columns);
         coefficients
     }
 }

@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use super::box_layouts::Box;
+use super::test_gpu::gpu;
 use super::work::Work;
 use super::{Frame, Gpu, GpuDescent};
 use crate::bezier::extract;
 use crate::distance::{Progress, Silent};
-use crate::error::Error;
 use crate::hierarchy::{CellTree, Part, boxes, pyramid};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::shapes::shape;
@@ -89,16 +89,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: u
 
 #[test]
 fn boxes_are_rounded_outwards() {
-    let gpu = match pollster::block_on(Gpu::new()) {
-        Ok(gpu) => Rc::new(gpu),
-        Err(Error::NoAdapter { .. }) if std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some() => {
-            // Past libtest, which hides what a passing test prints by macro.
-            let line = b"\nSKIPPED boxes_are_rounded_outwards: no adapter\n";
-            std::io::Write::write_all(&mut std::io::stderr(), line).unwrap();
-            return;
-        }
-        Err(error) => panic!("{error}"),
-    };
+    let Some(gpu) = gpu("boxes_are_rounded_outwards") else { return };
     let turned = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -1.0).normalize(), 0.7);
     let moved = |offset: DVec3| RigidTransform::new(turned, offset).unwrap();
     let away = DVec3::new(1e6, -2e6, 3e5);

@@ -5,8 +5,8 @@ use super::box_kernels::BoxKernel;
 use super::box_layouts::{
     Bound, Box, BoxesParams, Farthest, OF_CELLS, OF_DISTANCES, OF_PARTNERS, StepParams, Totals,
 };
-use super::groups::{power_of_two_to_one, rounded, rounded_up};
 use super::pipelines::{Kernel, WORKGROUP_SIZE};
+use super::rounding::{ROUNDING, power_of_two_to_one, rounded, rounded_up};
 use super::stages::ROUNDINGS;
 use super::upload_cells::{GpuCells, PartGroup};
 use super::work::{Dispatch, Extent, Work};
@@ -89,7 +89,7 @@ impl GpuDescent {
         let offset = frame.transform.apply(a.origin) - b.origin;
         let moved = a.radius + offset.length() + b.radius;
         let scale = power_of_two_to_one(moved);
-        let slack = rounded_up(scale * (frame.slack + ROUNDINGS * f64::from(f32::EPSILON) * moved));
+        let slack = rounded_up(scale * (frame.slack + ROUNDINGS * ROUNDING * moved));
         let placed = |cells: &GpuCells, transform: &RigidTransform, offset: DVec3| {
             let rescale = scale / cells.scale;
             let column = |axis: DVec3| rounded((rescale * transform.rotate(axis)).extend(0.0));

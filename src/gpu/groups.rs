@@ -2,7 +2,8 @@
 
 use super::Gpu;
 use super::buffers::MOST_BINDING_BYTES;
-use crate::bezier::{PatchSet, power_of_two_below};
+use super::rounding::{power_of_two_to_one, rounded};
+use crate::bezier::PatchSet;
 use glam::{DVec3, DVec4};
 
 /// Patches of one pair of degrees on the GPU.
@@ -58,21 +59,4 @@ impl Gpu {
         }
         Controls { controls: self.upload("controls", &controls), centers: self.upload("centers", &centers) }
     }
-}
-
-/// The power of two that takes a positive number into [1, 2): what is
-/// multiplied by it keeps its digits and comes within float32's exponents.
-pub(super) fn power_of_two_to_one(number: f64) -> f64 {
-    if number > 0.0 { power_of_two_below(number.max(f64::MIN_POSITIVE)).recip() } else { 1.0 }
-}
-
-/// The least float32 that is not below the value.
-pub(super) fn rounded_up(value: f64) -> f32 {
-    let nearest = value as f32;
-    if f64::from(nearest) < value { nearest.next_up() } else { nearest }
-}
-
-/// To the nearest float32.
-pub(super) fn rounded(vector: DVec4) -> [f32; 4] {
-    vector.to_array().map(|value| value as f32)
 }

@@ -2,9 +2,9 @@
 //! the upper bound rests: against certified distances in float64.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+use super::test_gpu::gpu;
 use super::{Gpu, GpuStages};
 use crate::distance::{Progress, Silent};
-use crate::error::Error;
 use crate::flatness::{Flatness, flatten};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, Target, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
@@ -75,16 +75,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
 
 #[test]
 fn distances_are_off_by_no_more_than_is_said() {
-    let gpu = match pollster::block_on(Gpu::new()) {
-        Ok(gpu) => Rc::new(gpu),
-        Err(Error::NoAdapter { .. }) if std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some() => {
-            // Past libtest, which hides what a passing test prints by macro.
-            let line = b"\nSKIPPED distances_are_off_by_no_more_than_is_said: no adapter\n";
-            std::io::Write::write_all(&mut std::io::stderr(), line).unwrap();
-            return;
-        }
-        Err(error) => panic!("{error}"),
-    };
+    let Some(gpu) = gpu("distances_are_off_by_no_more_than_is_said") else { return };
     let mut random = fastrand::Rng::with_seed(4);
     let turned = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -1.0).normalize(), 0.7);
     for (degree, middle, size, ratio, most) in [

@@ -5,31 +5,17 @@
 use super::layouts::{Batch, Cell, JET_BYTES, LevelParams};
 use super::piece_error::PieceError;
 use super::pipelines::{Kernel, WORKGROUP_SIZE};
-use super::upload_pieces::{Frame, Reach};
+use super::test_gpu::gpu;
+use super::upload_pieces::{PieceFrame, Reach};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
 use crate::bezier::{DerivativeBounds, PatchSet};
 use crate::certified::{Part, Pieces, Search, Side};
-use crate::error::Error;
 use crate::iteration::Target;
 use crate::model::RigidTransform;
 use crate::project::closest;
 use bytemuck::{Zeroable, bytes_of};
 use glam::{DQuat, DVec3, DVec4};
-use std::rc::Rc;
-
-fn gpu(test: &str) -> Option<Rc<Gpu>> {
-    match pollster::block_on(Gpu::new()) {
-        Ok(gpu) => Some(Rc::new(gpu)),
-        Err(Error::NoAdapter { .. }) if std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some() => {
-            // Past libtest, which hides what a passing test prints by macro.
-            let line = format!("\nSKIPPED {test}: no adapter\n");
-            std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes()).unwrap();
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
-}
 
 /// A patch of these degrees, rough by `roughness`, with weights from 1 to `ratio`.
 fn rough(random: &mut fastrand::Rng, [p, q]: [usize; 2], roughness: f64, ratio: f64) -> Vec<DVec4> {
@@ -67,7 +53,7 @@ fn bounds(set: &PatchSet) -> Vec<DerivativeBounds> {
 
 /// The jets at the cells' centres as the kernel `cell` computes them, in (σ, τ).
 fn jets(gpu: &Gpu, pieces: &Pieces, degree: [usize; 2], cells: &[Cell]) -> Vec<[f32; 24]> {
-    let frame = Frame { origin: DVec3::ZERO, scale: 1.0, grid: 2_f64.powi(-26) };
+    let frame = PieceFrame { origin: DVec3::ZERO, scale: 1.0, grid: 2_f64.powi(-26) };
     let members = vec![(degree, (0..pieces.places.len() as u32).collect())];
     let uploaded = gpu.upload_pieces(pieces, &members, Reach::Piece, &frame);
     let count = cells.len() as u32;

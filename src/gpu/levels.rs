@@ -6,8 +6,9 @@ use super::groups::by_degree;
 use super::layouts::{Batch, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED};
 use super::piece_error::PieceError;
 use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
+use super::rounding::{ROUNDING, rounded_down, rounded_up};
 use super::stages::FARTHEST;
-use super::upload_pieces::{Frame, GpuPieces, Reach};
+use super::upload_pieces::{GpuPieces, PieceFrame, Reach};
 use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
@@ -49,7 +50,7 @@ const LENGTH_PART: f64 = 0.4;
 
 /// Roundings of a distance relative to itself, `LENGTH_ROUNDINGS` and those of
 /// `DIFFERENCE_ROUNDINGS` in `certify.wgsl`, and of the bound compared.
-const DISTANCE_ROUNDINGS: f64 = 22.0 * f32::EPSILON as f64;
+const DISTANCE_ROUNDINGS: f64 = 22.0 * ROUNDING;
 
 /// Units of the centres' grid from the frame's origin to its farthest point:
 /// a difference of two is within 32 bits.
@@ -64,7 +65,7 @@ pub(crate) struct Levels {
     gpu: Rc<Gpu>,
     pieces: [Pieces; 2],
     uploaded: [GpuPieces; 2],
-    frame: Frame,
+    frame: PieceFrame,
     buffers: Buffers,
     /// The dispatches of a level, cells from one buffer or the other.
     steps: [Vec<Step>; 2],
@@ -193,10 +194,8 @@ impl Levels {
         queue.write_buffer(batch, 0, bytes_of(&first));
         queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
         let mut work = Work::new(&self.gpu, params);
-        let enough = self.frame.scale * enough;
-        let rounded = enough as f32;
         let level = LevelParams {
-            enough: if f64::from(rounded) > enough { rounded.next_down() } else { rounded },
+            enough: rounded_down(self.frame.scale * enough),
             grid: self.frame.grid as f32,
             // Half a unit in each coordinate of either centre, and a little for float64.
             slack: 2.0 * self.frame.grid as f32,
@@ -267,8 +266,6 @@ impl Levels {
     }
 
     fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &Region) -> Cell {
-        let upper = self.frame.scale * region.upper;
-        let rounded = upper as f32;
         Cell {
             // Dyadic numbers of few digits, so exact.
             center: center.map(|x| x as f32),
@@ -276,7 +273,7 @@ impl Levels {
             piece: self.uploaded[0].index_of(piece),
             foot: 0,
             foot_at: [0.5; 2],
-            upper: if f64::from(rounded) < upper { rounded.next_up() } else { rounded },
+            upper: rounded_up(self.frame.scale * region.upper),
             reach: FARTHEST,
             level: region.level,
             verdict: 0,
@@ -303,7 +300,7 @@ impl Levels {
 }
 
 /// B's frame with a grid that reaches all centres.
-fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> Frame {
+fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> PieceFrame {
     let mut largest = 0.0_f64;
     for pieces in sides {
         for patch in pieces.patches.iter() {
@@ -311,7 +308,7 @@ fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> Frame {
         }
     }
     let grid = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / GRID_UNITS;
-    Frame { origin: target.origin, scale: target.scale, grid: grid.max(f64::from(f32::MIN_POSITIVE)) }
+    PieceFrame { origin: target.origin, scale: target.scale, grid: grid.max(f64::from(f32::MIN_POSITIVE)) }
 }
 
 /// What a level does, with its cells in either buffer.

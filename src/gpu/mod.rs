@@ -29,8 +29,11 @@ mod piece_error;
 mod pipelines;
 mod plan;
 mod resident;
+mod rounding;
 mod slot;
 mod stages;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod test_gpu;
 #[cfg(not(target_arch = "wasm32"))]
 mod upload_cells;
 mod upload_pieces;

@@ -1,10 +1,8 @@
 //! What float32 loses in evaluating a piece by Horner's rule.
 
+use super::rounding::{ROUNDING, power_of_two_to_one};
 use crate::bezier::Patch;
 use glam::{DVec4, Vec4Swizzles};
-
-/// A rounding of WGSL, which promises no mode: a whole unit in the last place.
-const UNIT: f64 = f32::EPSILON as f64;
 
 /// A rounding of float64.
 const FINE_UNIT: f64 = 0.5 * f64::EPSILON;
@@ -74,7 +72,7 @@ impl PieceError {
                 }
             }
         }
-        let roundings = |a: usize, b: usize| (2 * (a + 1) * p + 2 * (b + 1) * q + 3) as f64 * UNIT;
+        let roundings = |a: usize, b: usize| (2 * (a + 1) * p + 2 * (b + 1) * q + 3) as f64 * ROUNDING;
         let lost_part = |a: usize, b: usize| roundings(a, b) * weights[a][b];
         let below = least - lost_part(0, 0) - lost;
         if below <= 0.0 {
@@ -98,8 +96,8 @@ impl PieceError {
                     }
                 }
                 exact[a][b] = size / least;
-                error[a][b] = (off + NUMERATOR_ROUNDINGS * UNIT * size) / below
-                    + exact[a][b] * (lost_part(0, 0) / below + QUOTIENT_ROUNDINGS * UNIT);
+                error[a][b] = (off + NUMERATOR_ROUNDINGS * ROUNDING * size) / below
+                    + exact[a][b] * (lost_part(0, 0) / below + QUOTIENT_ROUNDINGS * ROUNDING);
             }
         }
         Self {
@@ -119,7 +117,7 @@ impl PieceError {
 /// What the weights are multiplied by: to 1 where they are equal, else to about 1.
 pub(super) fn normal_weight(patch: &Patch<'_>) -> f64 {
     let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
-    if patch.rational { super::groups::power_of_two_to_one(heaviest) } else { heaviest.recip() }
+    if patch.rational { power_of_two_to_one(heaviest) } else { heaviest.recip() }
 }
 
 /// A homogeneous coefficient in the units of the kernels.

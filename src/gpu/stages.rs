@@ -1,12 +1,13 @@
 //! The stages `sample`, `project` and `reduce` on the GPU.
 
+use super::Gpu;
 use super::layouts::{Best, Block, ProjectParams, ReduceParams, STATUS_SHIFT, SampleParams};
 use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
 use super::plan::Plan;
+use super::rounding::{ROUNDING, rounded, rounded_down};
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
-use super::{Gpu, groups::rounded};
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
 use crate::iteration::{Projected, Rule};
@@ -267,9 +268,7 @@ impl GpuStages {
 
     pub(crate) fn distance_error(&self) -> f64 {
         let moved = self.sampling.radius + self.offset().length() + self.target.radius;
-        self.sampling.coordinate_error
-            + self.target.coordinate_error
-            + ROUNDINGS * f64::from(f32::EPSILON) * moved
+        self.sampling.coordinate_error + self.target.coordinate_error + ROUNDINGS * ROUNDING * moved
     }
 
     pub(crate) async fn project(
@@ -326,9 +325,8 @@ impl GpuStages {
 
     pub(crate) fn settle(&mut self, sample: usize, distance_squared: f64) {
         let scaled = distance_squared * self.target.scale * self.target.scale;
-        let nearest = scaled as f32;
         // Never above the exact value, so that the sample is not taken for farther than it is.
-        let below = if f64::from(nearest) > scaled { nearest.next_down() } else { nearest };
+        let below = rounded_down(scaled);
         let offset = ((sample - self.page.start) * size_of::<Best>()) as u64;
         self.gpu.queue.write_buffer(&self.buffers.best, offset, bytes_of(&below));
     }

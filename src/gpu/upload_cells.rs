@@ -2,9 +2,10 @@
 
 use super::Gpu;
 use super::box_layouts::{Children, Part, WHOLE_MODEL};
-use super::groups::{Controls, by_degree, power_of_two_to_one, rounded_up};
+use super::groups::{Controls, by_degree};
+use super::rounding::{OwnFrame, rounded_up};
 use super::upload_target::patch_error;
-use crate::bezier::{BezierModel, center_grid};
+use crate::bezier::BezierModel;
 use crate::hierarchy::{self, CellTree};
 use glam::DVec3;
 
@@ -39,11 +40,7 @@ pub(super) struct PartGroup {
 impl Gpu {
     /// Uploads the tree and the patches of its model.
     pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &CellTree) -> GpuCells {
-        let aabb = model.patches.bounding_box();
-        let grid = center_grid(aabb.diagonal());
-        let origin = (aabb.center() / grid).round() * grid;
-        let radius = aabb.max_distance_squared(origin).sqrt();
-        let scale = power_of_two_to_one(radius);
+        let OwnFrame { origin, scale, radius } = OwnFrame::of(model.patches.bounding_box());
         let mut groups = Vec::new();
         for (degree, members) in by_degree(&model.patches) {
             let mut places = vec![None; model.patches.len()];

@@ -1,9 +1,9 @@
 //! Pieces for the stages of method `certified`: coefficients, centres, bounds.
 
 use super::Gpu;
-use super::groups::rounded;
 use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
+use super::rounding::{rounded, rounded_up};
 use crate::bezier::{DerivativeBounds, Patch};
 use crate::both::both;
 use crate::certified::{Pieces, Place};
@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// Where the kernels' coordinates lie.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(super) struct PieceFrame {
     pub(super) origin: DVec3,
     pub(super) scale: f64,
     /// Unit of the centres, a power of two.
@@ -69,7 +69,7 @@ impl Gpu {
         pieces: &Pieces,
         groups: &[([usize; 2], Vec<u32>)],
         reach: Reach<'_>,
-        frame: &Frame,
+        frame: &PieceFrame,
     ) -> GpuPieces {
         let mut order: Vec<u32> = Vec::with_capacity(pieces.places.len());
         let mut records: Vec<Piece> = Vec::with_capacity(pieces.places.len());
@@ -100,7 +100,7 @@ impl Gpu {
     }
 }
 
-fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &Frame) -> Piece {
+fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame) -> Piece {
     let error = PieceError::of(patch, frame.scale);
     let own = patch.derivative_bounds();
     // By (σ, τ): half the piece's parameters, a part of the patch's.
@@ -113,16 +113,16 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &Frame) -> 
             both(|axis| place.local(axis, 1.0)),
         ),
     };
-    let up = |value: f64| above(frame.scale * value);
+    let up = |value: f64| rounded_up(frame.scale * value);
     let [ss, st, tt] = bounds.second;
     let [sss, sst, stt, ttt] = bounds.third;
     let center = frame.scale / frame.grid * (patch.center - frame.origin);
     Piece {
         center: center.to_array().map(|x| x.round() as i32),
-        value_error: above(error.value),
-        first_error: error.first.map(above),
+        value_error: rounded_up(error.value),
+        first_error: error.first.map(rounded_up),
         first: [up(h * bounds.first[0]), up(k * bounds.first[1])],
-        second_error: error.second.map(above),
+        second_error: error.second.map(rounded_up),
         radius: up(own.radius),
         second: [up(h * h * ss), up(h * k * st), up(k * k * tt)],
         padding: 0.0,
@@ -131,10 +131,4 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &Frame) -> 
         low: low.map(|x| x as f32),
         high: high.map(|x| x as f32),
     }
-}
-
-/// A float32 of at least the value.
-fn above(value: f64) -> f32 {
-    let nearest = value as f32;
-    if f64::from(nearest) < value { nearest.next_up() } else { nearest }
 }

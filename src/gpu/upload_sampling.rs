@@ -1,12 +1,12 @@
 //! The patches and places of a model's samples, row by row.
 
 use super::Gpu;
-use super::groups::{Controls, most_patches, power_of_two_to_one};
+use super::groups::{Controls, most_patches};
 use super::layouts::{Place, Row};
+use super::rounding::OwnFrame;
 use super::upload_target::patch_error;
-use crate::bezier::{BezierModel, Patch, center_grid};
+use crate::bezier::{BezierModel, Patch};
 use crate::iteration::{SampleGrid, Sampling};
-use crate::tree::Aabb;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -66,11 +66,7 @@ impl Draft {
 impl Gpu {
     /// Uploads all pages.
     pub(crate) fn upload_sampling(&self, model: &BezierModel, sampling: &Sampling) -> GpuSampling {
-        let aabb = model.patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
-        let grid = center_grid(aabb.diagonal());
-        let origin = (aabb.center() / grid).round() * grid;
-        let radius = aabb.max_distance_squared(origin).sqrt();
-        let scale = power_of_two_to_one(radius);
+        let OwnFrame { origin, scale, radius } = OwnFrame::of(model.patches.bounding_box());
         let pages = sampling
             .pages()
             .iter()

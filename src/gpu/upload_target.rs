@@ -1,9 +1,9 @@
 //! The flat patches that samples are projected on, with their trees.
 
 use super::Gpu;
-use super::groups::{Controls, by_degree, power_of_two_to_one, rounded_up};
+use super::groups::{Controls, by_degree};
 use super::layouts::{LEAF_COUNT_BITS, Node};
-use crate::bezier::center_grid;
+use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::iteration::Target;
 use crate::tree::{Aabb, BoxTree};
 use glam::DVec3;
@@ -41,17 +41,11 @@ pub(super) struct TargetGroup {
 const ROUNDINGS_PER_DEGREE: f64 = 4.0;
 const ROUNDINGS_BESIDES: f64 = 16.0;
 
-/// A rounding of WGSL, which promises no mode: a whole unit in the last place.
-const ROUNDING: f64 = f32::EPSILON as f64;
-
 impl Gpu {
     /// Uploads the target's patches group by group.
     pub(crate) fn upload_target(&self, target: &Target) -> GpuTarget {
         let aabb = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
-        let grid = center_grid(aabb.diagonal());
-        let origin = (aabb.center() / grid).round() * grid;
-        let radius = aabb.max_distance_squared(origin).sqrt();
-        let scale = power_of_two_to_one(radius);
+        let OwnFrame { origin, scale, radius } = OwnFrame::of(aabb);
         let mut groups = Vec::new();
         let mut patches: Vec<u32> = Vec::with_capacity(target.patches.len());
         let mut coordinate_error = 0.0_f64;
@@ -94,7 +88,7 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
 /// The node with its box rounded outwards.
 fn node_relative_to(node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
     Node {
-        box_min: (scale * (node.aabb.min - origin)).to_array().map(|value| -rounded_up(-value)),
+        box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
         second: node.second,
         box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
         patches: node.first << LEAF_COUNT_BITS | node.count,
