@@ -5,10 +5,10 @@ use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
 use crate::project::Projection;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// How the distance is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// An interval to the tolerance asked for.
@@ -21,8 +21,7 @@ pub enum Method {
 }
 
 /// Where the kernels run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Backend {
     /// On the GPU if there is one, else on the CPU, and the result says why.
     #[default]
@@ -34,8 +33,7 @@ pub enum Backend {
 }
 
 /// Options of [`super::Engine::distance`], with the defaults of the paper.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// How the distance is computed.
     pub method: Method,

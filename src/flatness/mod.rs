@@ -6,11 +6,9 @@ mod normal_span;
 
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
-use serde::{Deserialize, Serialize};
 
 /// When a patch counts as flat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Flatness {
     /// Always: Bézier extraction alone (the 2012 paper's "knots only").
     None,

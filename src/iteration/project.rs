@@ -6,12 +6,10 @@ use crate::parallel::map;
 use crate::project::{Foot, Projection, Status, nearest_control, newton, tangent_plane};
 use crate::tree::BoxTree;
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
 /// Which patches a sample is projected on. The distances are the same: a
 /// patch is left out only if its box is no nearer than a foot already found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub enum Culling {
     /// Those that a bounding-box tree does not rule out.
     #[default]

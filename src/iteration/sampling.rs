@@ -2,14 +2,12 @@
 
 use crate::bezier::{BezierModel, PatchGrid};
 use crate::both::both;
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 use super::CellRadius;
 
 /// How the n parameters of a direction are spread over the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum SamplingRule {
     /// Evenly in the parameter, as in the paper.
     #[default]

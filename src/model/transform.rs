@@ -3,47 +3,16 @@
 use crate::error::{Error, Result};
 use crate::shown::Shown;
 use glam::{DQuat, DVec3};
-use serde::{Deserialize, Serialize};
 
 /// How far the length of a rotation quaternion may be from 1 before it is
 /// refused: the rounding of a quaternion given in single precision.
 const UNIT_LENGTH_TOLERANCE: f64 = 1e-5;
 
 /// A rotation about the origin followed by a translation.
-///
-/// As data: `{"rotation"?: [x, y, z, w], "translation"?: [x, y, z]}`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Arrays", into = "Arrays")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidTransform {
     rotation: DQuat,
     translation: DVec3,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Arrays {
-    #[serde(default = "no_rotation")]
-    rotation: [f64; 4],
-    #[serde(default)]
-    translation: [f64; 3],
-}
-
-fn no_rotation() -> [f64; 4] {
-    DQuat::IDENTITY.to_array()
-}
-
-impl TryFrom<Arrays> for RigidTransform {
-    type Error = Error;
-
-    fn try_from(arrays: Arrays) -> Result<Self> {
-        Self::new(DQuat::from_array(arrays.rotation), DVec3::from_array(arrays.translation))
-    }
-}
-
-impl From<RigidTransform> for Arrays {
-    fn from(transform: RigidTransform) -> Self {
-        Self { rotation: transform.rotation.to_array(), translation: transform.translation.to_array() }
-    }
 }
 
 impl RigidTransform {

@@ -51,10 +51,7 @@ pub struct Foot {
 }
 
 /// The two rules by which a step is taken.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, serde::Deserialize, Serialize,
-)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub enum Projection {
     /// Damped Newton with an active set at the patch's edges ([`newton`]).
     #[default]
