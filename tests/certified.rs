@@ -50,31 +50,30 @@ fn at(x: f64, y: f64, z: f64) -> RigidTransform {
     RigidTransform::translation(DVec3::new(x, y, z)).unwrap()
 }
 
-// The tolerance of the slowest is 1e-5, so that all take seconds; at 1e-6 they
-// converge too, in up to half a minute.
+// At the default tolerance, which takes each of these up to a second.
 
 #[test]
 fn exact_offsets() {
     let [one, larger] = [1.0, 1.1].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
-    contains("spheres of 1 and 1.1", &one, &larger, RigidTransform::IDENTITY, 1e-5, 0.1);
+    contains("spheres of 1 and 1.1", &one, &larger, RigidTransform::IDENTITY, 1e-6, 0.1);
     let [thin, thick] = [1.0, 1.05].map(|tube| torus(3.0, tube).unwrap());
-    contains("tori of tube 1 and 1.05", &thin, &thick, RigidTransform::IDENTITY, 1e-5, 0.05);
+    contains("tori of tube 1 and 1.05", &thin, &thick, RigidTransform::IDENTITY, 1e-6, 0.05);
 }
 
 #[test]
 fn other_seams_and_poles() {
     let [one, larger] = [1.0, 1.25].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
     let transform = turned(DVec3::new(1.0, 2.0, 3.0), 0.7);
-    contains("a sphere turned", &one, &one, transform, 1e-5, 0.0);
-    contains("a sphere turned in a larger", &one, &larger, transform, 1e-5, 0.25);
-    contains("a sphere turned around a smaller", &larger, &one, transform, 1e-5, 0.25);
+    contains("a sphere turned", &one, &one, transform, 1e-6, 0.0);
+    contains("a sphere turned in a larger", &one, &larger, transform, 1e-6, 0.25);
+    contains("a sphere turned around a smaller", &larger, &one, transform, 1e-6, 0.25);
     let ring = torus(3.0, 1.0).unwrap();
     contains(
         "a torus turned about its axis",
         &ring,
         &ring,
         turned(DVec3::Z, 1.0_f64.to_radians()),
-        1e-5,
+        1e-6,
         0.0,
     );
 }
@@ -87,11 +86,11 @@ fn copies() {
     let elevated = Model::new(None, vec![elevate_degree(&refined, 1).unwrap()]).unwrap();
     let cut = cut_model(&sheet, [&[0.21, 0.77], &[0.43]]).unwrap();
     let identity = RigidTransform::IDENTITY;
-    contains("a sheet", &sheet, &sheet, identity, 1e-5, 0.0);
-    contains("a sheet and its refined copy", &sheet, &elevated, identity, 1e-5, 0.0);
-    contains("a refined copy and its sheet", &elevated, &sheet, identity, 1e-5, 0.0);
-    contains("a sheet and its pieces", &sheet, &cut, identity, 1e-5, 0.0);
-    contains("pieces and their sheet", &cut, &sheet, identity, 1e-5, 0.0);
+    contains("a sheet", &sheet, &sheet, identity, 1e-6, 0.0);
+    contains("a sheet and its refined copy", &sheet, &elevated, identity, 1e-6, 0.0);
+    contains("a refined copy and its sheet", &elevated, &sheet, identity, 1e-6, 0.0);
+    contains("a sheet and its pieces", &sheet, &cut, identity, 1e-6, 0.0);
+    contains("pieces and their sheet", &cut, &sheet, identity, 1e-6, 0.0);
 }
 
 #[test]

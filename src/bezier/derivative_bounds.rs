@@ -1,6 +1,6 @@
 //! Bounds of a patch's derivatives from its control net.
 
-use super::{Patch, PatchSet, center_grid};
+use super::Patch;
 use glam::{DVec4, Vec4Swizzles};
 
 /// Upper bounds of the lengths of a patch's derivatives over [0, 1]^2, by (s, t).
@@ -17,25 +17,42 @@ pub struct DerivativeBounds {
 }
 
 impl DerivativeBounds {
-    /// Makes these bounds hold on a piece too, whose parameters run `faster`.
-    fn enclose(&mut self, piece: &Self, faster: f64) {
+    /// Makes these bounds hold where others do too.
+    pub(super) fn enclose(&mut self, other: &Self) {
+        // What is no number bounds nothing.
+        self.combine(other, |own, other| if other.is_nan() { f64::INFINITY } else { own.max(other) });
+    }
+
+    /// The lesser of each two bounds.
+    pub(super) fn least(mut self, other: &Self) -> Self {
+        self.combine(other, f64::min);
+        self
+    }
+
+    fn combine(&mut self, other: &Self, choose: impl Fn(f64, f64) -> f64) {
         let pairs = [
-            (&mut self.first[..], &piece.first[..], faster),
-            (&mut self.second[..], &piece.second[..], faster.powi(2)),
-            (&mut self.third[..], &piece.third[..], faster.powi(3)),
+            (&mut self.first[..], &other.first[..]),
+            (&mut self.second[..], &other.second[..]),
+            (&mut self.third[..], &other.third[..]),
         ];
-        for (own, of_piece, factor) in pairs {
-            for (own, of_piece) in own.iter_mut().zip(of_piece) {
-                // What is no number bounds nothing.
-                *own = if of_piece.is_nan() { f64::INFINITY } else { own.max(factor * of_piece) };
+        for (own, other) in pairs {
+            for (own, &other) in own.iter_mut().zip(other) {
+                *own = choose(*own, other);
             }
         }
     }
-}
 
-/// Pieces along each direction that a rational patch's bounds are taken over:
-/// on a sphere's patches bounds of third derivatives are then 1.5 to 2 times closer.
-const PARTS: usize = 4;
+    /// By parameters of which these are the parts h and k.
+    pub(super) fn slower(mut self, [h, k]: [f64; 2]) -> Self {
+        for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {
+            let order = bounds.len() - 1;
+            for (index, bound) in bounds.iter_mut().enumerate() {
+                *bound /= h.powi((order - index) as i32) * k.powi(index as i32);
+            }
+        }
+        self
+    }
+}
 
 /// Highest order of derivative bounded, plus one.
 const ORDERS: usize = 4;
@@ -57,14 +74,25 @@ impl Patch<'_> {
     /// over (i, j) != (0, 0), with `x_00` the radius. O(p q).
     #[must_use]
     pub fn derivative_bounds(&self) -> DerivativeBounds {
-        let weight = self.controls.iter().fold(f64::INFINITY, |least, control| least.min(control.w));
+        self.derivative_bounds_within([0.0; 2])
+    }
+
+    /// As [`Patch::derivative_bounds`], for every patch with homogeneous
+    /// controls as near as `lost` to these, in space and by weight: a
+    /// difference of order n is then within `2^n lost` of this net's. Infinite
+    /// or no number where a weight may be 0.
+    pub(super) fn derivative_bounds_within(&self, lost: [f64; 2]) -> DerivativeBounds {
+        let least = |weight: f64| (weight - lost[1]).max(0.0);
+        let weight =
+            self.controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(least(control.w)));
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
         let mut weights = [[0.0_f64; ORDERS]; ORDERS];
-        bounds[0][0] = self.local_points().fold(0.0, |radius: f64, point| radius.max(point.length()));
+        let reach = |control: &DVec4| (control.xyz().length() + lost[0]) / least(control.w);
+        bounds[0][0] = self.controls.iter().map(reach).fold(0.0, f64::max);
         for order in 1..ORDERS {
             for a in (0..=order).rev() {
                 let b = order - a;
-                let (numerator, w) = self.difference_bound(a, b);
+                let (numerator, w) = self.difference_bound(a, b, lost);
                 weights[a][b] = w;
                 let mut sum = numerator;
                 for i in 0..=a {
@@ -86,28 +114,8 @@ impl Patch<'_> {
         }
     }
 
-    /// As [`Patch::derivative_bounds`], of a rational patch piece by piece: the
-    /// recursion's excess is proportional to a piece's size, as its weights
-    /// and its points about its own centre then vary less. O(pieces p q (p + q)).
-    #[must_use]
-    pub fn close_derivative_bounds(&self) -> DerivativeBounds {
-        let whole = self.derivative_bounds();
-        if !self.rational {
-            return whole;
-        }
-        let part = |index: usize| [index as f64 / PARTS as f64, (index + 1) as f64 / PARTS as f64];
-        let mut largest = DerivativeBounds { radius: whole.radius, ..DerivativeBounds::default() };
-        for index in 0..PARTS * PARTS {
-            let controls = self.restricted(part(index / PARTS), part(index % PARTS));
-            let mut piece = PatchSet::default();
-            piece.push_centered(Patch { controls: &controls, ..*self }, center_grid(whole.radius));
-            largest.enclose(&piece.patch(0).derivative_bounds(), PARTS as f64);
-        }
-        largest
-    }
-
     /// Largest length of the (a, b)-th derivative's controls: space, weight.
-    fn difference_bound(&self, a: usize, b: usize) -> (f64, f64) {
+    fn difference_bound(&self, a: usize, b: usize, lost: [f64; 2]) -> (f64, f64) {
         let [p, q] = self.degree;
         if a > p || b > q {
             return (0.0, 0.0);
@@ -129,7 +137,8 @@ impl Patch<'_> {
             }
         }
         let scale = falling_factorial(p, a) * falling_factorial(q, b);
-        (scale * space, scale * weight)
+        let terms = 2.0_f64.powi((a + b) as i32);
+        (scale * (space + terms * lost[0]), scale * (weight + terms * lost[1]))
     }
 }
 

@@ -13,7 +13,9 @@ use glam::{DVec2, DVec3};
 /// at its centre and a foot of it.
 ///
 /// For any map φ of the cell into a patch of B, `max d(a, B) <= max |A - B∘φ|`,
-/// so no global minimum is needed. With `Q` the Taylor quadratic of
+/// so no global minimum is needed. Where a patch was cut from its neighbour, φ
+/// may leave it by a little: its controls tell the neighbour's points too.
+/// With `Q` the Taylor quadratic of
 /// `D = A - B∘φ` at the centre, `|D - Q| <= R_A + R_B`, the remainders of third
 /// order, and `|Q|` is bounded by [`Quadratic::largest_length_squared`]. φ is
 /// the foot's linearisation, then that bent, then constant; the first bound of
@@ -38,15 +40,19 @@ pub(super) fn certify(
     }
     let jet = b.patch(foot.patch).jet(foot.parameters);
     let residual = jet.point - a.point;
+    let room = b.room(foot.patch);
     let frozen = both(|axis| {
+        let [low, high] = room[axis];
         let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
         let parameter = foot.parameters[axis];
-        (parameter <= 0.0 && gradient > 0.0) || (parameter >= 1.0 && gradient < 0.0)
+        (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
     });
     let rest_a = remainder(a_bounds, cell.half, [0.0; 2]);
     let mut try_map = |map: FootMap| {
-        let map = map.fitted(foot.parameters);
-        let rest_b = remainder(b.bounds(foot.patch), map.width().to_array(), map.turn().to_array());
+        let map = map.fitted(foot.parameters, room);
+        let [low, high] = map.image(foot.parameters);
+        let rest_b =
+            remainder(&b.bounds(foot.patch, low, high), map.width().to_array(), map.turn().to_array());
         let length = difference(a, &jet, cell.half, &map).largest_length_squared().sqrt();
         best = best.min(length + rest_a + rest_b);
         best

@@ -50,6 +50,13 @@ pub(super) struct Corners<'a> {
 }
 
 impl Corners<'_> {
+    /// Whether the bound can be expected to be at most `enough`: it is at
+    /// least δ_A more than the farthest corner, which is seldom much nearer
+    /// than the centre.
+    pub(super) fn may_suffice(&self, center: &Foot, enough: f64) -> bool {
+        center.distance_squared.sqrt() + self.of_cell() <= enough
+    }
+
     /// The lemma's bound, or infinity where more than two patches are
     /// nearest; the farthest point met goes to `farthest`.
     pub(super) fn bound(&self, center: &Foot, farthest: &mut Sample) -> f64 {
@@ -146,10 +153,12 @@ impl Corners<'_> {
             }
         }
         let extent = both(|axis| (high[axis] - low[axis]).max(0.0));
-        let of_cell = self.cell.half.map(|half| 2.0 * half);
-        farthest.sqrt()
-            + interpolation_error(self.bounds, of_cell)
-            + interpolation_error(self.b.bounds(patch), extent)
+        farthest.sqrt() + self.of_cell() + interpolation_error(&self.b.bounds(patch, low, high), extent)
+    }
+
+    /// δ_A.
+    fn of_cell(&self) -> f64 {
+        interpolation_error(self.bounds, self.cell.half.map(|half| 2.0 * half))
     }
 }
 

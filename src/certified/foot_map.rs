@@ -1,6 +1,7 @@
 //! Maps from a cell into B's parameters.
 
 use crate::bezier::Jet;
+use crate::both::both;
 use glam::{DVec2, DVec3};
 
 /// `φ(σ, τ) = β + σ p + τ q + ½σ² m_0 + στ m_1 + ½τ² m_2`: where the cell's
@@ -40,13 +41,25 @@ impl FootMap {
         Some(Self { bend: [ss?, st?, tt?], ..self })
     }
 
-    /// Shrunk, each parameter by itself, until φ([-1, 1]^2) lies in [0, 1]^2.
-    pub(super) fn fitted(self, foot: [f64; 2]) -> Self {
-        let room = DVec2::from_array(foot.map(|parameter| parameter.min(1.0 - parameter).max(0.0)));
-        let reach = self.width() + 0.5 * self.turn();
+    /// Shrunk, each parameter by itself, until φ([-1, 1]^2) lies in the room.
+    pub(super) fn fitted(self, foot: [f64; 2], room: [[f64; 2]; 2]) -> Self {
+        let room = DVec2::from_array(both(|axis| {
+            (foot[axis] - room[axis][0]).min(room[axis][1] - foot[axis]).max(0.0)
+        }));
+        let reach = self.reach();
         let shrink = |axis: usize| if reach[axis] > room[axis] { room[axis] / reach[axis] } else { 1.0 };
         let factor = DVec2::new(shrink(0), shrink(1));
         Self { p: self.p * factor, q: self.q * factor, bend: self.bend.map(|bend| bend * factor) }
+    }
+
+    /// A box around φ([-1, 1]^2).
+    pub(super) fn image(&self, foot: [f64; 2]) -> [[f64; 2]; 2] {
+        let (foot, reach) = (DVec2::from_array(foot), self.reach());
+        [(foot - reach).to_array(), (foot + reach).to_array()]
+    }
+
+    fn reach(&self) -> DVec2 {
+        self.width() + 0.5 * self.turn()
     }
 
     /// How far the linear part of φ reaches from the foot in each parameter.

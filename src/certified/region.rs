@@ -84,7 +84,7 @@ impl Region {
                 }
             }
             Part::Cell(cell) => {
-                let [s, t] = side.bounds(cell.patch).first;
+                let [s, t] = side.whole_bounds(cell.patch).first;
                 let lengths = [s * cell.half[0], t * cell.half[1]];
                 let axes =
                     [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];

@@ -33,8 +33,9 @@ const CERTIFICATE_PART: f64 = 1e-2;
 const SMALLEST_HALF: f64 = 1e-12;
 
 /// Rounding of a bound relative to the largest coordinate: a cell's sums take
-/// fewer than some hundred roundings of 2^-53 each.
-const ROUNDING: f64 = 256.0 * f64::EPSILON;
+/// fewer than some hundred roundings of 2^-53 each, and a flat piece's controls,
+/// followed beyond an edge, are off by less than 600.
+const ROUNDING: f64 = 512.0 * f64::EPSILON;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -329,7 +330,8 @@ impl<'a> Search<'a> {
 
     fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
         let patch = self.a.patch(cell.patch);
-        let bounds = self.a.bounds(cell.patch);
+        let [low, high] = [cell.at([-1.0; 2]), cell.at([1.0; 2])];
+        let bounds = &self.a.bounds(cell.patch, low, high);
         let jet = moved(&patch.jet(cell.center), &self.transform);
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         // Away from edges the parent's foot leads to the nearest patch again,
@@ -338,8 +340,8 @@ impl<'a> Search<'a> {
         let foot = if follow { known } else { nearest(&self.b, jet.point, known) };
         let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
         let mut sample = Sample { parameters: cell.center, foot };
-        if upper > enough {
-            let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
+        let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
+        if upper > enough && corners.may_suffice(&foot, enough) {
             upper = upper.min(corners.bound(&foot, &mut sample));
         }
         // What is no number bounds nothing.

@@ -1,20 +1,20 @@
 //! One of the two models, as this method wants it.
 
-use crate::bezier::{DerivativeBounds, Jet, Patch};
+use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
 use crate::iteration::Target;
 use crate::model::RigidTransform;
 use glam::DVec3;
 
-/// Flat patches with their tree and derivative bounds.
+/// Patches with their tree and derivative bounds.
 #[derive(Debug)]
 pub(crate) struct Side<'a> {
     pub(super) target: &'a Target,
-    pub(super) bounds: &'a [DerivativeBounds],
+    pub(super) bounds: &'a [LocalBounds],
 }
 
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
-    pub(crate) fn new(target: &'a Target, bounds: &'a [DerivativeBounds]) -> Self {
+    pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
         Self { target, bounds }
     }
 
@@ -22,13 +22,19 @@ impl<'a> Side<'a> {
         self.target.patches.patch(index as usize)
     }
 
-    /// Derivative bounds of all patches.
-    pub(crate) fn all_bounds(&self) -> &'a [DerivativeBounds] {
-        self.bounds
+    /// Derivative bounds of a whole patch.
+    pub(super) fn whole_bounds(&self, index: u32) -> &'a DerivativeBounds {
+        &self.bounds[index as usize].whole
     }
 
-    pub(super) fn bounds(&self, index: u32) -> &'a DerivativeBounds {
-        &self.bounds[index as usize]
+    /// Derivative bounds over a box in the patch's room.
+    pub(crate) fn bounds(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
+        self.bounds[index as usize].over(&self.patch(index), low, high)
+    }
+
+    /// The parameters at which the patch's controls tell points of the model.
+    pub(crate) fn room(&self, index: u32) -> [[f64; 2]; 2] {
+        self.bounds[index as usize].room
     }
 }
 

@@ -1,9 +1,9 @@
 //! A model with everything computed from it once.
 
-use crate::bezier::{BezierModel, DerivativeBounds, extract};
+use crate::bezier::{BezierModel, LocalBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
-use crate::flatness::{Flatness, flatten};
+use crate::flatness::{Flatness, flatten, rooms};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuCells;
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
@@ -33,15 +33,16 @@ type SamplingKey = (usize, SamplingRule);
 #[derive(Debug)]
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
-    bounds: OnceCell<Vec<DerivativeBounds>>,
+    bounds: OnceCell<Vec<LocalBounds>>,
+    rooms: Vec<[[f64; 2]; 2]>,
     pub(crate) resident: Resident<GpuTarget>,
 }
 
 impl PreparedTarget {
     /// The patches as method `certified` wants them.
     pub(crate) fn side(&self) -> Side<'_> {
-        let patches = &self.target.patches;
-        let bounds = || map(patches.len(), |index| patches.patch(index).close_derivative_bounds());
+        let (patches, rooms) = (&self.target.patches, &self.rooms);
+        let bounds = || map(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]));
         Side::new(&self.target, self.bounds.get_or_init(bounds))
     }
 }
@@ -103,8 +104,9 @@ impl PreparedModel {
             return Rc::clone(target);
         }
         let target = Target::new(flatten(&self.bezier.patches, flatness));
+        let rooms = rooms(&self.bezier.patches, &target.patches);
         let prepared =
-            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
+            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), rooms, resident: Resident::default() });
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }

@@ -3,6 +3,9 @@
 
 mod curvature;
 mod normal_span;
+mod rooms;
+
+pub use rooms::rooms;
 
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;

@@ -9,7 +9,7 @@ use super::test_gpu::gpu;
 use super::upload_pieces::{PieceFrame, Reach};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
-use crate::bezier::{DerivativeBounds, PatchSet};
+use crate::bezier::{LocalBounds, PatchSet};
 use crate::certified::{Part, Pieces, Search, Side};
 use crate::iteration::Target;
 use crate::model::RigidTransform;
@@ -47,8 +47,8 @@ fn set(patches: &[Vec<DVec4>], degree: [usize; 2]) -> PatchSet {
     set
 }
 
-fn bounds(set: &PatchSet) -> Vec<DerivativeBounds> {
-    set.iter().map(|patch| patch.derivative_bounds()).collect()
+fn bounds(set: &PatchSet) -> Vec<LocalBounds> {
+    set.iter().map(|patch| LocalBounds::new(&patch, [[0.0, 1.0]; 2])).collect()
 }
 
 /// The jets at the cells' centres as the kernel `cell` computes them, in (σ, τ).

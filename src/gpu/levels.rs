@@ -123,7 +123,7 @@ impl Levels {
             .collect();
         let uploaded = [
             gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame),
-            gpu.upload_pieces(&to, &to_groups, Reach::Patch(b.all_bounds()), &frame),
+            gpu.upload_pieces(&to, &to_groups, Reach::Beyond(b), &frame),
         ];
         let cells = |label| gpu.storage(label, (CAPACITY * size_of::<Cell>()) as u64);
         let usages =

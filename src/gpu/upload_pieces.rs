@@ -4,9 +4,9 @@ use super::Gpu;
 use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
 use super::rounding::{rounded, rounded_up};
-use crate::bezier::{DerivativeBounds, Patch};
+use crate::bezier::{BEYOND, Patch};
 use crate::both::both;
-use crate::certified::{Pieces, Place};
+use crate::certified::{Pieces, Place, Side};
 use crate::error::{Error, Result};
 use glam::DVec3;
 
@@ -55,11 +55,12 @@ pub(super) struct PieceGroup {
     pub(super) coefficients: wgpu::Buffer,
 }
 
-/// What holds of a piece: over it alone, or over the patch that it is cut from.
+/// What holds of a piece: over it alone, or a little beyond it too, as far as
+/// its controls tell points of the side.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reach<'a> {
     Piece,
-    Patch(&'a [DerivativeBounds]),
+    Beyond(&'a Side<'a>),
 }
 
 impl Gpu {
@@ -105,13 +106,18 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
     let own = patch.derivative_bounds();
     // By (σ, τ): half the piece's parameters, a part of the patch's.
     let (bounds, [h, k], low, high) = match reach {
-        Reach::Piece => (&own, [0.5; 2], [-1.0; 2], [1.0; 2]),
-        Reach::Patch(bounds) => (
-            &bounds[place.patch as usize],
-            place.width.map(|width| 0.5 * width),
-            both(|axis| place.local(axis, 0.0)),
-            both(|axis| place.local(axis, 1.0)),
-        ),
+        Reach::Piece => (own, [0.5; 2], [-1.0; 2], [1.0; 2]),
+        Reach::Beyond(side) => {
+            let room = side.room(place.patch);
+            let low = both(|axis| (place.low[axis] - BEYOND).max(room[axis][0]));
+            let high = both(|axis| (place.low[axis] + place.width[axis] + BEYOND).min(room[axis][1]));
+            (
+                side.bounds(place.patch, low, high),
+                place.width.map(|width| 0.5 * width),
+                both(|axis| place.local(axis, low[axis])),
+                both(|axis| place.local(axis, high[axis])),
+            )
+        }
     };
     let up = |value: f64| rounded_up(frame.scale * value);
     let [ss, st, tt] = bounds.second;

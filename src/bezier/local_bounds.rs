@@ -1,0 +1,160 @@
+//! Bounds of a patch's derivatives over parts of it.
+
+use super::{DerivativeBounds, Patch, PatchSet, center_grid};
+use crate::both::both;
+use glam::{DVec4, Vec4Swizzles};
+use std::sync::OnceLock;
+
+/// Equal parts of a patch along each direction: on a sphere's patches, bounds
+/// of third derivatives over a part are up to twice as close.
+const PARTS: u32 = 4;
+const PART: f64 = 1.0 / PARTS as f64;
+
+/// Times that the part at a degenerate edge is halved. Derivatives along that
+/// edge vanish in proportion to the distance from it, which only bounds over
+/// ever narrower parts show.
+const GRADES: u32 = 12;
+
+/// Width of a box from which on bounds over parts are not worth their making.
+const WIDE: f64 = 0.25;
+
+/// How far beyond an edge at which a patch was cut its controls are followed.
+pub(crate) const BEYOND: f64 = 0.125;
+
+/// Degrees in s and t together up to which they are followed: `|1 - x| + |x|`
+/// is at most 1.25 there, so rounding grows by no more than `1.25^9 < 8`.
+pub(crate) const MOST_DEGREES: usize = 9;
+
+/// Rounding of a part's controls relative to the patch's largest: some hundred
+/// of 2^-53, eight times as many beyond an edge.
+const ROUNDING: f64 = 1024.0 * f64::EPSILON;
+
+/// Net points of an edge are one when this near, relative to the patch's radius.
+const DEGENERATE: f64 = 1e-12;
+
+/// Bounds over the whole patch, and over parts, made when first asked for.
+#[derive(Debug)]
+pub struct LocalBounds {
+    /// Over [0, 1]^2.
+    pub whole: DerivativeBounds,
+    /// The parameters, by axis, at which the patch's controls tell points of
+    /// the model: [0, 1], and a little more where it was cut.
+    pub room: [[f64; 2]; 2],
+    parts: OnceLock<Parts>,
+}
+
+/// A grid of parts.
+#[derive(Debug)]
+struct Parts {
+    lines: [Vec<f64>; 2],
+    bounds: Vec<OnceLock<DerivativeBounds>>,
+}
+
+impl LocalBounds {
+    /// Of `patch`, for which `room` must hold. O(p q).
+    #[must_use]
+    pub fn new(patch: &Patch<'_>, room: [[f64; 2]; 2]) -> Self {
+        Self { whole: patch.derivative_bounds(), room, parts: OnceLock::new() }
+    }
+
+    /// Bounds over the box, which must lie in the room, of the patch that
+    /// these are of: those of all parts that it touches. O(parts touched), and
+    /// O(p q (p + q)) for each when it is first touched.
+    #[must_use]
+    pub fn over(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
+        let inside = |axis: usize| low[axis] >= 0.0 && high[axis] <= 1.0;
+        if inside(0) && inside(1) && (0..2).any(|axis| high[axis] - low[axis] > WIDE) {
+            return self.whole;
+        }
+        let Parts { lines, bounds } =
+            self.parts.get_or_init(|| Parts::new(patch, self.whole.radius, self.room));
+        let touched = both(|axis| {
+            let lines = &lines[axis];
+            let first = lines.partition_point(|&line| line <= low[axis]).clamp(1, lines.len() - 1) - 1;
+            first..lines.partition_point(|&line| line < high[axis]).clamp(first + 1, lines.len() - 1)
+        });
+        let [rows, columns] = touched;
+        let mut all = DerivativeBounds { radius: self.whole.radius, ..DerivativeBounds::default() };
+        for s in rows {
+            for t in columns.clone() {
+                let part =
+                    || patch.bounds_over([lines[0][s], lines[0][s + 1]], [lines[1][t], lines[1][t + 1]]);
+                all.enclose(bounds[s * (lines[1].len() - 1) + t].get_or_init(part));
+            }
+        }
+        all
+    }
+}
+
+impl Parts {
+    fn new(patch: &Patch<'_>, radius: f64, room: [[f64; 2]; 2]) -> Self {
+        let lines = both(|axis| {
+            let [low, high] = room[axis];
+            let grades = both(|end| if is_degenerate(patch, axis, end == 1, radius) { GRADES } else { 0 });
+            let mut lines = vec![0.0];
+            if low < 0.0 {
+                lines.insert(0, low);
+            }
+            for halvings in (1..=grades[0]).rev() {
+                lines.push(PART / f64::from(1_u32 << halvings));
+            }
+            for part in 1..PARTS {
+                lines.push(PART * f64::from(part));
+            }
+            for halvings in 1..=grades[1] {
+                lines.push(1.0 - PART / f64::from(1_u32 << halvings));
+            }
+            lines.push(1.0);
+            if high > 1.0 {
+                lines.push(high);
+            }
+            lines
+        });
+        let mut bounds = Vec::new();
+        bounds.resize_with((lines[0].len() - 1) * (lines[1].len() - 1), OnceLock::new);
+        Self { lines, bounds }
+    }
+}
+
+/// Whether an edge along which `axis` is constant is a point.
+fn is_degenerate(patch: &Patch<'_>, axis: usize, at_end: bool, radius: f64) -> bool {
+    let columns = patch.degree[1] + 1;
+    let steps = patch.degree[1 - axis];
+    let (across, along) = if axis == 0 { (columns, 1) } else { (1, columns) };
+    let first = if at_end { patch.degree[axis] * across } else { 0 };
+    let point = |step: usize| {
+        let control = patch.controls[first + step * along];
+        control.xyz() / control.w
+    };
+    (1..=steps).all(|step| point(step).distance(point(0)) <= DEGENERATE * radius)
+}
+
+impl Patch<'_> {
+    /// Bounds over a part by the patch's parameters: the recursion's excess is
+    /// proportional to the part's size, as its weights and its points about
+    /// its own centre then vary less. Those over the equal part around a
+    /// narrow one hold too, and are the lesser where rounding weighs more.
+    fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
+        let controls = self.restricted(s, t);
+        let part = Patch { controls: &controls, ..*self };
+        let mut centered = PatchSet::default();
+        centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
+        let mut lost = [0.0_f64; 2];
+        for control in self.controls {
+            let size = [control.xyz().length(), control.w];
+            lost = both(|kind| lost[kind].max(ROUNDING * size[kind]));
+        }
+        let own = centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]]);
+        let around = [part_around(s), part_around(t)];
+        if around == [s, t] { own } else { own.least(&self.bounds_over(around[0], around[1])) }
+    }
+}
+
+/// The equal part around a narrow one; itself beyond an edge.
+fn part_around([low, high]: [f64; 2]) -> [f64; 2] {
+    if low < 0.0 || high > 1.0 {
+        return [low, high];
+    }
+    let first = (low / PART).floor() * PART;
+    [first, first + PART]
+}
