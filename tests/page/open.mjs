@@ -11,12 +11,14 @@ const screenshots = "tests/screenshots";
 
 /**
  * Opens the page; `webgpu: false` starts a Chromium without it, `webgl: false`
- * one without any 3D, and `prepare` is given the page before it is loaded.
+ * one without any 3D, `path` is another page than the main one, and `prepare` is given
+ * the page before it is loaded.
  */
 export async function open({
   webgpu = true,
   webgl = true,
   size = { width: 1280, height: 800 },
+  path = "",
   prepare = async () => {},
 } = {}) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
@@ -28,7 +30,7 @@ export async function open({
   page.on("pageerror", (error) => errors.push(error.message));
   page.setDefaultTimeout(PATIENCE);
   await prepare(page);
-  await page.goto(server.resolvedUrls.local[0]);
+  await page.goto(new URL(path, server.resolvedUrls.local[0]).href);
   return {
     page,
     errors,

@@ -1,5 +1,6 @@
 // What the machine cannot do.
 import { element } from "./elements.ts";
+import { engineText } from "./engine-text.ts";
 
 const banner = element("banner");
 const notices = element("notices");
@@ -14,10 +15,7 @@ export function tellEngine(
   adapter: string | null,
   notice: string | null,
 ): void {
-  element("engine").textContent =
-    backend === "gpu"
-      ? `WebGPU${adapter ? `: ${adapter}` : ""} · certificates finish in float64`
-      : "CPU, float64";
+  element("engine").textContent = engineText(backend, adapter);
   if (notice !== null) tellCpu(notice);
 }
 

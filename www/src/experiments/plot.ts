@@ -1,0 +1,149 @@
+// One panel on a canvas, drawn again as points come in.
+import uPlot from "uplot";
+import { axisNumber } from "./axis-number.ts";
+import type { Curve } from "./outcome.ts";
+import type { Panel, Series } from "./panels.ts";
+
+/** A CSS colour. */
+export type Color = string;
+
+export interface Look {
+  ink: Color;
+  grid: Color;
+  /** The colour of a method. */
+  of(method: string): Color;
+}
+
+/** Pixels. */
+const HEIGHT = 290;
+const POINT = 5;
+const BOUND_POINT = 3;
+const DASHES = [8, 5];
+const CROSS = 4;
+/** Part of the axis that is left free at its ends. */
+const ROOM = 0.03;
+
+export class Plot {
+  readonly #panel: Panel;
+  readonly #positions: readonly number[];
+  readonly #curves: readonly Curve[];
+  readonly #parent: HTMLElement;
+  readonly #look: Look;
+  readonly #logarithmic: boolean;
+  readonly #plot: uPlot;
+  readonly #resized: ResizeObserver;
+
+  /** `onCursor` hears the index of the position that is pointed at. */
+  constructor(
+    parent: HTMLElement,
+    panel: Panel & { logarithmic: boolean },
+    positions: readonly number[],
+    curves: readonly Curve[],
+    look: Look,
+    onCursor: (index: number) => void,
+  ) {
+    this.#panel = panel;
+    this.#logarithmic = panel.logarithmic;
+    this.#positions = positions;
+    this.#curves = curves;
+    this.#parent = parent;
+    this.#look = look;
+    this.#plot = new uPlot(this.#options(onCursor), this.#data(), parent);
+    this.#resized = new ResizeObserver(() => {
+      this.#plot.setSize({ width: parent.clientWidth, height: HEIGHT });
+    });
+    this.#resized.observe(parent);
+  }
+
+  /** Draws what the curves have now. */
+  update(): void {
+    this.#plot.setData(this.#data());
+  }
+
+  dispose(): void {
+    this.#resized.disconnect();
+    this.#plot.destroy();
+  }
+
+  #data(): uPlot.AlignedData {
+    const drawn = (value: number | null | undefined) =>
+      value == null || (this.#logarithmic && value <= 0) ? null : value;
+    const values = this.#panel
+      .series(this.#curves)
+      .map(({ values }) => this.#positions.map((_, index) => drawn(values[index])));
+    return [[...this.#positions], ...values];
+  }
+
+  #options(onCursor: (index: number) => void): uPlot.Options {
+    const axis: uPlot.Axis = {
+      stroke: this.#look.ink,
+      grid: { stroke: this.#look.grid, width: 1 },
+      ticks: { stroke: this.#look.grid, width: 1 },
+      values: (_, splits) => splits.map(axisNumber),
+      labelSize: 20,
+      labelFont: "12px system-ui, sans-serif",
+    };
+    return {
+      width: this.#parent.clientWidth,
+      height: HEIGHT,
+      legend: { show: false },
+      cursor: { sync: { key: "position" }, drag: { x: false, y: false }, y: false },
+      scales: {
+        x: { time: false, range: (_, low, high) => widened(low, high) },
+        y: this.#logarithmic ? { distr: 3 } : {},
+      },
+      axes: [
+        { ...axis, label: "position of A’s centre from B’s, model units" },
+        { ...axis, label: this.#panel.unit, size: 58 },
+      ],
+      series: [{}, ...this.#panel.series(this.#curves).map((series) => this.#drawn(series))],
+      hooks: {
+        setCursor: [({ cursor: { idx } }) => idx != null && onCursor(idx)],
+        draw: this.#panel.marksFailures ? [() => this.#markFailures()] : [],
+      },
+    };
+  }
+
+  #drawn({ name, method, dashed }: Series): uPlot.Series {
+    return {
+      label: name,
+      stroke: this.#look.of(method),
+      width: dashed ? 1 : 2,
+      ...(dashed ? { dash: DASHES } : {}),
+      points: { show: true, size: dashed ? BOUND_POINT : POINT, fill: this.#look.of(method) },
+    };
+  }
+
+  /** A cross at the foot of the panel where a method failed, each method's in a row of its own. */
+  #markFailures(): void {
+    const { ctx, bbox } = this.#plot;
+    const size = CROSS * devicePixelRatio;
+    ctx.save();
+    ctx.lineWidth = 2 * devicePixelRatio;
+    let row = 0;
+    for (const { method, outcomes } of this.#curves) {
+      const failed = outcomes.filter(
+        ({ failure }) => failure !== undefined && failure.code !== "left-out",
+      );
+      if (failed.length === 0) continue;
+      row += 1;
+      ctx.strokeStyle = this.#look.of(method.name);
+      for (const { position } of failed) {
+        const x = this.#plot.valToPos(position, "x", true);
+        const y = bbox.top + bbox.height - 3 * row * size;
+        ctx.beginPath();
+        ctx.moveTo(x - size, y - size);
+        ctx.lineTo(x + size, y + size);
+        ctx.moveTo(x - size, y + size);
+        ctx.lineTo(x + size, y - size);
+        ctx.stroke();
+      }
+    }
+    ctx.restore();
+  }
+}
+
+function widened(low: number, high: number): [number, number] {
+  const room = ROOM * (high - low);
+  return [low - room, high + room];
+}

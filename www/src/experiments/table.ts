@@ -1,0 +1,40 @@
+// The outcomes as CSV, with the command line's columns and order.
+import type { Curve, Outcome } from "./outcome.ts";
+
+const COLUMNS = [
+  "position",
+  "method",
+  "computed",
+  "lower",
+  "upper",
+  "k_a",
+  "k_a_rigorous",
+  "k_b",
+  "converged",
+  "seconds_solve",
+  "seconds_prepare",
+  "cells",
+  "patches_of_b",
+  "failure",
+];
+
+/** RFC 4180 without quotes: no cell of ours holds a comma, a quote or a line end. */
+export function csv(curves: readonly Curve[]): string {
+  const rows = curves.flatMap(({ method, outcomes }) =>
+    outcomes.map((outcome) => row(method.name, outcome).join(",")),
+  );
+  return [COLUMNS.join(","), ...rows, ""].join("\n");
+}
+
+/** Numbers are written so that reading them gives the same numbers. */
+function row(name: string, { position, result, failure }: Outcome): (string | number)[] {
+  if (result === undefined) return [position, name, ...Array(11).fill(""), failure.code];
+  const { computed, lower, upper, seconds, patches } = result;
+  const bounds = result.method === "iteration" ? result.bounds : undefined;
+  return [
+    ...[position, name, computed, lower, upper],
+    ...[bounds?.k_a ?? "", bounds?.k_a_rigorous ?? "", bounds?.k_b ?? ""],
+    ...[result.converged ? "yes" : "no", seconds.solve, seconds.prepare],
+    ...[result.method === "certified" ? result.cells : "", patches.b, ""],
+  ];
+}
