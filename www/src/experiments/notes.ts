@@ -15,7 +15,8 @@ export function notesOf({ method, outcomes }: Curve): string[] {
   }
   const failures = [...byCode].map(([code, failed]) => {
     const why = failed[0]?.failure?.message ?? "";
-    return code === "left-out" ? `left out: ${why}` : `${code} ${places(failed)}: ${why}`;
+    if (code === "left-out") return `left out: ${why}`;
+    return `${code} ${places(failed)}; ${failed.length > 1 ? "first" : "there"}: ${why}`;
   });
   const loose = outcomes.filter(
     ({ result }) => method.options.method === "certified" && result?.converged === false,

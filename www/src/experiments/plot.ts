@@ -75,10 +75,13 @@ export class Plot {
   }
 
   #options(onCursor: (index: number) => void): uPlot.Options {
+    const grid = { stroke: this.#look.grid, width: 1 };
+    const decades: uPlot.Axis.Filter = (_, splits) =>
+      this.#logarithmic ? splits.map(wholeDecade) : splits;
     const axis: uPlot.Axis = {
       stroke: this.#look.ink,
-      grid: { stroke: this.#look.grid, width: 1 },
-      ticks: { stroke: this.#look.grid, width: 1 },
+      grid,
+      ticks: grid,
       values: (_, splits) => splits.map(axisNumber),
       labelSize: 20,
       labelFont: "12px system-ui, sans-serif",
@@ -93,8 +96,8 @@ export class Plot {
         y: this.#logarithmic ? { distr: 3 } : {},
       },
       axes: [
-        { ...axis, label: "position of A’s centre from B’s, model units" },
-        { ...axis, label: this.#panel.unit, size: 58 },
+        { ...axis, label: "position of A’s centre from B’s, model units", size: 32 },
+        { ...axis, label: this.#panel.unit, size: 58, grid: { ...grid, filter: decades } },
       ],
       series: [{}, ...this.#panel.series(this.#curves).map((series) => this.#drawn(series))],
       hooks: {
@@ -141,6 +144,12 @@ export class Plot {
     }
     ctx.restore();
   }
+}
+
+/** The tick if it is a power of ten, within the rounding of the steps to it. */
+function wholeDecade(tick: number): number | null {
+  const decade = Math.log10(tick);
+  return Math.abs(decade - Math.round(decade)) < 1e-9 ? tick : null;
 }
 
 function widened(low: number, high: number): [number, number] {
