@@ -24,10 +24,8 @@ export function sheet(counts: [number, number], variant: number): Source {
     const height = Math.sin(2 * Math.PI * along * x + phase) * Math.cos(2 * Math.PI * across * y);
     return [SHEET_SIZE * (x - 0.5), SHEET_SIZE * (y - 0.5), amplitude * height, 1];
   };
-  const [rows, columns] = counts.map((count) => Array.from({ length: count }, (_, i) => i));
-  const ctrl = (rows ?? []).map((i) =>
-    (columns ?? []).map((j) => point(i / (counts[0] - 1), j / (counts[1] - 1))),
-  );
+  const evenly = (count: number) => Array.from({ length: count }, (_, i) => i / (count - 1));
+  const ctrl = evenly(counts[0]).map((x) => evenly(counts[1]).map((y) => point(x, y)));
   const [knots_u, knots_v] = [clampedKnots(counts[0]), clampedKnots(counts[1])];
   return asFile("wavy sheet", { degree: [CUBIC, CUBIC], knots_u, knots_v, ctrl });
 }
@@ -40,30 +38,28 @@ function clampedKnots(count: number): number[] {
   });
 }
 
+/** Weight of the corners of a circle's square. */
+const CORNER = Math.SQRT1_2;
+
 /**
- * Control points [x, y, w] of the unit circle in four quarters (Piegl and
- * Tiller, The NURBS Book, section 7.5).
+ * Control points x, y, w of the unit circle in four quarters (Piegl and
+ * Tiller, The NURBS Book, section 7.5), without the last, which is the first.
  */
-const CIRCLE: [number, number, number][] = [
-  ...([
-    [1, 0, 1],
-    [1, 1, Math.SQRT1_2],
-    [0, 1, 1],
-    [-1, 1, Math.SQRT1_2],
-  ] as const),
-  ...([
-    [-1, 0, 1],
-    [-1, -1, Math.SQRT1_2],
-    [0, -1, 1],
-    [1, -1, Math.SQRT1_2],
-    [1, 0, 1],
-  ] as const),
-].map(([x, y, w]) => [x, y, w]);
+const CIRCLE: readonly (readonly [number, number, number])[] = [
+  [1, 0, 1],
+  [1, 1, CORNER],
+  [0, 1, 1],
+  [-1, 1, CORNER],
+  [-1, 0, 1],
+  [-1, -1, CORNER],
+  [0, -1, 1],
+  [1, -1, CORNER],
+];
 
 /** The sphere about the origin: a half circle revolved about the z axis (ibid., 8.5). */
 export function ball(radius: number): Source {
   const half = [...CIRCLE.slice(6, 8), ...CIRCLE.slice(0, 3)];
-  const ctrl = CIRCLE.map(([x, y, around]) =>
+  const ctrl = [...CIRCLE, ...CIRCLE.slice(0, 1)].map(([x, y, around]) =>
     half.map(([out, up, along]): ControlPoint => {
       return [radius * out * x, radius * out * y, radius * up, around * along];
     }),

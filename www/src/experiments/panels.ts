@@ -23,13 +23,16 @@ export interface Panel {
   series(curves: readonly Curve[]): Series[];
 }
 
+/** What browsers round times to, in seconds; a time of 0 has no place on a logarithmic axis. */
+const CLOCK = 1e-4;
+
 export const panels: readonly Panel[] = [
   {
     id: "time",
     unit: "seconds",
     logarithmic: true,
     marksFailures: true,
-    series: (curves) => each(curves, ({ seconds }) => seconds.solve),
+    series: (curves) => each(curves, ({ seconds }) => Math.max(seconds.solve, CLOCK)),
   },
   {
     id: "distance",

@@ -78,6 +78,7 @@ export class Plot {
     const grid = { stroke: this.#look.grid, width: 1 };
     const decades: uPlot.Axis.Filter = (_, splits) =>
       this.#logarithmic ? splits.map(wholeDecade) : splits;
+    const coarse = { ...grid, filter: decades };
     const axis: uPlot.Axis = {
       stroke: this.#look.ink,
       grid,
@@ -97,7 +98,7 @@ export class Plot {
       },
       axes: [
         { ...axis, label: "position of A’s centre from B’s, model units", size: 32 },
-        { ...axis, label: this.#panel.unit, size: 58, grid: { ...grid, filter: decades } },
+        { ...axis, label: this.#panel.unit, size: 58, grid: coarse, ticks: coarse },
       ],
       series: [{}, ...this.#panel.series(this.#curves).map((series) => this.#drawn(series))],
       hooks: {
