@@ -65,20 +65,25 @@ export const pairs: readonly Pair[] = [
 
 type Box = Shown["box"];
 
-/** `count` positions of A's centre along the axis, 0 beside B's centre. */
+/**
+ * `count` positions of A's centre along the axis, 0 beside B's centre. Models
+ * that are flat across the axis, as own files may be, go as far as B is large.
+ */
 export function positions({ axis }: Pair, a: Box, b: Box, count: number): number[] {
   const extent = ({ min, max }: Box) => dot(axis, minus(max, min));
-  const reach = REACH * 0.5 * (extent(a) + extent(b));
+  const reach = REACH * 0.5 * (extent(a) + extent(b) || diagonal(b) || 1);
   return Array.from({ length: count }, (_, index) => reach * ((2 * index) / (count - 1) - 1));
 }
 
 /** What brings A to `position`. */
 export function transformAt({ axis, aside }: Pair, a: Box, b: Box, position: number): Transform {
   const apart = minus(center(b), center(a));
-  const diagonal = Math.hypot(...minus(b.max, b.min));
-  const along = (at: 0 | 1 | 2) => apart[at] + aside[at] * diagonal + axis[at] * position;
+  const size = diagonal(b);
+  const along = (at: 0 | 1 | 2) => apart[at] + aside[at] * size + axis[at] * position;
   return { translation: [along(0), along(1), along(2)] };
 }
+
+const diagonal = ({ min, max }: Box): number => Math.hypot(...minus(max, min));
 
 const minus = (one: Vector3, other: Vector3): Vector3 => [
   one[0] - other[0],

@@ -1,17 +1,16 @@
 // One panel on a canvas, drawn again as points come in.
 import uPlot from "uplot";
 import { axisNumber } from "./axis-number.ts";
+import { markFailures } from "./failure-marks.ts";
 import type { Curve } from "./outcome.ts";
 import type { Panel, Series } from "./panels.ts";
 
-/** A CSS colour. */
-export type Color = string;
-
+/** Colours of CSS. */
 export interface Look {
-  ink: Color;
-  grid: Color;
+  ink: string;
+  grid: string;
   /** The colour of a method. */
-  of(method: string): Color;
+  of(method: string): string;
 }
 
 /** Pixels. */
@@ -19,9 +18,10 @@ const HEIGHT = 290;
 const POINT = 5;
 const BOUND_POINT = 3;
 const DASHES = [8, 5];
-const CROSS = 4;
 /** Part of the axis that is left free at its ends. */
 const ROOM = 0.03;
+/** Of the logarithm of a power of ten, from a whole number. */
+const ROUNDING = 1e-9;
 
 export class Plot {
   readonly #panel: Panel;
@@ -29,21 +29,19 @@ export class Plot {
   readonly #curves: readonly Curve[];
   readonly #parent: HTMLElement;
   readonly #look: Look;
-  readonly #logarithmic: boolean;
   readonly #plot: uPlot;
   readonly #resized: ResizeObserver;
 
   /** `onCursor` hears the index of the position that is pointed at. */
   constructor(
     parent: HTMLElement,
-    panel: Panel & { logarithmic: boolean },
+    panel: Panel,
     positions: readonly number[],
     curves: readonly Curve[],
     look: Look,
     onCursor: (index: number) => void,
   ) {
     this.#panel = panel;
-    this.#logarithmic = panel.logarithmic;
     this.#positions = positions;
     this.#curves = curves;
     this.#parent = parent;
@@ -67,7 +65,7 @@ export class Plot {
 
   #data(): uPlot.AlignedData {
     const drawn = (value: number | null | undefined) =>
-      value == null || (this.#logarithmic && value <= 0) ? null : value;
+      value == null || (this.#panel.logarithmic && value <= 0) ? null : value;
     const values = this.#panel
       .series(this.#curves)
       .map(({ values }) => this.#positions.map((_, index) => drawn(values[index])));
@@ -77,7 +75,7 @@ export class Plot {
   #options(onCursor: (index: number) => void): uPlot.Options {
     const grid = { stroke: this.#look.grid, width: 1 };
     const decades: uPlot.Axis.Filter = (_, splits) =>
-      this.#logarithmic ? splits.map(wholeDecade) : splits;
+      this.#panel.logarithmic ? splits.map(wholeDecade) : splits;
     const coarse = { ...grid, filter: decades };
     const axis: uPlot.Axis = {
       stroke: this.#look.ink,
@@ -94,7 +92,7 @@ export class Plot {
       cursor: { sync: { key: "position" }, drag: { x: false, y: false }, y: false },
       scales: {
         x: { time: false, range: (_, low, high) => widened(low, high) },
-        y: this.#logarithmic ? { distr: 3 } : {},
+        y: this.#panel.logarithmic ? { distr: 3 } : {},
       },
       axes: [
         { ...axis, label: "position of A’s centre from B’s, model units", size: 32 },
@@ -103,7 +101,9 @@ export class Plot {
       series: [{}, ...this.#panel.series(this.#curves).map((series) => this.#drawn(series))],
       hooks: {
         setCursor: [({ cursor: { idx } }) => idx != null && onCursor(idx)],
-        draw: this.#panel.marksFailures ? [() => this.#markFailures()] : [],
+        draw: this.#panel.marksFailures
+          ? [(plot) => markFailures(plot, this.#curves, this.#look.of)]
+          : [],
       },
     };
   }
@@ -117,40 +117,12 @@ export class Plot {
       points: { show: true, size: dashed ? BOUND_POINT : POINT, fill: this.#look.of(method) },
     };
   }
-
-  /** A cross at the foot of the panel where a method failed, each method's in a row of its own. */
-  #markFailures(): void {
-    const { ctx, bbox } = this.#plot;
-    const size = CROSS * devicePixelRatio;
-    ctx.save();
-    ctx.lineWidth = 2 * devicePixelRatio;
-    let row = 0;
-    for (const { method, outcomes } of this.#curves) {
-      const failed = outcomes.filter(
-        ({ failure }) => failure !== undefined && failure.code !== "left-out",
-      );
-      if (failed.length === 0) continue;
-      row += 1;
-      ctx.strokeStyle = this.#look.of(method.name);
-      for (const { position } of failed) {
-        const x = this.#plot.valToPos(position, "x", true);
-        const y = bbox.top + bbox.height - 3 * row * size;
-        ctx.beginPath();
-        ctx.moveTo(x - size, y - size);
-        ctx.lineTo(x + size, y + size);
-        ctx.moveTo(x - size, y + size);
-        ctx.lineTo(x + size, y - size);
-        ctx.stroke();
-      }
-    }
-    ctx.restore();
-  }
 }
 
 /** The tick if it is a power of ten, within the rounding of the steps to it. */
 function wholeDecade(tick: number): number | null {
   const decade = Math.log10(tick);
-  return Math.abs(decade - Math.round(decade)) < 1e-9 ? tick : null;
+  return Math.abs(decade - Math.round(decade)) < ROUNDING ? tick : null;
 }
 
 function widened(low: number, high: number): [number, number] {
