@@ -2,7 +2,7 @@
 
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
 use crate::both::both;
-use glam::{DVec4, Vec4Swizzles};
+use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
 /// Equal parts of a patch along each direction: on a sphere's patches, bounds

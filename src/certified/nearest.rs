@@ -2,7 +2,8 @@
 
 use super::Side;
 use crate::project::{Status, nearest_control, newton};
-use glam::DVec3;
+use crate::bezier::Patch;
+use glam::{DVec3, Vec4Swizzles};
 
 /// Newton steps on one patch, at most: bounds hold wherever it stops.
 const ITERATIONS: u32 = 16;
@@ -62,6 +63,9 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
             let view = side.patch(patch);
             if view.bounding_box().min_distance_squared(target) < best.distance_squared {
                 let start = nearest_control(&view, target);
+                if is_beyond(&view, target, start, best.distance_squared) {
+                    continue;
+                }
                 // On the known foot's patch, only another valley is news.
                 let stale = patch == known.patch
                     && view.point(start).distance_squared(target) >= best.distance_squared;
@@ -76,6 +80,18 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
         }
     }
     best
+}
+
+/// Whether all control points, and so the patch, lie beyond a plane at this
+/// distance from the target, square to the way to a control point.
+fn is_beyond(patch: &Patch<'_>, target: DVec3, [s, t]: [f64; 2], distance_squared: f64) -> bool {
+    let local = target - patch.center;
+    let columns = patch.degree[1] + 1;
+    let index = (s * patch.degree[0] as f64 + 0.5) as usize * columns + (t * patch.degree[1] as f64 + 0.5) as usize;
+    let control = patch.controls[index];
+    let way = control.xyz() - control.w * local;
+    let far = (way.length_squared() * distance_squared).sqrt();
+    patch.controls.iter().all(|control| way.dot(control.xyz() - control.w * local) >= control.w * far)
 }
 
 /// Deeper than a tree that halves the patches can be, with indices of 32 bits.

@@ -337,7 +337,15 @@ impl<'a> Search<'a> {
         // Away from edges the parent's foot leads to the nearest patch again,
         // except across a ridge, which every other level looks for.
         let follow = known.status == Status::Converged && region.level % 2 == 1 && cell.half != [0.5; 2];
-        let foot = if follow { known } else { nearest(&self.b, jet.point, known) };
+        let mut foot = if follow { known } else { nearest(&self.b, jet.point, known) };
+        // The parent's middle was told to be about as far as no point may be, and
+        // no point was found that far: of a patch with two valleys, the iteration
+        // may have gone into the wrong one.
+        let doubtful = 0.5 * (self.lower() + enough);
+        let far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance_squared.sqrt() > doubtful;
+        if far(&region.foot) && far(&foot) {
+            foot = self.surest(jet.point, foot);
+        }
         let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
         let mut sample = Sample { parameters: cell.center, foot };
         let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
@@ -347,6 +355,17 @@ impl<'a> Search<'a> {
         // What is no number bounds nothing.
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
         Bounded { upper, foot, patch: cell.patch, sample }
+    }
+
+    /// The nearest foot by the search that certifies, unless the known one is nearer.
+    fn surest(&self, point: DVec3, known: Foot) -> Foot {
+        let target = self.b.target;
+        match closest(&target.patches, &target.tree, point, CERTIFICATE_PART * self.tolerance) {
+            Some(found) if found.upper * found.upper < known.distance_squared => {
+                foot_on(&self.b, point, found.patch as u32, found.parameters)
+            }
+            _ => known,
+        }
     }
 
     /// Certifies the chunk's farthest samples while they exceed the best.
