@@ -5,41 +5,37 @@ use crate::model::MAX_DEGREE;
 /// The largest number of control points of a patch along one direction.
 pub const MAX_ORDER: usize = MAX_DEGREE + 1;
 
-/// Values and first two derivatives of all Bernstein polynomials of one degree.
-pub(super) struct Basis {
-    /// `derivatives[k][i]` is the k-th derivative of `B_i`.
-    pub(super) derivatives: [[f64; MAX_ORDER]; 3],
-}
+/// Values and first two derivatives of all Bernstein polynomials of one
+/// degree: `basis[k][i]` is the k-th derivative of `B_i`.
+pub(super) type Basis = [[f64; MAX_ORDER]; 3];
 
-impl Basis {
-    /// At `t` in [0, 1], by the degree-raising recurrence, which adds numbers
-    /// of one sign only and is therefore accurate to a few units in the last
-    /// place; derivatives as differences of the lower degrees (Farin, *Curves
-    /// and Surfaces for CAGD*, section 5.3). O(degree^2).
-    pub(super) fn new(degree: usize, t: f64) -> Self {
-        let mut derivatives = [[0.0; MAX_ORDER]; 3];
-        let mut values = [0.0; MAX_ORDER];
-        values[0] = 1.0;
-        for current in 0..=degree {
-            let order = degree - current;
-            if order <= 2 {
-                derivatives[order] = values;
-            }
-            if current < degree {
-                raise(&mut values, current, t);
-            }
+/// At `t` in [0, 1], by the degree-raising recurrence, which adds numbers of
+/// one sign only and is therefore accurate to a few units in the last place;
+/// derivatives as differences of the lower degrees (Farin, *Curves and Surfaces
+/// for CAGD*, section 5.3). O(degree^2), written out where the degree is known.
+#[inline(always)]
+pub(super) fn fill(basis: &mut Basis, degree: usize, t: f64) {
+    let mut values = [0.0; MAX_ORDER];
+    values[0] = 1.0;
+    for current in 0..=degree {
+        let order = degree - current;
+        if order <= 2 {
+            basis[order][..=current].copy_from_slice(&values[..=current]);
         }
-        let scale = degree as f64;
-        differentiate(&mut derivatives[1], degree, scale);
-        if degree >= 2 {
-            differentiate(&mut derivatives[2], degree - 1, scale - 1.0);
-            differentiate(&mut derivatives[2], degree, scale);
+        if current < degree {
+            raise(&mut values, current, t);
         }
-        Self { derivatives }
+    }
+    let scale = degree as f64;
+    differentiate(&mut basis[1], degree, scale);
+    if degree >= 2 {
+        differentiate(&mut basis[2], degree - 1, scale - 1.0);
+        differentiate(&mut basis[2], degree, scale);
     }
 }
 
 /// Bernstein polynomials of degree `degree` into those of `degree + 1`.
+#[inline(always)]
 fn raise(values: &mut [f64; MAX_ORDER], degree: usize, t: f64) {
     let complement = 1.0 - t;
     for index in (1..=degree + 1).rev() {
@@ -50,6 +46,7 @@ fn raise(values: &mut [f64; MAX_ORDER], degree: usize, t: f64) {
 
 /// Values of degree `degree - 1` into derivatives of degree `degree`:
 /// `B_i' = degree (B_(i-1) - B_i)`.
+#[inline(always)]
 fn differentiate(values: &mut [f64; MAX_ORDER], degree: usize, scale: f64) {
     for index in (1..=degree).rev() {
         values[index] = scale * (values[index - 1] - values[index]);

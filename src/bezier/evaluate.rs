@@ -1,8 +1,8 @@
 //! Points and derivatives of a patch.
 
 use super::Patch;
-use super::basis::Basis;
-use crate::both::both;
+use super::MAX_ORDER;
+use super::basis::{Basis, fill};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A point of a surface with its first and second derivatives by (s, t).
@@ -38,11 +38,11 @@ impl Patch<'_> {
     /// 2 (p + q) units of rounding of the patch's radius. O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
-        let basis = both(|axis| Basis::new(self.degree[axis], parameters[axis]));
+        let basis = bases(self.degree, parameters);
         let columns = self.degree[1] + 1;
         let mut sum = DVec4::ZERO;
-        for (row, s) in self.controls.chunks_exact(columns).zip(basis[0].derivatives[0]) {
-            sum += s * contract(row, &basis[1].derivatives[0]);
+        for (row, s) in self.controls.chunks_exact(columns).zip(basis[0][0]) {
+            sum += s * contract(row, &basis[1][0]);
         }
         self.center + sum.xyz() / sum.w
     }
@@ -51,8 +51,20 @@ impl Patch<'_> {
     /// quotient rule (Piegl and Tiller, *The NURBS Book*, eq. 4.20). O(p q).
     #[must_use]
     pub fn jet(&self, parameters: [f64; 2]) -> Jet {
-        let basis = both(|axis| Basis::new(self.degree[axis], parameters[axis]).derivatives);
-        let columns = self.degree[1] + 1;
+        // The commonest degrees are written out, but not for the browser's small module.
+        match self.degree {
+            #[cfg(not(target_arch = "wasm32"))]
+            [2, 2] => self.jet_by([2, 2], parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [3, 3] => self.jet_by([3, 3], parameters),
+            degree => self.jet_by(degree, parameters),
+        }
+    }
+
+    #[inline(always)]
+    fn jet_by(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
+        let basis = bases(degree, parameters);
+        let columns = degree[1] + 1;
         let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
         for (i, row) in self.controls.chunks_exact(columns).enumerate() {
             let value = contract(row, &basis[1][0]);
@@ -79,6 +91,15 @@ impl Patch<'_> {
     }
 }
 
+#[inline(always)]
+fn bases(degree: [usize; 2], parameters: [f64; 2]) -> [Basis; 2] {
+    let mut bases = [[[0.0; MAX_ORDER]; 3]; 2];
+    fill(&mut bases[0], degree[0], parameters[0]);
+    fill(&mut bases[1], degree[1], parameters[1]);
+    bases
+}
+
+#[inline(always)]
 fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
 }
