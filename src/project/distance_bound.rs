@@ -1,7 +1,8 @@
 //! A lower bound of the distance from a point to a patch.
 
-use crate::both::both;
+use crate::bezier::MAX_ORDER;
 use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::sync::OnceLock;
 
 /// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
 const ROUNDINGS_PER_DEGREE: f64 = 4.0;
@@ -21,12 +22,13 @@ pub fn least_distance_squared(degree: [usize; 2], controls: &[DVec4], target: DV
     let [p, q] = degree;
     let (columns, doubled) = (q + 1, 2 * q + 1);
     let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
-    let weights = both(|axis| product_weights(degree[axis]));
+    let weights = [product_weights(p), product_weights(q)];
     let relative: Vec<DVec4> =
         controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).collect();
+    // Every pair of rows once, as its product counts twice.
     for i in 0..=p {
-        for k in 0..=p {
-            let in_s = weights[0][i * (p + 1) + k];
+        for k in i..=p {
+            let in_s = weights[0][i * (p + 1) + k] * if i == k { 1.0 } else { 2.0 };
             for j in 0..=q {
                 let left = relative[i * columns + j];
                 for l in 0..=q {
@@ -48,16 +50,21 @@ pub fn least_distance_squared(degree: [usize; 2], controls: &[DVec4], target: DV
 }
 
 /// `C(n,i) C(n,k) / C(2n,i+k)`: the weight of control products i, k in
-/// coefficient i + k of a product of Bernstein polynomials.
-fn product_weights(degree: usize) -> Vec<f64> {
-    let row = |n: usize| -> Vec<f64> {
-        let mut row = vec![1.0];
-        for k in 0..n {
-            row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
-        }
-        row
-    };
-    let (single, double) = (row(degree), row(2 * degree));
-    let size = degree + 1;
-    (0..size * size).map(|at| single[at / size] * single[at % size] / double[at / size + at % size]).collect()
+/// coefficient i + k of a product of Bernstein polynomials. Made once a degree.
+fn product_weights(degree: usize) -> &'static [f64] {
+    static MADE: [OnceLock<Vec<f64>>; MAX_ORDER] = [const { OnceLock::new() }; MAX_ORDER];
+    MADE[degree].get_or_init(|| {
+        let row = |n: usize| -> Vec<f64> {
+            let mut row = vec![1.0];
+            for k in 0..n {
+                row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
+            }
+            row
+        };
+        let (single, double) = (row(degree), row(2 * degree));
+        let size = degree + 1;
+        (0..size * size)
+            .map(|at| single[at / size] * single[at % size] / double[at / size + at % size])
+            .collect()
+    })
 }
