@@ -1,7 +1,7 @@
 //! A near foot on B, found fast and certified by nobody.
 
 use super::Side;
-use crate::project::{Status, nearest_control, newton};
+use crate::project::{Status, nearest_control, newton_below};
 use crate::bezier::Patch;
 use glam::{DVec3, Vec4Swizzles};
 
@@ -26,7 +26,12 @@ impl Foot {
 
 /// The foot on one patch from a start near it.
 pub(super) fn foot_on(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
-    let foot = newton(&side.patch(patch), target, start, ITERATIONS);
+    foot_below(side, target, patch, start, f64::INFINITY)
+}
+
+/// The same, given up where it will not be nearer than `most`, squared.
+fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> Foot {
+    let foot = newton_below(&side.patch(patch), target, start, ITERATIONS, most);
     Foot { patch, parameters: foot.parameters, distance_squared: foot.distance_squared, status: foot.status }
 }
 
@@ -72,7 +77,7 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
                 if stale {
                     continue;
                 }
-                let foot = foot_on(side, target, patch, start);
+                let foot = foot_below(side, target, patch, start, best.distance_squared);
                 if foot.distance_squared < best.distance_squared {
                     best = foot;
                 }

@@ -9,6 +9,7 @@ mod tangent_plane;
 pub use closest::{Closest, closest};
 pub use distance_bound::least_distance_squared;
 pub use newton::newton;
+pub(crate) use newton::newton_below;
 pub use start::nearest_control;
 pub use tangent_plane::{contraction, tangent_plane};
 

@@ -17,6 +17,10 @@ const RESIDUAL_ROUNDING: f64 = 1e-15;
 /// rounding: where no step makes such a distance smaller, it is stationary.
 const STALLED_DECREASE: f64 = 1e-14;
 
+/// Decrease of the squared distance, relative to the next step's, that all
+/// steps together are expected not to exceed: steps converge quadratically.
+const GAIN_ROOM: f64 = 2.0;
+
 /// Halvings of a step, at most.
 const MOST_HALVINGS: u32 = 8;
 
@@ -34,6 +38,18 @@ const DEGENERATE_RATIO: f64 = 1e-14;
 /// `iterations` at most, each O(p q).
 #[must_use]
 pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32) -> Foot {
+    newton_below(patch, target, start, iterations, f64::INFINITY)
+}
+
+/// As [`newton`], given up where even [`GAIN_ROOM`] times the decrease that
+/// the step promises would leave the squared distance above `most`.
+pub(crate) fn newton_below(
+    patch: &Patch<'_>,
+    target: DVec3,
+    start: [f64; 2],
+    iterations: u32,
+    most: f64,
+) -> Foot {
     let mut at = start;
     let mut jet = patch.jet(at);
     let mut value = jet.point.distance_squared(target);
@@ -46,6 +62,9 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
         }
         let full = step(at, gradient, &hessian(&jet, residual, free), free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
+        if value - GAIN_ROOM * decrease > most {
+            return Foot { parameters: at, distance_squared: value, status: Status::IterationLimit };
+        }
         let mut scale = 1.0;
         let mut halvings = 0;
         loop {
