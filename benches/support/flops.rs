@@ -14,15 +14,31 @@ use naga::{
     Range, ScalarKind, Span, Statement, TypeInner,
 };
 
-/// Where the kernel of `project` ends, and what is written there instead.
-const END: &str = "best[sample] = search.known;";
-const COUNTED_END: &str = "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);";
+/// Where a kernel ends, and what is written there instead.
+#[derive(Clone, Copy)]
+pub(crate) struct End([&'static str; 2]);
 
-/// The kernel of `project` with the operations made written to `Best.s`,
-/// summed over the groups of patches. Exact below 2^24 a sample.
-pub(crate) fn counting(text: &str) -> String {
-    assert!(text.contains(END), "the kernel ends in another way");
-    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(END, COUNTED_END));
+/// `project` adds to `Best.s`, over the groups of patches; what is there
+/// before is 0, or a parameter, so less than one operation.
+pub(crate) const PROJECT: End = End([
+    "best[sample] = search.known;",
+    "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);",
+]);
+
+/// `cell` writes `Best.s`.
+pub(crate) const CELL: End = End([
+    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),own.foot_at.x,own.foot_at.y);",
+    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),f32(flops),own.foot_at.y);",
+]);
+
+/// `certify` writes `Cell.reach`.
+pub(crate) const CERTIFY: End = End(["cells[id.x] = own;", "own.reach = f32(flops);\ncells[id.x] = own;"]);
+
+/// The kernel with the operations made written where its end says. Exact
+/// below 2^24 a thread.
+pub(crate) fn counting(text: &str, End([end, counted]): End) -> String {
+    assert!(text.contains(end), "the kernel ends in another way");
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(end, counted));
     let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
     let info = validated(&module);
     let (flops, _) = module
