@@ -120,6 +120,11 @@ impl Counter<'_> {
 
     fn operations(&self, function: &Function, handle: Handle<Expression>) -> u32 {
         match function.expressions[handle] {
+            Expression::Binary { op: BinaryOperator::Multiply, left, right }
+                if self.is_matrix(left) || self.is_matrix(right) =>
+            {
+                self.products(left, right) * self.floats(handle)
+            }
             Expression::Binary {
                 op:
                     BinaryOperator::Add
@@ -133,7 +138,11 @@ impl Counter<'_> {
                 MathFunction::Length => 2 * self.floats(arg),
                 MathFunction::Sqrt => self.floats(arg),
                 MathFunction::Fma => 2 * self.floats(arg),
-                MathFunction::Abs | MathFunction::Min | MathFunction::Max | MathFunction::Clamp => 0,
+                MathFunction::Abs
+                | MathFunction::Min
+                | MathFunction::Max
+                | MathFunction::Clamp
+                | MathFunction::Transpose => 0,
                 other => panic!("{other:?} is not counted"),
             },
             _ => 0,
@@ -145,7 +154,23 @@ impl Counter<'_> {
         match *self.info[handle].ty.inner_with(&self.module.types) {
             TypeInner::Scalar(scalar) if scalar.kind == ScalarKind::Float => 1,
             TypeInner::Vector { size, scalar } if scalar.kind == ScalarKind::Float => size as u32,
+            TypeInner::Matrix { columns, rows, .. } => columns as u32 * rows as u32,
             _ => 0,
         }
+    }
+
+    fn is_matrix(&self, handle: Handle<Expression>) -> bool {
+        matches!(self.info[handle].ty.inner_with(&self.module.types), TypeInner::Matrix { .. })
+    }
+
+    /// Operations of a component of a product with a matrix.
+    fn products(&self, left: Handle<Expression>, right: Handle<Expression>) -> u32 {
+        let terms = match *self.info[left].ty.inner_with(&self.module.types) {
+            TypeInner::Matrix { columns, .. } if self.floats(right) > 1 => columns as u32,
+            TypeInner::Vector { size, .. } => size as u32,
+            // Scaled.
+            _ => 1,
+        };
+        2 * terms - 1
     }
 }
