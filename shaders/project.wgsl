@@ -14,13 +14,13 @@ struct ProjectParams {
     padding: u32,
 }
 
-// Siblings are neighbours.
 struct Node {
     box_min: vec3<f32>,
-    // Of a leaf, twice its patch and one, else twice the first child.
+    // Of a leaf, twice its patch and one, else twice its own index.
     place: u32,
     box_max: vec3<f32>,
-    padding: u32,
+    // Index of the second child; the first follows its parent.
+    second: u32,
 }
 
 // No place.
@@ -128,12 +128,13 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
                 }
             }
             if (place & 1u) == 0u {
-                let first = place >> 1u;
+                let first = (place >> 1u) + 1u;
+                let second = nodes[first - 1u].second;
                 let one = box_distance_squared(first, point);
-                let two = box_distance_squared(first + 1u, point);
+                let two = box_distance_squared(second, point);
                 let swap = two < one;
                 let far = max(one, two);
-                let places = vec2<u32>(nodes[first].place, nodes[first + 1u].place);
+                let places = vec2<u32>(nodes[first].place, nodes[second].place);
                 place = select(NOWHERE, select(places.x, places.y, swap), min(one, two) < search.known.distance_squared);
                 if far < search.known.distance_squared {
                     waiting[height] = select(places.y, places.x, swap);

@@ -55,7 +55,7 @@ pub(super) struct Node {
     pub(super) box_min: [f32; 3],
     pub(super) place: u32,
     pub(super) box_max: [f32; 3],
-    pub(super) padding: u32,
+    pub(super) second: u32,
 }
 
 /// `Best` of `best.wgsl`.
@@ -309,7 +309,7 @@ mod tests {
                         step_tolerance,
                         padding
                     );
-                    same_layout!(module, Node, box_min, place, box_max, padding);
+                    same_layout!(module, Node, box_min, place, box_max, second);
                     same_layout!(module, Best, distance_squared, patch_and_status, s, t);
                     assert_eq!(constant(module, "PATCH_MASK"), (1 << STATUS_SHIFT) - 1);
                 }

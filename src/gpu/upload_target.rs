@@ -6,7 +6,6 @@ use super::layouts::Node;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::iteration::Target;
 use crate::tree::{Aabb, BoxTree};
-use bytemuck::Zeroable;
 use glam::DVec3;
 
 /// A target on the GPU.
@@ -58,7 +57,8 @@ impl Gpu {
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
             let tree = BoxTree::new(&boxes);
-            let nodes = nodes(&tree, origin, scale);
+            let of_tree = tree.nodes().iter().enumerate();
+            let nodes: Vec<Node> = of_tree.map(|(index, of)| node(index, of, origin, scale)).collect();
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
@@ -85,27 +85,12 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
     2.0 * (ROUNDINGS_PER_DEGREE * degrees + ROUNDINGS_BESIDES) * ROUNDING * ratio * radius
 }
 
-/// The tree's nodes with siblings next to each other, the root first, and
-/// boxes rounded outwards.
-fn nodes(tree: &BoxTree, origin: DVec3, scale: f64) -> Vec<Node> {
-    let mut nodes = vec![Node::zeroed(); tree.nodes().len()];
-    let mut index = vec![0; nodes.len()];
-    let mut end = 1;
-    for (node, of) in tree.nodes().iter().enumerate() {
-        let place = if of.count > 0 {
-            2 * of.first + 1
-        } else {
-            index[node + 1] = end;
-            index[of.second as usize] = end + 1;
-            end += 2;
-            2 * (end - 2)
-        };
-        nodes[index[node] as usize] = Node {
-            box_min: (scale * (of.aabb.min - origin)).to_array().map(rounded_down),
-            place,
-            box_max: (scale * (of.aabb.max - origin)).to_array().map(rounded_up),
-            padding: 0,
-        };
+/// A node with its box rounded outwards.
+fn node(index: usize, node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
+    Node {
+        box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
+        place: if node.count > 0 { 2 * node.first + 1 } else { 2 * index as u32 },
+        box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
+        second: node.second,
     }
-    nodes
 }
