@@ -69,7 +69,7 @@ impl LevelBench {
             }
         }
         let Some(levels) = Levels::new(gpu, &search)? else { return Ok(None) };
-        let (cells, _) = levels.cells(&search.lend(cells));
+        let cells = levels.cells(&search.lend(cells), &mut Vec::new());
         let params = levels.params(search.enough());
         Ok(Some(Self { gpu: Rc::clone(gpu), levels, cells, params }))
     }

@@ -174,8 +174,8 @@ impl Levels {
     }
 
     pub(super) async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
-        let (cells, waiting) = self.cells(lent);
-        let mut returned = Returned { waiting, ..Returned::default() };
+        let mut returned = Returned::default();
+        let cells = self.cells(lent, &mut returned.waiting);
         let Buffers { params, cells: buffers, left, tally, .. } = &self.buffers;
         self.begin(&cells);
         let mut work = Work::new(&self.gpu, params);
@@ -213,9 +213,9 @@ impl Levels {
         Ok(returned)
     }
 
-    /// The cells of the regions, and the regions that found no room.
-    pub(super) fn cells(&self, lent: &[Region]) -> (Vec<Cell>, Vec<Region>) {
-        let (mut cells, mut waiting) = (Vec::new(), Vec::new());
+    /// The cells of the regions; those that found no room are left waiting.
+    pub(super) fn cells(&self, lent: &[Region], waiting: &mut Vec<Region>) -> Vec<Cell> {
+        let mut cells = Vec::new();
         for region in lent {
             let before = cells.len();
             if let Part::Cell(cell) = &region.part {
@@ -228,7 +228,7 @@ impl Levels {
                 waiting.push(*region);
             }
         }
-        (cells, waiting)
+        cells
     }
 
     /// Makes these the cells of the first level, which has told nothing yet.
