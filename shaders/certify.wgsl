@@ -19,7 +19,9 @@ const DIFFERENCE_ROUNDINGS: f32 = 4.0 * UNIT;
 const LENGTH_ROUNDINGS: f32 = 16.0 * UNIT;
 // Roundings of the quadratic's coefficients and net, relative to the sum of the sizes.
 const QUADRATIC_ROUNDINGS: f32 = 32.0 * UNIT;
-// Roundings of a Bernstein coefficient of the squared length.
+// Roundings of a Bernstein coefficient of the squared length, of which there
+// are at most 16: three of a dot product, two where `products` sums, three
+// where two rows are mixed, four where a row's are, and four of this bound.
 const PRODUCT_ROUNDINGS: f32 = 64.0 * UNIT;
 // In these units nothing is of this size; what is, was no number.
 const ABSURD: f32 = 1e15;
