@@ -1,4 +1,4 @@
-//! The share of the GPU's float32 peak that the projection kernel reaches.
+//! The share of the GPU's float32 peak that the kernels reach that project and certify.
 //!
 //! `cargo bench --bench peak [-- NAME]`: settings whose names contain NAME, as
 //! Markdown. Peak and kernels run in turn,
@@ -11,6 +11,8 @@
 mod clock;
 #[path = "support/flops.rs"]
 mod flops;
+#[path = "support/levels.rs"]
+mod levels;
 #[path = "support/models.rs"]
 mod models;
 #[path = "support/peak.rs"]
@@ -20,10 +22,11 @@ use clock::Stopwatch;
 use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{Gpu, StageBench};
+use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
 use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, Target};
 use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::{Model, RigidTransform};
+use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -35,17 +38,26 @@ const RULE: Rule =
 
 struct Case {
     name: String,
-    bench: StageBench,
-    samples: usize,
-    /// Floating-point operations of all samples.
+    /// Runs what is timed, or only what is taken off again.
+    run: Box<dyn FnMut(bool)>,
+    /// Threads: samples or cells.
+    threads: usize,
+    /// Floating-point operations of all threads.
     operations: f64,
-    /// The least seen of `sample` alone, and of `sample` and `project`.
+    /// The least seen without and with what is timed.
     seconds: [f64; 2],
 }
 
 impl Case {
-    /// `translation` in parts of the diagonal.
-    fn new(
+    fn new(name: String, counted: &[f32], mut run: Box<dyn FnMut(bool)>) -> Self {
+        // The kernels' pace is learnt.
+        (0..4).for_each(|_| run(true));
+        let operations = counted.iter().map(|&flops| f64::from(flops).floor()).sum();
+        Self { name, run, threads: counted.len(), operations, seconds: [f64::INFINITY; 2] }
+    }
+
+    /// `project` of method `iteration`; `translation` in parts of the diagonal.
+    fn projection(
         gpu: &Rc<Gpu>,
         name: &str,
         model: &Model,
@@ -60,31 +72,51 @@ impl Case {
         let transform =
             RigidTransform::translation(diagonal * DVec3::from_array(translation)).expect("finite");
         let mut bench = StageBench::new(gpu, &model, &sampling, &target, transform, RULE).expect("a GPU");
-        bench.edit(&|text| flops::counting(&text));
+        bench.edit(&|text| flops::counting(&text, flops::PROJECT));
         bench.project().expect("a projection");
-        let written = bench.written().expect("counts");
+        let counted = bench.written().expect("counts");
         bench.edit(&|text| text);
-        // The kernels' pace is learnt.
-        for _ in 0..4 {
-            bench.project().expect("a projection");
-        }
-        Self {
-            name: name.to_owned(),
-            bench,
-            samples: written.len(),
-            operations: written.iter().map(|&flops| f64::from(flops)).sum(),
-            seconds: [f64::INFINITY; 2],
-        }
+        let run = move |timed| if timed { bench.project() } else { bench.sample() }.expect("samples");
+        Self::new(name.to_owned(), &counted, Box::new(run))
+    }
+
+    /// `cell`, `project` and `certify` of method `certified`, on a net and the
+    /// same moved, whose cells are those of `stages.rs`.
+    fn levels(gpu: &Rc<Gpu>, name: &str, degree: [usize; 2]) -> Vec<Self> {
+        const BEFORE: [LevelStage; 2] = [LevelStage::Cell, LevelStage::Project];
+        let bench = Rc::new(RefCell::new(levels::bench(gpu, degree)));
+        let of = |stage, end, before: &'static [LevelStage], whole: &'static [LevelStage]| {
+            let mut edited = bench.borrow_mut();
+            // What the stage goes on from.
+            edited.run(&BEFORE).expect("cells");
+            edited.edit(stage, &|text| flops::counting(&text, end));
+            edited.run(whole).expect("a count");
+            edited.edit(stage, &|text| text);
+            let written = edited.written().expect("counts");
+            let counted: Vec<f32> = written
+                .iter()
+                .map(|&[s, reach]| if stage == LevelStage::Certify { reach } else { s })
+                .collect();
+            edited.run(&BEFORE).expect("cells");
+            let bench = Rc::clone(&bench);
+            drop(edited);
+            let run = move |timed| bench.borrow().run(if timed { whole } else { before }).expect("cells");
+            Self::new(format!("{stage:?}, {name}"), &counted, Box::new(run))
+        };
+        vec![
+            of(LevelStage::Cell, flops::CELL, &[], &BEFORE[..1]),
+            of(LevelStage::Project, flops::PROJECT, &BEFORE[..1], &BEFORE),
+            of(LevelStage::Certify, flops::CERTIFY, &[], &[LevelStage::Certify]),
+        ]
     }
 
     fn run(&mut self, on_processor: bool) {
-        let started = Stopwatch::start(on_processor);
-        self.bench.sample().expect("samples");
-        let sampled = started.seconds();
-        let started = Stopwatch::start(on_processor);
-        self.bench.project().expect("a projection");
-        let seconds = [sampled, started.seconds()];
-        self.seconds = [0, 1].map(|stage| self.seconds[stage].min(seconds[stage]));
+        for timed in [false, true] {
+            let started = Stopwatch::start(on_processor);
+            (self.run)(timed);
+            let least = &mut self.seconds[usize::from(timed)];
+            *least = least.min(started.seconds());
+        }
     }
 }
 
@@ -107,16 +139,16 @@ fn main() {
     }
     let peak = fastest.into_iter().fold(0.0, f64::max);
     println!(
-        "\n| setting | samples | operations a sample | projections a second | GFLOP/s | share of the peak |"
+        "\n| setting | threads | operations a thread | threads a second | GFLOP/s | share of the peak |"
     );
     println!("|---|---|---|---|---|---|");
-    for Case { name, samples, operations, seconds, .. } in &cases {
+    for Case { name, threads, operations, seconds, .. } in &cases {
         let seconds = seconds[1] - seconds[0];
         let flops = operations / seconds;
         println!(
-            "| {name} | {samples} | {:.0} | {:.0} | {:.1} | {:.1} % |",
-            operations / *samples as f64,
-            *samples as f64 / seconds,
+            "| {name} | {threads} | {:.0} | {:.0} | {:.1} | {:.1} % |",
+            operations / *threads as f64,
+            *threads as f64 / seconds,
             flops / 1e9,
             100.0 * flops / peak,
         );
@@ -128,7 +160,7 @@ fn cases(gpu: &Rc<Gpu>, wanted: &str) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name: &str, model: &Model, samples, translation, flatness| {
         if name.contains(wanted) {
-            cases.push(Case::new(gpu, name, model, samples, translation, flatness));
+            cases.push(Case::projection(gpu, name, model, samples, translation, flatness));
         }
     };
     let offset = [0.01, 0.005, 0.1];
@@ -145,6 +177,12 @@ fn cases(gpu: &Rc<Gpu>, wanted: &str) -> Vec<Case> {
             && let Some(model) = shared(name)
         {
             add(name, &model, samples, [0.01, 0.005, 0.002], Flatness::Loose);
+        }
+    }
+    for degree in levels::DEGREES {
+        let name = format!("cells of degrees {degree:?}");
+        if name.contains(wanted) {
+            cases.extend(Case::levels(gpu, &name, degree));
         }
     }
     cases

@@ -2,11 +2,13 @@
 //!
 //! `cargo bench --bench stages [-- FILTER]`; `elem/s` are patches (extraction,
 //! tree), samples (sample, reduce), projections of a sample on the whole model
-//! (project) or cells (certify) a second. On the GPU `project` includes
+//! (project) or cells (certify, levels) a second. On the GPU `project` includes
 //! `sample`, whose time is given too, and `reduce` the reading back.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "support/levels.rs"]
+mod levels;
 #[path = "support/models.rs"]
 mod models;
 
@@ -16,7 +18,7 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
 use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{Gpu, StageBench};
+use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
 use nurbs_hausdorff::iteration::{
     Culling, Projected, Rule, Sampling, SamplingRule, Target, project, reduce, sample,
 };
@@ -177,6 +179,27 @@ fn certify(c: &mut Criterion) {
     }
 }
 
+/// The kernels of method `certified` on a level of cells, alone and together.
+fn level_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
+    for degree in levels::DEGREES {
+        let bench = levels::bench(gpu, degree);
+        let mut group = group(c, "levels", bench.cells());
+        bench.run(&LevelStage::ALL).expect("cells");
+        for (name, stages) in [
+            ("cell", &[LevelStage::Cell][..]),
+            ("cell and project", &[LevelStage::Cell, LevelStage::Project]),
+            ("certify", &[LevelStage::Certify]),
+            ("split", &[LevelStage::Split]),
+            ("level", &[LevelStage::Level]),
+            ("all", &LevelStage::ALL),
+        ] {
+            let of = BenchmarkId::new(name, format!("{}x{}", degree[0], degree[1]));
+            group.bench_function(of, |b| b.iter(|| bench.run(stages).expect("cells")));
+        }
+        group.finish();
+    }
+}
+
 fn stages(c: &mut Criterion) {
     let gpu = pollster::block_on(Gpu::new()).map(Rc::new).ok();
     let adapter = gpu.as_ref().and_then(|gpu| gpu.adapter());
@@ -187,6 +210,9 @@ fn stages(c: &mut Criterion) {
     projection(c, gpu.as_ref());
     reduction(c, gpu.as_ref());
     certify(c);
+    if let Some(gpu) = &gpu {
+        level_stages(c, gpu);
+    }
 }
 
 criterion_group!(benches, stages);

@@ -19,7 +19,9 @@ const DIFFERENCE_ROUNDINGS: f32 = 4.0 * UNIT;
 const LENGTH_ROUNDINGS: f32 = 16.0 * UNIT;
 // Roundings of the quadratic's coefficients and net, relative to the sum of the sizes.
 const QUADRATIC_ROUNDINGS: f32 = 32.0 * UNIT;
-// Roundings of a Bernstein coefficient of the squared length.
+// Roundings of a Bernstein coefficient of the squared length, of which there
+// are at most 16: three of a dot product, two where `products` sums, three
+// where two rows are mixed, four where a row's are, and four of this bound.
 const PRODUCT_ROUNDINGS: f32 = 64.0 * UNIT;
 // In these units nothing is of this size; what is, was no number.
 const ABSURD: f32 = 1e15;
@@ -47,12 +49,6 @@ struct Quadratic {
     st: vec3<f32>,
     tt: vec3<f32>,
 }
-
-// Quadratic Bernstein coefficients of σ on [-1, 1], and of σ².
-const LINEAR = array<f32, 3>(-1.0, 0.0, 1.0);
-const SQUARE = array<f32, 3>(1.0, -1.0, 1.0);
-// C(2,i) C(2,k) / C(4,i+k).
-const PRODUCT = array<f32, 9>(1.0, 0.5, 0.1666667, 0.5, 0.6666667, 0.5, 0.1666667, 0.5, 1.0);
 
 fn solve(matrix: vec3<f32>, right: vec2<f32>, frozen: vec2<bool>) -> vec2<f32> {
     if all(frozen) {
@@ -83,37 +79,45 @@ fn difference(a: Jet, b: Jet, map: FootMap) -> Quadratic {
     );
 }
 
+// The quadratic's controls in τ, as columns, at one of its controls in σ,
+// where σ is `place` and ½σ² is `square`; in τ as in σ -1, 0, 1 and ½, -½, ½.
+fn row(change: Quadratic, place: f32, square: f32) -> mat3x3<f32> {
+    let middle = place * change.s + square * change.ss;
+    let slope = change.t + place * change.st;
+    let bend = 0.5 * change.tt;
+    return mat3x3<f32>(middle - slope + bend, middle - bend, middle + slope + bend);
+}
+
+// (v + a_i)·(v + b_k) - v·v of all controls of two rows.
+fn products(a: mat3x3<f32>, b: mat3x3<f32>, va: vec3<f32>, vb: vec3<f32>) -> mat3x3<f32> {
+    return transpose(a) * b + mat3x3<f32>(va + vb.x, va + vb.y, va + vb.z);
+}
+
+// The largest quartic Bernstein coefficient of such a product.
+fn largest_in_row(p: mat3x3<f32>) -> f32 {
+    let inner = 0.5 * max(p[0].y + p[1].x, p[1].z + p[2].y);
+    return max(max(p[0].x, p[2].z), max(inner, 0.16666667 * (p[0].z + p[2].x) + 0.6666667 * p[1].y));
+}
+
+fn longest(a: mat3x3<f32>) -> f32 {
+    return max(dot(a[0], a[0]), max(dot(a[1], a[1]), dot(a[2], a[2])));
+}
+
 // At least the largest length of the quadratic, whose value is `value`. With
-// the value taken out of every product, rounding counts by the change only.
+// the value's square taken out of every product, rounding counts by the change only.
 fn largest_length(value: vec3<f32>, size: f32, change: Quadratic) -> f32 {
-    var net: array<vec3<f32>, 9>;
-    var largest_change = 0.0;
-    for (var i = 0u; i < 3u; i++) {
-        for (var j = 0u; j < 3u; j++) {
-            let control = LINEAR[i] * change.s + LINEAR[j] * change.t + 0.5 * SQUARE[i] * change.ss
-                + LINEAR[i] * LINEAR[j] * change.st + 0.5 * SQUARE[j] * change.tt;
-            net[3u * i + j] = control;
-            largest_change = max(largest_change, length(control));
-        }
-    }
-    var largest = 0.0;
-    for (var row = 0u; row < 5u; row++) {
-        for (var column = 0u; column < 5u; column++) {
-            var coefficient = 0.0;
-            for (var i = max(row, 2u) - 2u; i <= min(row, 2u); i++) {
-                for (var j = max(column, 2u) - 2u; j <= min(column, 2u); j++) {
-                    let k = row - i;
-                    let l = column - j;
-                    let one = net[3u * i + j];
-                    let two = net[3u * k + l];
-                    let product = dot(value, one + two) + dot(one, two);
-                    coefficient += PRODUCT[3u * i + k] * PRODUCT[3u * j + l] * product;
-                }
-            }
-            largest = max(largest, coefficient);
-        }
-    }
-    largest += PRODUCT_ROUNDINGS * largest_change * (2.0 * size + largest_change);
+    let a = row(change, -1.0, 0.5);
+    let b = row(change, 0.0, -0.5);
+    let c = row(change, 1.0, 0.5);
+    let va = value * a;
+    let vb = value * b;
+    let vc = value * c;
+    let middle = 0.33333334 * products(a, c, va, vc) + 0.6666667 * products(b, b, vb, vb);
+    let first = max(largest_in_row(products(a, a, va, va)), largest_in_row(products(a, b, va, vb)));
+    let last = max(largest_in_row(products(b, c, vb, vc)), largest_in_row(products(c, c, vc, vc)));
+    let largest_change = sqrt(max(longest(a), max(longest(b), longest(c))));
+    let largest = max(max(first, 0.0), max(last, largest_in_row(middle)))
+        + PRODUCT_ROUNDINGS * largest_change * (2.0 * size + largest_change);
     // The root's tangent where that loses little: it needs no root of a sum.
     if largest < LITTLE * size * size {
         return size + 0.5 * largest / size * ROOM;

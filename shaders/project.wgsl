@@ -16,16 +16,15 @@ struct ProjectParams {
 
 struct Node {
     box_min: vec3<f32>,
-    // Index of the second child; the first follows its parent. 0 in a leaf.
-    second: u32,
+    // Of a leaf, twice its patch and one, else twice its own index.
+    place: u32,
     box_max: vec3<f32>,
-    // In a leaf: first patch and, in the lowest bits, their number.
-    patches: u32,
+    // Index of the second child; the first follows its parent.
+    second: u32,
 }
 
-// As the host packs `Node.patches`.
-const LEAF_COUNT_BITS: u32 = 2u;
-const LEAF_COUNT_MASK: u32 = 3u;
+// No place.
+const NOWHERE: u32 = 0xffffffffu;
 
 // Deeper than any tree over the patches that fit a binding.
 const STACK_SIZE: u32 = 32u;
@@ -107,50 +106,52 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
     var search = Search(best[sample], 0u);
     var waiting: array<u32, STACK_SIZE>;
     var distances: array<f32, STACK_SIZE>;
-    var height = select(0u, 1u, exists);
-    waiting[0] = 0u;
-    distances[0] = box_distance_squared(0u, point);
-    // Patches of a leaf.
-    var next = 0u;
-    var end = 0u;
+    var height = 0u;
+    var place = select(NOWHERE, nodes[0].place, exists);
     loop {
-        while next == end && height > 0u {
+        // Down to the nearest leaf; even places are those of inner nodes.
+        while (place & 1u) == 0u || (place == NOWHERE && height > 0u) {
             search.turns++;
             if search.turns > MOST_TURNS {
                 // Not tried on everything: the distance may be too large, never too small.
                 search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
                     | (ITERATION_LIMIT << STATUS_SHIFT);
+                place = NOWHERE;
+                height = 0u;
                 break;
             }
-            height--;
-            let node = waiting[height];
-            if distances[height] >= search.known.distance_squared {
-                continue;
+            while place == NOWHERE && height > 0u {
+                search.turns++;
+                height--;
+                if distances[height] < search.known.distance_squared {
+                    place = waiting[height];
+                }
             }
-            let second = nodes[node].second;
-            if second == 0u {
-                let patches = nodes[node].patches;
-                next = patches >> LEAF_COUNT_BITS;
-                end = next + (patches & LEAF_COUNT_MASK);
-                continue;
+            if (place & 1u) == 0u {
+                let first = (place >> 1u) + 1u;
+                let second = nodes[first - 1u].second;
+                let one = box_distance_squared(first, point);
+                let two = box_distance_squared(second, point);
+                let swap = two < one;
+                let far = max(one, two);
+                let places = vec2<u32>(nodes[first].place, nodes[second].place);
+                place = select(NOWHERE, select(places.x, places.y, swap), min(one, two) < search.known.distance_squared);
+                if far < search.known.distance_squared {
+                    waiting[height] = select(places.y, places.x, swap);
+                    distances[height] = far;
+                    height++;
+                }
             }
-            let near = box_distance_squared(node + 1u, point);
-            let far = box_distance_squared(second, point);
-            let swap = far < near;
-            waiting[height] = select(second, node + 1u, swap);
-            distances[height] = max(near, far);
-            waiting[height + 1u] = select(node + 1u, second, swap);
-            distances[height + 1u] = min(near, far);
-            height += 2u;
         }
-        let found = next < end;
+        let found = place != NOWHERE;
         if !any_of(found) {
             break;
         }
+        let next = place >> 1u;
         take(next * PATCH_SIZE, found);
         if found {
             search = offer(search, next, point);
-            next++;
+            place = NOWHERE;
         }
     }
     if exists {

@@ -14,15 +14,31 @@ use naga::{
     Range, ScalarKind, Span, Statement, TypeInner,
 };
 
-/// Where the kernel of `project` ends, and what is written there instead.
-const END: &str = "best[sample] = search.known;";
-const COUNTED_END: &str = "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);";
+/// Where a kernel ends, and what is written there instead.
+#[derive(Clone, Copy)]
+pub(crate) struct End([&'static str; 2]);
 
-/// The kernel of `project` with the operations made written to `Best.s`,
-/// summed over the groups of patches. Exact below 2^24 a sample.
-pub(crate) fn counting(text: &str) -> String {
-    assert!(text.contains(END), "the kernel ends in another way");
-    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(END, COUNTED_END));
+/// `project` adds to `Best.s`, over the groups of patches; what is there
+/// before is 0, or a parameter, so less than one operation.
+pub(crate) const PROJECT: End = End([
+    "best[sample] = search.known;",
+    "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);",
+]);
+
+/// `cell` writes `Best.s`.
+pub(crate) const CELL: End = End([
+    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),own.foot_at.x,own.foot_at.y);",
+    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),f32(flops),own.foot_at.y);",
+]);
+
+/// `certify` writes `Cell.reach`.
+pub(crate) const CERTIFY: End = End(["cells[id.x] = own;", "own.reach = f32(flops);\ncells[id.x] = own;"]);
+
+/// The kernel with the operations made written where its end says. Exact
+/// below 2^24 a thread.
+pub(crate) fn counting(text: &str, End([end, counted]): End) -> String {
+    assert!(text.contains(end), "the kernel ends in another way");
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(end, counted));
     let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
     let info = validated(&module);
     let (flops, _) = module
@@ -104,6 +120,11 @@ impl Counter<'_> {
 
     fn operations(&self, function: &Function, handle: Handle<Expression>) -> u32 {
         match function.expressions[handle] {
+            Expression::Binary { op: BinaryOperator::Multiply, left, right }
+                if self.is_matrix(left) || self.is_matrix(right) =>
+            {
+                self.products(left, right) * self.floats(handle)
+            }
             Expression::Binary {
                 op:
                     BinaryOperator::Add
@@ -117,7 +138,11 @@ impl Counter<'_> {
                 MathFunction::Length => 2 * self.floats(arg),
                 MathFunction::Sqrt => self.floats(arg),
                 MathFunction::Fma => 2 * self.floats(arg),
-                MathFunction::Abs | MathFunction::Min | MathFunction::Max | MathFunction::Clamp => 0,
+                MathFunction::Abs
+                | MathFunction::Min
+                | MathFunction::Max
+                | MathFunction::Clamp
+                | MathFunction::Transpose => 0,
                 other => panic!("{other:?} is not counted"),
             },
             _ => 0,
@@ -129,7 +154,23 @@ impl Counter<'_> {
         match *self.info[handle].ty.inner_with(&self.module.types) {
             TypeInner::Scalar(scalar) if scalar.kind == ScalarKind::Float => 1,
             TypeInner::Vector { size, scalar } if scalar.kind == ScalarKind::Float => size as u32,
+            TypeInner::Matrix { columns, rows, .. } => columns as u32 * rows as u32,
             _ => 0,
         }
+    }
+
+    fn is_matrix(&self, handle: Handle<Expression>) -> bool {
+        matches!(self.info[handle].ty.inner_with(&self.module.types), TypeInner::Matrix { .. })
+    }
+
+    /// Operations of a component of a product with a matrix.
+    fn products(&self, left: Handle<Expression>, right: Handle<Expression>) -> u32 {
+        let terms = match *self.info[left].ty.inner_with(&self.module.types) {
+            TypeInner::Matrix { columns, .. } if self.floats(right) > 1 => columns as u32,
+            TypeInner::Vector { size, .. } => size as u32,
+            // Scaled.
+            _ => 1,
+        };
+        2 * terms - 1
     }
 }

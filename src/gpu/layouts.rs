@@ -53,13 +53,10 @@ pub(super) struct ProjectParams {
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(super) struct Node {
     pub(super) box_min: [f32; 3],
-    pub(super) second: u32,
+    pub(super) place: u32,
     pub(super) box_max: [f32; 3],
-    pub(super) patches: u32,
+    pub(super) second: u32,
 }
-
-/// Bits of `Node::patches` for the number of a leaf's patches.
-pub(super) const LEAF_COUNT_BITS: u32 = 2;
 
 /// `Best` of `best.wgsl`.
 #[repr(C)]
@@ -312,10 +309,8 @@ mod tests {
                         step_tolerance,
                         padding
                     );
-                    same_layout!(module, Node, box_min, second, box_max, patches);
+                    same_layout!(module, Node, box_min, place, box_max, second);
                     same_layout!(module, Best, distance_squared, patch_and_status, s, t);
-                    assert_eq!(constant(module, "LEAF_COUNT_BITS"), LEAF_COUNT_BITS);
-                    assert_eq!(constant(module, "LEAF_COUNT_MASK"), (1 << LEAF_COUNT_BITS) - 1);
                     assert_eq!(constant(module, "PATCH_MASK"), (1 << STATUS_SHIFT) - 1);
                 }
                 Kernel::Cell { .. } | Kernel::Certify { .. } => {

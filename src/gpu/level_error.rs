@@ -167,7 +167,7 @@ fn a_million_jets_are_off_by_no_more_than_is_said() {
 
 /// Cells that go to the kernels, and how many of their parts are passed over
 /// between two that are checked.
-const CELLS: usize = 150;
+const CELLS: usize = 100;
 const STEP: usize = 25;
 
 #[test]

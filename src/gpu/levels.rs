@@ -3,7 +3,7 @@
 
 use super::Gpu;
 use super::groups::by_degree;
-use super::layouts::{Batch, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED};
+use super::layouts::{Batch, Best, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED};
 use super::piece_error::PieceError;
 use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
 use super::rounding::{ROUNDING, rounded_down, rounded_up};
@@ -66,24 +66,25 @@ pub(crate) struct Levels {
     pieces: [Pieces; 2],
     uploaded: [GpuPieces; 2],
     frame: PieceFrame,
-    buffers: Buffers,
+    pub(super) buffers: Buffers,
     /// The dispatches of a level, cells from one buffer or the other.
-    steps: [Vec<Step>; 2],
+    pub(super) steps: [Vec<Step>; 2],
     chunk: usize,
 }
 
-struct Buffers {
-    params: wgpu::Buffer,
+pub(super) struct Buffers {
+    pub(super) params: wgpu::Buffer,
     batch: wgpu::Buffer,
-    cells: [wgpu::Buffer; 2],
+    pub(super) cells: [wgpu::Buffer; 2],
+    pub(super) best: wgpu::Buffer,
     left: wgpu::Buffer,
     tally: wgpu::Buffer,
 }
 
 /// One dispatch of a level.
-struct Step {
-    kernel: Kernel,
-    pipeline: Rc<Pipeline>,
+pub(super) struct Step {
+    pub(super) kernel: Kernel,
+    pub(super) pipeline: Rc<Pipeline>,
     bind_group: Rc<wgpu::BindGroup>,
     about: About,
 }
@@ -132,6 +133,7 @@ impl Levels {
             params: gpu.params(),
             batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages),
             cells: [cells("cells"), cells("next cells")],
+            best: gpu.storage("best", (CAPACITY * size_of::<Best>()) as u64),
             left: gpu.storage("left cells", (MOST_LEFT * size_of::<Cell>()) as u64),
             tally: gpu.storage("tally", size_of::<Tally>() as u64),
         };
@@ -173,36 +175,11 @@ impl Levels {
 
     pub(super) async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
         let mut returned = Returned::default();
-        let mut cells: Vec<Cell> = Vec::new();
-        for region in lent {
-            let before = cells.len();
-            if let Part::Cell(cell) = &region.part {
-                for part in self.pieces[0].parts(cell) {
-                    cells.push(self.cell(part, region));
-                }
-            }
-            if cells.len() > CAPACITY {
-                cells.truncate(before);
-                returned.waiting.push(*region);
-            }
-        }
-        let Buffers { params, batch, cells: buffers, left, tally } = &self.buffers;
-        let count = cells.len() as u32;
-        let first = Batch { workgroups: [count.div_ceil(WORKGROUP_SIZE), 1, 1], count };
-        let queue = &self.gpu.queue;
-        queue.write_buffer(&buffers[0], 0, bytemuck::cast_slice(&cells));
-        queue.write_buffer(batch, 0, bytes_of(&first));
-        queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
+        let cells = self.cells(lent, &mut returned.waiting);
+        let Buffers { params, cells: buffers, left, tally, .. } = &self.buffers;
+        self.begin(&cells);
         let mut work = Work::new(&self.gpu, params);
-        let level = LevelParams {
-            enough: rounded_down(self.frame.scale * enough),
-            grid: self.frame.grid as f32,
-            // Half a unit in each coordinate of either centre, and a little for float64.
-            slack: 2.0 * self.frame.grid as f32,
-            capacity: CAPACITY as u32,
-            first_piece: 0,
-            piece_count: 0,
-        };
+        let level = self.params(enough);
         for index in 0..LEVELS {
             for step in &self.steps[index % 2] {
                 self.record(&mut work, step, &level);
@@ -236,7 +213,49 @@ impl Levels {
         Ok(returned)
     }
 
-    fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
+    /// The cells of the regions; those that found no room are left waiting.
+    pub(super) fn cells(&self, lent: &[Region], waiting: &mut Vec<Region>) -> Vec<Cell> {
+        let mut cells = Vec::new();
+        for region in lent {
+            let before = cells.len();
+            if let Part::Cell(cell) = &region.part {
+                for part in self.pieces[0].parts(cell) {
+                    cells.push(self.cell(part, region));
+                }
+            }
+            if cells.len() > CAPACITY {
+                cells.truncate(before);
+                waiting.push(*region);
+            }
+        }
+        cells
+    }
+
+    /// Makes these the cells of the first level, which has told nothing yet.
+    pub(super) fn begin(&self, cells: &[Cell]) {
+        let Buffers { batch, cells: buffers, tally, .. } = &self.buffers;
+        let count = cells.len() as u32;
+        let first = Batch { workgroups: [count.div_ceil(WORKGROUP_SIZE), 1, 1], count };
+        let queue = &self.gpu.queue;
+        queue.write_buffer(&buffers[0], 0, bytemuck::cast_slice(cells));
+        queue.write_buffer(batch, 0, bytes_of(&first));
+        queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
+    }
+
+    /// What all stages are told where a bound of `enough` ends a cell.
+    pub(super) fn params(&self, enough: f64) -> LevelParams {
+        LevelParams {
+            enough: rounded_down(self.frame.scale * enough),
+            grid: self.frame.grid as f32,
+            // Half a unit in each coordinate of either centre, and a little for float64.
+            slack: 2.0 * self.frame.grid as f32,
+            capacity: CAPACITY as u32,
+            first_piece: 0,
+            piece_count: 0,
+        }
+    }
+
+    pub(super) fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
         let params;
         let project;
         let (bytes, extent) = match step.about {
@@ -260,7 +279,7 @@ impl Levels {
         work.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params: bytes, extent, units: 0 });
     }
 
-    async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
+    pub(super) async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
         let readable = self.gpu.readable("readable", bytes as u64);
         work.read(from, &readable, bytes as u64).await
     }
@@ -321,8 +340,7 @@ fn steps(
     let room = CAPACITY as u64;
     let jets = gpu.storage("jets", room * JET_BYTES);
     let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64);
-    let best = gpu.storage("best", room * size_of::<super::layouts::Best>() as u64);
-    let Buffers { params, batch, left, tally, .. } = buffers;
+    let Buffers { params, batch, best, left, tally, .. } = buffers;
     both(|parity| {
         let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
         let mut steps = Vec::new();
@@ -332,7 +350,7 @@ fn steps(
             steps.push(Step { kernel, pipeline, bind_group, about });
         };
         for group in &from.groups {
-            let storage = [batch, cells, &group.coefficients, &from.pieces, &jets, &samples, &best];
+            let storage = [batch, cells, &group.coefficients, &from.pieces, &jets, &samples, best];
             let about = About::Pieces { first: group.first, count: group.count };
             push(Kernel::Cell { degree: group.degree }, &storage, about);
         }
@@ -342,11 +360,11 @@ fn steps(
                 projection: Projection::Newton,
                 culling: Culling::Tree,
             };
-            let storage = [&samples, &best, &group.controls.controls, &group.controls.centers, &group.nodes];
+            let storage = [&samples, best, &group.controls.controls, &group.controls.centers, &group.nodes];
             push(kernel, &storage, About::Project { patches_before: group.patches_before });
         }
         for group in &to.groups {
-            let storage = [batch, cells, &jets, &best, &from.pieces, &to.pieces, &group.coefficients];
+            let storage = [batch, cells, &jets, best, &from.pieces, &to.pieces, &group.coefficients];
             let about = About::Pieces { first: group.first, count: group.count };
             push(Kernel::Certify { degree: group.degree }, &storage, about);
         }

@@ -21,6 +21,8 @@ mod kept_text;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
+#[cfg(not(target_arch = "wasm32"))]
+mod level_bench;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod level_error;
 mod levels;
@@ -47,6 +49,9 @@ pub use bench::StageBench;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub use level_bench::{LevelBench, LevelStage};
 pub(crate) use levels::Levels;
 pub(crate) use resident::Resident;
 pub(crate) use stages::GpuStages;

@@ -161,7 +161,7 @@ impl Pipelines {
         made.push((kernel, pipeline));
     }
 
-    fn make(&self, kernel: Kernel, text: String) -> Pipeline {
+    pub(super) fn make(&self, kernel: Kernel, text: String) -> Pipeline {
         let label = Some(kernel.entry_point());
         let (params_bytes, written) = kernel.bindings();
         // No params struct is empty.

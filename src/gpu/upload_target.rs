@@ -2,7 +2,7 @@
 
 use super::Gpu;
 use super::groups::{Controls, by_degree};
-use super::layouts::{LEAF_COUNT_BITS, Node};
+use super::layouts::Node;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::iteration::Target;
 use crate::tree::{Aabb, BoxTree};
@@ -57,8 +57,8 @@ impl Gpu {
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
             let tree = BoxTree::new(&boxes);
-            let nodes: Vec<Node> =
-                tree.nodes().iter().map(|node| node_relative_to(node, origin, scale)).collect();
+            let of_tree = tree.nodes().iter().enumerate();
+            let nodes: Vec<Node> = of_tree.map(|(index, of)| node(index, of, origin, scale)).collect();
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
@@ -85,12 +85,12 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
     2.0 * (ROUNDINGS_PER_DEGREE * degrees + ROUNDINGS_BESIDES) * ROUNDING * ratio * radius
 }
 
-/// The node with its box rounded outwards.
-fn node_relative_to(node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
+/// A node with its box rounded outwards.
+fn node(index: usize, node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
     Node {
         box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
-        second: node.second,
+        place: if node.count > 0 { 2 * node.first + 1 } else { 2 * index as u32 },
         box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
-        patches: node.first << LEAF_COUNT_BITS | node.count,
+        second: node.second,
     }
 }

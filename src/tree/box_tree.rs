@@ -24,9 +24,9 @@ pub struct BoxTree {
     order: Vec<u32>,
 }
 
-/// Boxes in a leaf, at most: one visit of a leaf then costs about as much as
-/// the two box tests that a further split would add.
-const LEAF_SIZE: usize = 2;
+/// Boxes in a leaf, at most: what is done with a patch costs more than the two
+/// box tests that spare one.
+const LEAF_SIZE: usize = 1;
 
 impl BoxTree {
     /// Halves the boxes at the median of their centres along the longest axis,

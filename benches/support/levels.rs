@@ -1,0 +1,29 @@
+//! A level of cells of method `certified`, for the kernels to work on.
+
+use crate::models;
+use glam::DVec3;
+use nurbs_hausdorff::RigidTransform;
+use nurbs_hausdorff::distance::PreparedModel;
+use nurbs_hausdorff::gpu::{Gpu, LevelBench};
+use std::rc::Rc;
+
+/// Degrees that the kernels are measured for.
+pub(crate) const DEGREES: [[usize; 2]; 3] = [[2, 2], [3, 3], [5, 5]];
+
+/// Patches along each direction of the net.
+const SPANS: usize = 12;
+
+/// Cells, at least: those of a submission that has found its pace.
+const CELLS: usize = 8192;
+
+/// How far the net is moved, and the tolerance: cells die out slowly between a
+/// net and its copy close by.
+const MOVED: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-5;
+
+/// A net of these degrees and itself moved, cut into cells.
+pub(crate) fn bench(gpu: &Rc<Gpu>, degree: [usize; 2]) -> LevelBench {
+    let model = PreparedModel::new(&models::rough(degree, [SPANS; 2], 1.0, 1));
+    let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, MOVED)).expect("finite");
+    LevelBench::new(gpu, [&model, &model], transform, TOLERANCE, CELLS).expect("a GPU").expect("enough cells")
+}
