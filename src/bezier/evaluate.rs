@@ -1,7 +1,7 @@
 //! Points and derivatives of a patch.
 
-use super::Patch;
 use super::MAX_ORDER;
+use super::Patch;
 use super::basis::{Basis, fill};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 

@@ -1,8 +1,8 @@
 //! A near foot on B, found fast and certified by nobody.
 
 use super::Side;
-use crate::project::{Status, nearest_control, newton_below};
 use crate::bezier::Patch;
+use crate::project::{Status, nearest_control, newton_below};
 use glam::{DVec3, Vec4Swizzles};
 
 /// Newton steps on one patch, at most: bounds hold wherever it stops.
@@ -92,7 +92,8 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
 fn is_beyond(patch: &Patch<'_>, target: DVec3, [s, t]: [f64; 2], distance_squared: f64) -> bool {
     let local = target - patch.center;
     let columns = patch.degree[1] + 1;
-    let index = (s * patch.degree[0] as f64 + 0.5) as usize * columns + (t * patch.degree[1] as f64 + 0.5) as usize;
+    let index =
+        (s * patch.degree[0] as f64 + 0.5) as usize * columns + (t * patch.degree[1] as f64 + 0.5) as usize;
     let control = patch.controls[index];
     let way = control.xyz() - control.w * local;
     let far = (way.length_squared() * distance_squared).sqrt();

@@ -3,9 +3,9 @@
 use crate::bezier::{BEYOND, MOST_DEGREES, Patch, PatchSet};
 use crate::both::both;
 
-/// For every piece of `flat`, which [`flatten`](super::flatten) made of
+/// For every piece of `flat`, which `flatten` made of
 /// `patches`, the parameters at which its controls tell points of `patches`:
-/// [0, 1] by axis, and [`BEYOND`] more where a sibling follows. O(pieces).
+/// [0, 1] by axis, and an eighth more where a sibling follows. O(pieces).
 ///
 /// A piece's controls are those of its patch by other parameters, so that the
 /// same polynomials go on beyond its edges. Its width is a part 2^-n of the
