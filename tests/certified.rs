@@ -222,3 +222,23 @@ fn statistics_of_a_constant_deviation_are_that_constant() {
     // The trapezoid rule on 64 x 64 samples.
     assert!((statistics.area / (4.0 * std::f64::consts::PI) - 1.0).abs() < 2e-3, "{}", statistics.area);
 }
+
+/// Beside itself at this place, every point of the bottle is at most as far
+/// from it as it was moved, and points where its normal is along that way are
+/// just as far. On flat patches with two valleys an iteration finds the wrong
+/// one, which is a little farther.
+#[test]
+fn patches_with_two_valleys() {
+    let bottle = shape("bottle").unwrap();
+    let way = DVec3::new(0.617290145616294, 0.26343211649303505, 0.19757408736977627);
+    for tolerance in [1e-4, 1e-5, 1e-6, 1e-8] {
+        contains(
+            "a bottle beside itself",
+            &bottle,
+            &bottle,
+            at(way.x, way.y, way.z),
+            tolerance,
+            way.length(),
+        );
+    }
+}

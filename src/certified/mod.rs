@@ -14,6 +14,8 @@ mod foot_map;
 mod nearest;
 mod pieces;
 mod quadratic;
+mod queue;
+mod raise;
 mod region;
 mod search;
 mod side;

@@ -5,34 +5,18 @@ use super::certify::certify;
 use super::climb::climb;
 use super::corners::{Corners, Sample};
 use super::nearest::{Foot, foot_on, nearest};
+use super::queue::Queue;
 use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
-use crate::order::by_falling;
 use crate::parallel::map;
-use crate::project::{Closest, Status, closest};
+use crate::project::{Closest, Status};
 use glam::DVec3;
-use std::collections::VecDeque;
 
 /// Regions bounded between two looks at the largest distance: enough to keep
 /// all threads busy, few enough that a better distance spares work soon.
 const CHUNK: usize = 1024;
-
-/// Regions kept, at most, before the search goes on depth first, which adds
-/// only a few a level: some hundred MiB.
-const CAPACITY: usize = 1 << 21;
-
-/// Farthest samples of a chunk that are certified, at most.
-const MOST_CERTIFIED: usize = 8;
-
-/// Width asked of a sample's certificate, relative to the interval's, or to
-/// the tolerance where that is more.
-const CERTIFICATE_PART: f64 = 1e-3;
-
-/// Width asked, relative to the tolerance, where the nearest foot is looked
-/// for, which is doubted from half the tolerance on.
-const FOOT_PART: f64 = 0.25;
 
 /// Half-width of a cell that float64 does not halve further with use.
 const SMALLEST_HALF: f64 = 1e-12;
@@ -76,18 +60,16 @@ pub(crate) struct Farthest {
 
 /// A branch and bound over A.
 pub(crate) struct Search<'a> {
-    a: Side<'a>,
-    b: Side<'a>,
-    transform: RigidTransform,
-    tolerance: f64,
+    pub(super) a: Side<'a>,
+    pub(super) b: Side<'a>,
+    pub(super) transform: RigidTransform,
+    pub(super) tolerance: f64,
     /// A bound above it need not be tighter.
     limit: Option<f64>,
-    rounding: f64,
-    queue: VecDeque<Region>,
-    /// Cells that a kernel could not decide; they come first.
-    undecided: Vec<Region>,
+    pub(super) rounding: f64,
+    queue: Queue,
     dropped: f64,
-    farthest: Option<Farthest>,
+    pub(super) farthest: Option<Farthest>,
     exhausted: bool,
     /// Cells bounded.
     pub(crate) cells: usize,
@@ -113,11 +95,11 @@ pub(crate) struct Returned {
 }
 
 /// What bounding one region gave.
-struct Bounded {
-    upper: f64,
+pub(super) struct Bounded {
+    pub(super) upper: f64,
     foot: Foot,
-    patch: u32,
-    sample: Sample,
+    pub(super) patch: u32,
+    pub(super) sample: Sample,
 }
 
 impl<'a> Search<'a> {
@@ -151,8 +133,7 @@ impl<'a> Search<'a> {
             tolerance,
             limit,
             rounding: ROUNDING * largest,
-            queue: VecDeque::from([root]),
-            undecided: Vec::new(),
+            queue: Queue::new(root),
             dropped: 0.0,
             farthest: None,
             exhausted: false,
@@ -171,8 +152,7 @@ impl<'a> Search<'a> {
     /// The interval so far.
     pub(crate) fn interval(&self) -> Interval {
         let lower = self.lower();
-        let waiting = self.queue.iter().chain(&self.undecided).map(|region| region.upper).fold(0.0, f64::max);
-        Interval { lower, upper: self.dropped.max(waiting).max(lower) + self.rounding }
+        Interval { lower, upper: self.dropped.max(self.queue.upper()).max(lower) + self.rounding }
     }
 
     /// The farthest point so far.
@@ -202,27 +182,15 @@ impl<'a> Search<'a> {
 
     /// Whether there are cells that only float64 can bound.
     pub(crate) fn has_undecided(&self) -> bool {
-        !self.undecided.is_empty()
+        self.queue.has_undecided()
     }
 
     /// Takes the next cells out, up to `most`; they must come back by
     /// [`Search::settle`], for until then nothing here knows of them.
     pub(crate) fn lend(&mut self, most: usize) -> Vec<Region> {
-        let enough = self.enough();
-        let (mut lent, mut nodes) = (Vec::new(), Vec::new());
-        while lent.len() < most
-            && let Some(region) = self.queue.pop_front()
-        {
-            if region.upper <= enough {
-                self.dropped = self.dropped.max(region.upper);
-            } else if matches!(region.part, Part::Cell(_)) {
-                lent.push(region);
-            } else {
-                nodes.push(region);
-            }
-        }
-        self.queue.extend(nodes);
-        lent
+        let (cells, dropped) = self.queue.next_cells(most, self.enough());
+        self.dropped = self.dropped.max(dropped);
+        cells
     }
 
     /// Takes back what was lent.
@@ -232,7 +200,7 @@ impl<'a> Search<'a> {
         self.kernel_cells += returned.cells;
         self.levels = self.levels.max(returned.levels);
         self.queue.extend(returned.waiting);
-        self.undecided.extend(returned.undecided);
+        self.queue.extend_undecided(returned.undecided);
         let Some((patch, parameters)) = returned.farthest else { return };
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
         let foot = nearest(&self.b, point, Foot::start(0, [0.5; 2]));
@@ -243,7 +211,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn lower(&self) -> f64 {
+    pub(super) fn lower(&self) -> f64 {
         self.farthest.map_or(0.0, |farthest| farthest.closest.lower)
     }
 
@@ -258,18 +226,10 @@ impl<'a> Search<'a> {
         if self.limit.is_some_and(|limit| self.lower() > limit) {
             return Some(Stop::Converged);
         }
-        if self.queue.is_empty() && self.undecided.is_empty() {
+        if self.queue.is_empty() {
             return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
         }
-        let regions: Vec<Region> = if !self.undecided.is_empty() {
-            let keep = self.undecided.len().saturating_sub(CHUNK);
-            self.undecided.drain(keep..).collect()
-        } else if self.queue.len() > CAPACITY {
-            let keep = self.queue.len() - CHUNK;
-            self.queue.drain(keep..).collect()
-        } else {
-            self.queue.drain(..CHUNK.min(self.queue.len())).collect()
-        };
+        let regions = self.queue.next(CHUNK);
         let enough = self.enough();
         let bounded = map(regions.len(), |index| {
             let region = &regions[index];
@@ -362,56 +322,6 @@ impl<'a> Search<'a> {
         // What is no number bounds nothing.
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
         Bounded { upper, foot, patch: cell.patch, sample }
-    }
-
-    /// The nearest foot by the search that certifies, unless the known one is nearer.
-    fn surest(&self, point: DVec3, known: Foot) -> Foot {
-        let target = self.b.target;
-        match closest(&target.patches, &target.tree, point, FOOT_PART * self.tolerance) {
-            Some(found) if found.upper * found.upper < known.distance_squared => {
-                foot_on(&self.b, point, found.patch as u32, found.parameters)
-            }
-            _ => known,
-        }
-    }
-
-    /// Certifies the chunk's farthest samples while they exceed the best by
-    /// more than a certificate's width.
-    fn raise(&mut self, bounded: &[Option<Bounded>]) {
-        let samples: Vec<&Bounded> = bounded.iter().flatten().collect();
-        let upper = samples.iter().fold(0.0_f64, |upper, bounded| upper.max(bounded.upper));
-        let samples = by_falling(&samples, |bounded| bounded.sample.foot.distance_squared);
-        for sample in samples.into_iter().take(MOST_CERTIFIED) {
-            let Sample { parameters, foot } = sample.sample;
-            if foot.distance_squared.sqrt() <= self.lower() + self.certificate_width(upper) {
-                return;
-            }
-            let climbed = climb(&self.a, &self.b, &self.transform, sample.patch, parameters, foot);
-            for parameters in [climbed, parameters] {
-                if self.certify_sample(sample.patch, parameters, upper) {
-                    break;
-                }
-            }
-        }
-    }
-
-    /// The width asked of a certificate while the distance may be `upper`.
-    fn certificate_width(&self, upper: f64) -> f64 {
-        (CERTIFICATE_PART * (upper - self.lower())).max(1e-2 * self.tolerance)
-    }
-
-    /// Takes the point for the farthest if its certificate says so.
-    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], upper: f64) -> bool {
-        let point = self.transform.apply(self.a.patch(patch).point(parameters));
-        let target = self.b.target;
-        let gap = self.certificate_width(upper);
-        let Some(mut closest) = closest(&target.patches, &target.tree, point, gap) else { return false };
-        closest.lower = (closest.lower - self.rounding).max(0.0);
-        let better = self.farthest.is_none_or(|best| closest.lower > best.closest.lower);
-        if better {
-            self.farthest = Some(Farthest { patch, parameters, point, closest });
-        }
-        better
     }
 }
 

@@ -9,8 +9,9 @@ use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
 use std::rc::Rc;
 
-/// Searches until the interval is as narrow as asked or a budget ends it;
-/// `None` for a model without patches, which validation rules out.
+/// Searches until the interval is as narrow as asked or a budget ends it, and
+/// tells if the GPU failed on the way; `None` for a model without patches,
+/// which validation rules out.
 ///
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
@@ -21,14 +22,14 @@ pub(super) async fn certified(
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
     progress: &mut Progress<'_>,
-) -> Result<Option<Directed>> {
+) -> Result<Option<(Directed, Option<String>)>> {
     let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
     let started = now();
     let mut search = Search::new(a, b, transform, tolerance, options.limit);
     progress.section(0.0, 1.0);
     let first = search.interval();
     let needed = options.backend == Backend::Gpu;
-    let mut kernels = Kernels { gpu, needed, levels: None, slowest: f64::INFINITY };
+    let mut kernels = Kernels { gpu, needed, levels: None, failure: None, slowest: f64::INFINITY };
     let stop = loop {
         if let Some(stop) = kernels.advance(&mut search).await? {
             break stop;
@@ -54,7 +55,8 @@ pub(super) async fn certified(
     let within = search.within();
     let converged = stop == Stop::Converged && (options.limit.is_none() || within.is_some());
     let [from, to] = search.witness_patches(farthest);
-    Ok(Some(Directed {
+    let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
+    let directed = Directed {
         computed: farthest.closest.upper,
         lower,
         upper,
@@ -76,7 +78,8 @@ pub(super) async fn certified(
         }),
         hierarchy: None,
         field: Vec::new(),
-    }))
+    };
+    Ok(Some((directed, notice)))
 }
 
 /// How far the width has come from the first to the one asked for, in orders
@@ -100,6 +103,8 @@ struct Kernels<'a> {
     /// Whether an error of the GPU ends the search; else float64 does the rest.
     needed: bool,
     levels: Option<Levels>,
+    /// What ended the GPU's part early.
+    failure: Option<Error>,
     /// Seconds a cell that the GPU may take: a software adapter can be slower
     /// than float64.
     slowest: f64,
@@ -128,7 +133,12 @@ impl Kernels<'_> {
         if too_slow || !matches!(step, Ok(true)) {
             (self.gpu, self.levels) = (None, None);
         }
-        if self.needed { step.map(|_| None) } else { Ok(None) }
+        match step {
+            Err(error) if self.needed => return Err(error),
+            Err(error) => self.failure = Some(error),
+            Ok(_) => {}
+        }
+        Ok(None)
     }
 
     async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut Search<'_>) -> Result<bool> {

@@ -109,13 +109,13 @@ impl Ends<'_> {
         let prepare = now() - started;
         let diagonal = self.diagonal();
         let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;
-        let directed = directed.ok_or(Error::EmptyModel)?;
+        let (directed, notice) = directed.ok_or(Error::EmptyModel)?;
         let helped = directed.certified.is_some_and(|details| details.cpu_cells < details.cells);
         Ok(Run {
             directed,
             backend: if helped { "gpu" } else { "cpu" },
             adapter: gpu.filter(|_| helped).and_then(|gpu| gpu.adapter()),
-            notice: None,
+            notice,
             diagonal,
             sampled_patches: from.target.patches.len(),
             target_patches: to.target.patches.len(),

@@ -3,7 +3,7 @@
 use crate::bezier::{BEYOND, MOST_DEGREES, Patch, PatchSet};
 use crate::both::both;
 
-/// For every piece of `flat`, which `flatten` made of
+/// For every piece of `flat`, which [`flatten`](super::flatten) made of
 /// `patches`, the parameters at which its controls tell points of `patches`:
 /// [0, 1] by axis, and an eighth more where a sibling follows. O(pieces).
 ///
