@@ -8,7 +8,7 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::iteration::Target;
-use nurbs_hausdorff::project::{Closest, closest, least_distance_squared};
+use nurbs_hausdorff::project::{Closest, DistanceForm, Stationary, closest, newton};
 use nurbs_hausdorff::shapes::{shape, sphere, torus};
 use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;
@@ -149,12 +149,24 @@ proptest! {
         }
     }
 
-    /// The bound of a patch and its halves, of what is nearest on them.
+    /// The bounds of a patch, one of them about any point of it.
     #[test]
-    fn no_sample_is_nearer_than_the_bound_of_its_patch(model in any_model(), point in any_point()) {
+    fn no_sample_is_nearer_than_the_bounds_of_its_patch(
+        model in any_model(),
+        point in any_point(),
+        about in [0.0..=1.0_f64, 0.0..=1.0],
+    ) {
         let patches = extract(&model).patches;
         for patch in patches.iter() {
-            let least = least_distance_squared(patch.degree, patch.controls, point - patch.center);
+            let form = DistanceForm::new(patch.degree, patch.controls, point - patch.center);
+            let known = |parameters: [f64; 2]| {
+                let jet = patch.jet(parameters);
+                let residual = jet.point - point;
+                let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
+                Stationary { parameters, distance_squared: residual.length_squared(), gradient }
+            };
+            let foot = newton(&patch, point, about, 32).parameters;
+            let least = [about, foot].iter().fold(form.least(), |least, &at| least.max(form.least_about(&known(at))));
             for index in 0..15 * 15 {
                 let at = [index / 15, index % 15].map(|index| f64::from(index) / 14.0);
                 let [u, v] = patch.surface_parameters(at);

@@ -1,7 +1,8 @@
 //! The closest point of a whole model, with a certificate.
 
-use super::{least_distance_squared, nearest_control, newton};
+use super::{DistanceForm, Foot, Stationary, nearest_control, newton};
 use crate::bezier::{Patch, PatchSet};
+use crate::both::both;
 use crate::tree::BoxTree;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
@@ -36,7 +37,13 @@ pub struct Closest {
 enum Item {
     Node(u32),
     Patch(u32),
-    Piece { patch: u32, controls: Vec<DVec4>, range: [[f64; 2]; 2] },
+    /// With the nearest point known of its patch.
+    Piece {
+        patch: u32,
+        controls: Vec<DVec4>,
+        range: [[f64; 2]; 2],
+        foot: Stationary,
+    },
 }
 
 struct Entry {
@@ -69,8 +76,7 @@ impl Ord for Entry {
 /// (plus rounding) unless the target is so evenly near to many points that a
 /// fixed number of pieces does not separate them. Best first: whatever can be
 /// nearest is examined next, boxes of the tree, then patches, then their
-/// halves, each bounded by [`least_distance_squared`]. O(log patches) in
-/// general position.
+/// halves, each bounded by a [`DistanceForm`]. O(log patches) in general position.
 #[must_use]
 pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> Option<Closest> {
     let mut search = Search { patches, target, heap: BinaryHeap::new(), best: None };
@@ -86,9 +92,9 @@ pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> O
         match item {
             Item::Node(node) => search.open_node(tree, node as usize),
             Item::Patch(patch) => search.open_patch(patch),
-            Item::Piece { patch, controls, range } => {
+            Item::Piece { patch, controls, range, foot } => {
                 pieces += 1;
-                search.open_piece(patch, &controls, range);
+                search.open_piece(patch, &controls, range, foot);
             }
         }
     }
@@ -147,8 +153,8 @@ impl Search<'_> {
             let view = self.patches.patch(patch as usize);
             let least = view.bounding_box().min_distance_squared(self.target);
             if least < self.best_squared() {
-                let bound = least_distance_squared(view.degree, view.controls, self.target - view.center);
-                self.push(bound.max(least), Item::Patch(patch));
+                let form = DistanceForm::new(view.degree, view.controls, self.target - view.center);
+                self.push(form.least().max(least), Item::Patch(patch));
             }
         }
     }
@@ -156,30 +162,51 @@ impl Search<'_> {
     fn open_patch(&mut self, index: u32) {
         let patch = self.patches.patch(index as usize);
         let start = nearest_control(&patch, self.target);
-        let foot = newton(&patch, self.target, start, ITERATIONS);
-        self.offer(index, foot.parameters, foot.distance_squared);
-        self.halve(index, patch.controls, [[0.0, 1.0]; 2]);
+        let foot = self.foot(index, newton(&patch, self.target, start, ITERATIONS));
+        self.push_piece(index, patch.controls.to_vec(), [[0.0, 1.0]; 2], foot);
     }
 
-    fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2]) {
+    fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2], known: Stationary) {
         let patch = self.patches.patch(index as usize);
         let middle = range.map(|[start, end]| 0.5 * (start + end));
-        let distance_squared = patch.point(middle).distance_squared(self.target);
-        if distance_squared < self.best_squared() {
-            let foot = newton(&patch, self.target, middle, ITERATIONS);
-            self.offer(index, foot.parameters, foot.distance_squared);
+        let mut foot = known;
+        if patch.point(middle).distance_squared(self.target) < self.best_squared() {
+            let found = self.foot(index, newton(&patch, self.target, middle, ITERATIONS));
+            if found.distance_squared < known.distance_squared {
+                foot = found;
+            }
         }
-        self.halve(index, controls, range);
-    }
-
-    fn halve(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2]) {
-        let patch = self.patches.patch(index as usize);
         let piece = Patch { controls, domain: range, ..patch };
         let axis = longer_axis(&piece);
         for (controls, range) in piece.halves(axis).into_iter().zip(piece.half_domains(axis)) {
-            let least = least_distance_squared(patch.degree, &controls, self.target - patch.center);
-            self.push(least, Item::Piece { patch: index, controls, range });
+            self.push_piece(index, controls, range, foot);
         }
+    }
+
+    /// Offers what an iteration ended at.
+    fn foot(&mut self, index: u32, foot: Foot) -> Stationary {
+        let Foot { parameters, distance_squared, .. } = foot;
+        self.offer(index, parameters, distance_squared);
+        let jet = self.patches.patch(index as usize).jet(parameters);
+        let residual = jet.point - self.target;
+        let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
+        Stationary { parameters, distance_squared, gradient }
+    }
+
+    fn push_piece(&mut self, index: u32, controls: Vec<DVec4>, range: [[f64; 2]; 2], foot: Stationary) {
+        let patch = self.patches.patch(index as usize);
+        let form = DistanceForm::new(patch.degree, &controls, self.target - patch.center);
+        let width = both(|axis| range[axis][1] - range[axis][0]);
+        let local = Stationary {
+            parameters: both(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),
+            gradient: both(|axis| width[axis] * foot.gradient[axis]),
+            ..foot
+        };
+        let mut least = form.least();
+        if local.parameters.iter().all(|parameter| (0.0..=1.0).contains(parameter)) {
+            least = least.max(form.least_about(&local));
+        }
+        self.push(least, Item::Piece { patch: index, controls, range, foot });
     }
 }
 

@@ -7,7 +7,7 @@ mod start;
 mod tangent_plane;
 
 pub use closest::{Closest, closest};
-pub use distance_bound::least_distance_squared;
+pub use distance_bound::{DistanceForm, Stationary};
 pub use newton::newton;
 pub(crate) use newton::newton_below;
 pub use start::nearest_control;

@@ -21,6 +21,10 @@ const STALLED_DECREASE: f64 = 1e-14;
 /// steps together are expected not to exceed: steps converge quadratically.
 const GAIN_ROOM: f64 = 2.0;
 
+/// A second derivative of this size relative to the other direction's is near a
+/// degenerate edge, where one step tells little of the next.
+const SKEWED_RATIO: f64 = 1e-3;
+
 /// Halvings of a step, at most.
 const MOST_HALVINGS: u32 = 8;
 
@@ -60,9 +64,11 @@ pub(crate) fn newton_below(
         if stationarity(&jet, residual, gradient, free) <= STATIONARY_COSINE {
             return Foot { parameters: at, distance_squared: value, status: settled(free) };
         }
-        let full = step(at, gradient, &hessian(&jet, residual, free), free);
+        let hessian = hessian(&jet, residual, free);
+        let full = step(at, gradient, &hessian, free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
-        if value - GAIN_ROOM * decrease > most {
+        let even = hessian[0].min(hessian[2]) > SKEWED_RATIO * hessian[0].max(hessian[2]);
+        if even && value - GAIN_ROOM * decrease > most {
             return Foot { parameters: at, distance_squared: value, status: Status::IterationLimit };
         }
         let mut scale = 1.0;
