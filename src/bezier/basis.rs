@@ -5,17 +5,17 @@ use crate::model::MAX_DEGREE;
 /// The largest number of control points of a patch along one direction.
 pub const MAX_ORDER: usize = MAX_DEGREE + 1;
 
-/// Values and first two derivatives of all Bernstein polynomials of one
-/// degree: `basis[k][i]` is the k-th derivative of `B_i`.
-pub(super) type Basis = [[f64; MAX_ORDER]; 3];
+/// Values and first two derivatives of all Bernstein polynomials of one degree
+/// below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
+pub(super) type Basis<const N: usize> = [[f64; N]; 3];
 
 /// At `t` in [0, 1], by the degree-raising recurrence, which adds numbers of
 /// one sign only and is therefore accurate to a few units in the last place;
 /// derivatives as differences of the lower degrees (Farin, *Curves and Surfaces
 /// for CAGD*, section 5.3). O(degree^2), written out where the degree is known.
 #[inline(always)]
-pub(super) fn fill(basis: &mut Basis, degree: usize, t: f64) {
-    let mut values = [0.0; MAX_ORDER];
+pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
+    let mut values = [0.0; N];
     values[0] = 1.0;
     for current in 0..=degree {
         let order = degree - current;
@@ -36,7 +36,7 @@ pub(super) fn fill(basis: &mut Basis, degree: usize, t: f64) {
 
 /// Bernstein polynomials of degree `degree` into those of `degree + 1`.
 #[inline(always)]
-fn raise(values: &mut [f64; MAX_ORDER], degree: usize, t: f64) {
+fn raise(values: &mut [f64], degree: usize, t: f64) {
     let complement = 1.0 - t;
     for index in (1..=degree + 1).rev() {
         values[index] = t * values[index - 1] + complement * values[index];
@@ -47,7 +47,7 @@ fn raise(values: &mut [f64; MAX_ORDER], degree: usize, t: f64) {
 /// Values of degree `degree - 1` into derivatives of degree `degree`:
 /// `B_i' = degree (B_(i-1) - B_i)`.
 #[inline(always)]
-fn differentiate(values: &mut [f64; MAX_ORDER], degree: usize, scale: f64) {
+fn differentiate(values: &mut [f64], degree: usize, scale: f64) {
     for index in (1..=degree).rev() {
         values[index] = scale * (values[index - 1] - values[index]);
     }

@@ -38,7 +38,7 @@ impl Patch<'_> {
     /// 2 (p + q) units of rounding of the patch's radius. O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
-        let basis = bases(self.degree, parameters);
+        let basis = bases::<MAX_ORDER>(self.degree, parameters);
         let columns = self.degree[1] + 1;
         let mut sum = DVec4::ZERO;
         for (row, s) in self.controls.chunks_exact(columns).zip(basis[0][0]) {
@@ -54,16 +54,16 @@ impl Patch<'_> {
         // The commonest degrees are written out, but not for the browser's small module.
         match self.degree {
             #[cfg(not(target_arch = "wasm32"))]
-            [2, 2] => self.jet_by([2, 2], parameters),
+            [2, 2] => self.jet_by::<3>([2, 2], parameters),
             #[cfg(not(target_arch = "wasm32"))]
-            [3, 3] => self.jet_by([3, 3], parameters),
-            degree => self.jet_by(degree, parameters),
+            [3, 3] => self.jet_by::<4>([3, 3], parameters),
+            degree => self.jet_by::<MAX_ORDER>(degree, parameters),
         }
     }
 
     #[inline(always)]
-    fn jet_by(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
-        let basis = bases(degree, parameters);
+    fn jet_by<const N: usize>(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
+        let basis = bases::<N>(degree, parameters);
         let columns = degree[1] + 1;
         let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
         for (i, row) in self.controls.chunks_exact(columns).enumerate() {
@@ -92,8 +92,8 @@ impl Patch<'_> {
 }
 
 #[inline(always)]
-fn bases(degree: [usize; 2], parameters: [f64; 2]) -> [Basis; 2] {
-    let mut bases = [[[0.0; MAX_ORDER]; 3]; 2];
+fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>; 2] {
+    let mut bases = [[[0.0; N]; 3]; 2];
     fill(&mut bases[0], degree[0], parameters[0]);
     fill(&mut bases[1], degree[1], parameters[1]);
     bases
