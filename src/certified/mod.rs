@@ -9,6 +9,7 @@
 
 mod certify;
 mod climb;
+mod coincide;
 mod corners;
 mod foot_map;
 mod nearest;

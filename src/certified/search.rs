@@ -3,6 +3,7 @@
 use super::Side;
 use super::certify::certify;
 use super::climb::climb;
+use super::coincide::coincide;
 use super::corners::{Corners, Sample};
 use super::nearest::{Foot, foot_on, nearest};
 use super::queue::Queue;
@@ -315,6 +316,9 @@ impl<'a> Search<'a> {
         }
         let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
         let mut sample = Sample { parameters: cell.center, foot };
+        if upper > enough {
+            upper = upper.min(coincide(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
+        }
         let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
         if upper > enough && corners.may_suffice(&foot, enough) {
             upper = upper.min(corners.bound(&foot, &mut sample));

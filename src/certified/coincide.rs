@@ -1,0 +1,172 @@
+//! A bound for cells that lie on B by a change of parameters: copies with
+//! other knots, degrees or pieces.
+
+use super::foot_map::FootMap;
+use super::nearest::Foot;
+use super::region::Cell;
+use super::side::Side;
+use crate::bezier::{Jet, Patch};
+use crate::both::both;
+use crate::model::RigidTransform;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// Part of the distance that would be enough within which the cell's middle
+/// must lie of B: a cell of a copy lies there up to rounding.
+const NEAR: f64 = 1e-2;
+
+/// How much of a foot's way may be along the other parameter, and be cut off
+/// at the edge of the patch, for the map to count as one along the axes.
+const ASKEW: f64 = 1e-6;
+
+/// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
+const ROUNDINGS_PER_DEGREE: f64 = 8.0;
+const ROUNDINGS_BESIDES: f64 = 64.0;
+
+/// At least the distance to B of every point of the cell, infinite where the
+/// feet's linearisation does not go along B's parameter lines.
+///
+/// For such a map φ, `B∘φ` has the controls of B restricted to the image of
+/// the cell, as A has those of the cell. With `A = X/w` and `B∘φ = Y/v`,
+///
+/// `|A - B∘φ| = |X v - Y w| / (w v)`,
+///
+/// whose numerator is a Bernstein polynomial of the degrees' sums, at most its
+/// largest coefficient: zero, up to rounding, where A and B are the same
+/// polynomials or rational functions. O(p^2 q^2).
+pub(super) fn coincide(
+    cell: &Cell,
+    patch: &Patch<'_>,
+    transform: &RigidTransform,
+    jet: &Jet,
+    b: &Side<'_>,
+    foot: &Foot,
+    enough: f64,
+) -> f64 {
+    if foot.distance_squared.sqrt() > NEAR * enough {
+        return f64::INFINITY;
+    }
+    let target = b.patch(foot.patch);
+    let foot_jet = target.jet(foot.parameters);
+    let [h, k] = cell.half;
+    let tangents = [h * jet.s, k * jet.t];
+    let Some(map) = FootMap::linearised(&foot_jet, foot_jet.point - jet.point, tangents, [false; 2]) else {
+        return f64::INFINITY;
+    };
+    let fitted = map.fitted(foot.parameters, b.room(foot.patch));
+    let cut = (map.width() - fitted.width()).abs().max_element();
+    let (p, q) = (fitted.p, fitted.q);
+    let swapped = p.y.abs() > p.x.abs();
+    let (along, across) = if swapped { ([p.y, q.x], [p.x, q.y]) } else { ([p.x, q.y], [p.y, q.x]) };
+    let least = along[0].abs().min(along[1].abs());
+    if across[0].abs().max(across[1].abs()).max(cut) > ASKEW * least || least == 0.0 {
+        return f64::INFINITY;
+    }
+    // `along` by A's axes; the image by B's.
+    let reach = if swapped { [along[1], along[0]] } else { along };
+    let image = both(|axis| {
+        let [middle, reach] = [foot.parameters[axis], reach[axis].abs()];
+        [middle - reach, middle + reach]
+    });
+    let controls = target.restricted(image[0], image[1]);
+    let y = Net {
+        degree: if swapped { [target.degree[1], target.degree[0]] } else { target.degree },
+        controls: turned(&controls, target.degree, swapped, along.map(|way| way < 0.0)),
+    };
+    let range = both(|axis| [cell.center[axis] - cell.half[axis], cell.center[axis] + cell.half[axis]]);
+    let x = Net { degree: patch.degree, controls: patch.restricted(range[0], range[1]) };
+    let origin = jet.point;
+    let about = |center: DVec3| {
+        let shift = center - origin;
+        move |control: DVec4| (control.xyz() + control.w * shift).extend(control.w)
+    };
+    let rotated = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
+    let x = x.each(|control| about(transform.apply(patch.center))(rotated(control)));
+    let y = y.each(|control| about(target.center)(*control));
+    x.largest_difference(&y)
+}
+
+/// The controls of a patch with its parameters swapped and turned around.
+fn turned(controls: &[DVec4], [p, q]: [usize; 2], swapped: bool, backwards: [bool; 2]) -> Vec<DVec4> {
+    let [rows, columns] = if swapped { [q, p] } else { [p, q] };
+    let mut turned = Vec::with_capacity(controls.len());
+    for i in 0..=rows {
+        for j in 0..=columns {
+            let i = if backwards[0] { rows - i } else { i };
+            let j = if backwards[1] { columns - j } else { j };
+            let [i, j] = if swapped { [j, i] } else { [i, j] };
+            turned.push(controls[i * (q + 1) + j]);
+        }
+    }
+    turned
+}
+
+/// Homogeneous controls, t fastest.
+struct Net {
+    degree: [usize; 2],
+    controls: Vec<DVec4>,
+}
+
+impl Net {
+    fn each(mut self, of: impl Fn(&DVec4) -> DVec4) -> Self {
+        for control in &mut self.controls {
+            *control = of(control);
+        }
+        self
+    }
+
+    /// At least the largest distance between points of equal parameters.
+    fn largest_difference(&self, other: &Self) -> f64 {
+        let ([p, q], [m, n]) = (self.degree, other.degree);
+        let columns = q + n + 1;
+        let mut coefficients = vec![DVec3::ZERO; (p + m + 1) * columns];
+        let (in_s, in_t) = (weights(p, m), weights(q, n));
+        for (a, x) in self.controls.iter().enumerate() {
+            let (i, j) = (a / (q + 1), a % (q + 1));
+            for (b, y) in other.controls.iter().enumerate() {
+                let (k, l) = (b / (n + 1), b % (n + 1));
+                let weight = in_s[i * (m + 1) + k] * in_t[j * (n + 1) + l];
+                coefficients[(i + k) * columns + j + l] += weight * (y.w * x.xyz() - x.w * y.xyz());
+            }
+        }
+        let mut largest = 0.0_f64;
+        for coefficient in coefficients {
+            largest = largest.max(coefficient.length());
+        }
+        let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());
+        let roundings = ROUNDINGS_PER_DEGREE * (p + q + m + n) as f64 + ROUNDINGS_BESIDES;
+        let lost = roundings * f64::EPSILON * (reach * other_heavy + other_reach * heavy);
+        let bound = (largest + lost) / (light * other_light);
+        // What is no number bounds nothing.
+        if light > 0.0 && other_light > 0.0 && bound >= 0.0 { bound } else { f64::INFINITY }
+    }
+
+    /// The longest control, the heaviest weight and the lightest.
+    fn sizes(&self) -> [f64; 3] {
+        let mut sizes = [0.0, 0.0, f64::INFINITY];
+        for control in &self.controls {
+            let [longest, heaviest, lightest] = sizes;
+            sizes = [control.xyz().length().max(longest), control.w.max(heaviest), control.w.min(lightest)];
+        }
+        sizes
+    }
+}
+
+/// `C(p,i) C(m,k) / C(p+m,i+k)`: the weight of the product of controls i and k
+/// in coefficient i + k of a product of Bernstein polynomials.
+fn weights(p: usize, m: usize) -> Vec<f64> {
+    let row = |n: usize| {
+        let mut row = vec![1.0];
+        for k in 0..n {
+            row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
+        }
+        row
+    };
+    let (of_p, of_m, of_product) = (row(p), row(m), row(p + m));
+    let mut weights = Vec::with_capacity((p + 1) * (m + 1));
+    for i in 0..=p {
+        for k in 0..=m {
+            weights.push(of_p[i] * of_m[k] / of_product[i + k]);
+        }
+    }
+    weights
+}
