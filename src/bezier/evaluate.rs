@@ -61,7 +61,7 @@ impl Patch<'_> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     fn jet_by<const N: usize>(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
         let basis = bases::<N>(degree, parameters);
         let columns = degree[1] + 1;
@@ -91,7 +91,7 @@ impl Patch<'_> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>; 2] {
     let mut bases = [[[0.0; N]; 3]; 2];
     fill(&mut bases[0], degree[0], parameters[0]);
@@ -99,7 +99,7 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
     bases
 }
 
-#[inline(always)]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
 }

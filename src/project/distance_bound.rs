@@ -127,8 +127,8 @@ impl DistanceForm {
             (-gradient * parameter).min(gradient * (1.0 - parameter))
         };
         let least = known.distance_squared + (heaviest * (along(0) + along(1)) + bent - lost) / lightest;
-        // What is no number bounds nothing.
-        if least.is_nan() { 0.0 } else { least.clamp(0.0, known.distance_squared) }
+        // What is no number bounds nothing: `max` passes over it.
+        least.max(0.0).min(known.distance_squared)
     }
 }
 
