@@ -12,9 +12,11 @@ use glam::DVec3;
 /// Farthest samples of a chunk that are certified, at most.
 const MOST_CERTIFIED: usize = 8;
 
-/// Width asked of a sample's certificate, relative to the interval's, or to
-/// the tolerance where that is more.
+/// Width asked of a sample's certificate, relative to the interval's.
 const CERTIFICATE_PART: f64 = 1e-3;
+
+/// Least width asked of one, relative to the tolerance.
+const LAST_PART: f64 = 1e-2;
 
 /// Width asked, relative to the tolerance, where the nearest foot is looked
 /// for, which is doubted from half the tolerance on.
@@ -52,9 +54,21 @@ impl Search<'_> {
         }
     }
 
+    /// Certifies the farthest point as narrowly as the last ones are, if it was
+    /// found while less was asked.
+    pub(crate) fn finish(&mut self) {
+        let Some(best) = self.farthest else { return };
+        if best.closest.upper - best.closest.lower > self.certificate_width(0.0) + self.rounding {
+            self.farthest = None;
+            self.certify_sample(best.patch, best.parameters, 0.0);
+            let found = self.farthest.get_or_insert(best);
+            found.closest.lower = found.closest.lower.max(best.closest.lower);
+        }
+    }
+
     /// The width asked of a certificate while the distance may be `upper`.
     fn certificate_width(&self, upper: f64) -> f64 {
-        (CERTIFICATE_PART * (upper - self.lower())).max(1e-2 * self.tolerance)
+        (CERTIFICATE_PART * (upper - self.lower())).max(LAST_PART * self.tolerance)
     }
 
     /// Takes the point for the farthest if its certificate says so.

@@ -49,6 +49,7 @@ pub(super) async fn certified(
             }
         }
     };
+    search.finish();
     let Interval { lower, upper } = search.interval();
     progress.interval(lower, upper);
     let Some(farthest) = search.farthest() else { return Ok(None) };
