@@ -180,7 +180,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
         ([3, 3], 0.3, 3.0, 1e-2),
         ([2, 2], 0.1, 2.0, 0.1),
         ([1, 4], 0.2, 1.0, 0.01),
-        ([5, 2], 0.2, 2.0, 0.0),
+        ([5, 2], 0.2, 2.0, 1e-4),
     ] {
         let one: Vec<_> = (0..3).map(|_| rough(random, degree, roughness, ratio)).collect();
         let two: Vec<_> = one
