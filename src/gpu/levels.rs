@@ -16,6 +16,7 @@ use crate::both::both;
 use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
 use crate::distance::now;
 use crate::error::Result;
+use crate::gather::Gather;
 use crate::iteration::{Culling, Target};
 use crate::model::RigidTransform;
 use crate::project::Projection;
@@ -121,7 +122,7 @@ impl Levels {
             .groups
             .iter()
             .map(|group| (group.degree, of_group(group.patches_before, group.count)))
-            .collect();
+            .gather();
         let uploaded = [
             gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame),
             gpu.upload_pieces(&to, &to_groups, Reach::Beyond(b), &frame),

@@ -10,6 +10,7 @@ use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
+use crate::gather::Gather;
 use crate::iteration::{Projected, Rule};
 use crate::model::RigidTransform;
 use crate::order::by_falling;
@@ -246,7 +247,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| best.s).collect())
+        Ok(best.iter().map(|best| best.s).gather())
     }
 
     fn projected(&self, best: &Best) -> Projected {
@@ -340,7 +341,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| self.projected(best)).collect())
+        Ok(best.iter().map(|best| self.projected(best)).gather())
     }
 }
 

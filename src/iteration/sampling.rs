@@ -2,6 +2,7 @@
 
 use crate::bezier::{BezierModel, PatchGrid};
 use crate::both::both;
+use crate::gather::Gather;
 use std::ops::Range;
 
 use super::CellRadius;
@@ -59,7 +60,7 @@ impl Sampling {
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });
             let places = [0, 1]
-                .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
+                .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).gather());
             grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
         }
         let radius = CellRadius::of_all(model, &grids);
@@ -146,7 +147,7 @@ pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
             let fraction = index as f64 / (samples - 1) as f64;
             (1.0 - fraction) * start + fraction * end
         })
-        .collect()
+        .gather()
 }
 
 /// Parameters that cut the summed length of a few lines along `axis` evenly.
@@ -155,7 +156,7 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
     let mut knots = vec![breaks[0]];
     let mut lengths = vec![0.0];
     let across = uniform(&grid.breaks[1 - axis], ARC_LENGTH_LINES);
-    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).collect();
+    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).gather();
     for span in 0..breaks.len() - 1 {
         for chord in 1..=ARC_LENGTH_CHORDS {
             let ends = [chord - 1, chord].map(|end| end as f64 / ARC_LENGTH_CHORDS as f64);
@@ -187,7 +188,7 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
             let fraction = if high > low { ((wanted - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
             (1.0 - fraction) * knots[next - 1] + fraction * knots[next]
         })
-        .collect();
+        .gather();
     // Lines that stand still at an end of the domain say nothing of what is between the lines.
     parameters[0] = breaks[0];
     parameters[samples - 1] = breaks[breaks.len() - 1];

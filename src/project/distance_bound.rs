@@ -1,6 +1,7 @@
 //! Lower bounds of the distance from a point to a patch.
 
 use crate::bezier::MAX_ORDER;
+use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
@@ -42,7 +43,7 @@ impl DistanceForm {
         let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
         let weights = [product_weights(p), product_weights(q)];
         let relative: Vec<DVec4> =
-            controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).collect();
+            controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).gather();
         // Every pair of rows once, as its product counts twice.
         for i in 0..=p {
             for k in i..=p {
@@ -148,6 +149,6 @@ fn product_weights(degree: usize) -> &'static [f64] {
         let size = degree + 1;
         (0..size * size)
             .map(|at| single[at / size] * single[at % size] / double[at / size + at % size])
-            .collect()
+            .gather()
     })
 }

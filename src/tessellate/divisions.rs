@@ -2,6 +2,7 @@
 
 use crate::bezier::{BezierModel, Patch, PatchGrid};
 use crate::both::both;
+use crate::gather::Gather;
 
 /// Triangles of a model, about and at most, unless it has more patches: what
 /// an integrated GPU still turns smoothly.
@@ -29,7 +30,7 @@ pub(super) struct Divisions {
 impl Divisions {
     /// For every surface of `model`. O(patches p q).
     pub(super) fn of_model(model: &BezierModel, tolerance: f64) -> Vec<Self> {
-        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).collect();
+        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).gather();
         loop {
             let triangles: f64 = all.iter().map(Self::triangles).sum();
             if triangles <= MOST_TRIANGLES || all.iter().all(Self::is_coarsest) {
