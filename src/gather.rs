@@ -3,12 +3,10 @@
 /// `gather`, of every iterator.
 pub(crate) trait Gather: Iterator + Sized {
     /// The items in order: `collect` into a vector, of which the standard
-    /// library makes three functions of the wasm module for every caller.
+    /// library makes more functions of the wasm module for every caller.
     fn gather(self) -> Vec<Self::Item> {
         let mut items = Vec::with_capacity(self.size_hint().0);
-        for item in self {
-            items.push(item);
-        }
+        self.for_each(|item| items.push(item));
         items
     }
 }
