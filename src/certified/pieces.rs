@@ -3,7 +3,7 @@
 use super::Side;
 use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::gather::Gather;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
@@ -117,8 +117,8 @@ impl Pieces {
             inside.then(|| {
                 (
                     piece,
-                    ends.map(|[low, high]| 0.5 * (low + high)),
-                    ends.map(|[low, high]| 0.5 * (high - low)),
+                    each(ends, |[low, high]| 0.5 * (low + high)),
+                    each(ends, |[low, high]| 0.5 * (high - low)),
                 )
             })
         })

@@ -3,6 +3,7 @@
 use super::Field;
 use super::directed::Direction;
 use crate::bezier::Jet;
+use crate::both::each;
 use crate::gather::Gather;
 use crate::iteration::{Projected, SampleGrid};
 use crate::order::rising;
@@ -93,7 +94,7 @@ impl Direction<'_> {
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
             let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
-            let [u, v] = patch.domain.map(|[start, end]| end - start);
+            let [u, v] = each(patch.domain, |[start, end]| end - start);
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
             field.points.extend(point.to_array());
             field.feet.extend(foot.point.to_array());

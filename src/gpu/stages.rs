@@ -8,6 +8,7 @@ use super::rounding::{ROUNDING, rounded, rounded_down};
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
+use crate::both::each;
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
 use crate::gather::Gather;
@@ -262,7 +263,7 @@ impl GpuStages {
                 f64::INFINITY
             },
             patch: self.target.patches.get(place as usize).map_or(0, |&patch| patch as usize),
-            parameters: [best.s, best.t].map(|parameter| f64::from(parameter).clamp(0.0, 1.0)),
+            parameters: each([best.s, best.t], |parameter| f64::from(parameter).clamp(0.0, 1.0)),
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
         }
     }

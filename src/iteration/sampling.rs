@@ -1,7 +1,7 @@
 //! Where a model is sampled.
 
 use crate::bezier::{BezierModel, PatchGrid};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::gather::Gather;
 use std::ops::Range;
 
@@ -159,14 +159,14 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
     let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).gather();
     for span in 0..breaks.len() - 1 {
         for chord in 1..=ARC_LENGTH_CHORDS {
-            let ends = [chord - 1, chord].map(|end| end as f64 / ARC_LENGTH_CHORDS as f64);
+            let ends = each([chord - 1, chord], |end| end as f64 / ARC_LENGTH_CHORDS as f64);
             let length: f64 = across
                 .iter()
                 .map(|&(other_span, other)| {
                     let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == 0 {
-                        ([span, other_span], ends.map(|end| [end, other]))
+                        ([span, other_span], each(ends, |end| [end, other]))
                     } else {
-                        ([other_span, span], ends.map(|end| [other, end]))
+                        ([other_span, span], each(ends, |end| [other, end]))
                     };
                     let patch = model.patches.patch(grid.first + spans[0] * grid.counts()[1] + spans[1]);
                     patch.point(at[0]).distance(patch.point(at[1]))

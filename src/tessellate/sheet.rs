@@ -2,7 +2,7 @@
 
 use super::divisions::Divisions;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::elementary::cos;
 use crate::gather::Gather;
 use glam::DVec3;
@@ -55,7 +55,7 @@ impl Sheet {
                 vertices.push(vertex(&patch, [row.local, column.local]));
             }
         }
-        let joined = [rows, columns].map(|lines| {
+        let joined = each([rows, columns], |lines| {
             let next = |line: usize| lines.get(line + 1).map(|line| line.span);
             (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).gather()
         });
