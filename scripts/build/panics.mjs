@@ -9,8 +9,9 @@ const panic = [
   /^(<?alloc|core|__rustc)\[.*::(panic\w*|rust_panic|rust_begin_unwind)(::<.*>)?$/,
   /^(<?alloc|core|__rustc)\[.*::((assert|unwrap|expect)_failed\w*|\w+_fail(_rt)?)(::<.*>)?$/,
   /^(<?alloc|core|__rustc)\[.*::(capacity_overflow|handle(_alloc)?_error)(::<.*>)?$/,
-  // What writes the message.
+  // What writes the message, and what only messages of panics write.
   /panicking::panic_handler::/,
+  /^<(core\[.*Range<usize>|wgpu_types::texture::format::\w+) as core.*::fmt::Debug>::fmt/,
 ];
 
 /** Makes traps of the functions that panic; the module must have their names. */
