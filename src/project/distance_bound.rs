@@ -1,6 +1,7 @@
 //! Lower bounds of the distance from a point to a patch.
 
 use crate::bezier::MAX_ORDER;
+use crate::both::each;
 use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
@@ -119,7 +120,7 @@ impl DistanceForm {
             (lightest, heaviest) = (lightest.min(denominator), heaviest.max(denominator));
         }
         let lost = self.unit * (self.largest + known.distance_squared * heaviest);
-        let [p, q] = self.degree.map(|degree| degree as f64);
+        let [p, q] = each(self.degree, |degree| degree as f64);
         let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * lost), q * (q - 1.0) * (tt - 4.0 * lost));
         let st = p * q * (st + 4.0 * lost);
         let bent = 0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - (ss.max(0.0) * tt.max(0.0)).sqrt()).max(0.0);
