@@ -6,3 +6,9 @@ pub(crate) fn both<T>(mut of: impl FnMut(usize) -> T) -> [T; 2] {
     let first = of(0);
     [first, of(1)]
 }
+
+/// `of` each of two: `pair.map(of)`, compiled as [`both`] is.
+pub(crate) fn each<T, U>([first, second]: [T; 2], mut of: impl FnMut(T) -> U) -> [U; 2] {
+    let first = of(first);
+    [first, of(second)]
+}

@@ -7,6 +7,7 @@ pub mod distance;
 mod elementary;
 pub mod error;
 pub mod flatness;
+mod gather;
 pub mod gpu;
 pub mod hierarchy;
 pub mod iteration;

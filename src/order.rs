@@ -1,10 +1,11 @@
 //! One sort and one selection for all: every one of the standard library's is
 //! kilobytes of the wasm module.
 
+use crate::gather::Gather;
 /// Indices of `keys` from the smallest key to the largest; equal keys keep
 /// their order, and what is no number comes last or, if negative, first.
 pub(crate) fn rising(keys: &[f64]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..keys.len()).collect();
+    let mut order: Vec<usize> = (0..keys.len()).gather();
     let mut merged = Vec::with_capacity(order.len());
     let mut run = 1;
     while run < order.len() {
@@ -61,8 +62,8 @@ pub(crate) fn select(items: &mut [u32], count: usize, key: &dyn Fn(u32) -> f64) 
 
 /// `items` from the largest key to the smallest; equal keys keep their order.
 pub(crate) fn by_falling<T: Copy>(items: &[T], key: impl Fn(&T) -> f64) -> Vec<T> {
-    let keys: Vec<f64> = items.iter().map(|item| -key(item)).collect();
-    rising(&keys).into_iter().map(|index| items[index]).collect()
+    let keys: Vec<f64> = items.iter().map(|item| -key(item)).gather();
+    rising(&keys).into_iter().map(|index| items[index]).gather()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -7,6 +7,7 @@ import { must } from "../process.mjs";
 import { toolsEnvironment, toolsFolder } from "../setup/tools.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
 import { shortenImports } from "./imports.mjs";
+import { trapPanics } from "./panics.mjs";
 
 const out = "dist/wasm";
 const made = ".setup/wasm-made-from";
@@ -19,6 +20,19 @@ const rustFlags = [
   `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`,
 ].join("\u001f");
 
+// Functions inlined into their only caller make few functions with many locals,
+// which gzip worse, as do values kept in locals instead of computed again.
+// Nothing lies below address 1024: the linker begins with the stack's far end.
+const optimizations = [
+  "-Oz",
+  "--converge",
+  "--low-memory-unused",
+  "--one-caller-inline-max-function-size=20",
+  "--skip-pass=local-cse",
+  // Instances of one generic function side by side, where gzip sees them.
+  "--reorder-functions-by-name",
+];
+
 export const wasmFile = `${out}/nurbs_hausdorff_bg.wasm`;
 const glueFile = `${out}/nurbs_hausdorff.js`;
 
@@ -26,7 +40,7 @@ export async function buildWasm() {
   const sources = digest(
     [
       ...["Cargo.toml", "Cargo.lock", "build.rs", ".cargo", "src", "shaders"],
-      ...["package-lock.json", "scripts/build/wasm.mjs", "scripts/build/imports.mjs"],
+      ...["package-lock.json", "scripts/build"],
     ],
     [toolsFolder()],
   );
@@ -41,6 +55,7 @@ export async function buildWasm() {
       "--mode",
       "no-install",
       "--no-pack",
+      "--no-opt",
       "--profile",
       "wasm",
       "--target",
@@ -50,6 +65,8 @@ export async function buildWasm() {
     ],
     { env: toolsEnvironment({ CARGO_ENCODED_RUSTFLAGS: rustFlags }) },
   );
+  trapPanics(inRoot(wasmFile));
+  await must("wasm-opt", [inRoot(wasmFile), "-o", inRoot(wasmFile), ...optimizations]);
   shortenImports(inRoot(wasmFile), inRoot(glueFile));
   // It tells npm to leave the folder out of the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });

@@ -2,6 +2,7 @@
 
 use super::{MAX_ORDER, Patch, PatchSet};
 use crate::both::both;
+use crate::gather::Gather;
 use crate::model::{Model, NurbsSurface};
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4};
@@ -76,7 +77,7 @@ pub fn extract(model: &Model) -> BezierModel {
     let diagonal = model.bounding_box().diagonal();
     let mut patches = PatchSet::default();
     let extract = |(index, surface)| extract_surface(index, surface, center_grid(diagonal), &mut patches);
-    let grids = model.surfaces().iter().enumerate().map(extract).collect();
+    let grids = model.surfaces().iter().enumerate().map(extract).gather();
     BezierModel { patches, grids }
 }
 
@@ -150,7 +151,7 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
 /// The ends of the spans, each once.
 fn breaks(spans: &[Span]) -> Vec<f64> {
     let starts = spans.iter().map(|span| span.ends[0]);
-    starts.chain(spans.last().map(|span| span.ends[1])).collect()
+    starts.chain(spans.last().map(|span| span.ends[1])).gather()
 }
 
 fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
@@ -159,9 +160,9 @@ fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
         .map(|index| Span {
             first_control: index - degree,
             ends: [knots[index], knots[index + 1]],
-            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
+            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).gather(),
         })
-        .collect()
+        .gather()
 }
 
 /// The weights of the span's control points in the blossom at the span's

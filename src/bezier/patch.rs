@@ -1,5 +1,6 @@
 //! Storage of many Bézier patches.
 
+use crate::both::each;
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -79,7 +80,7 @@ impl PatchSet {
     #[must_use]
     pub fn patch(&self, index: usize) -> Patch<'_> {
         let entry = &self.entries[index];
-        let degree = entry.degree.map(usize::from);
+        let degree = each(entry.degree, usize::from);
         let size = (degree[0] + 1) * (degree[1] + 1);
         Patch {
             surface: entry.surface as usize,
@@ -100,7 +101,7 @@ impl PatchSet {
     pub fn push(&mut self, patch: Patch<'_>) {
         self.entries.push(Entry {
             surface: patch.surface as u32,
-            degree: patch.degree.map(|degree| degree as u8),
+            degree: each(patch.degree, |degree| degree as u8),
             rational: patch.rational,
             first: self.controls.len(),
             domain: patch.domain,

@@ -2,6 +2,7 @@
 
 use super::extract::center_of;
 use super::{Patch, PatchSet};
+use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 impl Patch<'_> {
@@ -51,7 +52,7 @@ impl PatchSet {
             .controls
             .iter()
             .map(|control| (control.xyz() - control.w * shift).extend(control.w))
-            .collect();
+            .gather();
         self.push(Patch { center: patch.center + shift, controls: &controls, ..patch });
     }
 }

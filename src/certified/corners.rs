@@ -19,7 +19,7 @@ use super::Side;
 use super::nearest::{Foot, foot_on, nearest};
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Patch};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::model::RigidTransform;
 use glam::DVec3;
 
@@ -158,7 +158,7 @@ impl Corners<'_> {
 
     /// δ_A.
     fn of_cell(&self) -> f64 {
-        interpolation_error(self.bounds, self.cell.half.map(|half| 2.0 * half))
+        interpolation_error(self.bounds, each(self.cell.half, |half| 2.0 * half))
     }
 }
 

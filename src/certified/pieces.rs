@@ -3,7 +3,8 @@
 use super::Side;
 use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
-use crate::both::both;
+use crate::both::{both, each};
+use crate::gather::Gather;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
@@ -64,7 +65,7 @@ impl Pieces {
         for (index, patch) in set.iter().enumerate() {
             let first = pieces.places.len();
             let rotate = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
-            let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
+            let controls: Vec<DVec4> = patch.controls.iter().map(rotate).gather();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
             let place = Place { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
             if !pieces.cut(&moved, place, grid, fits, MOST_HALVINGS, most) {
@@ -116,8 +117,8 @@ impl Pieces {
             inside.then(|| {
                 (
                     piece,
-                    ends.map(|[low, high]| 0.5 * (low + high)),
-                    ends.map(|[low, high]| 0.5 * (high - low)),
+                    each(ends, |[low, high]| 0.5 * (low + high)),
+                    each(ends, |[low, high]| 0.5 * (high - low)),
                 )
             })
         })
@@ -134,7 +135,7 @@ impl Pieces {
 /// How long a net is along an axis: the sum of its longest steps.
 fn extent(patch: &Patch<'_>, axis: usize) -> f64 {
     let columns = patch.degree[1] + 1;
-    let points: Vec<_> = patch.local_points().collect();
+    let points: Vec<_> = patch.local_points().gather();
     let (steps, lines, along, across) = if axis == 0 {
         (patch.degree[0], columns, columns, 1)
     } else {

@@ -1,6 +1,7 @@
 //! The regions that wait to be bounded.
 
 use super::region::{Part, Region};
+use crate::gather::Gather;
 use crate::order::select;
 use std::collections::VecDeque;
 
@@ -58,17 +59,17 @@ impl Queue {
     pub(super) fn next(&mut self, most: usize) -> Vec<Region> {
         if !self.undecided.is_empty() {
             let keep = self.undecided.len().saturating_sub(most);
-            return self.undecided.drain(keep..).collect();
+            return self.undecided.drain(keep..).gather();
         }
         if self.regions.len() <= self.capacity {
-            return self.regions.drain(..most.min(self.regions.len())).collect();
+            return self.regions.drain(..most.min(self.regions.len())).gather();
         }
         if self.chosen == 0 {
             self.choose();
         }
         self.chosen = self.chosen.saturating_sub(most);
         let keep = self.regions.len().saturating_sub(most);
-        self.regions.drain(keep..).collect()
+        self.regions.drain(keep..).gather()
     }
 
     /// Takes out the oldest cells, up to `most`, and how large the bounds were
@@ -94,7 +95,7 @@ impl Queue {
     fn choose(&mut self) {
         self.chosen = self.capacity / CHOSEN_PART;
         let regions = self.regions.make_contiguous();
-        let mut order: Vec<u32> = (0..regions.len() as u32).collect();
+        let mut order: Vec<u32> = (0..regions.len() as u32).gather();
         let first = regions.len() - self.chosen;
         select(&mut order, first, &|index| regions[index as usize].upper);
         self.regions = order.iter().map(|&index| regions[index as usize]).collect();

@@ -5,6 +5,7 @@ use super::climb::climb;
 use super::corners::Sample;
 use super::nearest::{Foot, foot_on};
 use super::search::{Bounded, Farthest};
+use crate::gather::Gather;
 use crate::order::by_falling;
 use crate::project::closest;
 use glam::DVec3;
@@ -37,7 +38,7 @@ impl Search<'_> {
     /// Certifies the chunk's farthest samples while they exceed the best by
     /// more than a certificate's width.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
-        let samples: Vec<&Bounded> = bounded.iter().flatten().collect();
+        let samples: Vec<&Bounded> = bounded.iter().flatten().gather();
         let upper = samples.iter().fold(0.0_f64, |upper, bounded| upper.max(bounded.upper));
         let samples = by_falling(&samples, |bounded| bounded.sample.foot.distance_squared);
         for sample in samples.into_iter().take(MOST_CERTIFIED) {

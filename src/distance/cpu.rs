@@ -3,6 +3,7 @@
 use super::{Candidate, Progress, StatusCounts};
 use crate::bezier::BezierModel;
 use crate::error::Result;
+use crate::gather::Gather;
 use crate::iteration::{Projected, Rule, Sampling, Target, project, reduce, sample};
 use crate::model::RigidTransform;
 use crate::parallel::map;
@@ -50,7 +51,7 @@ impl<'a> CpuStages<'a> {
 
     pub(super) fn reduce(&self) -> Vec<Candidate> {
         let candidate = |index| Candidate { sample: self.first + index, projected: self.projected[index] };
-        reduce(&self.projected).into_iter().map(candidate).collect()
+        reduce(&self.projected).into_iter().map(candidate).gather()
     }
 
     pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {

@@ -1,6 +1,7 @@
 //! Two directed results into the symmetric one.
 
 use super::{Bounds, CertifiedDetails, DistanceResult, HierarchyDetails, IterationDetails, Stop};
+use crate::gather::Gather;
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
@@ -59,7 +60,7 @@ impl HierarchyDetails {
     /// The trees are the same two, so both directions have as many levels.
     fn both((forward, reverse): (&Self, &Self)) -> Self {
         let pairs = forward.pairs.iter().zip(&reverse.pairs).map(|(forward, reverse)| forward + reverse);
-        Self { pairs: pairs.collect(), ..forward.clone() }
+        Self { pairs: pairs.gather(), ..forward.clone() }
     }
 }
 

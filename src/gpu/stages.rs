@@ -8,8 +8,10 @@ use super::rounding::{ROUNDING, rounded, rounded_down};
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
+use crate::both::each;
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
+use crate::gather::Gather;
 use crate::iteration::{Projected, Rule};
 use crate::model::RigidTransform;
 use crate::order::by_falling;
@@ -246,7 +248,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| best.s).collect())
+        Ok(best.iter().map(|best| best.s).gather())
     }
 
     fn projected(&self, best: &Best) -> Projected {
@@ -261,7 +263,7 @@ impl GpuStages {
                 f64::INFINITY
             },
             patch: self.target.patches.get(place as usize).map_or(0, |&patch| patch as usize),
-            parameters: [best.s, best.t].map(|parameter| f64::from(parameter).clamp(0.0, 1.0)),
+            parameters: each([best.s, best.t], |parameter| f64::from(parameter).clamp(0.0, 1.0)),
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
         }
     }
@@ -340,7 +342,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| self.projected(best)).collect())
+        Ok(best.iter().map(|best| self.projected(best)).gather())
     }
 }
 

@@ -5,7 +5,7 @@ use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
 use super::rounding::{rounded, rounded_up};
 use crate::bezier::{BEYOND, Patch};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::certified::{Pieces, Place, Side};
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -113,7 +113,7 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
             let high = both(|axis| (place.low[axis] + place.width[axis] + BEYOND).min(room[axis][1]));
             (
                 side.bounds(place.patch, low, high),
-                place.width.map(|width| 0.5 * width),
+                each(place.width, |width| 0.5 * width),
                 both(|axis| place.local(axis, low[axis])),
                 both(|axis| place.local(axis, high[axis])),
             )
@@ -134,7 +134,7 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
         padding: 0.0,
         third: [up(h * h * h * sss), up(h * h * k * sst), up(h * k * k * stt), up(k * k * k * ttt)],
         // Dyadic numbers of few digits, so exact.
-        low: low.map(|x| x as f32),
-        high: high.map(|x| x as f32),
+        low: each(low, |x| x as f32),
+        high: each(high, |x| x as f32),
     }
 }

@@ -6,6 +6,7 @@ use super::layouts::{Place, Row};
 use super::rounding::OwnFrame;
 use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, Patch};
+use crate::gather::Gather;
 use crate::iteration::{SampleGrid, Sampling};
 use glam::DVec3;
 use std::ops::Range;
@@ -71,7 +72,7 @@ impl Gpu {
             .pages()
             .iter()
             .map(|page| self.upload_page(model, sampling, page, origin, scale))
-            .collect();
+            .gather();
         GpuSampling {
             origin,
             scale,
@@ -107,7 +108,7 @@ impl Gpu {
             rows: self.upload("rows", &draft.rows),
             places: self.upload("places", &draft.places),
         };
-        drafts.iter().map(group).collect()
+        drafts.iter().map(group).gather()
     }
 }
 

@@ -4,6 +4,7 @@ use super::Gpu;
 use super::groups::{Controls, by_degree};
 use super::layouts::Node;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
+use crate::gather::Gather;
 use crate::iteration::Target;
 use crate::tree::{Aabb, BoxTree};
 use glam::DVec3;
@@ -58,7 +59,7 @@ impl Gpu {
             }
             let tree = BoxTree::new(&boxes);
             let of_tree = tree.nodes().iter().enumerate();
-            let nodes: Vec<Node> = of_tree.map(|(index, of)| node(index, of, origin, scale)).collect();
+            let nodes: Vec<Node> = of_tree.map(|(index, of)| node(index, of, origin, scale)).gather();
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {

@@ -4,6 +4,7 @@ use super::Part;
 use crate::bezier::BezierModel;
 use crate::both::both;
 use crate::error::{Error, Result};
+use crate::gather::Gather;
 use crate::iteration::{cell_pieces, uniform};
 use crate::parallel::map;
 use crate::tree::{Aabb, BoxTree};
@@ -105,13 +106,13 @@ impl CellTree {
             aabbs[patch.surface] = aabbs[patch.surface].union(patch.bounding_box());
         }
         let order = BoxTree::new(&aabbs);
-        self.cells = order.order().iter().map(|&surface| Cell { surface, row: 0, column: 0 }).collect();
+        self.cells = order.order().iter().map(|&surface| Cell { surface, row: 0, column: 0 }).gather();
         let mut count = self.cells.len();
         while count > 1 {
             let starts = (0..count).step_by(BRANCHING);
             let children =
                 |first| Children { first: first as u32, count: BRANCHING.min(count - first) as u32 };
-            self.levels.insert(0, starts.map(children).collect());
+            self.levels.insert(0, starts.map(children).gather());
             count = count.div_ceil(BRANCHING);
         }
     }
@@ -146,7 +147,7 @@ impl CellTree {
             let grid = &model.grids[surface];
             both(|axis| {
                 let parameters = uniform(&grid.breaks[axis], self.grid + 1);
-                let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
+                let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).gather();
                 cell_pieces(&places)
             })
         };

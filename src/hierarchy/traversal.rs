@@ -3,6 +3,7 @@
 
 use super::{CellTree, Distances};
 use crate::both::both;
+use crate::gather::Gather;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use std::ops::Range;
@@ -125,7 +126,7 @@ impl<'a> Traversal<'a> {
         let of_place = |offset: usize| {
             let place = places.start + offset;
             let children = self.children(0, self.pairs.nodes[place]);
-            children.map(|node| self.bound_child(place, node)).collect::<Vec<_>>()
+            children.map(|node| self.bound_child(place, node)).gather()
         };
         map(places.len(), of_place).concat()
     }
@@ -157,7 +158,7 @@ impl<'a> Traversal<'a> {
         let partners = self.pairs.partners(bound.parent as usize).iter();
         let children = partners.flat_map(|&partner| self.children(1, partner));
         let near = |other: &usize| Distances::of(aabb, &others[*other]).near <= bound.distances.far;
-        children.filter(near).map(|other| other as u32).collect()
+        children.filter(near).map(|other| other as u32).gather()
     }
 
     /// Goes to the level below, whose pairs these are.

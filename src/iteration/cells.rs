@@ -3,6 +3,7 @@
 use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
 use crate::both::both;
+use crate::gather::Gather;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use glam::DVec3;
@@ -86,9 +87,9 @@ pub(crate) fn cell_pieces(places: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2])>
                 (patch, [if patch == first { start } else { 0.0 }, if patch == last { end } else { 1.0 }])
             })
             .filter(|(_, [start, end])| start < end || first == last)
-            .collect()
+            .gather()
     };
-    places.windows(2).map(between).collect()
+    places.windows(2).map(between).gather()
 }
 
 /// The box of the control net of the piece s x t of `patch`.

@@ -2,6 +2,7 @@
 
 use super::{Projected, Rule};
 use crate::bezier::{Patch, PatchSet};
+use crate::both::each;
 use crate::parallel::map;
 use crate::project::{Foot, Projection, Status, nearest_control, newton, tangent_plane};
 use crate::tree::BoxTree;
@@ -93,7 +94,7 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
         }
         let node = &nodes[index];
         if node.count == 0 {
-            let mut children = [index + 1, node.second as usize].map(|child| (least(child), child));
+            let mut children = each([index + 1, node.second as usize], |child| (least(child), child));
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
             }

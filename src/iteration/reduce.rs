@@ -1,6 +1,7 @@
 //! Stage `reduce`: the largest of the least distances, and where it is.
 
 use super::Projected;
+use crate::gather::Gather;
 use crate::order::by_falling;
 
 /// Samples of a block.
@@ -19,6 +20,6 @@ pub fn reduce(projected: &[Projected]) -> Vec<usize> {
         }
         block * BLOCK_SIZE + largest
     };
-    let blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
+    let blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).gather();
     by_falling(&blocks, |&sample| projected[sample].distance_squared)
 }

@@ -2,7 +2,7 @@
 
 use super::{DistanceForm, Foot, Stationary, nearest_control, newton};
 use crate::bezier::{Patch, PatchSet};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::tree::BoxTree;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
@@ -168,7 +168,7 @@ impl Search<'_> {
 
     fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2], known: Stationary) {
         let patch = self.patches.patch(index as usize);
-        let middle = range.map(|[start, end]| 0.5 * (start + end));
+        let middle = each(range, |[start, end]| 0.5 * (start + end));
         let mut foot = known;
         if patch.point(middle).distance_squared(self.target) < self.best_squared() {
             let found = self.foot(index, newton(&patch, self.target, middle, ITERATIONS));

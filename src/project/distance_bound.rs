@@ -1,6 +1,8 @@
 //! Lower bounds of the distance from a point to a patch.
 
 use crate::bezier::MAX_ORDER;
+use crate::both::each;
+use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
@@ -42,7 +44,7 @@ impl DistanceForm {
         let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
         let weights = [product_weights(p), product_weights(q)];
         let relative: Vec<DVec4> =
-            controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).collect();
+            controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).gather();
         // Every pair of rows once, as its product counts twice.
         for i in 0..=p {
             for k in i..=p {
@@ -118,7 +120,7 @@ impl DistanceForm {
             (lightest, heaviest) = (lightest.min(denominator), heaviest.max(denominator));
         }
         let lost = self.unit * (self.largest + known.distance_squared * heaviest);
-        let [p, q] = self.degree.map(|degree| degree as f64);
+        let [p, q] = each(self.degree, |degree| degree as f64);
         let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * lost), q * (q - 1.0) * (tt - 4.0 * lost));
         let st = p * q * (st + 4.0 * lost);
         let bent = 0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - (ss.max(0.0) * tt.max(0.0)).sqrt()).max(0.0);
@@ -148,6 +150,6 @@ fn product_weights(degree: usize) -> &'static [f64] {
         let size = degree + 1;
         (0..size * size)
             .map(|at| single[at / size] * single[at % size] / double[at / size + at % size])
-            .collect()
+            .gather()
     })
 }

@@ -36,6 +36,7 @@ pub use wavy_sheet::{WavySheet, wavy_sheet};
 pub use wigley::wigley_hull;
 pub use wing::{Wing, wing};
 
+use crate::both::each;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 
@@ -58,7 +59,10 @@ fn net_surface(
             control_points.push(point(i, j));
         }
     }
-    NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
+    NurbsSurface::new(
+        0,
+        SurfaceArrays { degree, knots: each(knots, <[f64]>::to_vec), counts, control_points },
+    )
 }
 
 fn positive(option: &'static str, value: f64) -> Result<f64> {

@@ -2,6 +2,7 @@
 
 use super::plane_curve::clamped_knots;
 use super::{named, net_surface, positive};
+use crate::both::each;
 use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
 use crate::model::Model;
@@ -44,7 +45,7 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
         }
     }
     let fraction = |index: usize, axis: usize| index as f64 / (counts[axis].max(2) - 1) as f64;
-    let [along_x, along_y] = counts.map(|count| clamped_knots(DEGREE, count));
+    let [along_x, along_y] = each(counts, |count| clamped_knots(DEGREE, count));
     let sheet = net_surface([DEGREE; 2], [&along_x, &along_y], counts, &|i, j| {
         let (x, y) = (fraction(i, 0), fraction(j, 1));
         let height = amplitude * sin(TAU * waves[0] * x + phase) * cos(TAU * waves[1] * y);

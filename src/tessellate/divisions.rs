@@ -1,7 +1,8 @@
 //! How finely each knot span is divided.
 
 use crate::bezier::{BezierModel, Patch, PatchGrid};
-use crate::both::both;
+use crate::both::{both, each};
+use crate::gather::Gather;
 
 /// Triangles of a model, about and at most, unless it has more patches: what
 /// an integrated GPU still turns smoothly.
@@ -29,7 +30,7 @@ pub(super) struct Divisions {
 impl Divisions {
     /// For every surface of `model`. O(patches p q).
     pub(super) fn of_model(model: &BezierModel, tolerance: f64) -> Vec<Self> {
-        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).collect();
+        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).gather();
         loop {
             let triangles: f64 = all.iter().map(Self::triangles).sum();
             if triangles <= MOST_TRIANGLES || all.iter().all(Self::is_coarsest) {
@@ -84,7 +85,7 @@ fn parts_of(patch: &Patch<'_>, tolerance: f64, halvings: u32) -> [f64; 2] {
     let of = |second: f64| (second / (4.0 * tolerance)).sqrt();
     let parts = [of(ss + ratio * st), of(tt + st / ratio)];
     if halvings == 0 || parts.iter().all(|&parts| parts <= ENOUGH) {
-        return parts.map(f64::ceil);
+        return each(parts, f64::ceil);
     }
     let axis = usize::from(parts[1] > parts[0]);
     let mut of_halves = [0.0_f64; 2];

@@ -2,8 +2,9 @@
 
 use super::divisions::Divisions;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
-use crate::both::both;
+use crate::both::{both, each};
 use crate::elementary::cos;
+use crate::gather::Gather;
 use glam::DVec3;
 
 /// Angle between the normals of the two sides of a knot line from which it is
@@ -54,9 +55,9 @@ impl Sheet {
                 vertices.push(vertex(&patch, [row.local, column.local]));
             }
         }
-        let joined = [rows, columns].map(|lines| {
+        let joined = each([rows, columns], |lines| {
             let next = |line: usize| lines.get(line + 1).map(|line| line.span);
-            (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).collect()
+            (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).gather()
         });
         let mut sheet = Self { vertices, columns: joined_len(&joined, 1), joined };
         sheet.close(0, tolerance);

@@ -1,6 +1,7 @@
 //! A binary tree of boxes over patches.
 
 use super::Aabb;
+use crate::gather::Gather;
 use crate::order::select;
 use glam::DVec3;
 
@@ -35,7 +36,7 @@ impl BoxTree {
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut tree = Self {
             nodes: Vec::with_capacity(2 * boxes.len().div_ceil(LEAF_SIZE)),
-            order: (0..boxes.len() as u32).collect(),
+            order: (0..boxes.len() as u32).gather(),
         };
         if !boxes.is_empty() {
             let mut order = std::mem::take(&mut tree.order);

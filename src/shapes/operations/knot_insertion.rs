@@ -2,6 +2,7 @@
 
 use super::net::map_lines;
 use crate::error::{Error, Result};
+use crate::gather::Gather;
 use crate::model::NurbsSurface;
 use glam::DVec4;
 
@@ -58,5 +59,5 @@ fn insert_once(knots: &[f64], degree: usize, knot: f64, multiplicity: usize, lin
                 (1.0 - fraction) * line[index - 1] + fraction * line[index]
             }
         })
-        .collect()
+        .gather()
 }
