@@ -69,7 +69,7 @@ test("the time axis is logarithmic or linear", async () => {
   await page.locator("#logarithmic-time").check();
 });
 
-test("a failing method is a gap with its code, and an interval cut short is told", async () => {
+test("a failing method is a gap with its code", async () => {
   const fields = { positions: "5", samples: "64", limit: "5", budget: "1" };
   await choose(page, { pair: "nested", methods: ["hierarchy"], ...fields });
   await run(page);
@@ -86,8 +86,8 @@ test("a failing method is a gap with its code, and an interval cut short is told
   const failed = "PAIR_BUDGET_EXCEEDED";
   assert.deepEqual(codes, ["", failed, failed, failed, ""]);
   assert.match((await notes("hierarchy"))[0], /^PAIR_BUDGET_EXCEEDED at -1.65, 0, 1.65; first: /);
-  // In the middle all of B is equally far from all of A: an exact offset takes longer than 5 s.
-  assert.deepEqual(await notes("certified"), ["interval wider than asked at 0: out of time"]);
+  // Also in the middle, where all of B is equally far from all of A.
+  assert.deepEqual(await notes("certified"), []);
   await page.locator("#at").fill("1");
   assert.equal(
     await page.locator("#reading-rows tr").nth(1).locator("td").textContent(),
