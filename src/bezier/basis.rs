@@ -9,29 +9,29 @@ pub const MAX_ORDER: usize = MAX_DEGREE + 1;
 /// below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
 pub(super) type Basis<const N: usize> = [[f64; N]; 3];
 
-/// At `t` in [0, 1], by the degree-raising recurrence, which adds numbers of
-/// one sign only and is therefore accurate to a few units in the last place;
-/// derivatives as differences of the lower degrees (Farin, *Curves and Surfaces
-/// for CAGD*, section 5.3). O(degree^2), written out where the degree is known.
+/// For a degree from 1 at `t` in [0, 1], by the degree-raising recurrence,
+/// which adds numbers of one sign only and is therefore accurate to a few units
+/// in the last place; derivatives as differences of the lower degrees (Farin,
+/// *Curves and Surfaces for CAGD*, section 5.3). O(degree^2), written out where
+/// the degree is known.
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
+    let scale = degree as f64;
     let mut values = [0.0; N];
     values[0] = 1.0;
-    for current in 0..=degree {
-        let order = degree - current;
-        if order <= 2 {
-            basis[order][..=current].copy_from_slice(&values[..=current]);
-        }
-        if current < degree {
-            raise(&mut values, current, t);
-        }
+    for current in 0..degree.saturating_sub(2) {
+        raise(&mut values, current, t);
     }
-    let scale = degree as f64;
-    differentiate(&mut basis[1], degree, scale);
     if degree >= 2 {
+        basis[2] = values;
+        raise(&mut values, degree - 2, t);
         differentiate(&mut basis[2], degree - 1, scale - 1.0);
         differentiate(&mut basis[2], degree, scale);
     }
+    basis[1] = values;
+    raise(&mut values, degree - 1, t);
+    differentiate(&mut basis[1], degree, scale);
+    basis[0] = values;
 }
 
 /// Bernstein polynomials of degree `degree` into those of `degree + 1`.

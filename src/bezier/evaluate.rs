@@ -57,6 +57,8 @@ impl Patch<'_> {
             [2, 2] => self.jet_by::<3>([2, 2], parameters),
             #[cfg(not(target_arch = "wasm32"))]
             [3, 3] => self.jet_by::<4>([3, 3], parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [0..8, 0..8] => self.jet_by::<8>(self.degree, parameters),
             degree => self.jet_by::<MAX_ORDER>(degree, parameters),
         }
     }
