@@ -2,7 +2,6 @@
 // a standard error that browsers do not have, and then traps: without the
 // writing nothing is lost, and messages and places need not be sent.
 import { readFileSync, writeFileSync } from "node:fs";
-import binaryen from "binaryen";
 
 const panic = [
   // Functions of Rust's own libraries, none of which returns, by their last name.
@@ -15,7 +14,9 @@ const panic = [
 ];
 
 /** Makes traps of the functions that panic; the module must have their names. */
-export function trapPanics(wasmFile) {
+export async function trapPanics(wasmFile) {
+  // Not there before the set-up, which imports this file.
+  const { default: binaryen } = await import("binaryen");
   // Names are for whoever looks at the module before it is optimised.
   binaryen.setDebugInfo(true);
   const module = binaryen.readBinary(readFileSync(wasmFile));

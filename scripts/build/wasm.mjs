@@ -65,7 +65,7 @@ export async function buildWasm() {
     ],
     { env: toolsEnvironment({ CARGO_ENCODED_RUSTFLAGS: rustFlags }) },
   );
-  trapPanics(inRoot(wasmFile));
+  await trapPanics(inRoot(wasmFile));
   await must("wasm-opt", [inRoot(wasmFile), "-o", inRoot(wasmFile), ...optimizations]);
   shortenImports(inRoot(wasmFile), inRoot(glueFile));
   // It tells npm to leave the folder out of the package.
