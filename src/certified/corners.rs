@@ -27,6 +27,9 @@ use glam::DVec3;
 /// they stop is as valid as any place.
 const SECANT_STEPS: usize = 6;
 
+/// Part of δ_A that two distances may differ by for more steps to be of no use.
+const CLOSE: f64 = 0.05;
+
 /// Part of the bracket that a secant step takes at least, so that the bracket shrinks.
 const LEAST_STEP: f64 = 1e-3;
 
@@ -50,22 +53,27 @@ pub(super) struct Corners<'a> {
 }
 
 impl Corners<'_> {
-    /// Whether the bound can be expected to be at most `enough`: it is at
-    /// least δ_A more than the farthest corner, which is seldom much nearer
-    /// than the centre.
-    pub(super) fn may_suffice(&self, center: &Foot, enough: f64) -> bool {
-        center.distance_squared.sqrt() + self.of_cell() <= enough
+    /// Whether the bound can be expected to be at most `enough`, given the
+    /// foot of a corner, than which it is at least δ_A more, or that of the
+    /// centre, than which the farthest corner is seldom much nearer.
+    pub(super) fn may_suffice(&self, foot: &Foot, enough: f64) -> bool {
+        foot.distance_squared.sqrt() + self.of_cell() <= enough
     }
 
-    /// The lemma's bound, or infinity where more than two patches are
-    /// nearest; the farthest point met goes to `farthest`.
-    pub(super) fn bound(&self, center: &Foot, farthest: &mut Sample) -> f64 {
-        let feet = CORNERS.map(|corner| {
+    /// The lemma's bound, or infinity where more than two patches are nearest
+    /// or a corner is too far for `enough`; the farthest point met goes to
+    /// `farthest`.
+    pub(super) fn bound(&self, center: &Foot, enough: f64, farthest: &mut Sample) -> f64 {
+        let mut feet = [(CORNERS[0], *center); 4];
+        for (corner, known) in CORNERS.into_iter().zip(&mut feet) {
             let point = self.point(corner);
             let foot = nearest(self.b, point, foot_on(self.b, point, center.patch, center.parameters));
             self.offer(corner, foot, farthest);
-            (corner, foot)
-        });
+            if !self.may_suffice(&foot, enough) {
+                return f64::INFINITY;
+            }
+            *known = (corner, foot);
+        }
         let first = feet[0].1.patch;
         let Some(other) = feet.iter().map(|(_, foot)| foot.patch).find(|&patch| patch != first) else {
             return self.polygon(&feet.map(|(_, foot)| foot));
@@ -127,7 +135,7 @@ impl Corners<'_> {
             x = low + inside * (high - low);
             let difference;
             (here, next, difference) = both(x, &here, &next);
-            if difference == 0.0 {
+            if difference.abs() <= CLOSE * self.of_cell() {
                 break;
             }
             if difference < 0.0 {

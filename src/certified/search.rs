@@ -321,7 +321,7 @@ impl<'a> Search<'a> {
         }
         let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
         if upper > enough && corners.may_suffice(&foot, enough) {
-            upper = upper.min(corners.bound(&foot, &mut sample));
+            upper = upper.min(corners.bound(&foot, enough, &mut sample));
         }
         // What is no number bounds nothing.
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
