@@ -61,23 +61,21 @@ impl Queue {
             let keep = self.undecided.len().saturating_sub(most);
             return self.undecided.drain(keep..).gather();
         }
-        if self.regions.len() <= self.capacity {
-            return self.regions.drain(..most.min(self.regions.len())).gather();
+        let mut next = Vec::with_capacity(most.min(self.regions.len()));
+        while next.len() < most
+            && let Some(region) = self.pop()
+        {
+            next.push(region);
         }
-        if self.chosen == 0 {
-            self.choose();
-        }
-        self.chosen = self.chosen.saturating_sub(most);
-        let keep = self.regions.len().saturating_sub(most);
-        self.regions.drain(keep..).gather()
+        next
     }
 
-    /// Takes out the oldest cells, up to `most`, and how large the bounds were
-    /// of the regions before them that were at most `enough`.
+    /// Takes out the next cells, up to `most`, and how large the bounds were of
+    /// the regions before them that were at most `enough`.
     pub(super) fn next_cells(&mut self, most: usize, enough: f64) -> (Vec<Region>, f64) {
         let (mut cells, mut nodes, mut dropped) = (Vec::new(), Vec::new(), 0.0_f64);
         while cells.len() < most
-            && let Some(region) = self.regions.pop_front()
+            && let Some(region) = self.pop()
         {
             if region.upper <= enough {
                 dropped = dropped.max(region.upper);
@@ -89,6 +87,18 @@ impl Queue {
         }
         self.regions.extend(nodes);
         (cells, dropped)
+    }
+
+    /// The oldest region, or one of the largest bounds if there are too many.
+    fn pop(&mut self) -> Option<Region> {
+        if self.regions.len() <= self.capacity {
+            return self.regions.pop_front();
+        }
+        if self.chosen == 0 {
+            self.choose();
+        }
+        self.chosen = self.chosen.saturating_sub(1);
+        self.regions.pop_back()
     }
 
     /// Brings regions of the largest bounds to the end.
@@ -105,6 +115,7 @@ impl Queue {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::super::nearest::Foot;
+    use super::super::region::Cell;
     use super::*;
 
     fn region(upper: f64) -> Region {
@@ -136,6 +147,20 @@ mod tests {
             assert!(taken.iter().all(|upper| *upper <= rest && *upper >= queue.upper()));
             rest = queue.upper();
         }
+    }
+
+    #[test]
+    fn cells_are_lent_by_the_same_rule() {
+        let cell = |upper: f64| Region { part: Part::Cell(Cell::whole(0)), ..region(upper) };
+        let mut queue = Queue { capacity: 64, ..Queue::new(region(0.0)) };
+        queue.extend((1..=100).map(|k| cell(f64::from(k % 50))).collect());
+        let (cells, dropped) = queue.next_cells(2, 0.0);
+        assert_eq!((uppers(&cells), dropped), (vec![49.0, 49.0], 0.0));
+        // With room, the oldest: what is small enough is dropped.
+        let mut queue = Queue::new(region(0.0));
+        queue.extend((1..=10).map(|k| cell(f64::from(k))).collect());
+        let (cells, dropped) = queue.next_cells(2, 3.0);
+        assert_eq!((uppers(&cells), dropped), (vec![4.0, 5.0], 3.0));
     }
 
     #[test]
