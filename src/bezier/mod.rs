@@ -7,6 +7,7 @@ mod extract;
 mod local_bounds;
 mod monomials;
 mod patch;
+mod product_weights;
 mod restrict;
 mod split;
 
@@ -18,3 +19,4 @@ pub(crate) use extract::{center_grid, power_of_two_below};
 pub use local_bounds::LocalBounds;
 pub(crate) use local_bounds::{BEYOND, MOST_DEGREES};
 pub use patch::{Patch, PatchSet};
+pub(crate) use product_weights::product_weights;

@@ -5,7 +5,7 @@ use super::foot_map::FootMap;
 use super::nearest::Foot;
 use super::region::Cell;
 use super::side::Side;
-use crate::bezier::{Jet, Patch};
+use crate::bezier::{Jet, Patch, product_weights};
 use crate::both::both;
 use crate::model::RigidTransform;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -119,7 +119,7 @@ impl Net {
         let ([p, q], [m, n]) = (self.degree, other.degree);
         let columns = q + n + 1;
         let mut coefficients = vec![DVec3::ZERO; (p + m + 1) * columns];
-        let (in_s, in_t) = (weights(p, m), weights(q, n));
+        let (in_s, in_t) = (product_weights(p, m), product_weights(q, n));
         for (a, x) in self.controls.iter().enumerate() {
             let (i, j) = (a / (q + 1), a % (q + 1));
             for (b, y) in other.controls.iter().enumerate() {
@@ -149,24 +149,4 @@ impl Net {
         }
         sizes
     }
-}
-
-/// `C(p,i) C(m,k) / C(p+m,i+k)`: the weight of the product of controls i and k
-/// in coefficient i + k of a product of Bernstein polynomials.
-fn weights(p: usize, m: usize) -> Vec<f64> {
-    let row = |n: usize| {
-        let mut row = vec![1.0];
-        for k in 0..n {
-            row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
-        }
-        row
-    };
-    let (of_p, of_m, of_product) = (row(p), row(m), row(p + m));
-    let mut weights = Vec::with_capacity((p + 1) * (m + 1));
-    for i in 0..=p {
-        for k in 0..=m {
-            weights.push(of_p[i] * of_m[k] / of_product[i + k]);
-        }
-    }
-    weights
 }

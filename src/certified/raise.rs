@@ -41,17 +41,45 @@ impl Search<'_> {
         let samples: Vec<&Bounded> = bounded.iter().flatten().gather();
         let upper = samples.iter().fold(0.0_f64, |upper, bounded| upper.max(bounded.upper));
         let samples = by_falling(&samples, |bounded| bounded.sample.foot.distance_squared);
-        for sample in samples.into_iter().take(MOST_CERTIFIED) {
-            let Sample { parameters, foot } = sample.sample;
-            if foot.distance_squared.sqrt() <= self.lower() + self.certificate_width(upper) {
+        for bounded in samples.into_iter().take(MOST_CERTIFIED) {
+            if !self.raise_to(bounded.patch, bounded.sample, upper) {
                 return;
             }
-            let climbed = climb(&self.a, &self.b, &self.transform, sample.patch, parameters, foot);
-            for parameters in [climbed, parameters] {
-                if self.certify_sample(sample.patch, parameters, upper) {
-                    break;
-                }
+        }
+    }
+
+    /// Certifies a sample, moved to where the distance is locally largest or as
+    /// it is, while the distance may be `upper`; tells whether it exceeds the
+    /// best by more than a certificate's width.
+    pub(super) fn raise_to(&mut self, patch: u32, sample: Sample, upper: f64) -> bool {
+        let Sample { parameters, foot } = sample;
+        let width = self.certificate_width(upper);
+        if foot.distance_squared.sqrt() <= self.lower() + width {
+            return false;
+        }
+        let climbed = climb(&self.a, &self.b, &self.transform, patch, parameters, foot);
+        for parameters in [climbed, parameters] {
+            if self.certify_sample(patch, parameters, width) {
+                break;
             }
+        }
+        true
+    }
+
+    /// Takes the point for the farthest if its certificate says so.
+    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], width: f64) -> bool {
+        let found = self.certificate(patch, parameters, width);
+        let best = self.farthest;
+        let better = found.filter(|found| best.is_none_or(|best| found.closest.lower > best.closest.lower));
+        self.farthest = better.or(best);
+        better.is_some()
+    }
+
+    /// Takes some point for the farthest: a witness also where the models'
+    /// boxes alone answer.
+    pub(super) fn begin(&mut self, upper: f64) {
+        if !self.a.target.patches.is_empty() {
+            self.farthest = self.certificate(0, [0.5; 2], self.certificate_width(upper));
         }
     }
 
@@ -59,11 +87,12 @@ impl Search<'_> {
     /// found while less was asked.
     pub(crate) fn finish(&mut self) {
         let Some(best) = self.farthest else { return };
-        if best.closest.upper - best.closest.lower > self.certificate_width(0.0) + self.rounding {
-            self.farthest = None;
-            self.certify_sample(best.patch, best.parameters, 0.0);
-            let found = self.farthest.get_or_insert(best);
+        let width = LAST_PART * self.tolerance;
+        if best.closest.upper - best.closest.lower > width + self.rounding
+            && let Some(mut found) = self.certificate(best.patch, best.parameters, width)
+        {
             found.closest.lower = found.closest.lower.max(best.closest.lower);
+            self.farthest = Some(found);
         }
     }
 
@@ -72,17 +101,12 @@ impl Search<'_> {
         (CERTIFICATE_PART * (upper - self.lower())).max(LAST_PART * self.tolerance)
     }
 
-    /// Takes the point for the farthest if its certificate says so.
-    pub(super) fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], upper: f64) -> bool {
+    /// A point of A with its distance to B, as narrow as `width` if that can be told.
+    fn certificate(&self, patch: u32, parameters: [f64; 2], width: f64) -> Option<Farthest> {
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
         let target = self.b.target;
-        let gap = self.certificate_width(upper);
-        let Some(mut closest) = closest(&target.patches, &target.tree, point, gap) else { return false };
+        let mut closest = closest(&target.patches, &target.tree, point, width)?;
         closest.lower = (closest.lower - self.rounding).max(0.0);
-        let better = self.farthest.is_none_or(|best| closest.lower > best.closest.lower);
-        if better {
-            self.farthest = Some(Farthest { patch, parameters, point, closest });
-        }
-        better
+        Some(Farthest { patch, parameters, point, closest })
     }
 }

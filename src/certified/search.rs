@@ -2,7 +2,6 @@
 
 use super::Side;
 use super::certify::certify;
-use super::climb::climb;
 use super::coincide::coincide;
 use super::corners::{Corners, Sample};
 use super::nearest::{Foot, foot_on, nearest};
@@ -142,11 +141,8 @@ impl<'a> Search<'a> {
             kernel_cells: 0,
             levels: 0,
         };
-        // A witness also where the models' boxes alone answer.
-        if !search.a.target.patches.is_empty() {
-            let upper = search.interval().upper;
-            search.certify_sample(0, [0.5; 2], upper);
-        }
+        let upper = search.interval().upper;
+        search.begin(upper);
         search
     }
 
@@ -205,11 +201,8 @@ impl<'a> Search<'a> {
         let Some((patch, parameters)) = returned.farthest else { return };
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
         let foot = nearest(&self.b, point, Foot::start(0, [0.5; 2]));
-        if foot.distance_squared.sqrt() > self.lower() {
-            let climbed = climb(&self.a, &self.b, &self.transform, patch, parameters, foot);
-            let upper = self.interval().upper;
-            self.certify_sample(patch, climbed, upper);
-        }
+        let upper = self.interval().upper;
+        self.raise_to(patch, Sample { parameters, foot }, upper);
     }
 
     pub(super) fn lower(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! A model with everything computed from it once.
 
-use crate::bezier::{BezierModel, LocalBounds, extract};
+use crate::bezier::{BezierModel, LocalBounds, PatchSet, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten, rooms};
@@ -34,15 +34,17 @@ type SamplingKey = (usize, SamplingRule);
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
     bounds: OnceCell<Vec<LocalBounds>>,
-    rooms: Vec<[[f64; 2]; 2]>,
     pub(crate) resident: Resident<GpuTarget>,
 }
 
 impl PreparedTarget {
-    /// The patches as method `certified` wants them.
-    pub(crate) fn side(&self) -> Side<'_> {
-        let (patches, rooms) = (&self.target.patches, &self.rooms);
-        let bounds = || map(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]));
+    /// The patches as method `certified` wants them, which were cut from `whole`.
+    pub(crate) fn side(&self, whole: &PatchSet) -> Side<'_> {
+        let patches = &self.target.patches;
+        let bounds = || {
+            let rooms = rooms(whole, patches);
+            map(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]))
+        };
         Side::new(&self.target, self.bounds.get_or_init(bounds))
     }
 }
@@ -104,9 +106,8 @@ impl PreparedModel {
             return Rc::clone(target);
         }
         let target = Target::new(flatten(&self.bezier.patches, flatness));
-        let rooms = rooms(&self.bezier.patches, &target.patches);
         let prepared =
-            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), rooms, resident: Resident::default() });
+            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }

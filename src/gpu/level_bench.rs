@@ -61,8 +61,9 @@ impl LevelBench {
         tolerance: f64,
         cells: usize,
     ) -> Result<Option<Self>> {
-        let (a, b) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
-        let mut search = Search::new(a.side(), b.side(), transform, tolerance, None);
+        let (from, to) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
+        let (a, b) = (from.side(&a.bezier().patches), to.side(&b.bezier().patches));
+        let mut search = Search::new(a, b, transform, tolerance, None);
         while search.waiting() < cells {
             if search.advance().is_some() {
                 return Ok(None);

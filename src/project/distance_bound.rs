@@ -1,6 +1,6 @@
 //! Lower bounds of the distance from a point to a patch.
 
-use crate::bezier::MAX_ORDER;
+use crate::bezier::{MAX_ORDER, product_weights};
 use crate::both::each;
 use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -42,7 +42,7 @@ impl DistanceForm {
         let [p, q] = degree;
         let (columns, doubled) = (q + 1, 2 * q + 1);
         let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
-        let weights = [product_weights(p), product_weights(q)];
+        let weights = [square_weights(p), square_weights(q)];
         let relative: Vec<DVec4> =
             controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).gather();
         // Every pair of rows once, as its product counts twice.
@@ -134,22 +134,8 @@ impl DistanceForm {
     }
 }
 
-/// `C(n,i) C(n,k) / C(2n,i+k)`: the weight of control products i, k in
-/// coefficient i + k of a product of Bernstein polynomials. Made once a degree.
-fn product_weights(degree: usize) -> &'static [f64] {
+/// The weights of a square's products, made once a degree.
+fn square_weights(degree: usize) -> &'static [f64] {
     static MADE: [OnceLock<Vec<f64>>; MAX_ORDER] = [const { OnceLock::new() }; MAX_ORDER];
-    MADE[degree].get_or_init(|| {
-        let row = |n: usize| -> Vec<f64> {
-            let mut row = vec![1.0];
-            for k in 0..n {
-                row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
-            }
-            row
-        };
-        let (single, double) = (row(degree), row(2 * degree));
-        let size = degree + 1;
-        (0..size * size)
-            .map(|at| single[at / size] * single[at % size] / double[at / size + at % size])
-            .gather()
-    })
+    MADE[degree].get_or_init(|| product_weights(degree, degree))
 }
