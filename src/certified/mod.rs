@@ -11,6 +11,7 @@ mod certify;
 mod climb;
 mod coincide;
 mod corners;
+mod correspond;
 mod foot_map;
 mod nearest;
 mod pieces;

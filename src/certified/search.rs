@@ -4,6 +4,7 @@ use super::Side;
 use super::certify::certify;
 use super::coincide::coincide;
 use super::corners::{Corners, Sample};
+use super::correspond::correspond;
 use super::nearest::{Foot, foot_on, nearest};
 use super::queue::Queue;
 use super::region::{Cell, Part, Region};
@@ -122,7 +123,7 @@ impl<'a> Search<'a> {
         let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
         let root = Region {
             part: Part::Node(0),
-            upper: farthest_corners(&a, &b, &transform),
+            upper: farthest_corners(&a, &b, &transform).min(farthest_correspondence(&a, &b, &transform)),
             foot: Foot::start(0, [0.5; 2]),
             level: 0,
         };
@@ -240,7 +241,11 @@ impl<'a> Search<'a> {
                 matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < SMALLEST_HALF);
             match bounded {
                 Some(bounded) if upper > enough && !too_small => {
+                    let first = parts.len();
                     region.split_into(&self.a, upper, bounded.foot, &mut parts);
+                    if matches!(region.part, Part::Node(_)) {
+                        self.limit_by_correspondence(&mut parts[first..]);
+                    }
                 }
                 _ => {
                     self.exhausted |= upper > enough;
@@ -250,6 +255,15 @@ impl<'a> Search<'a> {
         }
         self.queue.extend(parts);
         None
+    }
+
+    /// Bounds whole patches by their likes on B.
+    fn limit_by_correspondence(&self, parts: &mut [Region]) {
+        for part in parts {
+            if let Part::Cell(cell) = &part.part {
+                part.upper = part.upper.min(correspond(&self.a, &self.b, &self.transform, cell.patch));
+            }
+        }
     }
 
     /// Whether the distance is at most the limit, once that is known.
@@ -320,6 +334,18 @@ impl<'a> Search<'a> {
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
         Bounded { upper, foot, patch: cell.patch, sample }
     }
+}
+
+/// The largest bound of A's patches by their likes on B, infinite once one has none.
+fn farthest_correspondence(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+    let mut largest = 0.0_f64;
+    for index in 0..a.target.patches.len() {
+        if largest == f64::INFINITY {
+            break;
+        }
+        largest = largest.max(correspond(a, b, transform, index as u32));
+    }
+    largest
 }
 
 /// The largest distance between points of the two models' boxes: a convex
