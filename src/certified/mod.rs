@@ -9,7 +9,7 @@
 
 mod certify;
 mod climb;
-mod coincide;
+mod compare;
 mod corners;
 mod correspond;
 mod foot_map;

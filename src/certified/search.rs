@@ -2,7 +2,7 @@
 
 use super::Side;
 use super::certify::certify;
-use super::coincide::coincide;
+use super::compare::compare;
 use super::corners::{Corners, Sample};
 use super::correspond::correspond;
 use super::nearest::{Foot, foot_on, nearest};
@@ -324,7 +324,7 @@ impl<'a> Search<'a> {
         let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
         let mut sample = Sample { parameters: cell.center, foot };
         if upper > enough {
-            upper = upper.min(coincide(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
+            upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
         }
         let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
         if upper > enough && corners.may_suffice(&foot, enough) {

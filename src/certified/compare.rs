@@ -1,5 +1,5 @@
-//! A bound for cells that lie on B by a change of parameters: copies with
-//! other knots, degrees or pieces.
+//! A bound for cells that keep their distance to B by a change of parameters:
+//! copies and offsets, with other knots, degrees or pieces.
 
 use super::foot_map::FootMap;
 use super::nearest::Foot;
@@ -8,11 +8,7 @@ use super::side::Side;
 use crate::bezier::{Jet, Patch, product_weights};
 use crate::both::both;
 use crate::model::RigidTransform;
-use glam::{DVec3, DVec4, Vec4Swizzles};
-
-/// Part of the distance that would be enough within which the cell's middle
-/// must lie of B: a cell of a copy lies there up to rounding.
-const NEAR: f64 = 1e-2;
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 /// How much of a foot's way may be along the other parameter, and be cut off
 /// at the edge of the patch, for the map to count as one along the axes.
@@ -23,17 +19,19 @@ const ROUNDINGS_PER_DEGREE: f64 = 8.0;
 const ROUNDINGS_BESIDES: f64 = 64.0;
 
 /// At least the distance to B of every point of the cell, infinite where the
-/// feet's linearisation does not go along B's parameter lines.
+/// feet's linearisation does not go along B's parameter lines or a corner of
+/// the cell tells that the bound is above `enough`.
 ///
 /// For such a map φ, `B∘φ` has the controls of B restricted to the image of
 /// the cell, as A has those of the cell. With `A = X/w` and `B∘φ = Y/v`,
 ///
-/// `|A - B∘φ| = |X v - Y w| / (w v)`,
+/// `|A - B∘φ|² = |X v - Y w|² / (w v)²`,
 ///
-/// whose numerator is a Bernstein polynomial of the degrees' sums, at most its
-/// largest coefficient: zero, up to rounding, where A and B are the same
-/// polynomials or rational functions. O(p^2 q^2).
-pub(super) fn coincide(
+/// a quotient of Bernstein polynomials of twice the degrees' sums, at most its
+/// coefficients' largest quotient, as the denominator's are positive. Up to
+/// rounding that is exact where the distance is the same all over: zero where
+/// A and B are the same polynomials or rational functions. O(p^4 q^4).
+pub(super) fn compare(
     cell: &Cell,
     patch: &Patch<'_>,
     transform: &RigidTransform,
@@ -42,7 +40,7 @@ pub(super) fn coincide(
     foot: &Foot,
     enough: f64,
 ) -> f64 {
-    if foot.distance_squared.sqrt() > NEAR * enough {
+    if foot.distance_squared > enough * enough {
         return f64::INFINITY;
     }
     let target = b.patch(foot.patch);
@@ -59,6 +57,14 @@ pub(super) fn coincide(
     let (along, across) = if swapped { ([p.y, q.x], [p.x, q.y]) } else { ([p.x, q.y], [p.y, q.x]) };
     let least = along[0].abs().min(along[1].abs());
     if across[0].abs().max(across[1].abs()).max(cut) > ASKEW * least || least == 0.0 {
+        return f64::INFINITY;
+    }
+    let is_too_far = |corner: DVec2| {
+        let from = transform.apply(patch.point(cell.at(corner.to_array())));
+        let image = DVec2::from_array(foot.parameters) + corner.x * p + corner.y * q;
+        from.distance_squared(target.point(image.to_array())) > enough * enough
+    };
+    if [DVec2::ONE, DVec2::new(1.0, -1.0)].into_iter().any(|corner| is_too_far(corner) || is_too_far(-corner)) {
         return f64::INFINITY;
     }
     // `along` by A's axes; the image by B's.
@@ -118,24 +124,32 @@ impl Net {
     fn largest_difference(&self, other: &Self) -> f64 {
         let ([p, q], [m, n]) = (self.degree, other.degree);
         let columns = q + n + 1;
-        let mut coefficients = vec![DVec3::ZERO; (p + m + 1) * columns];
+        // `X v - Y w` and `w v`.
+        let mut quotient = vec![DVec4::ZERO; (p + m + 1) * columns];
         let (in_s, in_t) = (product_weights(p, m), product_weights(q, n));
         for (a, x) in self.controls.iter().enumerate() {
             let (i, j) = (a / (q + 1), a % (q + 1));
             for (b, y) in other.controls.iter().enumerate() {
                 let (k, l) = (b / (n + 1), b % (n + 1));
                 let weight = in_s[i * (m + 1) + k] * in_t[j * (n + 1) + l];
-                coefficients[(i + k) * columns + j + l] += weight * (y.w * x.xyz() - x.w * y.xyz());
+                let product = (y.w * x.xyz() - x.w * y.xyz()).extend(x.w * y.w);
+                quotient[(i + k) * columns + j + l] += weight * product;
             }
         }
-        let mut largest = 0.0_f64;
-        for coefficient in coefficients {
-            largest = largest.max(coefficient.length());
+        let squares = square(&quotient, [p + m, q + n]);
+        let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
+        for coefficient in &quotient {
+            longest = longest.max(coefficient.xyz().length_squared());
+        }
+        for [length_squared, weight_squared] in squares {
+            largest = largest.max(length_squared / weight_squared);
         }
         let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());
-        let roundings = ROUNDINGS_PER_DEGREE * (p + q + m + n) as f64 + ROUNDINGS_BESIDES;
-        let lost = roundings * f64::EPSILON * (reach * other_heavy + other_reach * heavy);
-        let bound = (largest + lost) / (light * other_light);
+        let roundings = f64::EPSILON * (ROUNDINGS_PER_DEGREE * (p + q + m + n) as f64 + ROUNDINGS_BESIDES);
+        let lightest = light * other_light;
+        let lost = roundings * (reach * other_heavy + other_reach * heavy) / lightest;
+        let lost_squared = roundings * (largest + longest / (lightest * lightest));
+        let bound = (largest + lost_squared).sqrt() + lost;
         // What is no number bounds nothing.
         if light > 0.0 && other_light > 0.0 && bound >= 0.0 { bound } else { f64::INFINITY }
     }
@@ -149,4 +163,22 @@ impl Net {
         }
         sizes
     }
+}
+
+/// The coefficients of `|n|²` and `d²` of the quotient n/d.
+fn square(quotient: &[DVec4], [p, q]: [usize; 2]) -> Vec<[f64; 2]> {
+    let columns = 2 * q + 1;
+    let mut squares = vec![[0.0; 2]; (2 * p + 1) * columns];
+    let (in_s, in_t) = (product_weights(p, p), product_weights(q, q));
+    for (a, x) in quotient.iter().enumerate() {
+        let (i, j) = (a / (q + 1), a % (q + 1));
+        for (b, y) in quotient.iter().enumerate() {
+            let (k, l) = (b / (q + 1), b % (q + 1));
+            let weight = in_s[i * (p + 1) + k] * in_t[j * (q + 1) + l];
+            let square = &mut squares[(i + k) * columns + j + l];
+            square[0] += weight * x.xyz().dot(y.xyz());
+            square[1] += weight * x.w * y.w;
+        }
+    }
+    squares
 }
