@@ -17,6 +17,7 @@ mod parallel;
 pub mod project;
 pub mod shapes;
 mod shown;
+mod symmetry;
 pub mod tessellate;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]

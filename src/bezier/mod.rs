@@ -10,6 +10,7 @@ mod patch;
 mod product_weights;
 mod restrict;
 mod split;
+mod squares;
 
 pub use basis::MAX_ORDER;
 pub use derivative_bounds::DerivativeBounds;
@@ -20,3 +21,4 @@ pub use local_bounds::LocalBounds;
 pub(crate) use local_bounds::{BEYOND, MOST_DEGREES};
 pub use patch::{Patch, PatchSet};
 pub(crate) use product_weights::product_weights;
+pub(crate) use squares::{lengths, squares};

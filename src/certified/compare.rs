@@ -5,7 +5,7 @@ use super::foot_map::FootMap;
 use super::nearest::Foot;
 use super::region::Cell;
 use super::side::Side;
-use crate::bezier::{Jet, Patch, product_weights};
+use crate::bezier::{Jet, Patch, product_weights, squares};
 use crate::both::both;
 use crate::model::RigidTransform;
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
@@ -55,7 +55,13 @@ pub(super) fn compare(
     let (p, q) = (fitted.p, fitted.q);
     let swapped = p.y.abs() > p.x.abs();
     let (along, across) = if swapped { ([p.y, q.x], [p.x, q.y]) } else { ([p.x, q.y], [p.y, q.x]) };
-    let least = along[0].abs().min(along[1].abs());
+    // The edge of a patch has one direction.
+    let mut least = f64::INFINITY;
+    for axis in 0..2 {
+        if cell.half[axis] > 0.0 {
+            least = least.min(along[axis].abs());
+        }
+    }
     if across[0].abs().max(across[1].abs()).max(cut) > ASKEW * least || least == 0.0 {
         return f64::INFINITY;
     }
@@ -64,7 +70,8 @@ pub(super) fn compare(
         let image = DVec2::from_array(foot.parameters) + corner.x * p + corner.y * q;
         from.distance_squared(target.point(image.to_array())) > enough * enough
     };
-    if [DVec2::ONE, DVec2::new(1.0, -1.0)].into_iter().any(|corner| is_too_far(corner) || is_too_far(-corner)) {
+    if [DVec2::ONE, DVec2::new(1.0, -1.0)].into_iter().any(|corner| is_too_far(corner) || is_too_far(-corner))
+    {
         return f64::INFINITY;
     }
     // `along` by A's axes; the image by B's.
@@ -136,12 +143,11 @@ impl Net {
                 quotient[(i + k) * columns + j + l] += weight * product;
             }
         }
-        let squares = square(&quotient, [p + m, q + n]);
         let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
         for coefficient in &quotient {
             longest = longest.max(coefficient.xyz().length_squared());
         }
-        for [length_squared, weight_squared] in squares {
+        for [length_squared, weight_squared] in squares(&quotient, [p + m, q + n]) {
             largest = largest.max(length_squared / weight_squared);
         }
         let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());
@@ -163,22 +169,4 @@ impl Net {
         }
         sizes
     }
-}
-
-/// The coefficients of `|n|²` and `d²` of the quotient n/d.
-fn square(quotient: &[DVec4], [p, q]: [usize; 2]) -> Vec<[f64; 2]> {
-    let columns = 2 * q + 1;
-    let mut squares = vec![[0.0; 2]; (2 * p + 1) * columns];
-    let (in_s, in_t) = (product_weights(p, p), product_weights(q, q));
-    for (a, x) in quotient.iter().enumerate() {
-        let (i, j) = (a / (q + 1), a % (q + 1));
-        for (b, y) in quotient.iter().enumerate() {
-            let (k, l) = (b / (q + 1), b % (q + 1));
-            let weight = in_s[i * (p + 1) + k] * in_t[j * (q + 1) + l];
-            let square = &mut squares[(i + k) * columns + j + l];
-            square[0] += weight * x.xyz().dot(y.xyz());
-            square[1] += weight * x.w * y.w;
-        }
-    }
-    squares
 }

@@ -2,6 +2,7 @@
 
 use super::Side;
 use super::nearest::Foot;
+use super::profile::Profiles;
 use crate::both::both;
 
 /// A rectangle of a patch of A.
@@ -18,6 +19,11 @@ pub(crate) struct Cell {
 impl Cell {
     pub(super) fn whole(patch: u32) -> Self {
         Self { patch, center: [0.5; 2], half: [0.5; 2] }
+    }
+
+    /// Whether it is all of a patch, or of an edge.
+    pub(super) fn is_whole(&self) -> bool {
+        self.half.iter().all(|&half| half == 0.5 || half == 0.0)
     }
 
     /// The (s, t) of a place in [-1, 1]^2.
@@ -67,7 +73,14 @@ const LONGEST_ASPECT: f64 = 2.0;
 
 impl Region {
     /// Appends the parts of this region.
-    pub(super) fn split_into(&self, side: &Side<'_>, upper: f64, foot: Foot, parts: &mut Vec<Self>) {
+    pub(super) fn split_into(
+        &self,
+        side: &Side<'_>,
+        profiles: &Profiles,
+        upper: f64,
+        foot: Foot,
+        parts: &mut Vec<Self>,
+    ) {
         let mut push = |part| parts.push(Self { part, upper, foot, level: self.level + 1 });
         match &self.part {
             Part::Node(index) => {
@@ -79,7 +92,9 @@ impl Region {
                 } else {
                     let first = node.first as usize;
                     for &patch in &tree.order()[first..first + node.count as usize] {
-                        push(Part::Cell(Cell::whole(patch)));
+                        if let Some(cell) = profiles.cell(side, patch) {
+                            push(Part::Cell(cell));
+                        }
                     }
                 }
             }

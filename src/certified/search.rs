@@ -6,6 +6,8 @@ use super::compare::compare;
 use super::corners::{Corners, Sample};
 use super::correspond::correspond;
 use super::nearest::{Foot, foot_on, nearest};
+use super::on_sphere::on_sphere;
+use super::profile::Profiles;
 use super::queue::Queue;
 use super::region::{Cell, Part, Region};
 use super::side::moved;
@@ -68,6 +70,7 @@ pub(crate) struct Search<'a> {
     /// A bound above it need not be tighter.
     limit: Option<f64>,
     pub(super) rounding: f64,
+    profiles: Profiles,
     queue: Queue,
     dropped: f64,
     pub(super) farthest: Option<Farthest>,
@@ -127,6 +130,7 @@ impl<'a> Search<'a> {
             foot: Foot::start(0, [0.5; 2]),
             level: 0,
         };
+        let profiles = Profiles::new(&a, &b, &transform, tolerance);
         let mut search = Self {
             a,
             b,
@@ -134,6 +138,7 @@ impl<'a> Search<'a> {
             tolerance,
             limit,
             rounding: ROUNDING * largest,
+            profiles,
             queue: Queue::new(root),
             dropped: 0.0,
             farthest: None,
@@ -150,7 +155,10 @@ impl<'a> Search<'a> {
     /// The interval so far.
     pub(crate) fn interval(&self) -> Interval {
         let lower = self.lower();
-        Interval { lower, upper: self.dropped.max(self.queue.upper()).max(lower) + self.rounding }
+        Interval {
+            lower,
+            upper: self.dropped.max(self.queue.upper()).max(lower) + self.profiles.slack + self.rounding,
+        }
     }
 
     /// The farthest point so far.
@@ -176,6 +184,11 @@ impl<'a> Search<'a> {
     /// Parts waiting to be bounded.
     pub(crate) fn waiting(&self) -> usize {
         self.queue.len()
+    }
+
+    /// Whether cells may be edges of patches, which kernels cannot bound.
+    pub(crate) fn has_edges(&self) -> bool {
+        self.profiles.any()
     }
 
     /// Whether there are cells that only float64 can bound.
@@ -242,7 +255,7 @@ impl<'a> Search<'a> {
             match bounded {
                 Some(bounded) if upper > enough && !too_small => {
                     let first = parts.len();
-                    region.split_into(&self.a, upper, bounded.foot, &mut parts);
+                    region.split_into(&self.a, &self.profiles, upper, bounded.foot, &mut parts);
                     if matches!(region.part, Part::Node(_)) {
                         self.limit_by_correspondence(&mut parts[first..]);
                     }
@@ -311,7 +324,7 @@ impl<'a> Search<'a> {
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         // Away from edges the parent's foot leads to the nearest patch again,
         // except across a ridge, which every other level looks for.
-        let follow = known.status == Status::Converged && region.level % 2 == 1 && cell.half != [0.5; 2];
+        let follow = known.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
         let mut foot = if follow { known } else { nearest(&self.b, jet.point, known) };
         // The parent's middle was told to be about as far as no point may be, and
         // no point was found that far: of a patch with two valleys, the iteration
@@ -321,7 +334,12 @@ impl<'a> Search<'a> {
         if far(&region.foot) && far(&foot) {
             foot = self.surest(jet.point, foot);
         }
-        let mut upper = certify(cell, &jet, bounds, &self.b, &foot, enough);
+        let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
+        let mut upper =
+            sphere.map_or(f64::INFINITY, |sphere| on_sphere(cell, &patch, &self.transform, &sphere));
+        if upper > enough {
+            upper = upper.min(certify(cell, &jet, bounds, &self.b, &foot, enough));
+        }
         let mut sample = Sample { parameters: cell.center, foot };
         if upper > enough {
             upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));

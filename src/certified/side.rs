@@ -3,6 +3,7 @@
 use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
 use crate::iteration::Target;
 use crate::model::RigidTransform;
+use crate::symmetry::Revolution;
 use glam::DVec3;
 
 /// Patches with their tree and derivative bounds.
@@ -10,12 +11,19 @@ use glam::DVec3;
 pub(crate) struct Side<'a> {
     pub(super) target: &'a Target,
     pub(super) bounds: &'a [LocalBounds],
+    /// What each surface is, where that is known.
+    pub(super) revolutions: &'a [Option<Revolution>],
 }
 
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
-        Self { target, bounds }
+        Self { target, bounds, revolutions: &[] }
+    }
+
+    /// Knowing what each surface is.
+    pub(crate) fn with(self, revolutions: &'a [Option<Revolution>]) -> Self {
+        Self { revolutions, ..self }
     }
 
     pub(super) fn patch(&self, index: u32) -> Patch<'a> {
@@ -30,6 +38,11 @@ impl<'a> Side<'a> {
     /// Derivative bounds over a box in the patch's room.
     pub(crate) fn bounds(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
         self.bounds[index as usize].over(&self.patch(index), low, high)
+    }
+
+    /// The surface as one of revolution.
+    pub(super) fn revolution(&self, surface: usize) -> Option<&'a Revolution> {
+        self.revolutions.get(surface)?.as_ref()
     }
 
     /// The parameters at which the patch's controls tell points of the model.

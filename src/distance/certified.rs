@@ -118,7 +118,7 @@ impl Kernels<'_> {
     async fn advance(&mut self, search: &mut Search<'_>) -> Result<Option<Stop>> {
         let (started, before) = (now(), search.cells);
         let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
-        let many = search.waiting() >= worth && !search.has_undecided();
+        let many = search.waiting() >= worth && !search.has_undecided() && !search.has_edges();
         let Some(gpu) = self.gpu.filter(|_| many) else {
             let stop = search.advance();
             if search.cells > before {

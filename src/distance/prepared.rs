@@ -1,6 +1,6 @@
 //! A model with everything computed from it once.
 
-use crate::bezier::{BezierModel, LocalBounds, PatchSet, extract};
+use crate::bezier::{BezierModel, LocalBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten, rooms};
@@ -11,6 +11,7 @@ use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
 use crate::parallel::map;
+use crate::symmetry::{Revolution, revolutions};
 use crate::tree::Aabb;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -21,6 +22,7 @@ use std::rc::Rc;
 pub struct PreparedModel {
     name: Option<String>,
     bezier: BezierModel,
+    revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
@@ -38,14 +40,14 @@ pub(crate) struct PreparedTarget {
 }
 
 impl PreparedTarget {
-    /// The patches as method `certified` wants them, which were cut from `whole`.
-    pub(crate) fn side(&self, whole: &PatchSet) -> Side<'_> {
+    /// The patches as method `certified` wants them, which were cut from those of `model`.
+    pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Side<'a> {
         let patches = &self.target.patches;
         let bounds = || {
-            let rooms = rooms(whole, patches);
+            let rooms = rooms(&model.bezier.patches, patches);
             map(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]))
         };
-        Side::new(&self.target, self.bounds.get_or_init(bounds))
+        Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
     }
 }
 
@@ -72,9 +74,11 @@ impl PreparedModel {
     /// Extracts the Bézier patches. O(patches p q (p + q)).
     #[must_use]
     pub fn new(model: &Model) -> Self {
+        let bezier = extract(model);
         Self {
             name: model.name().map(str::to_owned),
-            bezier: extract(model),
+            revolutions: revolutions(&bezier),
+            bezier,
             bounding_box: model.bounding_box(),
             targets: RefCell::default(),
             samplings: RefCell::default(),

@@ -1,0 +1,209 @@
+//! Surfaces of revolution, told from their Bézier patches.
+
+use super::Sphere;
+use super::line::Line;
+use super::winding::winding;
+use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, lengths};
+use crate::both::both;
+use crate::gather::Gather;
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
+
+/// How far points may be from a surface of revolution for it to count as one,
+/// relative to its size: nets written with seven digits.
+const MOST_OFF: f64 = 1e-6;
+
+/// How far points move, relative to their largest coordinate, for the relative
+/// error of their weights: less than four times that of the extent, twice as large.
+const WEIGHTS: f64 = 8.0;
+
+/// A surface whose points, up to `off`, are turned about an axis as one
+/// parameter runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Revolution {
+    /// That parameter: 0 for u, 1 for v.
+    pub(crate) round: usize,
+    /// Where it starts.
+    pub(crate) start: f64,
+    pub(crate) axis: Line,
+    /// At least how far a point is from where the turns take the profile.
+    pub(crate) off: f64,
+    /// At least how far a point is from the axis' origin.
+    pub(crate) reach: f64,
+    /// Whether the turns make up a full one.
+    pub(crate) full: bool,
+    /// The sphere that it is, if it is one.
+    pub(crate) sphere: Option<Sphere>,
+}
+
+/// What each surface of the model is. O(patches p^2 q^2) of such surfaces, less
+/// of others.
+pub(crate) fn revolutions(model: &BezierModel) -> Vec<Option<Revolution>> {
+    let of = |grid: &PatchGrid| {
+        let strips = |round| Strips { patches: &model.patches, grid, round };
+        strips(0).revolution().or_else(|| strips(1).revolution())
+    };
+    model.grids.iter().map(of).gather()
+}
+
+/// The patches of a surface, by a parameter that may go round.
+struct Strips<'a> {
+    patches: &'a PatchSet,
+    grid: &'a PatchGrid,
+    round: usize,
+}
+
+impl<'a> Strips<'a> {
+    /// The patch of these numbers along the profile and round.
+    fn patch(&self, along: usize, round: usize) -> Patch<'a> {
+        let [u, v] = if self.round == 0 { [round, along] } else { [along, round] };
+        self.patches.patch(self.grid.first + u * self.grid.counts()[1] + v)
+    }
+
+    fn revolution(&self) -> Option<Revolution> {
+        let counts = self.grid.counts();
+        let (rounds, strips) = (counts[self.round], counts[1 - self.round]);
+        let (axis, widest) = self.axis(strips)?;
+        let (mut off, mut reach, mut gap) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let mut corners = Vec::with_capacity(rounds);
+        let mut ends: Option<[DVec3; 2]> = None;
+        for along in 0..strips {
+            let arc = |round| Arc::new(&self.patch(along, round), self.round, &axis);
+            let first = arc(0)?;
+            let edges = first.edges(&axis);
+            gap = gap.max(ends.map_or(0.0, |ends| ends[1].distance(edges[0])));
+            ends = Some([ends.map_or(edges[0], |ends| ends[0]), edges[1]]);
+            let mut before = first.from;
+            for round in 0..rounds {
+                let arc = arc(round)?;
+                off = off.max(arc.off + arc.apart(&first) + arc.widest * arc.from.distance(before));
+                reach = reach.max(arc.reach);
+                if off > MOST_OFF * reach {
+                    return None;
+                }
+                before = arc.to;
+                if along == widest && arc.is_short {
+                    let across = axis.direction.cross(first.from);
+                    corners.push(DVec2::new(arc.from.dot(first.from), arc.from.dot(across)));
+                }
+            }
+        }
+        let full = corners.len() == rounds && winding(&corners) != 0;
+        let is_pole = |end: &DVec3| axis.way_to(*end).length() <= MOST_OFF * reach;
+        let poles = ends.filter(|ends| full && ends.iter().all(is_pole));
+        let profile = (0..strips).map(|along| self.patch(along, 0));
+        let sphere = poles.map(|poles| Sphere::swept(&axis, poles, profile, off + gap));
+        let sphere = sphere.filter(|sphere| sphere.off <= MOST_OFF * reach);
+        let start = self.grid.breaks[self.round][0];
+        Some(Revolution { round: self.round, start, axis, off, reach, full, sphere })
+    }
+
+    /// The axis of the widest of some arcs at the start, and its strip.
+    fn axis(&self, strips: usize) -> Option<(Line, usize)> {
+        let mut widest = (0.0, None);
+        for along in 0..strips {
+            let patch = self.patch(along, 0);
+            for across in [0.0, 0.5, 1.0] {
+                let points = [0.0, 0.5, 1.0]
+                    .map(|s| patch.point(both(|parameter| if parameter == self.round { s } else { across })));
+                let width = points[0].distance_squared(points[2]);
+                if width > widest.0 {
+                    widest = (width, Some((points, along)));
+                }
+            }
+        }
+        let (points, along) = widest.1?;
+        let axis = Line::axis(points);
+        (axis.direction.is_finite() && axis.origin.is_finite()).then_some((axis, along))
+    }
+}
+
+/// A patch as what one arc and one profile make: up to `off`, its points are
+/// `height(t) axis + radius(t) e(s)` with e on the unit circle.
+struct Arc {
+    off: f64,
+    reach: f64,
+    /// The largest radius of the profile's control points.
+    widest: f64,
+    /// The first and last e.
+    from: DVec3,
+    to: DVec3,
+    /// Whether the arc is less than half a circle.
+    is_short: bool,
+    /// The profile's control points: radius, height, weight.
+    profile: Vec<DVec3>,
+}
+
+impl Arc {
+    /// If all rows of controls, relative to the axis, are one row e_i scaled,
+    /// with weights that are products, `Σ a_i b_j B_i B_j (ζ_j axis + ρ_j e_i)`
+    /// over `Σ a_i b_j B_i B_j` falls apart into the profile and
+    /// `e(s) = Σ a_i e_i B_i / Σ a_i B_i`. How far controls and weights are
+    /// from that, and |e| from 1, is `off`. `None` where all
+    /// lies on the axis.
+    fn new(patch: &Patch<'_>, round: usize, axis: &Line) -> Option<Self> {
+        let columns = patch.degree[1] + 1;
+        let (rounds, alongs) = (patch.degree[round], patch.degree[1 - round]);
+        let control = |i: usize, j: usize| {
+            let control = patch.controls[if round == 0 { i * columns + j } else { j * columns + i }];
+            (control.xyz() / control.w + (patch.center - axis.origin), control.w)
+        };
+        let radial = |i: usize, j: usize| axis.way_to(axis.origin + control(i, j).0);
+        let mut row = (0.0, 0);
+        for j in 0..=alongs {
+            let width = radial(0, j).length();
+            if width > row.0 {
+                row = (width, j);
+            }
+        }
+        let (width, row) = row;
+        if width == 0.0 {
+            return None;
+        }
+        let start_weight = control(0, row).1;
+        let arc: Vec<DVec4> = (0..=rounds)
+            .map(|i| {
+                let weight = control(i, row).1 / start_weight;
+                (weight * (radial(i, row) / width)).extend(weight)
+            })
+            .gather();
+        let unit = |i: usize| arc[i].xyz() / arc[i].w;
+        let (from, to) = (unit(0), unit(rounds));
+        let (mut off, mut reach, mut widest, mut bent) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+        let mut profile = Vec::with_capacity(alongs + 1);
+        for j in 0..=alongs {
+            let (start, weight) = control(0, j);
+            let radius = radial(0, j).dot(from);
+            widest = widest.max(radius.abs());
+            profile.push(DVec3::new(radius, start.dot(axis.direction), weight));
+            for (i, of_arc) in arc.iter().enumerate() {
+                let (point, product) = control(i, j);
+                let height = (point - start).dot(axis.direction).abs();
+                off = off.max(height + radial(i, j).distance(radius * unit(i)));
+                bent = bent.max((product / (of_arc.w * weight) - 1.0).abs());
+                reach = reach.max(point.length());
+            }
+        }
+        let [least, largest] = lengths(&arc, [rounds, 0]);
+        off += WEIGHTS * bent * reach + (largest - 1.0).max(1.0 - least) * widest;
+        let is_short = (0..=rounds).all(|i| unit(i).dot(from + to) > 0.0);
+        Some(Self { off, reach, widest, from, to, is_short, profile })
+    }
+
+    /// At least how far the two profiles, of one strip, are apart.
+    fn apart(&self, other: &Self) -> f64 {
+        let (mut apart, mut bent) = (0.0_f64, 0.0_f64);
+        for (mine, others) in self.profile.iter().zip(&other.profile) {
+            apart = apart.max(mine.truncate().distance(others.truncate()));
+            bent = bent.max((mine.z * other.profile[0].z / (others.z * self.profile[0].z) - 1.0).abs());
+        }
+        apart + WEIGHTS * bent * self.reach.max(other.reach)
+    }
+
+    /// Where the profile begins and ends at the first e.
+    fn edges(&self, axis: &Line) -> [DVec3; 2] {
+        both(|end| {
+            let [radius, height, _] = self.profile[end * (self.profile.len() - 1)].to_array();
+            axis.origin + height * axis.direction + radius * self.from
+        })
+    }
+}
