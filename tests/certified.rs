@@ -8,7 +8,7 @@ use nurbs_hausdorff::distance::{
     Backend, CertifiedDetails, DistanceResult, Engine, Monitor, Options, PreparedModel, Silent, Stop,
 };
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
-use nurbs_hausdorff::shapes::{shape, sphere, torus};
+use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
@@ -58,6 +58,14 @@ fn exact_offsets() {
     contains("spheres of 1 and 1.1", &one, &larger, RigidTransform::IDENTITY, 1e-6, 0.1);
     let [thin, thick] = [1.0, 1.05].map(|tube| torus(3.0, tube).unwrap());
     contains("tori of tube 1 and 1.05", &thin, &thick, RigidTransform::IDENTITY, 1e-6, 0.05);
+}
+
+#[test]
+fn parts_of_exact_offsets() {
+    for (name, larger, truth) in [("parts of spheres", 1.1, 0.1), ("parts of a sphere", 1.0, 0.0)] {
+        let [a, b] = sphere_parts([1.0, larger]).unwrap();
+        contains(name, &a, &b, RigidTransform::IDENTITY, 1e-6, truth);
+    }
 }
 
 #[test]
@@ -111,13 +119,18 @@ fn far_from_the_origin_and_tiny() {
     for (scale, shift) in [(1.0, 1e6), (1e-3, 1e3), (1e5, 1e6)] {
         let center = DVec3::new(shift, -shift, 0.5 * shift);
         let [one, larger] = [1.0, 1.5].map(|radius| sphere(center, scale * radius).unwrap());
-        contains("far spheres", &one, &larger, RigidTransform::IDENTITY, 1e-3, 0.5 * scale + 1e-9);
+        let options = Options { tolerance: 1e-3, ..Options::default() };
+        let result = measure(&one, &larger, &options, &mut Silent);
+        // The control points themselves are rounded.
+        let rounding = 4.0 * f64::EPSILON * shift;
+        assert!(result.converged && result.upper - result.lower <= 2e-3 * result.diagonal);
+        assert!(result.lower <= 0.5 * scale + rounding && 0.5 * scale - rounding <= result.upper, "{scale}");
     }
 }
 
 #[test]
 fn budgets_end_with_an_honest_interval_and_the_reason() {
-    let [one, larger] = [1.0, 1.1].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
+    let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let budgets = [
         (Options { max_cells: Some(2000), ..Options::default() }, Stop::Cells),
         (Options { max_seconds: Some(0.02), tolerance: 1e-9, ..Options::default() }, Stop::Time),
@@ -133,7 +146,7 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
 
 #[test]
 fn a_limit_is_decided_sooner_than_the_distance() {
-    let [one, larger] = [1.0, 1.1].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
+    let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let ask = |limit: Option<f64>| {
         let options = Options { limit, tolerance: 1e-5, ..Options::default() };
         details(&measure(&one, &larger, &options, &mut Silent))
@@ -173,8 +186,8 @@ impl Monitor for Watch {
 
 #[test]
 fn the_interval_never_widens_and_cancelling_returns_it() {
-    let [one, larger] = [1.0, 1.1].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
-    let options = Options { tolerance: 1e-6, ..Options::default() };
+    let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
+    let options = Options { tolerance: 1e-8, ..Options::default() };
     let mut watch = Watch { intervals: Vec::new(), most: 8 };
     let result = measure(&one, &larger, &options, &mut watch);
     assert_eq!(details(&result).stop, Stop::Cancelled);

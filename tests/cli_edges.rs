@@ -134,8 +134,9 @@ fn a_limit_is_decided_by_the_interval_of_iteration_too() {
 #[test]
 fn a_budget_leaves_a_limit_undecided() {
     let sheet = shape_file("budget", "wavy-sheet");
-    let budget = ["--translate", "0,0,0.5", "--max", "0.5001", "--max-cells", "1"];
-    let run = run(&[&["distance", &sheet, &sheet], &budget[..]].concat());
+    let other = shape_file("budget-b", "wavy-sheet-b");
+    let budget = ["--translate", "0,0,0.5", "--max", "2", "--max-cells", "1"];
+    let run = run(&[&["distance", &sheet, &other], &budget[..]].concat());
     assert_eq!(run.status, 3, "{}{}", run.stdout, run.stderr);
     for told in ["ended by the budget of cells", "converged  no"] {
         assert!(run.stdout.contains(told), "{told} in {}", run.stdout);

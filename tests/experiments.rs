@@ -136,7 +136,7 @@ fn samples_never_find_more_than_the_distance_nor_miss_more_than_the_bound() {
 fn cells_on_exact_offsets_follow_the_tolerance_and_the_interval_holds_the_truth() {
     let tables = quick("order");
     let rows = &tables["order"];
-    let spheres = having(rows, "pair", "spheres: radius 1 and 1.1");
+    let spheres = having(rows, "pair", "parts of spheres: radius 1 and 1.1");
     assert_eq!(spheres.len(), 5);
     for row in &spheres {
         assert!(number(row, "lower") <= 0.1 && number(row, "upper") >= 0.1, "{row:?}");

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
 use nurbs_hausdorff::project::closest;
-use nurbs_hausdorff::shapes::operations::{cut_surface, transformed};
+use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
 use nurbs_hausdorff::tree::BoxTree;
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -47,10 +47,8 @@ fn moved(model: &Model, by: [f64; 3]) -> Model {
 
 /// The first half of its parameters along one axis.
 fn half(model: &Model, axis: usize) -> Model {
-    let surface = &model.surfaces()[0];
-    let [start, end] = surface.domain()[axis];
-    let [half, _] = cut_surface(surface, axis, 0.5 * (start + end)).unwrap();
-    Model::new(None, vec![half]).unwrap()
+    let fractions = if axis == 0 { [[0.0, 0.5], [0.0, 1.0]] } else { [[0.0, 1.0], [0.0, 0.5]] };
+    Model::new(None, vec![part(&model.surfaces()[0], fractions).unwrap()]).unwrap()
 }
 
 #[test]
@@ -113,6 +111,22 @@ fn parts_that_do_not_go_round() {
             cells("on half a sphere", &half, other, 0.0, 1e-6);
         }
     }
+}
+
+/// Of three quarters, the missing one's middle is as far from both edges:
+/// cos 45° along the circle and 1 - sin 45° beside it.
+#[test]
+fn three_quarters_that_do_not_go_round() {
+    let missing = (2.0 - 2.0_f64.sqrt()).sqrt();
+    let three_quarters = |model: &Model| {
+        let part = part(&model.surfaces()[0], [[0.0, 0.75], [0.0, 1.0]]).unwrap();
+        Model::new(None, vec![part]).unwrap()
+    };
+    let whole = Model::new(None, vec![lateral([1.0, 1.0], [0.0, 2.0]).unwrap()]).unwrap();
+    cells("a cylinder", &whole, &three_quarters(&whole), missing, 1e-6);
+    let ball = sphere(DVec3::ZERO, 1.0).unwrap();
+    cells("a sphere", &ball, &three_quarters(&ball), missing, 1e-6);
+    cells("a sphere turned", &transformed(&ball, &turn()).unwrap(), &three_quarters(&ball), missing, 1e-6);
 }
 
 /// A sample's distance, certified from below, is at most the upper bound.

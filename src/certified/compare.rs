@@ -57,9 +57,9 @@ pub(super) fn compare(
     let (along, across) = if swapped { ([p.y, q.x], [p.x, q.y]) } else { ([p.x, q.y], [p.y, q.x]) };
     // The edge of a patch has one direction.
     let mut least = f64::INFINITY;
-    for axis in 0..2 {
-        if cell.half[axis] > 0.0 {
-            least = least.min(along[axis].abs());
+    for (half, way) in cell.half.into_iter().zip(along) {
+        if half > 0.0 {
+            least = least.min(way.abs());
         }
     }
     if across[0].abs().max(across[1].abs()).max(cut) > ASKEW * least || least == 0.0 {

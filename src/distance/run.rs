@@ -105,7 +105,7 @@ impl Ends<'_> {
         let fine = self.from.bezier().patches.len() >= FINE;
         let of_cells = if fine { Flatness::None } else { Flatness::Loose };
         let (from, to) = (self.from.target(of_cells), self.to.target(Flatness::Loose));
-        let (a, b) = (from.side(&self.from), to.side(&self.to));
+        let (a, b) = (from.side(self.from), to.side(self.to));
         let prepare = now() - started;
         let diagonal = self.diagonal();
         let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;

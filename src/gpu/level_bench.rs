@@ -62,7 +62,7 @@ impl LevelBench {
         cells: usize,
     ) -> Result<Option<Self>> {
         let (from, to) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
-        let (a, b) = (from.side(&a), to.side(&b));
+        let (a, b) = (from.side(a), to.side(b));
         let mut search = Search::new(a, b, transform, tolerance, None);
         while search.waiting() < cells {
             if search.advance().is_some() {

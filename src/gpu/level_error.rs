@@ -183,7 +183,8 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
         ([5, 2], 0.2, 2.0, 1e-4),
     ] {
         let one: Vec<_> = (0..3).map(|_| rough(random, degree, roughness, ratio)).collect();
-        let two: Vec<_> = one
+        // In another order, as patches of one number bound each other.
+        let mut two: Vec<_> = one
             .iter()
             .map(|patch| {
                 patch
@@ -195,6 +196,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
                     .collect()
             })
             .collect();
+        two.rotate_left(1);
         let [a, b] = [one, two].map(|patches: Vec<Vec<DVec4>>| Target::new(set(&patches, degree)));
         let (of_a, of_b) = (bounds(&a.patches), bounds(&b.patches));
         let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), shift);

@@ -15,6 +15,7 @@ pub mod operations;
 mod plane_curve;
 mod revolution;
 mod sphere;
+mod sphere_parts;
 mod torus;
 mod vessels;
 mod wavy_sheet;
@@ -30,6 +31,7 @@ pub use naca::Naca4;
 pub use plane_curve::PlaneCurve;
 pub use revolution::revolve;
 pub use sphere::sphere;
+pub use sphere_parts::sphere_parts;
 pub use torus::torus;
 pub use vessels::{bottle, glass};
 pub use wavy_sheet::{WavySheet, wavy_sheet};
@@ -45,7 +47,6 @@ fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
     Model::new(Some(name.to_owned()), surfaces)
 }
 
-/// `value` if it is finite and more than 0.
 /// The surface whose control point in row i along u and column j along v is `point(i, j)`.
 fn net_surface(
     degree: [usize; 2],
@@ -65,6 +66,7 @@ fn net_surface(
     )
 }
 
+/// `value` if it is finite and more than 0.
 fn positive(option: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);

@@ -63,7 +63,7 @@ impl<'a> Strips<'a> {
         let counts = self.grid.counts();
         let (rounds, strips) = (counts[self.round], counts[1 - self.round]);
         let (axis, widest) = self.axis(strips)?;
-        let (mut off, mut reach, mut gap) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut off, mut reach, mut gap, mut seam) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
         let mut corners = Vec::with_capacity(rounds);
         let mut ends: Option<[DVec3; 2]> = None;
         for along in 0..strips {
@@ -81,13 +81,17 @@ impl<'a> Strips<'a> {
                     return None;
                 }
                 before = arc.to;
+                if along == widest && round + 1 == rounds {
+                    seam = arc.widest * arc.to.distance(first.from);
+                }
                 if along == widest && arc.is_short {
                     let across = axis.direction.cross(first.from);
                     corners.push(DVec2::new(arc.from.dot(first.from), arc.from.dot(across)));
                 }
             }
         }
-        let full = corners.len() == rounds && winding(&corners) != 0;
+        let full = seam <= MOST_OFF * reach && corners.len() == rounds && winding(&corners) != 0;
+        off += if full { seam } else { 0.0 };
         let is_pole = |end: &DVec3| axis.way_to(*end).length() <= MOST_OFF * reach;
         let poles = ends.filter(|ends| full && ends.iter().all(is_pole));
         let profile = (0..strips).map(|along| self.patch(along, 0));

@@ -34,6 +34,28 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
     ])
 }
 
+/// What of `surface` lies between these fractions of its domain in u and v,
+/// each from 0 to 1, the first below the second.
+///
+/// # Errors
+/// As [`cut_surface`].
+pub fn part(surface: &NurbsSurface, fractions: [[f64; 2]; 2]) -> Result<NurbsSurface> {
+    let mut part = surface.clone();
+    for (axis, [from, to]) in fractions.into_iter().enumerate() {
+        let [start, end] = surface.domain()[axis];
+        let at = |fraction: f64| (1.0 - fraction) * start + fraction * end;
+        if to < 1.0 {
+            let [below, _] = cut_surface(&part, axis, at(to))?;
+            part = below;
+        }
+        if from > 0.0 {
+            let [_, above] = cut_surface(&part, axis, at(from))?;
+            part = above;
+        }
+    }
+    Ok(part)
+}
+
 /// Every surface of `model` cut at these fractions of its domain in u and v,
 /// each above 0 and below 1, in any order.
 ///

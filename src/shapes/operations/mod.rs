@@ -6,7 +6,7 @@ mod knot_insertion;
 mod net;
 mod transformed;
 
-pub use cut::{cut_model, cut_surface};
+pub use cut::{cut_model, cut_surface, part};
 pub use degree_elevation::elevate_degree;
 pub use knot_insertion::insert_knot;
 pub use transformed::transformed;
