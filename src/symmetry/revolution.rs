@@ -6,7 +6,7 @@ use super::winding::winding;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, lengths};
 use crate::both::both;
 use crate::gather::Gather;
-use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
+use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// How far points may be from a surface of revolution for it to count as one,
 /// relative to its size: nets written with seven digits.
@@ -62,62 +62,58 @@ impl<'a> Strips<'a> {
     fn revolution(&self) -> Option<Revolution> {
         let counts = self.grid.counts();
         let (rounds, strips) = (counts[self.round], counts[1 - self.round]);
-        let (axis, widest) = self.axis(strips)?;
-        let (mut off, mut reach, mut gap, mut seam) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
-        let mut corners = Vec::with_capacity(rounds);
+        let axis = self.axis(strips)?;
+        let (mut off, mut reach, mut gap, mut full) = (0.0_f64, 0.0_f64, 0.0_f64, true);
         let mut ends: Option<[DVec3; 2]> = None;
         for along in 0..strips {
-            let arc = |round| Arc::new(&self.patch(along, round), self.round, &axis);
-            let first = arc(0)?;
-            let edges = first.edges(&axis);
-            gap = gap.max(ends.map_or(0.0, |ends| ends[1].distance(edges[0])));
-            ends = Some([ends.map_or(edges[0], |ends| ends[0]), edges[1]]);
-            let mut before = first.from;
+            let mut arcs = Vec::with_capacity(rounds);
             for round in 0..rounds {
-                let arc = arc(round)?;
-                off = off.max(arc.off + arc.apart(&first) + arc.widest * arc.from.distance(before));
+                arcs.push(Arc::new(&self.patch(along, round), self.round, &axis)?);
+            }
+            let first = &arcs[0];
+            let across = axis.direction.cross(first.from);
+            let mut corners = Vec::with_capacity(rounds);
+            for (index, arc) in arcs.iter().enumerate() {
                 reach = reach.max(arc.reach);
+                let mut joint = arc.widest * arc.to.distance(arcs[(index + 1) % rounds].from);
+                if index + 1 == rounds && joint > MOST_OFF * reach {
+                    (full, joint) = (false, 0.0);
+                }
+                off = off.max(arc.off + arc.apart(first) + joint);
                 if off > MOST_OFF * reach {
                     return None;
                 }
-                before = arc.to;
-                if along == widest && round + 1 == rounds {
-                    seam = arc.widest * arc.to.distance(first.from);
-                }
-                if along == widest && arc.is_short {
-                    let across = axis.direction.cross(first.from);
-                    corners.push(DVec2::new(arc.from.dot(first.from), arc.from.dot(across)));
-                }
+                full &= arc.is_short;
+                corners.push(DVec2::new(arc.from.dot(first.from), arc.from.dot(across)));
             }
+            full = full && winding(&corners) != 0;
+            let edges = first.edges(&axis);
+            gap = gap.max(ends.map_or(0.0, |ends| ends[1].distance(edges[0])));
+            ends = Some([ends.map_or(edges[0], |ends| ends[0]), edges[1]]);
         }
-        let full = seam <= MOST_OFF * reach && corners.len() == rounds && winding(&corners) != 0;
-        off += if full { seam } else { 0.0 };
-        let is_pole = |end: &DVec3| axis.way_to(*end).length() <= MOST_OFF * reach;
-        let poles = ends.filter(|ends| full && ends.iter().all(is_pole));
         let profile = (0..strips).map(|along| self.patch(along, 0));
-        let sphere = poles.map(|poles| Sphere::swept(&axis, poles, profile, off + gap));
+        let sphere = ends.filter(|_| full).map(|ends| Sphere::swept(&axis, ends, profile, off + gap));
         let sphere = sphere.filter(|sphere| sphere.off <= MOST_OFF * reach);
         let start = self.grid.breaks[self.round][0];
         Some(Revolution { round: self.round, start, axis, off, reach, full, sphere })
     }
 
-    /// The axis of the widest of some arcs at the start, and its strip.
-    fn axis(&self, strips: usize) -> Option<(Line, usize)> {
-        let mut widest = (0.0, None);
+    /// The axis of the widest of some arcs at the start.
+    fn axis(&self, strips: usize) -> Option<Line> {
+        let (mut widest, mut of_widest) = (0.0, None);
         for along in 0..strips {
             let patch = self.patch(along, 0);
-            for across in [0.0, 0.5, 1.0] {
+            for across in [0.5, 1.0] {
                 let points = [0.0, 0.5, 1.0]
                     .map(|s| patch.point(both(|parameter| if parameter == self.round { s } else { across })));
                 let width = points[0].distance_squared(points[2]);
-                if width > widest.0 {
-                    widest = (width, Some((points, along)));
+                if width > widest {
+                    (widest, of_widest) = (width, Some(points));
                 }
             }
         }
-        let (points, along) = widest.1?;
-        let axis = Line::axis(points);
-        (axis.direction.is_finite() && axis.origin.is_finite()).then_some((axis, along))
+        let axis = Line::axis(of_widest?);
+        (axis.direction.is_finite() && axis.origin.is_finite()).then_some(axis)
     }
 }
 
@@ -146,50 +142,46 @@ impl Arc {
     /// lies on the axis.
     fn new(patch: &Patch<'_>, round: usize, axis: &Line) -> Option<Self> {
         let columns = patch.degree[1] + 1;
-        let (rounds, alongs) = (patch.degree[round], patch.degree[1 - round]);
-        let control = |i: usize, j: usize| {
+        let orders = [patch.degree[round] + 1, patch.degree[1 - round] + 1];
+        // Row by row: away from the axis, and height and weight.
+        let mut controls = Vec::with_capacity(patch.controls.len());
+        let (mut widest, mut row) = (0.0, None);
+        let mut reach = 0.0_f64;
+        for index in 0..patch.controls.len() {
+            let (j, i) = (index / orders[0], index % orders[0]);
             let control = patch.controls[if round == 0 { i * columns + j } else { j * columns + i }];
-            (control.xyz() / control.w + (patch.center - axis.origin), control.w)
-        };
-        let radial = |i: usize, j: usize| axis.way_to(axis.origin + control(i, j).0);
-        let mut row = (0.0, 0);
-        for j in 0..=alongs {
-            let width = radial(0, j).length();
-            if width > row.0 {
-                row = (width, j);
+            let point = control.xyz() / control.w + patch.center;
+            let radial = axis.way_to(point);
+            let height = axis.direction.dot(point - axis.origin);
+            controls.push((radial, height, control.w));
+            reach = reach.max(point.distance(axis.origin));
+            let width = radial.length();
+            if i == 0 && width > widest {
+                (widest, row) = (width, Some(index));
             }
         }
-        let (width, row) = row;
-        if width == 0.0 {
-            return None;
+        let row = row?;
+        let mut arc = Vec::with_capacity(orders[0]);
+        for (radial, _, weight) in &controls[row..row + orders[0]] {
+            let weight = weight / controls[row].2;
+            arc.push((weight / widest * *radial).extend(weight));
         }
-        let start_weight = control(0, row).1;
-        let arc: Vec<DVec4> = (0..=rounds)
-            .map(|i| {
-                let weight = control(i, row).1 / start_weight;
-                (weight * (radial(i, row) / width)).extend(weight)
-            })
-            .gather();
         let unit = |i: usize| arc[i].xyz() / arc[i].w;
-        let (from, to) = (unit(0), unit(rounds));
-        let (mut off, mut reach, mut widest, mut bent) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
-        let mut profile = Vec::with_capacity(alongs + 1);
-        for j in 0..=alongs {
-            let (start, weight) = control(0, j);
-            let radius = radial(0, j).dot(from);
-            widest = widest.max(radius.abs());
-            profile.push(DVec3::new(radius, start.dot(axis.direction), weight));
-            for (i, of_arc) in arc.iter().enumerate() {
-                let (point, product) = control(i, j);
-                let height = (point - start).dot(axis.direction).abs();
-                off = off.max(height + radial(i, j).distance(radius * unit(i)));
-                bent = bent.max((product / (of_arc.w * weight) - 1.0).abs());
-                reach = reach.max(point.length());
+        let (from, to) = (unit(0), unit(orders[0] - 1));
+        let (mut off, mut bent, mut is_short) = (0.0_f64, 0.0_f64, true);
+        let mut profile = Vec::with_capacity(orders[1]);
+        for (index, (radial, height, weight)) in controls.iter().enumerate() {
+            let i = index % orders[0];
+            if i == 0 {
+                profile.push(DVec3::new(radial.dot(from), *height, *weight));
             }
+            let start = profile[index / orders[0]];
+            off = off.max((height - start.y).abs() + radial.distance(start.x * unit(i)));
+            bent = bent.max((weight / (arc[i].w * start.z) - 1.0).abs());
+            is_short &= unit(i).dot(from + to) > 0.0;
         }
-        let [least, largest] = lengths(&arc, [rounds, 0]);
+        let [least, largest] = lengths(&arc, [orders[0] - 1, 0]);
         off += WEIGHTS * bent * reach + (largest - 1.0).max(1.0 - least) * widest;
-        let is_short = (0..=rounds).all(|i| unit(i).dot(from + to) > 0.0);
         Some(Self { off, reach, widest, from, to, is_short, profile })
     }
 
