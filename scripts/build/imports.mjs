@@ -1,33 +1,10 @@
 // Short names for what the wasm module imports. wasm-bindgen ends each name
 // with a hash, so that they are told apart, and hashes do not compress.
 import { readFileSync, writeFileSync } from "node:fs";
+import { findSection, Reader } from "./binary.mjs";
 
-const sections = 8;
 const importSection = 2;
 const functionKind = 0;
-
-/** Reads numbers and texts of the binary format in turn. */
-class Reader {
-  constructor(bytes, at) {
-    this.bytes = bytes;
-    this.at = at;
-  }
-
-  number() {
-    let value = 0;
-    for (let shift = 0; ; shift += 7) {
-      const byte = this.bytes[this.at++];
-      value += (byte & 0x7f) * 2 ** shift;
-      if (byte < 0x80) return value;
-    }
-  }
-
-  text() {
-    const length = this.number();
-    this.at += length;
-    return this.bytes.toString("utf8", this.at - length, this.at);
-  }
-}
 
 function number(value) {
   const bytes = [];
@@ -42,23 +19,10 @@ function text(value) {
   return Buffer.concat([number(bytes.length), bytes]);
 }
 
-/** Where the section of imports lies: its head, its content and its end. */
-function findImports(wasm) {
-  const reader = new Reader(wasm, sections);
-  while (reader.at < wasm.length) {
-    const head = reader.at;
-    const id = wasm[reader.at++];
-    const size = reader.number();
-    if (id === importSection) return { head, start: reader.at, end: reader.at + size };
-    reader.at += size;
-  }
-  throw new Error("the wasm module has no imports");
-}
-
 /** Renames the functions that the module imports, in it and in its glue. */
 export function shortenImports(wasmFile, glueFile) {
   const wasm = readFileSync(wasmFile);
-  const { head, start, end } = findImports(wasm);
+  const { head, start, end } = findSection(wasm, importSection);
   const reader = new Reader(wasm, start);
   const count = reader.number();
   const shortened = [number(count)];

@@ -8,6 +8,7 @@ import { toolsEnvironment, toolsFolder } from "../setup/tools.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
 import { shortenImports } from "./imports.mjs";
 import { trapPanics } from "./panics.mjs";
+import { blankPlaces } from "./places.mjs";
 
 const out = "dist/wasm";
 const made = ".setup/wasm-made-from";
@@ -66,6 +67,7 @@ export async function buildWasm() {
     { env: toolsEnvironment({ CARGO_ENCODED_RUSTFLAGS: rustFlags }) },
   );
   await trapPanics(inRoot(wasmFile));
+  blankPlaces(inRoot(wasmFile));
   await must("wasm-opt", [inRoot(wasmFile), "-o", inRoot(wasmFile), ...optimizations]);
   shortenImports(inRoot(wasmFile), inRoot(glueFile));
   // It tells npm to leave the folder out of the package.
