@@ -73,10 +73,13 @@ impl<'a> Target<'a> {
     }
 
     /// Whether a point of the target within `limit` is found; looks harder and
-    /// harder before it says no.
-    pub(crate) fn is_within(&self, point: DVec3, limit: f64) -> bool {
+    /// harder before it says no. `like` is where the point lies on its own
+    /// model, of which the target may be a copy.
+    pub(crate) fn is_within(&self, point: DVec3, limit: f64, like: (usize, DVec2)) -> bool {
         let squared = limit * limit;
-        self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
+        let alike = |sheet: &Sheet| sheet.point(sheet.clamp(like.1)).distance_squared(point) <= squared;
+        self.sheets.get(like.0).is_some_and(alike)
+            || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
             || DENSE.iter().any(|&count| self.search(count, point, limit) <= limit)
             || self.hinted(point) <= limit

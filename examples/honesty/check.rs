@@ -189,7 +189,7 @@ impl<'a> Direction<'a> {
             let point = into(from_sheets[index].point(place));
             if near.distance > beyond {
                 suspects += 1;
-                if !target.is_within(point, beyond) {
+                if !target.is_within(point, beyond, (index, place)) {
                     violations.push(format!(
                         "upper {upper}, but a point of A is {} from B ({suspects})",
                         target.least(point)
@@ -200,7 +200,7 @@ impl<'a> Direction<'a> {
         }
         for &(index, place, near) in found.iter().take(CLIMBS) {
             let sheet = &from_sheets[index];
-            if let Some(point) = climb(sheet, place, near, &target, &into, beyond) {
+            if let Some(point) = climb((index, sheet), place, near, &target, &into, beyond) {
                 violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
                 return;
             }
@@ -230,7 +230,7 @@ fn places(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
 
 /// Looks around for ever farther points; one beyond the bound, if any is.
 fn climb(
-    sheet: &Sheet,
+    (index, sheet): (usize, &Sheet),
     start: DVec2,
     foot: Placed,
     target: &Target<'_>,
@@ -250,7 +250,7 @@ fn climb(
                     continue;
                 }
                 if near.distance > beyond {
-                    if !target.is_within(point, beyond) {
+                    if !target.is_within(point, beyond, (index, place)) {
                         return Some(point);
                     }
                     continue;
