@@ -57,6 +57,10 @@ impl DerivativeBounds {
 /// Highest order of derivative bounded, plus one.
 const ORDERS: usize = 4;
 
+/// Binomial coefficients, by row.
+const BINOMIAL: [[f64; ORDERS]; ORDERS] =
+    [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
+
 /// Room for the rounding of the differences and the recursion: more than
 /// 10^4 roundings of 2^-53 relative to the largest term.
 const ROUNDING_ROOM: f64 = 1.0 + 1e-12;
@@ -98,8 +102,7 @@ impl Patch<'_> {
                 for i in 0..=a {
                     for j in 0..=b {
                         if i + j > 0 {
-                            let count = (binomial(a, i) * binomial(b, j)) as f64;
-                            sum += count * weights[i][j] * bounds[a - i][b - j];
+                            sum += BINOMIAL[a][i] * BINOMIAL[b][j] * weights[i][j] * bounds[a - i][b - j];
                         }
                     }
                 }
@@ -125,11 +128,10 @@ impl Patch<'_> {
         for i in 0..=p - a {
             for j in 0..=q - b {
                 let mut difference = DVec4::ZERO;
-                for k in 0..=a {
-                    for l in 0..=b {
+                for (k, in_s) in BINOMIAL[a].iter().take(a + 1).enumerate() {
+                    for (l, in_t) in BINOMIAL[b].iter().take(b + 1).enumerate() {
                         let sign = if (a - k + b - l).is_multiple_of(2) { 1.0 } else { -1.0 };
-                        let factor = sign * (binomial(a, k) * binomial(b, l)) as f64;
-                        difference += factor * self.controls[(i + k) * columns + j + l];
+                        difference += sign * in_s * in_t * self.controls[(i + k) * columns + j + l];
                     }
                 }
                 space = space.max(difference.xyz().length());
@@ -140,10 +142,6 @@ impl Patch<'_> {
         let terms = 2.0_f64.powi((a + b) as i32);
         (scale * (space + terms * lost[0]), scale * (weight + terms * lost[1]))
     }
-}
-
-fn binomial(n: usize, k: usize) -> usize {
-    (0..k).fold(1, |product, i| product * (n - i) / (i + 1))
 }
 
 fn falling_factorial(n: usize, k: usize) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::Side;
 use super::foot_map::FootMap;
-use super::nearest::{Foot, foot_on, nearest};
+use super::nearest::{Foot, foot_on, nearest_within};
 use super::side::moved;
 use crate::bezier::Jet;
 use crate::both::both;
@@ -19,7 +19,7 @@ const HALVINGS: usize = 4;
 const ASCENT: f64 = 0.05;
 
 /// Parameters on the patch whose distance to B is at least the sample's, up to
-/// the search for the nearest patch.
+/// the search for the nearest patch, and their foot.
 ///
 /// The gradient of `½ d²` on A is `(a - b)·A_s`, the foot's own change adding
 /// nothing as it is stationary; its Hessian is `A_s·A_s + (a - b)·A_ss` less
@@ -33,7 +33,7 @@ pub(super) fn climb(
     patch: u32,
     start: [f64; 2],
     foot: Foot,
-) -> [f64; 2] {
+) -> ([f64; 2], Foot) {
     let surface = a.patch(patch);
     let (mut at, mut best) = (start, foot);
     for _ in 0..STEPS {
@@ -44,7 +44,8 @@ pub(super) fn climb(
         for _ in 0..HALVINGS {
             let next = both(|axis| (at[axis] + scale * step[axis]).clamp(0.0, 1.0));
             let point = transform.apply(surface.point(next));
-            let found = nearest(b, point, foot_on(b, point, best.patch, best.parameters));
+            let known = foot_on(b, point, best.patch, best.parameters);
+            let found = nearest_within(b, point, known, best.distance_squared.sqrt());
             if found.distance_squared > best.distance_squared {
                 higher = Some((next, found));
                 break;
@@ -54,7 +55,7 @@ pub(super) fn climb(
         let Some((next, found)) = higher else { break };
         (at, best) = (next, found);
     }
-    at
+    (at, best)
 }
 
 fn ascent(at: [f64; 2], a: &Jet, b: &Jet) -> Option<DVec2> {

@@ -43,6 +43,9 @@ pub(super) struct Sample {
     pub(super) foot: Foot,
 }
 
+/// A place of a polygon's vertex in [-1, 1]^2, with feet on both patches.
+type Vertex = ([f64; 2], [Foot; 2]);
+
 /// The moved patch of A that the cell lies on, against B.
 pub(super) struct Corners<'a> {
     pub(super) cell: Cell,
@@ -60,47 +63,64 @@ impl Corners<'_> {
         foot.distance_squared.sqrt() + self.of_cell() <= enough
     }
 
-    /// The lemma's bound, or infinity where more than two patches are nearest
-    /// or a corner is too far for `enough`; the farthest point met goes to
-    /// `farthest`.
+    /// The lemma's bound, or infinity where feet are taken on more than two
+    /// patches or a corner is too far for `enough`; the farthest point met goes
+    /// to `farthest`.
+    ///
+    /// Feet are valid on any patch, so none is looked for while one is near enough.
     pub(super) fn bound(&self, center: &Foot, enough: f64, farthest: &mut Sample) -> f64 {
-        let mut feet = [(CORNERS[0], *center); 4];
-        for (corner, known) in CORNERS.into_iter().zip(&mut feet) {
-            let point = self.point(corner);
-            let foot = nearest(self.b, point, foot_on(self.b, point, center.patch, center.parameters));
+        let mut own = CORNERS.map(|corner| self.foot(corner, center));
+        let mut other: Option<Foot> = None;
+        for (&corner, own) in CORNERS.iter().zip(&mut own) {
+            let mut foot = other.map_or(*own, |other| nearer(*own, self.foot(corner, &other)));
+            if !self.may_suffice(&foot, enough) {
+                foot = nearest(self.b, self.point(corner), foot);
+            }
             self.offer(corner, foot, farthest);
             if !self.may_suffice(&foot, enough) {
                 return f64::INFINITY;
             }
-            *known = (corner, foot);
+            if foot.patch == own.patch {
+                *own = foot;
+            } else if other.is_some_and(|other| other.patch != foot.patch) {
+                return f64::INFINITY;
+            } else {
+                other = Some(foot);
+            }
         }
-        let first = feet[0].1.patch;
-        let Some(other) = feet.iter().map(|(_, foot)| foot.patch).find(|&patch| patch != first) else {
-            return self.polygon(&feet.map(|(_, foot)| foot));
-        };
-        if feet.iter().any(|(_, foot)| foot.patch != first && foot.patch != other) {
-            return f64::INFINITY;
-        }
+        let Some(other) = other else { return self.polygon(&own) };
+        let others = CORNERS.map(|corner| self.foot(corner, &other));
+        let at = |index: usize| (CORNERS[index], [own[index], others[index]]);
+        let side = |[own, other]: &[Foot; 2]| usize::from(own.distance_squared > other.distance_squared);
         let mut polygons: [Vec<Foot>; 2] = [Vec::with_capacity(6), Vec::with_capacity(6)];
         let mut crossings = 0;
-        for index in 0..feet.len() {
-            let ((from, here), (to, next)) = (feet[index], feet[(index + 1) % feet.len()]);
-            polygons[usize::from(here.patch != first)].push(here);
-            if here.patch != next.patch {
+        for index in 0..CORNERS.len() {
+            let (here, next) = (at(index), at((index + 1) % CORNERS.len()));
+            let [from, to] = [side(&here.1), side(&next.1)];
+            polygons[from].push(here.1[from]);
+            if from != to {
                 crossings += 1;
-                let (place, on_here, on_next) = self.crossing((from, here), (to, next));
-                let nearer =
-                    if on_here.distance_squared < on_next.distance_squared { on_here } else { on_next };
-                self.offer(place, nearer, farthest);
-                polygons[usize::from(here.patch != first)].push(on_here);
-                polygons[usize::from(next.patch != first)].push(on_next);
+                let (place, feet) = self.crossing(here, next);
+                let near = nearer(feet[0], feet[1]);
+                self.offer(place, near, farthest);
+                if !self.may_suffice(&near, enough) {
+                    return f64::INFINITY;
+                }
+                for (polygon, foot) in polygons.iter_mut().zip(feet) {
+                    polygon.push(foot);
+                }
             }
         }
         // More crossings do not leave two convex polygons.
-        if crossings != 2 {
+        if crossings > 2 {
             return f64::INFINITY;
         }
         self.polygon(&polygons[0]).max(self.polygon(&polygons[1]))
+    }
+
+    /// The foot of a place on a patch, from a foot on it near by.
+    fn foot(&self, place: [f64; 2], near: &Foot) -> Foot {
+        foot_on(self.b, self.point(place), near.patch, near.parameters)
     }
 
     fn point(&self, place: [f64; 2]) -> DVec3 {
@@ -113,42 +133,42 @@ impl Corners<'_> {
         }
     }
 
-    /// A place between two corners, with feet on both their patches, that are
-    /// about equally far: a safeguarded secant on the difference.
-    fn crossing(&self, from: ([f64; 2], Foot), to: ([f64; 2], Foot)) -> ([f64; 2], Foot, Foot) {
+    /// A place between two corners that are nearer to one of two patches each,
+    /// with feet on both that are about equally far: a safeguarded secant on
+    /// the difference.
+    fn crossing(&self, from: Vertex, to: Vertex) -> Vertex {
         let at = |x: f64| both(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
-        let both = |x: f64, here: &Foot, next: &Foot| {
-            let point = self.point(at(x));
-            let here = foot_on(self.b, point, from.1.patch, here.parameters);
-            let next = foot_on(self.b, point, to.1.patch, next.parameters);
-            // Of distances, not squares: on overlapping sheets these grow linearly from the join.
-            (here, next, here.distance_squared.sqrt() - next.distance_squared.sqrt())
-        };
+        // Of distances, not squares: on overlapping sheets these grow linearly from the join.
+        let difference =
+            |[own, other]: &[Foot; 2]| own.distance_squared.sqrt() - other.distance_squared.sqrt();
         let (mut low, mut high) = (0.0, 1.0);
-        let (_, _, mut at_low) = both(low, &from.1, &to.1);
-        let (mut here, mut next, mut at_high) = both(high, &from.1, &to.1);
-        let mut x = high;
+        let (mut at_low, mut at_high) = (difference(&from.1), difference(&to.1));
+        let mut vertex = to;
         for _ in 0..SECANT_STEPS {
             let fraction = at_low / (at_low - at_high);
             let inside =
                 if fraction.is_finite() { fraction.clamp(LEAST_STEP, 1.0 - LEAST_STEP) } else { 0.5 };
-            x = low + inside * (high - low);
-            let difference;
-            (here, next, difference) = both(x, &here, &next);
+            let x = low + inside * (high - low);
+            let place = at(x);
+            vertex = (place, vertex.1.map(|foot| self.foot(place, &foot)));
+            let difference = difference(&vertex.1);
             if difference.abs() <= CLOSE * self.of_cell() {
                 break;
             }
-            if difference < 0.0 {
+            if (difference < 0.0) == (at_low < 0.0) {
                 (low, at_low) = (x, difference);
             } else {
                 (high, at_high) = (x, difference);
             }
         }
-        (at(x), here, next)
+        vertex
     }
 
-    /// The lemma for one polygon.
+    /// The lemma for one polygon, which may be none.
     fn polygon(&self, feet: &[Foot]) -> f64 {
+        if feet.is_empty() {
+            return 0.0;
+        }
         let (mut farthest, mut patch) = (0.0_f64, 0);
         let mut low = [1.0_f64; 2];
         let mut high = [0.0_f64; 2];
@@ -168,6 +188,10 @@ impl Corners<'_> {
     fn of_cell(&self) -> f64 {
         interpolation_error(self.bounds, each(self.cell.half, |half| 2.0 * half))
     }
+}
+
+fn nearer(one: Foot, other: Foot) -> Foot {
+    if other.distance_squared < one.distance_squared { other } else { one }
 }
 
 /// δ of the lemma over an extent of the parameters.

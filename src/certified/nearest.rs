@@ -1,9 +1,8 @@
 //! A near foot on B, found fast and certified by nobody.
 
 use super::Side;
-use crate::bezier::Patch;
-use crate::project::{Status, nearest_control, newton_below};
-use glam::{DVec3, Vec4Swizzles};
+use crate::project::{Status, is_beyond, nearest_control, newton_below};
+use glam::DVec3;
 
 /// Newton steps on one patch, at most: bounds hold wherever it stops.
 const ITERATIONS: u32 = 16;
@@ -38,12 +37,18 @@ fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most:
 /// The nearest foot over all patches that the tree does not rule out, given
 /// one to beat. O(log patches) in general position.
 pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
+    nearest_within(side, target, known, 0.0)
+}
+
+/// The same, ended by the first foot that is at most `enough` away.
+pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
+    let until = enough.max(0.0) * enough;
     let mut best = known;
     let nodes = side.target.tree.nodes();
     let least = |index: usize| nodes[index].aabb.min_distance_squared(target);
     let mut waiting = [(0.0_f64, 0_usize); STACK];
     let mut height = 1;
-    while height > 0 {
+    while height > 0 && best.distance_squared > until {
         height -= 1;
         let (distance_squared, index) = waiting[height];
         if distance_squared >= best.distance_squared {
@@ -66,38 +71,23 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
         let first = node.first as usize;
         for &patch in &side.target.tree.order()[first..first + node.count as usize] {
             let view = side.patch(patch);
-            if view.bounding_box().min_distance_squared(target) < best.distance_squared {
-                let start = nearest_control(&view, target);
-                if is_beyond(&view, target, start, best.distance_squared) {
-                    continue;
-                }
-                // On the known foot's patch, only another valley is news.
-                let stale = patch == known.patch
-                    && view.point(start).distance_squared(target) >= best.distance_squared;
-                if stale {
-                    continue;
-                }
-                let foot = foot_below(side, target, patch, start, best.distance_squared);
-                if foot.distance_squared < best.distance_squared {
-                    best = foot;
-                }
+            let start = nearest_control(&view, target);
+            if is_beyond(&view, target, start, best.distance_squared) {
+                continue;
+            }
+            // On the known foot's patch, only another valley is news.
+            let stale =
+                patch == known.patch && view.point(start).distance_squared(target) >= best.distance_squared;
+            if stale {
+                continue;
+            }
+            let foot = foot_below(side, target, patch, start, best.distance_squared);
+            if foot.distance_squared < best.distance_squared {
+                best = foot;
             }
         }
     }
     best
-}
-
-/// Whether all control points, and so the patch, lie beyond a plane at this
-/// distance from the target, square to the way to a control point.
-fn is_beyond(patch: &Patch<'_>, target: DVec3, [s, t]: [f64; 2], distance_squared: f64) -> bool {
-    let local = target - patch.center;
-    let columns = patch.degree[1] + 1;
-    let index =
-        (s * patch.degree[0] as f64 + 0.5) as usize * columns + (t * patch.degree[1] as f64 + 0.5) as usize;
-    let control = patch.controls[index];
-    let way = control.xyz() - control.w * local;
-    let far = (way.length_squared() * distance_squared).sqrt();
-    patch.controls.iter().all(|control| way.dot(control.xyz() - control.w * local) >= control.w * far)
 }
 
 /// Deeper than a tree that halves the patches can be, with indices of 32 bits.

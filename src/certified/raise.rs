@@ -7,7 +7,7 @@ use super::nearest::{Foot, foot_on};
 use super::search::{Bounded, Farthest};
 use crate::gather::Gather;
 use crate::order::by_falling;
-use crate::project::closest;
+use crate::project::closest_above;
 use glam::DVec3;
 
 /// Farthest samples of a chunk that are certified, at most.
@@ -27,7 +27,8 @@ impl Search<'_> {
     /// The nearest foot by the search that certifies, unless the known one is nearer.
     pub(super) fn surest(&self, point: DVec3, known: Foot) -> Foot {
         let target = self.b.target;
-        match closest(&target.patches, &target.tree, point, FOOT_PART * self.tolerance) {
+        let start = Some((known.patch, known.parameters));
+        match closest_above(&target.patches, &target.tree, point, FOOT_PART * self.tolerance, start, 0.0) {
             Some(found) if found.upper * found.upper < known.distance_squared => {
                 foot_on(&self.b, point, found.patch as u32, found.parameters)
             }
@@ -58,8 +59,8 @@ impl Search<'_> {
             return false;
         }
         let climbed = climb(&self.a, &self.b, &self.transform, patch, parameters, foot);
-        for parameters in [climbed, parameters] {
-            if self.certify_sample(patch, parameters, width) {
+        for (parameters, foot) in [climbed, (parameters, foot)] {
+            if self.certify_sample(patch, parameters, &foot, width) {
                 break;
             }
         }
@@ -67,8 +68,9 @@ impl Search<'_> {
     }
 
     /// Takes the point for the farthest if its certificate says so.
-    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], width: f64) -> bool {
-        let found = self.certificate(patch, parameters, width);
+    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], foot: &Foot, width: f64) -> bool {
+        let start = Some((foot.patch, foot.parameters));
+        let found = self.certificate(patch, parameters, width, start, self.lower());
         let best = self.farthest;
         let better = found.filter(|found| best.is_none_or(|best| found.closest.lower > best.closest.lower));
         self.farthest = better.or(best);
@@ -79,7 +81,7 @@ impl Search<'_> {
     /// boxes alone answer.
     pub(super) fn begin(&mut self, upper: f64) {
         if !self.a.target.patches.is_empty() {
-            self.farthest = self.certificate(0, [0.5; 2], self.certificate_width(upper));
+            self.farthest = self.certificate(0, [0.5; 2], self.certificate_width(upper), None, 0.0);
         }
     }
 
@@ -88,8 +90,9 @@ impl Search<'_> {
     pub(crate) fn finish(&mut self) {
         let Some(best) = self.farthest else { return };
         let width = LAST_PART * self.tolerance;
+        let start = Some((best.closest.patch as u32, best.closest.parameters));
         if best.closest.upper - best.closest.lower > width + self.rounding
-            && let Some(mut found) = self.certificate(best.patch, best.parameters, width)
+            && let Some(mut found) = self.certificate(best.patch, best.parameters, width, start, 0.0)
         {
             found.closest.lower = found.closest.lower.max(best.closest.lower);
             self.farthest = Some(found);
@@ -101,11 +104,19 @@ impl Search<'_> {
         (CERTIFICATE_PART * (upper - self.lower())).max(LAST_PART * self.tolerance)
     }
 
-    /// A point of A with its distance to B, as narrow as `width` if that can be told.
-    fn certificate(&self, patch: u32, parameters: [f64; 2], width: f64) -> Option<Farthest> {
+    /// A point of A with its distance to B, as narrow as `width` if that can be
+    /// told and it exceeds `floor`, from a point of B where one is known.
+    fn certificate(
+        &self,
+        patch: u32,
+        parameters: [f64; 2],
+        width: f64,
+        known: Option<(u32, [f64; 2])>,
+        floor: f64,
+    ) -> Option<Farthest> {
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
         let target = self.b.target;
-        let mut closest = closest(&target.patches, &target.tree, point, width)?;
+        let mut closest = closest_above(&target.patches, &target.tree, point, width, known, floor)?;
         closest.lower = (closest.lower - self.rounding).max(0.0);
         Some(Farthest { patch, parameters, point, closest })
     }

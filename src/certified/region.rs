@@ -81,21 +81,26 @@ impl Region {
         foot: Foot,
         parts: &mut Vec<Self>,
     ) {
-        let mut push = |part| parts.push(Self { part, upper, foot, level: self.level + 1 });
+        let mut push = |part, foot| parts.push(Self { part, upper, foot, level: self.level + 1 });
         match &self.part {
             Part::Node(index) => {
                 let tree = &side.target.tree;
                 let node = &tree.nodes()[*index as usize];
-                if node.count == 0 {
-                    push(Part::Node(index + 1));
-                    push(Part::Node(node.second));
-                } else {
+                let children = if node.count == 0 { &[*index + 1, node.second][..] } else { &[*index] };
+                // The first one's point is this one's, whose foot is known.
+                let mut foot = foot;
+                for &child in children {
+                    let node = &tree.nodes()[child as usize];
                     let first = node.first as usize;
+                    if node.count == 0 {
+                        push(Part::Node(child), foot);
+                    }
                     for &patch in &tree.order()[first..first + node.count as usize] {
                         if let Some(cell) = profiles.cell(side, patch) {
-                            push(Part::Cell(cell));
+                            push(Part::Cell(cell), foot);
                         }
                     }
+                    foot = Foot::start(foot.patch, foot.parameters);
                 }
             }
             Part::Cell(cell) => {
@@ -104,7 +109,7 @@ impl Region {
                 let axes =
                     [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];
                 for child in cell.split(axes) {
-                    push(Part::Cell(child));
+                    push(Part::Cell(child), foot);
                 }
             }
         }

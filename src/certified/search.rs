@@ -5,7 +5,7 @@ use super::certify::certify;
 use super::compare::compare;
 use super::corners::{Corners, Sample};
 use super::correspond::correspond;
-use super::nearest::{Foot, foot_on, nearest};
+use super::nearest::{Foot, foot_on, nearest, nearest_within};
 use super::on_sphere::on_sphere;
 use super::profile::Profiles;
 use super::queue::Queue;
@@ -293,13 +293,13 @@ impl<'a> Search<'a> {
 
     fn bound(&self, region: &Region, enough: f64) -> Bounded {
         match &region.part {
-            Part::Node(index) => self.bound_node(*index, region),
+            Part::Node(index) => self.bound_node(*index, region, enough),
             Part::Cell(cell) => self.bound_cell(cell, region, enough),
         }
     }
 
     /// By the triangle inequality from one point of the node's first patch.
-    fn bound_node(&self, index: u32, region: &Region) -> Bounded {
+    fn bound_node(&self, index: u32, region: &Region, enough: f64) -> Bounded {
         let tree = &self.a.target.tree;
         let node = &tree.nodes()[index as usize];
         let mut leaf = index as usize;
@@ -310,9 +310,14 @@ impl<'a> Search<'a> {
         let parameters = [0.5; 2];
         let local = self.a.patch(patch).point(parameters);
         let point = self.transform.apply(local);
+        let radius = node.aabb.max_distance_squared(local).sqrt();
         let known = foot_on(&self.b, point, region.foot.patch, region.foot.parameters);
-        let foot = nearest(&self.b, point, known);
-        let reach = foot.distance_squared.sqrt() + node.aabb.max_distance_squared(local).sqrt();
+        let foot = if known.distance_squared == region.foot.distance_squared {
+            known
+        } else {
+            nearest_within(&self.b, point, known, enough - radius)
+        };
+        let reach = foot.distance_squared.sqrt() + radius;
         Bounded { upper: region.upper.min(reach), foot, patch, sample: Sample { parameters, foot } }
     }
 
@@ -322,10 +327,32 @@ impl<'a> Search<'a> {
         let bounds = &self.a.bounds(cell.patch, low, high);
         let jet = moved(&patch.jet(cell.center), &self.transform);
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
+        let by_foot = |foot: &Foot| {
+            let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
+            let upper =
+                sphere.map_or(f64::INFINITY, |sphere| on_sphere(cell, &patch, &self.transform, &sphere));
+            if upper <= enough {
+                upper
+            } else {
+                upper.min(certify(cell, &jet, bounds, &self.b, foot, enough))
+            }
+        };
+        let mut foot = known;
+        let mut upper = by_foot(&known);
+        let mut sample = Sample { parameters: cell.center, foot };
+        // Near enough as the parent's foot leads, wherever the nearest is.
+        if upper <= enough {
+            return Bounded { upper, foot, patch: cell.patch, sample };
+        }
         // Away from edges the parent's foot leads to the nearest patch again,
         // except across a ridge, which every other level looks for.
         let follow = known.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
-        let mut foot = if follow { known } else { nearest(&self.b, jet.point, known) };
+        let same = cell.is_whole() && known.distance_squared == region.foot.distance_squared;
+        if !follow && !same {
+            let [h, k] = cell.half;
+            let radius = h * bounds.first[0] + k * bounds.first[1];
+            foot = nearest_within(&self.b, jet.point, known, enough - radius);
+        }
         // The parent's middle was told to be about as far as no point may be, and
         // no point was found that far: of a patch with two valleys, the iteration
         // may have gone into the wrong one.
@@ -334,13 +361,10 @@ impl<'a> Search<'a> {
         if far(&region.foot) && far(&foot) {
             foot = self.surest(jet.point, foot);
         }
-        let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
-        let mut upper =
-            sphere.map_or(f64::INFINITY, |sphere| on_sphere(cell, &patch, &self.transform, &sphere));
-        if upper > enough {
-            upper = upper.min(certify(cell, &jet, bounds, &self.b, &foot, enough));
+        if foot != known {
+            upper = upper.min(by_foot(&foot));
+            sample.foot = foot;
         }
-        let mut sample = Sample { parameters: cell.center, foot };
         if upper > enough {
             upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
         }

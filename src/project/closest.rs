@@ -1,6 +1,6 @@
 //! The closest point of a whole model, with a certificate.
 
-use super::{DistanceForm, Foot, Stationary, nearest_control, newton};
+use super::{DistanceForm, Foot, Stationary, is_beyond, nearest_control, newton};
 use crate::bezier::{Patch, PatchSet};
 use crate::both::{both, each};
 use crate::tree::BoxTree;
@@ -36,7 +36,8 @@ pub struct Closest {
 
 enum Item {
     Node(u32),
-    Patch(u32),
+    /// With its form once that is made.
+    Patch(u32, Option<DistanceForm>),
     /// With the nearest point known of its patch.
     Piece {
         patch: u32,
@@ -76,22 +77,40 @@ impl Ord for Entry {
 /// (plus rounding) unless the target is so evenly near to many points that a
 /// fixed number of pieces does not separate them. Best first: whatever can be
 /// nearest is examined next, boxes of the tree, then patches, then their
-/// halves, each bounded by a [`DistanceForm`]. O(log patches) in general position.
+/// halves, those not beyond a plane bounded by a [`DistanceForm`]. O(log patches) in general position.
 #[must_use]
 pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> Option<Closest> {
+    closest_above(patches, tree, target, gap, None, 0.0)
+}
+
+/// The same from a point that is known, a patch and its parameters, and given
+/// up, with whatever gap, where the distance is at most `floor`.
+pub(crate) fn closest_above(
+    patches: &PatchSet,
+    tree: &BoxTree,
+    target: DVec3,
+    gap: f64,
+    known: Option<(u32, [f64; 2])>,
+    floor: f64,
+) -> Option<Closest> {
     let mut search = Search { patches, target, heap: BinaryHeap::new(), best: None };
     let root = tree.nodes().first()?;
+    if let Some((patch, parameters)) = known {
+        let distance_squared = patches.patch(patch as usize).point(parameters).distance_squared(target);
+        search.offer(patch, parameters, distance_squared);
+    }
     search.push(root.aabb.min_distance_squared(target), Item::Node(0));
     let mut pieces = 0;
     let mut lower_squared = f64::INFINITY;
     while let Some(Entry { least, item }) = search.heap.pop() {
-        if least.sqrt() >= search.upper() - gap || pieces >= MOST_PIECES {
+        let upper = search.upper();
+        if least.sqrt() >= upper - gap || upper <= floor || pieces >= MOST_PIECES {
             lower_squared = least;
             break;
         }
         match item {
-            Item::Node(node) => search.open_node(tree, node as usize),
-            Item::Patch(patch) => search.open_patch(patch),
+            Item::Node(node) => search.open_node(tree, node as usize, least),
+            Item::Patch(patch, form) => search.open_patch(patch, form),
             Item::Piece { patch, controls, range, foot } => {
                 pieces += 1;
                 search.open_piece(patch, &controls, range, foot);
@@ -139,7 +158,7 @@ impl Search<'_> {
         }
     }
 
-    fn open_node(&mut self, tree: &BoxTree, index: usize) {
+    fn open_node(&mut self, tree: &BoxTree, index: usize, least: f64) {
         let node = tree.nodes()[index];
         if node.count == 0 {
             for child in [index + 1, node.second as usize] {
@@ -150,20 +169,24 @@ impl Search<'_> {
         }
         let first = node.first as usize;
         for &patch in &tree.order()[first..first + node.count as usize] {
-            let view = self.patches.patch(patch as usize);
-            let least = view.bounding_box().min_distance_squared(self.target);
-            if least < self.best_squared() {
-                let form = DistanceForm::new(view.degree, view.controls, self.target - view.center);
-                self.push(form.least().max(least), Item::Patch(patch));
-            }
+            self.push(least, Item::Patch(patch, None));
         }
     }
 
-    fn open_patch(&mut self, index: u32) {
+    /// First its form, which mostly tells that it is too far.
+    fn open_patch(&mut self, index: u32, form: Option<DistanceForm>) {
         let patch = self.patches.patch(index as usize);
+        let Some(form) = form else {
+            let start = nearest_control(&patch, self.target);
+            if !is_beyond(&patch, self.target, start, self.best_squared()) {
+                let form = DistanceForm::new(patch.degree, patch.controls, self.target - patch.center);
+                self.push(form.least(), Item::Patch(index, Some(form)));
+            }
+            return;
+        };
         let start = nearest_control(&patch, self.target);
         let foot = self.foot(index, newton(&patch, self.target, start, ITERATIONS));
-        self.push_piece(index, patch.controls.to_vec(), [[0.0, 1.0]; 2], foot);
+        self.push_piece(index, patch.controls.to_vec(), [[0.0, 1.0]; 2], &form, foot);
     }
 
     fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2], known: Stationary) {
@@ -179,7 +202,8 @@ impl Search<'_> {
         let piece = Patch { controls, domain: range, ..patch };
         let axis = longer_axis(&piece);
         for (controls, range) in piece.halves(axis).into_iter().zip(piece.half_domains(axis)) {
-            self.push_piece(index, controls, range, foot);
+            let form = DistanceForm::new(patch.degree, &controls, self.target - patch.center);
+            self.push_piece(index, controls, range, &form, foot);
         }
     }
 
@@ -193,9 +217,14 @@ impl Search<'_> {
         Stationary { parameters, distance_squared, gradient }
     }
 
-    fn push_piece(&mut self, index: u32, controls: Vec<DVec4>, range: [[f64; 2]; 2], foot: Stationary) {
-        let patch = self.patches.patch(index as usize);
-        let form = DistanceForm::new(patch.degree, &controls, self.target - patch.center);
+    fn push_piece(
+        &mut self,
+        index: u32,
+        controls: Vec<DVec4>,
+        range: [[f64; 2]; 2],
+        form: &DistanceForm,
+        foot: Stationary,
+    ) {
         let width = both(|axis| range[axis][1] - range[axis][0]);
         let local = Stationary {
             parameters: both(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),

@@ -6,10 +6,12 @@ mod newton;
 mod start;
 mod tangent_plane;
 
+pub(crate) use closest::closest_above;
 pub use closest::{Closest, closest};
 pub use distance_bound::{DistanceForm, Stationary};
 pub use newton::newton;
 pub(crate) use newton::newton_below;
+pub(crate) use start::is_beyond;
 pub use start::nearest_control;
 pub use tangent_plane::{contraction, tangent_plane};
 
