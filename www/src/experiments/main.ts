@@ -14,7 +14,8 @@ import { Sweep } from "./sweep.ts";
 import { csv } from "./table.ts";
 
 const runs = new Runs(
-  ({ backend, adapter }) => {
+  ({ backend, adapter, shapes }) => {
+    choice.nameShapes(shapes);
     element("engine").textContent = engineText(backend, adapter);
     tellState("ready", "ready");
   },
