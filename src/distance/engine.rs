@@ -167,6 +167,7 @@ impl Engine {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
     use crate::distance::Silent;
@@ -211,7 +212,7 @@ mod tests {
     fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
         let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
         // As if it were no processor, as `auto` has no use for one's kernels.
-        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().as_hardware();
+        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().taken_for_hardware();
         engine.gpu.replace(Some(Rc::new(gpu)));
         // Other seams and poles, so that all of A is searched: many cells.
         let [a, b] = [1.0, 1.1].map(|radius| PreparedModel::new(&sphere(DVec3::ZERO, radius).unwrap()));

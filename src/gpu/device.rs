@@ -101,7 +101,7 @@ impl Gpu {
 
     /// The same device as if it were no processor, whose help `auto` declines.
     #[cfg(all(test, not(target_arch = "wasm32")))]
-    pub(crate) fn as_hardware(self) -> Self {
+    pub(crate) fn taken_for_hardware(self) -> Self {
         Self { software: false, ..self }
     }
 
