@@ -74,6 +74,7 @@ async function run(): Promise<void> {
       progress.value = 0;
       save.disabled = false;
       for (const { name } of choice.entries()) methodList.tell(name, []);
+      element("plots").hidden = false;
       plots.show(positions, begun);
       reading.show(positions, begun);
     },
