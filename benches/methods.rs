@@ -5,13 +5,16 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "support/shared.rs"]
+mod shared;
+
 use glam::DVec3;
+use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::shapes;
-use nurbs_hausdorff::{Model, RigidTransform};
-use std::path::Path;
+use shared::Reference;
 
 /// Rounds of which the median is told.
 const ROUNDS: usize = 5;
@@ -108,18 +111,10 @@ fn pairs() -> Vec<Pair> {
             translation,
         })
         .collect();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/models");
-    let Ok(references) = std::fs::read_to_string(folder.join("reference.jsonl")) else { return pairs };
-    let load = |name: &str| {
-        let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("a model");
-        PreparedModel::new(&Model::from_json(&text).expect("a valid model"))
-    };
-    for line in references.lines() {
-        let reference: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
-        let (a, b) = (reference["a"].as_str().expect("a"), reference["b"].as_str().expect("b"));
-        let at = |index: usize| reference["translate_a"][index].as_f64().unwrap_or(0.0);
-        let translation = DVec3::new(at(0), at(1), at(2));
-        pairs.push(Pair { name: format!("{a} to {b} {translation}"), a: load(a), b: load(b), translation });
+    let Some(folder) = shared::folder() else { return pairs };
+    for Reference { a, b, translation, .. } in shared::references(&folder) {
+        let name = format!("{a} to {b} {translation}");
+        pairs.push(Pair { name, a: shared::load(&folder, &a), b: shared::load(&folder, &b), translation });
     }
     pairs
 }

@@ -5,6 +5,8 @@
 #[path = "../examples/experiments/suite/mod.rs"]
 mod suite;
 
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::shapes::shape;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use suite::Setup;
@@ -174,4 +176,24 @@ fn both_evaluations_project_alike_where_there_is_one_patch() {
     assert_eq!(projected.len(), 3);
     // One patch is the surface: the same control points, the same start, the same steps.
     assert!(projected.iter().all(|row| row["missed_percent"] == projected[0]["missed_percent"]));
+}
+
+#[test]
+fn the_pairs_have_the_sizes_of_the_paper_also_where_shapes_stand_in() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/experiments/sweep.json");
+    let plan: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let of = |name: &str| {
+        let pair = plan["pairs"].as_array().unwrap().iter().find(|pair| pair["name"] == name).unwrap();
+        ["a", "b"].map(|side| shape(pair[side]["shape"].as_str().unwrap()).unwrap())
+    };
+    let counts = |model: &Model| model.surfaces()[0].counts();
+    // The 2012 paper's Table 1.
+    assert_eq!(of("small").each_ref().map(counts), [[6, 6], [6, 6]]);
+    assert_eq!(of("large").each_ref().map(counts), [[298, 313], [595, 97]]);
+    assert_eq!(of("several").each_ref().map(|model| model.surfaces().len()), [3, 4]);
+    let [one, other] = of("body");
+    assert_eq!((one.surfaces().len(), &one), (1, &other));
+    // The ball and the hollow sphere about the origin.
+    let widths = of("nested").map(|model| model.bounding_box().extent().x);
+    assert!((widths[0] - 0.4).abs() < ROUNDING && (widths[1] - 4.0).abs() < ROUNDING, "{widths:?}");
 }

@@ -221,11 +221,11 @@ fn figure5_samples_miss_the_axis_by_9_58() {
 
 #[test]
 fn every_name_makes_a_shape_and_others_are_refused() {
-    assert_eq!(shapes::list().count(), 16);
+    assert_eq!(shapes::list().count(), 21);
     for info in shapes::list() {
         let model = shapes::shape(info.name).unwrap();
         assert!(model.name().is_some() && !info.title.is_empty());
-        assert!(model.bounding_box().diagonal() > 1.0);
+        assert!(model.bounding_box().diagonal() > 0.5);
     }
     let error = shapes::shape("dodecahedron").unwrap_err();
     assert_eq!(error.code(), "UNKNOWN_SHAPE");

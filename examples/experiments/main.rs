@@ -5,7 +5,7 @@
 //! Writes a table (CSV) and a figure (SVG) for each experiment into DIR. What
 //! they show is told in `docs/paper.md` and `docs/order.md`. Pairs that are
 //! not ours to ship are read from `../shared/models` if that is there, and
-//! stand-ins of the same sizes take their places if not.
+//! shapes of about their sizes take their places if not.
 
 mod suite;
 

@@ -167,21 +167,31 @@ impl Engine {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
     use crate::distance::Silent;
-    use crate::shapes::shape;
+    use crate::model::{Model, RigidTransform, SurfaceArrays};
+    use crate::shapes::{shape, sphere};
+    use glam::{DQuat, DVec3};
+
+    /// An engine on a GPU, or `None` and a visible line if the environment allows it.
+    fn engine(test: &str) -> Option<Engine> {
+        let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
+        if engine.has_gpu() {
+            return Some(engine);
+        }
+        assert!(std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some(), "{:?}", engine.notice());
+        // Past libtest, which hides what a passing test prints by macro.
+        let line = format!("\nSKIPPED {test}: no adapter\n");
+        std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes()).unwrap();
+        None
+    }
 
     #[test]
     fn a_lost_device_is_replaced_once_and_then_the_cpu_takes_over() {
-        let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
-        if !engine.has_gpu() {
-            assert!(std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some(), "{:?}", engine.notice());
-            // Past libtest, which hides what a passing test prints by macro.
-            let line = b"\nSKIPPED a_lost_device_is_replaced_once_and_then_the_cpu_takes_over: no adapter\n";
-            std::io::Write::write_all(&mut std::io::stderr(), line).unwrap();
-            return;
-        }
+        let test = "a_lost_device_is_replaced_once_and_then_the_cpu_takes_over";
+        let Some(engine) = engine(test) else { return };
         let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()));
         let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
         let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut Silent)).unwrap();
@@ -196,5 +206,60 @@ mod tests {
         assert!(third.notice.unwrap().contains("lost: 2 times"));
         assert!((third.computed - second.computed).abs() < 1e-9);
         assert!(!engine.has_gpu());
+    }
+
+    /// How far the control points of an uneven sphere are off, relative to its size.
+    const UNEVEN: f64 = 1e-6;
+
+    fn uneven_sphere(radius: f64) -> Model {
+        let sphere = sphere(DVec3::ZERO, radius).unwrap();
+        let surface = &sphere.surfaces()[0];
+        let mut control_points = surface.control_points().to_vec();
+        for (index, [x, y, z, _]) in control_points.iter_mut().enumerate() {
+            let scale = 1.0 + UNEVEN * (index as f64 / radius).sin();
+            (*x, *y, *z) = (scale * *x, scale * *y, scale * *z);
+        }
+        let knots = [surface.knots(0).to_vec(), surface.knots(1).to_vec()];
+        let (degree, counts) = (surface.degree(), surface.counts());
+        Model::from_arrays(None, vec![SurfaceArrays { degree, knots, counts, control_points }]).unwrap()
+    }
+
+    #[test]
+    fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
+        let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
+        // As if it were no processor, as `auto` has no use for one's kernels.
+        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().taken_for_hardware();
+        engine.gpu.replace(Some(Rc::new(gpu)));
+        // All of A is about equally far from B, and neither is known by its form: many cells.
+        let [a, b] = [1.0, 1.1].map(|radius| PreparedModel::new(&uneven_sphere(radius)));
+        let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
+        let transform = RigidTransform::new(turn, DVec3::ZERO).unwrap();
+        let run = |backend| {
+            let options = Options { tolerance: 2e-5, transform, backend, ..Options::default() };
+            pollster::block_on(engine.distance(&a, &b, &options, &mut Silent))
+        };
+        let offend = || engine.gpu.borrow().as_ref().unwrap().offend();
+        let sound = run(Backend::Gpu).unwrap();
+        let details = sound.certified.unwrap();
+        assert!(details.cpu_cells < details.cells, "nothing to fail at");
+        assert_eq!(sound.notice, None);
+
+        offend();
+        let failed = run(Backend::Auto).unwrap();
+        let details = failed.certified.unwrap();
+        assert_eq!((failed.backend, failed.adapter), ("cpu", None));
+        assert_eq!(details.cpu_cells, details.cells);
+        assert!(failed.converged && failed.lower < 0.1 + 3.0 * UNEVEN && 0.1 - 3.0 * UNEVEN < failed.upper);
+        let notice = failed.notice.unwrap();
+        assert!(
+            notice.contains("offence") && notice.ends_with("; the rest was computed on the CPU"),
+            "{notice}"
+        );
+
+        // Who asks for the GPU alone is told by an error.
+        offend();
+        assert_eq!(run(Backend::Gpu).unwrap_err().code(), "GPU_FAILED");
+        // The failure was told once, and the device is still there.
+        assert_eq!(run(Backend::Gpu).unwrap().notice, None);
     }
 }

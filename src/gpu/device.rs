@@ -99,6 +99,25 @@ impl Gpu {
         trouble.lost.get_or_insert_with(|| "destroyed".to_owned());
     }
 
+    /// The same device as if it were no processor, whose help `auto` declines.
+    #[cfg(all(test, not(target_arch = "wasm32")))]
+    pub(crate) fn taken_for_hardware(self) -> Self {
+        Self { software: false, ..self }
+    }
+
+    /// Asks the device for what it must refuse, of which its callback hears.
+    #[cfg(all(test, not(target_arch = "wasm32")))]
+    pub(crate) fn offend(&self) {
+        let size = 2 * self.device.limits().max_buffer_size;
+        let usage = wgpu::BufferUsages::STORAGE;
+        drop(self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("offence"),
+            size,
+            usage,
+            mapped_at_creation: false,
+        }));
+    }
+
     /// What the next check fails with, unless it has something before.
     pub(super) fn fail(&self, found: String) {
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);

@@ -20,11 +20,11 @@ pub struct ShapeInfo {
 
 type Make = fn() -> Result<Model>;
 
-/// All shapes. Sizes are near 5, so that any two can be seen together; Fig. 5
-/// has its published size.
-const CATALOGUE: [(&str, &str, Make); 16] = [
-    ("sphere", "Sphere, radius 2", || sphere(DVec3::ZERO, 2.0)),
-    ("sphere-larger", "Sphere, radius 2.2", || sphere(DVec3::ZERO, 2.2)),
+/// All shapes. Sizes are near 5, so that any two can be seen together, but for
+/// the small sphere, which fits into others; Fig. 5 has its published size.
+const CATALOGUE: [(&str, &str, Make); 21] = [
+    ("sphere", "Sphere, radius 2", || centered(2.0)),
+    ("sphere-larger", "Sphere, radius 2.2", || centered(2.2)),
     ("torus", "Torus, tube 0.8", || torus(2.0, 0.8)),
     ("torus-fatter", "Torus, tube 0.9", || torus(2.0, 0.9)),
     ("cylinder", "Cylinder", || cylinder(1.5, 4.0)),
@@ -41,6 +41,11 @@ const CATALOGUE: [(&str, &str, Make); 16] = [
     ("wavy-sheet-b", "Wavy sheet, other waves", || {
         wavy_sheet(&WavySheet { counts: [13, 14], waves: [1.5, 2.0], phase: 0.8, amplitude: 0.6, ..SHEET })
     }),
+    ("net-6x6", "Net of 6 x 6", || net([6, 6], 0)),
+    ("net-6x6-b", "Net of 6 x 6, other waves", || net([6, 6], 1)),
+    ("net-298x313", "Net of 298 x 313", || net([298, 313], 0)),
+    ("net-595x97", "Net of 595 x 97", || net([595, 97], 1)),
+    ("sphere-small", "Sphere, radius 0.2", || centered(0.2)),
     ("fig5-plane", "Plane of the 2012 paper's Fig. 5", figure5_plane),
     ("fig5-cylinder", "Cylinder of the 2012 paper's Fig. 5", figure5_cylinder),
 ];
@@ -55,6 +60,16 @@ const WING: Wing = Wing {
 
 const SHEET: WavySheet =
     WavySheet { counts: [14, 13], size: [5.0, 5.0], amplitude: 0.8, waves: [2.0, 1.5], phase: 0.0 };
+
+/// A sphere about the origin.
+fn centered(radius: f64) -> Result<Model> {
+    sphere(DVec3::ZERO, radius)
+}
+
+/// A sheet whose net is of a size in the 2012 paper's Table 1.
+fn net(counts: [usize; 2], variant: u8) -> Result<Model> {
+    wavy_sheet(&WavySheet::of_counts(counts, variant))
+}
 
 /// Every name that [`shape`] takes, with its title.
 pub fn list() -> impl Iterator<Item = ShapeInfo> {

@@ -26,6 +26,29 @@ pub struct WavySheet {
     pub phase: f64,
 }
 
+/// Side of a sheet from [`WavySheet::of_counts`], the size of most shapes.
+const SIDE: f64 = 5.0;
+
+/// Control points a wave, enough for it to be smooth.
+const POINTS_A_WAVE: f64 = 5.0;
+
+/// Waves along a side, few enough to be seen.
+const MOST_WAVES: f64 = 4.0;
+
+impl WavySheet {
+    /// A square sheet of side 5 with as many waves as `counts` control points
+    /// draw smoothly, 4 along a side at most. `variant` changes the waves, so
+    /// that sheets of different variants differ whatever their counts.
+    #[must_use]
+    pub fn of_counts(counts: [usize; 2], variant: u8) -> Self {
+        let variant = f64::from(variant);
+        let stretch = 1.0 + 0.3 * variant;
+        let waves = each(counts, |count| (count as f64 / POINTS_A_WAVE).min(MOST_WAVES) / stretch);
+        let amplitude = SIDE / (8.0 * waves[0].max(waves[1]));
+        Self { counts, size: [SIDE; 2], amplitude, waves, phase: 0.7 * variant }
+    }
+}
+
 /// The bicubic B-spline sheet about the origin whose control points lie evenly
 /// over the (x, y) rectangle with heights
 /// `amplitude sin(2 pi waves_x i/(nx-1) + phase) cos(2 pi waves_y j/(ny-1))`.

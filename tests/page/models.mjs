@@ -12,6 +12,29 @@ const square = (height) => ({
 /** One square at each height. */
 export const planes = (...heights) => ({ surfaces: heights.map(square) });
 
+/** x, y and w of a circle's control points (The NURBS Book, section 7.5). */
+const circle = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((eighth) => {
+  const [angle, corner] = [(eighth * Math.PI) / 4, eighth % 2 === 1];
+  const [size, weight] = corner ? [Math.SQRT2, Math.SQRT1_2] : [1, 1];
+  return [size * Math.cos(angle), size * Math.sin(angle), weight];
+});
+
+/** How far a point of an uneven sphere of radius 2 or so is off, and another's with it, at most. */
+export const UNEVEN = 1e-7;
+
+/** A sphere whose control points are off by 1e-8 of its size, so that none knows it for a sphere. */
+export function unevenSphere(radius) {
+  const uneven = (i, j) => radius * (1 + 1e-8 * Math.sin(i + j / radius));
+  const ctrl = circle.map(([x, y, around], i) =>
+    [...circle.slice(6, 8), ...circle.slice(0, 3)].map(([out, up, along], j) => {
+      const scale = uneven(i, j);
+      return [scale * out * x, scale * out * y, scale * up, around * along];
+    }),
+  );
+  const knots_u = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4];
+  return { surfaces: [{ degree: [2, 2], knots_u, knots_v: [0, 0, 0, 1, 1, 2, 2, 2], ctrl }] };
+}
+
 /** What a file input takes for a file of this text. */
 export const file = (name, text) => ({
   name,

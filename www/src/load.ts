@@ -41,12 +41,23 @@ export async function load(engine: Hausdorff, sources: Sides<Source>): Promise<L
 
 async function made(engine: Hausdorff, source: Source): Promise<NurbsModel> {
   if ("shape" in source) return engine.shape(source.shape);
-  const { file } = source;
+  const { file, firstSurface } = source;
   try {
-    return engine.model(await text(file));
+    const json = await text(file);
+    return engine.model(firstSurface ? withFirstSurface(json) : json);
   } catch (error) {
     if (!(error instanceof HausdorffError)) throw error;
     throw new HausdorffError(error.code, `${file.name}: ${error.message}`, { cause: error });
+  }
+}
+
+/** The model's first surface alone; what is not a model stays as it is, to be refused for what it is. */
+function withFirstSurface(json: string): string {
+  try {
+    const model = JSON.parse(json);
+    return JSON.stringify({ ...model, surfaces: model.surfaces.slice(0, 1) });
+  } catch {
+    return json;
   }
 }
 

@@ -53,7 +53,12 @@ function onReply(reply: Reply): void {
       view.fit();
       break;
     case "progress":
-      results.showWorking(reply.fraction, reply.interval, controls.options().symmetric === true);
+      results.showWorking(
+        reply.fraction,
+        reply.interval,
+        view.models.diagonal,
+        controls.options().symmetric === true,
+      );
       break;
     case "measured":
       results.showResult(reply.result, client.isNewest(reply.run));

@@ -19,12 +19,13 @@ export function signedText(distance: number, diagonal: number): string {
 }
 
 /**
- * The ends of an interval with digits enough to tell them apart, rounded
- * outwards so that what is read contains what was certified.
+ * The ends of an interval with digits enough to tell them apart, as far as the
+ * models' size has them, rounded outwards so that what is read contains what
+ * was certified.
  */
-export function intervalText(lower: number, upper: number): string {
+export function intervalText(lower: number, upper: number, diagonal: number): string {
   const width = upper - lower;
-  const trusted = SIGNIFICANT_DIGITS - 1 - magnitude(upper);
+  const trusted = SIGNIFICANT_DIGITS - 1 - magnitude(Math.max(upper, diagonal));
   const shown = digitsAfterPoint(width > 0 ? Math.min(2 - magnitude(width), trusted) : trusted);
   const step = 10 ** -shown;
   const outwards = (end: number, sign: -1 | 1) => {

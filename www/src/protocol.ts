@@ -16,8 +16,8 @@ export const SIDES: readonly Side[] = ["a", "b"];
 /** Something for each of the two models, or for one of them. */
 export type Sides<T> = Partial<Record<Side, T>>;
 
-/** Where a model comes from. */
-export type Source = { shape: string } | { file: File };
+/** Where a model comes from; of a file all surfaces, or the first. */
+export type Source = { shape: string } | { file: File; firstSurface?: boolean };
 
 /** Where model A is put when it is loaded. */
 export interface Placement {

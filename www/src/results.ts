@@ -29,17 +29,19 @@ export function showPending(): void {
 export function showWorking(
   fraction: number,
   now: [number, number] | undefined,
+  diagonal: number,
   symmetric: boolean,
 ): void {
   section.dataset.state = "working";
   progress.value = fraction;
-  if (now !== undefined) showInterval(now[0], now[1], symmetric ? ONE_DIRECTION : SO_FAR);
+  if (now === undefined) return;
+  showInterval(now[0], now[1], diagonal, symmetric ? ONE_DIRECTION : SO_FAR);
 }
 
 /** `last`: whether no newer measurement is on its way. */
 export function showResult(result: DistanceResult, last: boolean): void {
   distance.textContent = distanceText(result.computed, result.diagonal);
-  showInterval(result.lower, result.upper, meaning(result, last));
+  showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
   show(facts, factsOf(result));
   showEstimates(estimatesOf(result));
   const { a, b } = result.witness;
@@ -79,8 +81,8 @@ export function hideError(): void {
   delete error.dataset.code;
 }
 
-function showInterval(lower: number, upper: number, how: string): void {
-  interval.textContent = intervalText(lower, upper);
+function showInterval(lower: number, upper: number, diagonal: number, how: string): void {
+  interval.textContent = intervalText(lower, upper, diagonal);
   width.textContent = `${how} · width ${rough(upper - lower)}`;
 }
 

@@ -9,6 +9,7 @@ mod nurbs_evaluation;
 mod order;
 mod pairs;
 mod patch_count;
+mod plan;
 mod sampling_rule;
 mod split_rule;
 mod sweep;

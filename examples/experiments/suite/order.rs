@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
-use super::models::{duck, teapot};
+use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::distance::{Options, PreparedModel};
@@ -72,8 +72,10 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let aside = DVec3::new(0.3, 0.1, 0.0);
     cases.push(case("glass and bottle", [shape("glass")?, shape("bottle")?], aside, false));
     cases.push(still("wings of other sections", [shape("naca-wing")?, shape("naca-wing-thicker")?], false));
-    cases.push(case("duck and duck moved", [duck()?, duck()?], DVec3::new(0.4, 0.1, 0.0), false));
-    cases.push(still("duck and teapot", [duck()?, teapot()?], false));
+    let [duck, teapot] = models_of("several")?;
+    let twice = [duck.clone(), duck.clone()];
+    cases.push(case("duck and duck moved", twice, DVec3::new(0.4, 0.1, 0.0), false));
+    cases.push(still("duck and teapot", [duck, teapot], false));
     Ok(cases)
 }
 

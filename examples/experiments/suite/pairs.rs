@@ -1,9 +1,9 @@
 //! The pairs of the 2012 paper's Table 1, and the way that A takes past B.
 
-use super::models::{duck, duck_body, sheet, teapot};
+use super::models::model;
+use super::plan::{PairPlan, Plan};
 use super::{Anyhow, Setup};
 use glam::DVec3;
-use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Two models; A moves along `axis` through B.
@@ -17,31 +17,19 @@ pub(crate) struct Pair {
     axis: DVec3,
     /// What A passes B's centre at, relative to B's size.
     aside: DVec3,
+    /// How far A goes from B's centre, relative to where their boxes part.
+    reach: f64,
 }
-
-/// How far A goes from B's centre, relative to where their boxes part.
-const REACH: f64 = 1.5;
-
-/// Off the centre, so that equal bodies do not coincide and no symmetry helps.
-const ASIDE: DVec3 = DVec3::new(0.05, 0.04, 0.03);
 
 /// The pairs, one whose A comes to lie exactly on B, and one whose A comes to
 /// be equally far from all of B; in a quick run the small one only.
-pub(crate) fn pairs(setup: &Setup) -> Anyhow<Vec<Pair>> {
-    let mut pairs = vec![pair("small", sheet([6, 6], 0)?, sheet([6, 6], 1)?, DVec3::Z, DVec3::ZERO)];
-    if setup.quick {
-        return Ok(pairs);
-    }
-    pairs.push(pair("body", duck_body()?, duck_body()?, DVec3::X, ASIDE));
-    pairs.push(pair("copy", sheet([6, 6], 0)?, sheet([6, 6], 0)?, DVec3::Z, DVec3::ZERO));
-    let (ball, hollow) = (sphere(DVec3::ZERO, 0.2)?, sphere(DVec3::ZERO, 2.0)?);
-    pairs.push(pair("nested", ball, hollow, DVec3::X, DVec3::ZERO));
-    pairs.push(pair("large", sheet([298, 313], 0)?, sheet([595, 97], 1)?, DVec3::Z, DVec3::ZERO));
-    pairs.push(pair("several", duck()?, teapot()?, DVec3::X, ASIDE));
-    Ok(pairs)
+pub(crate) fn pairs(setup: &Setup, plan: &Plan) -> Anyhow<Vec<Pair>> {
+    let wanted = setup.choose(plan.pairs.len(), 1);
+    plan.pairs.iter().take(wanted).map(|pair| self::pair(plan, pair)).collect()
 }
 
-fn pair(name: &'static str, a: Model, b: Model, axis: DVec3, aside: DVec3) -> Pair {
+fn pair(plan: &Plan, pair: &PairPlan) -> Anyhow<Pair> {
+    let (a, b) = (model(pair.a)?, model(pair.b)?);
     let of = |model: &Model| {
         let largest = model.surfaces().iter().map(|surface| surface.counts()).max_by_key(|[n, m]| n * m);
         let [n, m] = largest.unwrap_or_default();
@@ -49,14 +37,22 @@ fn pair(name: &'static str, a: Model, b: Model, axis: DVec3, aside: DVec3) -> Pa
         let surfaces = if count == 1 { String::new() } else { format!("{count} surfaces, ") };
         format!("{name} ({surfaces}{n} x {m})")
     };
-    Pair { name, title: format!("{} against {}", of(&a), of(&b)), a, b, axis, aside }
+    Ok(Pair {
+        name: pair.name,
+        title: format!("{} against {}", of(&a), of(&b)),
+        a,
+        b,
+        axis: pair.axis.into(),
+        aside: pair.aside.into(),
+        reach: plan.reach,
+    })
 }
 
 impl Pair {
     /// `count` positions of A's centre along the axis, 0 beside B's centre.
     pub(crate) fn positions(&self, count: usize) -> Vec<f64> {
         let extent = |model: &Model| model.bounding_box().extent().dot(self.axis);
-        let reach = REACH * 0.5 * (extent(&self.a) + extent(&self.b));
+        let reach = self.reach * 0.5 * (extent(&self.a) + extent(&self.b));
         (0..count).map(|index| reach * (2.0 * index as f64 / (count - 1) as f64 - 1.0)).collect()
     }
 

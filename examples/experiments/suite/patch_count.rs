@@ -2,11 +2,12 @@
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
-use super::models::{shared, sheet};
+use super::models::shared;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::distance::{Options, PreparedModel};
 use nurbs_hausdorff::shapes::operations::cut_model;
+use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Sides of B's pieces, relative to the whole.
@@ -28,7 +29,7 @@ const COLUMNS: [&str; 7] =
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let whole = match shared("occt_terrain")?.filter(|_| !setup.quick) {
         Some(terrain) => terrain,
-        None => sheet(setup.choose([312, 323], [40, 40]), 0)?,
+        None => wavy_sheet(&WavySheet::of_counts(setup.choose([312, 323], [40, 40]), 0))?,
     };
     let corner = corner(&whole, OF_A)?;
     let a = PreparedModel::new(&corner);

@@ -4,7 +4,7 @@
 mod rules;
 
 use super::chart::{Axis, Panel, Series, Style};
-use super::models::duck_body;
+use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{PatchSet, extract};
@@ -85,7 +85,7 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let moved = DVec3::new(0.4, 0.1, 0.3);
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
-        cases.push(("duck body against itself moved", [duck_body()?, duck_body()?], moved));
+        cases.push(("duck body against itself moved", models_of("body")?, moved));
         let tori = [shape("torus-fatter")?, shape("torus")?];
         cases.push(("torus against a thinner one moved", tori, moved));
     }

@@ -2,6 +2,7 @@
 
 use super::methods::{Entry, methods};
 use super::pairs::Pair;
+use super::plan::Plan;
 use super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
 use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
@@ -22,33 +23,8 @@ pub(crate) struct Curve {
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// Projections of samples on patches beyond which a method that tries all
-/// patches is run in the middle only, and there only if it cuts none.
-const MANY_PROJECTIONS: usize = 20_000_000;
-
-/// A run shorter than this, in seconds, is repeated and the shortest told.
-const SHORT: f64 = 0.15;
-const ROUNDS: usize = 5;
-
-const COLUMNS: [&str; 14] = [
-    "position",
-    "method",
-    "computed",
-    "lower",
-    "upper",
-    "k_a",
-    "k_a_rigorous",
-    "k_b",
-    "converged",
-    "seconds_solve",
-    "seconds_prepare",
-    "cells",
-    "patches_of_b",
-    "failure",
-];
-
 /// Runs every method at every position, the methods in turn.
-pub(crate) fn sweep(setup: &Setup, pair: &Pair) -> Anyhow<Vec<Curve>> {
+pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve>> {
     let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
     let mut curves: Vec<Curve> = methods(setup.choose(64, 12))
         .into_iter()
@@ -59,9 +35,9 @@ pub(crate) fn sweep(setup: &Setup, pair: &Pair) -> Anyhow<Vec<Curve>> {
         let in_the_middle = index == positions.len() / 2;
         for curve in &mut curves {
             let options = Options { transform: pair.at(position)?, ..curve.method.options.clone() };
-            let many = curve.method.on_all_patches && projections(&a, &b, &options) > MANY_PROJECTIONS;
+            let many = curve.method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
             let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
-                repeated(setup, &a, &b, &options).map_err(|error| error.code())
+                repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
             };
@@ -81,13 +57,14 @@ fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize
 /// only adds.
 fn repeated(
     setup: &Setup,
+    plan: &Plan,
     a: &PreparedModel,
     b: &PreparedModel,
     options: &Options,
 ) -> Result<DistanceResult, Error> {
     let mut result = setup.measure(a, b, options)?;
-    if result.seconds.solve < SHORT {
-        for _ in 1..setup.choose(ROUNDS, 1) {
+    if result.seconds.solve < plan.short {
+        for _ in 1..setup.choose(plan.rounds, 1) {
             let again = setup.measure(a, b, options)?.seconds.solve;
             result.seconds.solve = result.seconds.solve.min(again);
         }
@@ -96,8 +73,8 @@ fn repeated(
 }
 
 /// A row for every method and position.
-pub(crate) fn table(curves: &[Curve]) -> Table {
-    let mut table = Table::new(&COLUMNS);
+pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
+    let mut table = Table::new(&plan.columns);
     for curve in curves {
         for Outcome { position, result } in &curve.outcomes {
             let found = result.as_ref().ok();

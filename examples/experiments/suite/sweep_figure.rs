@@ -2,19 +2,21 @@
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::pairs::{Pair, pairs};
+use super::plan::Plan;
 use super::sweep::{Curve, sweep, table};
 use super::{Anyhow, Setup};
 use nurbs_hausdorff::distance::{DistanceResult, Method};
 
 /// Every pair: `sweep-NAME`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
-    for pair in pairs(setup)? {
+    let plan = Plan::read()?;
+    for pair in pairs(setup, &plan)? {
         let name = format!("sweep-{}", pair.name);
         if !setup.wants(&name) {
             continue;
         }
-        let curves = sweep(setup, &pair)?;
-        setup.save(&name, &table(&curves), &panels(&pair, &curves))?;
+        let curves = sweep(setup, &plan, &pair)?;
+        setup.save(&name, &table(&plan, &curves), &panels(&pair, &curves))?;
     }
     Ok(())
 }

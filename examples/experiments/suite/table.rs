@@ -7,7 +7,7 @@ use std::path::Path;
 /// Rows under named columns.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Table {
-    pub(crate) columns: &'static [&'static str],
+    pub(crate) columns: Vec<&'static str>,
     pub(crate) rows: Vec<Vec<Cell>>,
 }
 
@@ -47,8 +47,8 @@ impl<T: Into<Self>> From<Option<T>> for Cell {
 }
 
 impl Table {
-    pub(crate) fn new(columns: &'static [&'static str]) -> Self {
-        Self { columns, rows: Vec::new() }
+    pub(crate) fn new(columns: &[&'static str]) -> Self {
+        Self { columns: columns.to_vec(), rows: Vec::new() }
     }
 
     /// Writes the header and the rows to `path`.

@@ -1,10 +1,11 @@
 // What the user chose in the panel of the experiments.
+import type { ShapeInfo } from "nurbs-hausdorff";
 import { onDrop } from "../drop.ts";
 import { element } from "../elements.ts";
-import { SIDES, type Sides, type Source } from "../protocol.ts";
+import { SIDES, type Side, type Sides, type Source } from "../protocol.ts";
 import * as methodList from "./method-list.ts";
 import { type Entry, methods } from "./methods.ts";
-import { type Pair, pairs } from "./pairs.ts";
+import { type Pair, type Part, pairs } from "./pairs.ts";
 import type { Plan } from "./sweep.ts";
 
 const select = (id: string) => element(id, HTMLSelectElement);
@@ -13,10 +14,12 @@ const pair = select("pair");
 const [count, samples] = [select("positions"), select("samples")];
 const [limit, budget] = [select("limit"), select("budget")];
 const files: Sides<File> = {};
+let titles: ReadonlyMap<string, string> = new Map();
 
 /** Fills the lists, and follows the files. */
 export function offer(): void {
   pair.append(...pairs.map(({ name, title }) => new Option(title, name)));
+  pair.addEventListener("change", tellModels);
   methodList.offer(entries());
   for (const side of SIDES) {
     const input = element(`file-${side}`, HTMLInputElement);
@@ -28,6 +31,13 @@ export function offer(): void {
     });
   }
   onDrop(take);
+  tellModels();
+}
+
+/** Names the models by the shapes' titles from now on. */
+export function nameShapes(shapes: readonly ShapeInfo[]): void {
+  titles = new Map(shapes.map(({ name, title }) => [name, title]));
+  tellModels();
 }
 
 export function plan(): Plan {
@@ -39,12 +49,22 @@ export function plan(): Plan {
   };
 }
 
-/** The pair's models, or undefined where a file is wanting; one file alone is both. */
+/** The pair's models, or undefined where a file is wanting. */
 export function sources(): Required<Sides<Source>> | undefined {
-  const ours = chosenPair().sources;
-  if (ours !== undefined) return ours();
-  const { a = files.b, b = files.a } = files;
-  return a === undefined || b === undefined ? undefined : { a: { file: a }, b: { file: b } };
+  const [a, b] = [source("a"), source("b")];
+  return a === undefined || b === undefined ? undefined : { a, b };
+}
+
+/** A shape stands aside for the user's file; one file alone is both models where both are the same. */
+function source(side: Side): Source | undefined {
+  const { parts } = chosenPair();
+  const other = side === "a" ? "b" : "a";
+  const part = parts?.[side];
+  const alike = part?.standsFor === parts?.[other].standsFor;
+  const file = files[side] ?? (alike ? files[other] : undefined);
+  if (part === undefined) return file && { file };
+  if (part.standsFor === undefined || file === undefined) return { shape: part.shape };
+  return { file, firstSurface: part.firstSurface };
 }
 
 /** Every method, chosen or not. */
@@ -59,9 +79,24 @@ function chosenPair(): Pair {
 
 function take(dropped: Sides<File>): void {
   Object.assign(files, dropped);
+  const { parts } = chosenPair();
+  const fixed = parts && SIDES.some((side) => parts[side].standsFor === undefined);
+  if (fixed) pair.value = pairs.find(({ parts }) => parts === undefined)?.name ?? "";
+  tellModels();
+}
+
+/** Says what A and B are in the chosen pair. */
+function tellModels(): void {
   for (const side of SIDES) {
-    const file = files[side];
-    if (file !== undefined) element(`name-${side}`).textContent = file.name;
+    const name = element(`name-${side}`);
+    name.textContent = describe(source(side), chosenPair().parts?.[side]);
+    name.title = name.textContent;
   }
-  pair.value = pairs.find(({ sources }) => sources === undefined)?.name ?? "";
+}
+
+function describe(source: Source | undefined, part: Part | undefined): string {
+  if (source === undefined) return "no file";
+  if ("file" in source) return `${source.file.name}${source.firstSurface ? ", first surface" : ""}`;
+  const title = titles.get(source.shape) ?? source.shape;
+  return part?.standsFor === undefined ? title : `${title}, for ${part.standsFor}.json`;
 }

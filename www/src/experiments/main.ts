@@ -14,7 +14,8 @@ import { Sweep } from "./sweep.ts";
 import { csv } from "./table.ts";
 
 const runs = new Runs(
-  ({ backend, adapter }) => {
+  ({ backend, adapter, shapes }) => {
+    choice.nameShapes(shapes);
     element("engine").textContent = engineText(backend, adapter);
     tellState("ready", "ready");
   },
@@ -73,6 +74,7 @@ async function run(): Promise<void> {
       progress.value = 0;
       save.disabled = false;
       for (const { name } of choice.entries()) methodList.tell(name, []);
+      element("plots").hidden = false;
       plots.show(positions, begun);
       reading.show(positions, begun);
     },

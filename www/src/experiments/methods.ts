@@ -4,8 +4,6 @@ import type { PlainOptions } from "../protocol.ts";
 export interface Entry {
   name: string;
   options: PlainOptions;
-  /** Whether every sample is projected on every patch, as in the 2012 paper. */
-  onAllPatches: boolean;
   /** Whether it is run unless the user says otherwise. */
   usual: boolean;
 }
@@ -29,7 +27,6 @@ export function methods({ samples, memoryBudget }: Settings): Entry[] {
   const entry = (name: string, options: PlainOptions, usual = true): Entry => ({
     name,
     options,
-    onAllPatches: options.culling === "none",
     usual,
   });
   const iteration: PlainOptions = { method: "iteration", samples };

@@ -1,66 +1,61 @@
-// The pairs that are swept, by the command line's names, and the way of A past B.
+// The pairs that are swept, which the command line reads from the same file, and the way of A past B.
 import type { Transform, Vector3 } from "nurbs-hausdorff";
-import type { Shown, Sides, Source } from "../protocol.ts";
-import { ball, sheet } from "./nets.ts";
+import sweep from "../../../examples/experiments/sweep.json";
+import type { Shown, Side } from "../protocol.ts";
+
+/** What a pair has in the place of a model. */
+export interface Part {
+  /** A shape's name. */
+  shape: string;
+  /** The model of others that the shape stands in for, if it does. */
+  standsFor: string | undefined;
+  /** Whether only the first surface of that model is meant. */
+  firstSurface: boolean;
+}
 
 export interface Pair {
   /** Short, for the table's file name. */
   name: string;
   title: string;
-  /** The models; undefined where the user's files are. */
-  sources: (() => Required<Sides<Source>>) | undefined;
+  /** Undefined where the user's files are. */
+  parts: Record<Side, Part> | undefined;
   /** A moves along it through B. */
   axis: Vector3;
   /** What A passes B's centre at, in B's diagonals. */
   aside: Vector3;
 }
 
-/** How far A goes from B's centre, relative to where their boxes part. */
-const REACH = 1.5;
+type Numbers = readonly number[];
 
-const X: Vector3 = [1, 0, 0];
-const Z: Vector3 = [0, 0, 1];
-const CENTRAL: Vector3 = [0, 0, 0];
-/** Off the centre, so that equal bodies do not coincide and no symmetry helps. */
-const ASIDE: Vector3 = [0.05, 0.04, 0.03];
+const vector = ([x = 0, y = 0, z = 0]: Numbers): Vector3 => [x, y, z];
+
+interface Listed {
+  shape: string;
+  for?: string;
+  first_surface?: boolean;
+}
+
+const part = ({ shape, for: standsFor, first_surface }: Listed): Part => ({
+  shape,
+  standsFor,
+  firstSurface: first_surface === true,
+});
+
+/** The user's files, as bodies of others pass each other in the list. */
+const OWN: Pair = {
+  name: "own",
+  title: "Own files, as below",
+  parts: undefined,
+  axis: [1, 0, 0],
+  aside: [0.05, 0.04, 0.03],
+};
 
 export const pairs: readonly Pair[] = [
-  {
-    name: "small",
-    title: "Two sheets of 6 × 6 control points",
-    sources: () => ({ a: sheet([6, 6], 0), b: sheet([6, 6], 1) }),
-    axis: Z,
-    aside: CENTRAL,
-  },
-  {
-    name: "body",
-    title: "A bottle (for the duck’s body) past its copy",
-    sources: () => ({ a: { shape: "bottle" }, b: { shape: "bottle" } }),
-    axis: X,
-    aside: ASIDE,
-  },
-  {
-    name: "large",
-    title: "Large nets, 298 × 313 against 595 × 97",
-    sources: () => ({ a: sheet([298, 313], 0), b: sheet([595, 97], 1) }),
-    axis: Z,
-    aside: CENTRAL,
-  },
-  {
-    name: "copy",
-    title: "A sheet through its own copy",
-    sources: () => ({ a: sheet([6, 6], 0), b: sheet([6, 6], 0) }),
-    axis: Z,
-    aside: CENTRAL,
-  },
-  {
-    name: "nested",
-    title: "A ball of radius 0.2 through a hollow sphere of radius 2",
-    sources: () => ({ a: ball(0.2), b: { shape: "sphere" } }),
-    axis: X,
-    aside: CENTRAL,
-  },
-  { name: "own", title: "Own files, as below", sources: undefined, axis: X, aside: ASIDE },
+  ...sweep.pairs.map(({ name, title, a, b, axis, aside }) => ({
+    ...{ name, title, parts: { a: part(a), b: part(b) } },
+    ...{ axis: vector(axis), aside: vector(aside) },
+  })),
+  OWN,
 ];
 
 type Box = Shown["box"];
@@ -71,7 +66,7 @@ type Box = Shown["box"];
  */
 export function positions({ axis }: Pair, a: Box, b: Box, count: number): number[] {
   const extent = ({ min, max }: Box) => dot(axis, minus(max, min));
-  const reach = REACH * 0.5 * (extent(a) + extent(b) || diagonal(b) || 1);
+  const reach = sweep.reach * 0.5 * (extent(a) + extent(b) || diagonal(b) || 1);
   return Array.from({ length: count }, (_, index) => reach * ((2 * index) / (count - 1) - 1));
 }
 

@@ -1,5 +1,6 @@
 // One pair, every position, the methods in turn.
 import type { DistanceResult, Transform } from "nurbs-hausdorff";
+import settings from "../../../examples/experiments/sweep.json";
 import { grouped } from "../numbers.ts";
 import type { Shown, Sides } from "../protocol.ts";
 import type { Entry } from "./methods.ts";
@@ -23,13 +24,6 @@ export interface Listener {
   onRun(position: number, method: Entry): void;
   onOutcome(): void;
 }
-
-/** Projections of samples on patches beyond which a method that tries all patches is left out. */
-const MANY_PROJECTIONS = 20e6;
-
-/** A run shorter than this, in seconds, is repeated, and the shortest time told. */
-const SHORT = 0.15;
-const ROUNDS = 5;
 
 export class Sweep {
   readonly #runs: Runs;
@@ -57,14 +51,15 @@ export class Sweep {
     const along = positions(pair, a, b, count);
     const curves = methods.map((method): Curve => ({ method, outcomes: [] }));
     listener.onBegin(along, curves);
-    const patches = await this.#patches();
+    const patches = methods.some(onAllPatches) ? await this.#patches() : { value: 0 };
+    const middle = along[Math.floor(along.length / 2)];
     for (const position of along) {
       const transform = transformAt(pair, a, b, position);
       for (const { method, outcomes } of curves) {
         if (this.#stopped) return false;
         listener.onRun(position, method);
-        const leftOut = this.#unaffordable(method, patches);
-        const answer = leftOut ? { failure: leftOut } : await this.#repeated(method, transform);
+        const ruledOut = this.#ruledOut(method, patches, position === middle);
+        const answer = ruledOut ? { failure: ruledOut } : await this.#repeated(method, transform);
         if (this.#stopped) return false;
         outcomes.push(outcome(position, answer));
         listener.onOutcome();
@@ -74,17 +69,29 @@ export class Sweep {
   }
 
   /** Patches of B as extraction gives them, which a measurement of few samples tells. */
-  async #patches(): Promise<number> {
+  async #patches(): Promise<Answer<number>> {
     const few = { method: "iteration", samples: 2, flatness: "none", backend: "cpu" } as const;
     const answer = await this.#runs.measure(few, Number.POSITIVE_INFINITY);
-    return "value" in answer ? answer.value.patches.b : 0;
+    if ("value" in answer) return { value: answer.value.patches.b };
+    const { code, message } = answer.failure;
+    return { failure: { code, message: `B’s patches were not counted: ${message}` } };
   }
 
-  #unaffordable({ options, onAllPatches }: Entry, patches: number): Failure | undefined {
-    const samples = this.#models.a.surfaceCount * (options.samples ?? 0) ** 2;
-    if (!onAllPatches || samples * patches <= MANY_PROJECTIONS) return undefined;
-    const found = `${grouped(samples)} samples on ${grouped(patches)} patches`;
-    return { code: "left-out", message: `${found} or more: too long for a page` };
+  /**
+   * Why a method that tries all patches is not run: its work is too much, but
+   * once in the middle if it cuts no patches, or is not known.
+   */
+  #ruledOut(method: Entry, patches: Answer<number>, inTheMiddle: boolean): Failure | undefined {
+    if (!onAllPatches(method)) return undefined;
+    if ("failure" in patches) return patches.failure;
+    const { samples = 0, flatness } = method.options;
+    const all = this.#models.a.surfaceCount * samples ** 2;
+    if (all * patches.value <= settings.most_projections) return undefined;
+    const found = `${grouped(all)} samples on ${grouped(patches.value)} patches`;
+    const code = "left-out";
+    if (flatness !== "none") return { code, message: `${found} or more: too long for a sweep` };
+    if (inTheMiddle) return undefined;
+    return { code, message: `${found}: too long but for one run in the middle` };
   }
 
   /** The result with the shortest of the times, as other work on the machine only adds. */
@@ -93,14 +100,17 @@ export class Sweep {
     const first = await this.#runs.measure({ ...options, transform }, limit);
     if (!("value" in first)) return first;
     const { seconds } = first.value;
-    if (seconds.solve >= SHORT) return first;
-    for (let round = 1; round < ROUNDS && !this.#stopped; round++) {
+    if (seconds.solve >= settings.short) return first;
+    for (let round = 1; round < settings.rounds && !this.#stopped; round++) {
       const again = await this.#runs.measure({ ...options, transform }, limit);
       if ("value" in again) seconds.solve = Math.min(seconds.solve, again.value.seconds.solve);
     }
     return first;
   }
 }
+
+/** Whether every sample is projected on every patch, as in the 2012 paper. */
+const onAllPatches = ({ options }: Entry): boolean => options.culling === "none";
 
 function outcome(position: number, answer: Answer<DistanceResult>): Outcome {
   if ("value" in answer) return { position, result: answer.value };

@@ -1,29 +1,13 @@
 // The outcomes as CSV, with the command line's columns and order.
+import { columns } from "../../../examples/experiments/sweep.json";
 import type { Curve, Outcome } from "./outcome.ts";
-
-const COLUMNS = [
-  "position",
-  "method",
-  "computed",
-  "lower",
-  "upper",
-  "k_a",
-  "k_a_rigorous",
-  "k_b",
-  "converged",
-  "seconds_solve",
-  "seconds_prepare",
-  "cells",
-  "patches_of_b",
-  "failure",
-];
 
 /** RFC 4180 without quotes: no cell of ours holds a comma, a quote or a line end. */
 export function csv(curves: readonly Curve[]): string {
   const rows = curves.flatMap(({ method, outcomes }) =>
     outcomes.map((outcome) => row(method.name, outcome).join(",")),
   );
-  return [COLUMNS.join(","), ...rows, ""].join("\n");
+  return [columns.join(","), ...rows, ""].join("\n");
 }
 
 /** Numbers are written so that reading them gives the same numbers. */

@@ -5,7 +5,6 @@ mod evaluator;
 mod kernels;
 
 use super::chart::{Axis, Panel, Series, Style};
-use super::models::sheet;
 use super::{Anyhow, Setup, Table};
 use evaluator::NurbsEvaluator;
 use glam::DVec3;
@@ -13,6 +12,7 @@ use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, Target, project, sample};
 use nurbs_hausdorff::project::{Projection, closest};
+use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use std::time::Instant;
 
 /// Control points of B along each direction.
@@ -48,7 +48,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut rates: [Vec<Option<[f64; 2]>>; 2] = Default::default();
     let gpu = kernels::Gpu::new();
     for &count in &COUNTS[..setup.choose(COUNTS.len(), 3)] {
-        let model = sheet([count, count], 0)?;
+        let model = wavy_sheet(&WavySheet::of_counts([count, count], 0))?;
         let surface = &model.surfaces()[0];
         let target = Target::new(extract(&model).patches);
         let patches = target.patches.len();
@@ -116,7 +116,7 @@ const MILLION: f64 = 1e6;
 
 /// `count` x `count` points of another sheet above B.
 fn samples(count: usize) -> Anyhow<Vec<DVec3>> {
-    let bezier = extract(&sheet([14, 13], 1)?);
+    let bezier = extract(&wavy_sheet(&WavySheet::of_counts([14, 13], 1))?);
     let sampling = Sampling::new(&bezier, count, SamplingRule::Uniform);
     let above = RigidTransform::translation(DVec3::Z * ABOVE)?;
     Ok((0..sampling.len()).map(|index| sample(&bezier, &sampling, index, &above)).collect())

@@ -1,0 +1,50 @@
+//! The models of `../shared/models`, which are not ours to ship, and the
+//! reference intervals of pairs of them.
+
+use glam::DVec3;
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::distance::PreparedModel;
+use std::path::{Path, PathBuf};
+
+/// A pair with an interval that another program found.
+pub(crate) struct Reference {
+    pub(crate) a: String,
+    pub(crate) b: String,
+    /// What A is moved by.
+    pub(crate) translation: DVec3,
+    #[allow(dead_code, reason = "not every benchmark compares")]
+    pub(crate) interval: [f64; 2],
+}
+
+/// The folder, if it is there.
+pub(crate) fn folder() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/models");
+    folder.is_dir().then_some(folder)
+}
+
+/// The model of this name.
+pub(crate) fn load(folder: &Path, name: &str) -> PreparedModel {
+    let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("a model");
+    PreparedModel::new(&Model::from_json(&text).expect("a valid model"))
+}
+
+/// All lines of `reference.jsonl`.
+pub(crate) fn references(folder: &Path) -> Vec<Reference> {
+    let read = |line: &str| {
+        let line: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        let name = |side: &str| line[side].as_str().expect("a model's name").to_owned();
+        let moved = |axis: usize| line["translate_a"][axis].as_f64().unwrap_or(0.0);
+        let end = |end: &str| line["result"][end].as_f64().expect("an end of the interval");
+        Reference {
+            a: name("a"),
+            b: name("b"),
+            translation: DVec3::new(moved(0), moved(1), moved(2)),
+            interval: ["lower", "upper"].map(end),
+        }
+    };
+    std::fs::read_to_string(folder.join("reference.jsonl"))
+        .expect("the references")
+        .lines()
+        .map(read)
+        .collect()
+}
