@@ -20,10 +20,6 @@ struct ProjectParams {
 // rules out no patch that could win.
 const BOX_ROUNDING: f32 = 1.0 - 1e-6;
 
-// Turns of all loops that one thread may take: llvmpipe ends every loop after
-// 65,535, counted over the up to 16 threads that it runs together.
-const MOST_TURNS: u32 = 4000u;
-
 @group(0) @binding(0) var<uniform> params: ProjectParams;
 @group(0) @binding(1) var<storage, read> samples: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read_write> best: array<Best>;

@@ -10,6 +10,10 @@ const NOWHERE: u32 = 0xffffffffu;
 // Deeper than any tree over the patches that fit a binding.
 const STACK_SIZE: u32 = 32u;
 
+// Turns of all loops that a subgroup may take, a projection's as often as its
+// slowest thread does: llvmpipe ends every loop after 65,535.
+const MOST_TURNS: u32 = 60000u;
+
 // Two a child: the box's corners as bits, and of the first a place: of a leaf,
 // twice its patch and one, else twice its own index.
 @group(0) @binding(5) var<storage, read> nodes: array<vec4<u32>>;
@@ -45,7 +49,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         // On until a thread wants a second patch.
         loop {
             search.turns++;
-            if any_of(search.turns > MOST_TURNS) {
+            if search.turns > MOST_TURNS {
                 // Not tried on everything: the distance may be too large, never too small.
                 search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
                     | (ITERATION_LIMIT << STATUS_SHIFT);
@@ -109,6 +113,8 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
             search = offer(search, pending, point);
             pending = NOWHERE;
         }
+        // The numbers are small enough for float32.
+        search.turns = u32(largest(f32(search.turns)));
         reach = largest(search.known.distance_squared);
     }
     if exists {

@@ -15,6 +15,10 @@ const NOWHERE: u32 = 0xffffffffu;
 // Deeper than any tree over the patches that fit a binding.
 const STACK_SIZE: u32 = 32u;
 
+// Turns of all loops that one thread may take: llvmpipe ends every loop after
+// 65,535, counted over the up to 16 threads that it runs together.
+const MOST_TURNS: u32 = 4000u;
+
 @group(0) @binding(5) var<storage, read> nodes: array<Node>;
 
 fn box_distance_squared(node: u32, point: vec3<f32>) -> f32 {
