@@ -66,10 +66,9 @@ mod tests {
                 let [low, high] = below(nodes, lanes, child.place as usize / 2, seen);
                 assert_eq!((low, high), (child.box_min, child.box_max));
             }
-            for axis in 0..3 {
-                whole[0][axis] = whole[0][axis].min(child.box_min[axis]);
-                whole[1][axis] = whole[1][axis].max(child.box_max[axis]);
-            }
+            let [low, high] = &mut whole;
+            low.iter_mut().zip(child.box_min).for_each(|(low, x)| *low = low.min(x));
+            high.iter_mut().zip(child.box_max).for_each(|(high, x)| *high = high.max(x));
         }
         whole
     }

@@ -15,7 +15,6 @@ pub(super) fn patch_text(degree: [usize; 2], lanes: u32) -> String {
     text
 }
 
-#[cfg_attr(target_arch = "wasm32", expect(unused_variables, reason = "browsers' threads load alone"))]
 fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
     let order = p.max(q) + 1;
     writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;")?;
