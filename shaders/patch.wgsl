@@ -42,6 +42,6 @@ fn evaluate_jet(first: u32, at: vec2<f32>) -> Jet {
 }
 
 fn distance_squared(control: vec4<f32>, local: vec3<f32>) -> f32 {
-    let offset = control.xyz / control.w - local;
+    let offset = (1.0 / control.w) * control.xyz - local;
     return dot(offset, offset);
 }

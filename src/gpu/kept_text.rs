@@ -2,8 +2,8 @@
 //!
 //! A processor's adapter has no instruction that loads from as many places as
 //! it has lanes: llvmpipe loads every component lane by lane, with a bounds
-//! check each. There all lanes of a subgroup load parts of one lane's patch
-//! and hand them round, for one patch after the other, once a projection.
+//! check each. There all lanes of a subgroup load parts of one patch and hand
+//! them round, and those that want the patch keep it for their projection.
 
 use super::patch_text::{BLEND, list};
 use std::fmt::Write;
@@ -12,25 +12,45 @@ use std::fmt::Write;
 /// which takes llvmpipe's compiler minutes for the largest patches.
 pub(super) const MOST_KEPT: usize = 36;
 
-/// `join`, `any_of` and `take`, after which `blend` and `nearest_control` work
-/// on the patch taken. All threads of a subgroup must call these three.
-pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
-    let size = (p + 1) * (q + 1);
-    writeln!(text, "var<private> lane: u32;\nvar<private> net: array<vec4<f32>, {size}>;")?;
+/// `join`, which all threads of a subgroup must call first, and what they find
+/// out together: broadcasts, which llvmpipe has instructions for, unlike
+/// `subgroupMin` and its kind.
+pub(super) fn write_together(text: &mut String, lanes: usize) -> std::fmt::Result {
+    writeln!(text, "const LANES: u32 = {lanes}u;\nvar<private> lane: u32;")?;
     writeln!(text, "fn join() {{ lane = subgroupExclusiveAdd(1u); }}")?;
     writeln!(text, "fn any_of(wanted: bool) -> bool {{ return subgroupAny(wanted); }}")?;
-    let next = "subgroupMin(select(0xffffffffu, first, waits));";
-    // One test a turn, at its end, is measurably faster on llvmpipe than one before.
-    writeln!(text, "fn take(first: u32, wanted: bool) {{\nvar waits = wanted;\nvar next = {next}\nloop {{")?;
-    for part in 0..size.div_ceil(lanes) {
-        writeln!(text, "let part{part} = controls[next + lane + {}u];", part * lanes)?;
+    for (name, kind, of) in
+        [("least_of", "u32", "min"), ("largest", "f32", "max"), ("largest3", "vec3<f32>", "max")]
+    {
+        writeln!(text, "fn {name}(own: {kind}) -> {kind} {{")?;
+        for k in 0..lanes {
+            writeln!(text, "let a{k} = subgroupBroadcast(own, {k}u);")?;
+        }
+        let mut all = "a0".to_owned();
+        for k in 1..lanes {
+            all = format!("{of}({all}, a{k})");
+        }
+        writeln!(text, "return {all};\n}}")?;
     }
-    writeln!(text, "let mine = waits && first == next;\nwaits = waits && !mine;")?;
+    Ok(())
+}
+
+/// `take`, after which `blend` and `nearest_control` work on the patch taken by
+/// the threads that wanted it. All threads of a subgroup must call it.
+pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
+    let size = (p + 1) * (q + 1);
+    writeln!(text, "var<private> net: array<vec4<f32>, {size}>;")?;
+    writeln!(text, "fn take(first: u32, wanted: bool) {{")?;
+    for first in (0..size).step_by(lanes) {
+        let part = first / lanes;
+        writeln!(text, "var part{part} = vec4<f32>(0.0);\nif lane < {}u {{", size - first)?;
+        writeln!(text, "part{part} = controls[first + lane + {first}u];\n}}")?;
+    }
     for k in 0..size {
         let (part, from) = (k / lanes, k % lanes);
-        writeln!(text, "net[{k}] = select(net[{k}], subgroupBroadcast(part{part}, {from}u), mine);")?;
+        writeln!(text, "net[{k}] = select(net[{k}], subgroupBroadcast(part{part}, {from}u), wanted);")?;
     }
-    writeln!(text, "if !subgroupAny(waits) {{ break; }}\nnext = {next}\n}}\n}}")?;
+    writeln!(text, "}}")?;
     writeln!(text, "fn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{")?;
     for i in 0..=p {
         for basis in ["value", "first", "second"] {

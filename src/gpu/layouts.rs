@@ -38,19 +38,19 @@ pub(super) struct Place {
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(super) struct ProjectParams {
-    pub(super) first_sample: u32,
+    pub(super) first_thread: u32,
     pub(super) sample_count: u32,
     pub(super) first_patch: u32,
     pub(super) patch_count: u32,
     pub(super) patches_before: u32,
     pub(super) iterations: u32,
     pub(super) step_tolerance: f32,
-    pub(super) padding: u32,
+    pub(super) columns: u32,
 }
 
-/// `Node` of `project.wgsl`.
+/// `Node` of `project_tree.wgsl`, and two items of `nodes` of `project_packet.wgsl`.
 #[repr(C)]
-#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(super) struct Node {
     pub(super) box_min: [f32; 3],
     pub(super) place: u32,
@@ -296,20 +296,22 @@ mod tests {
                     same_layout!(module, Place, patch_column, t);
                     same_layout!(module, Best, distance_squared, patch_and_status, s, t);
                 }
-                Kernel::Project { .. } => {
+                Kernel::Project { culling, .. } => {
                     same_layout!(
                         module,
                         ProjectParams,
-                        first_sample,
+                        first_thread,
                         sample_count,
                         first_patch,
                         patch_count,
                         patches_before,
                         iterations,
                         step_tolerance,
-                        padding
+                        columns
                     );
-                    same_layout!(module, Node, box_min, place, box_max, second);
+                    if culling == Culling::Tree {
+                        same_layout!(module, Node, box_min, place, box_max, second);
+                    }
                     same_layout!(module, Best, distance_squared, patch_and_status, s, t);
                     assert_eq!(constant(module, "PATCH_MASK"), (1 << STATUS_SHIFT) - 1);
                 }

@@ -26,6 +26,8 @@ mod level_bench;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod level_error;
 mod levels;
+#[cfg(not(target_arch = "wasm32"))]
+mod packet_tree;
 mod patch_text;
 mod piece_error;
 mod pipelines;

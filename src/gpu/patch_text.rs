@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 /// Constants and functions that `patch.wgsl` and `foot.wgsl` build on.
-/// Subgroups of `lanes` threads load together, or each thread alone if 0.
+/// Subgroups of `lanes` threads work together, or each thread alone if 0.
 pub(super) fn patch_text(degree: [usize; 2], lanes: u32) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
@@ -15,7 +15,6 @@ pub(super) fn patch_text(degree: [usize; 2], lanes: u32) -> String {
     text
 }
 
-#[cfg_attr(target_arch = "wasm32", expect(unused_variables, reason = "browsers' threads load alone"))]
 fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
     let order = p.max(q) + 1;
     writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;")?;
@@ -25,8 +24,14 @@ fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Resul
         write_basis(text, name, degree, order)?;
     }
     #[cfg(not(target_arch = "wasm32"))]
-    if lanes > 0 && (p + 1) * (q + 1) <= super::kept_text::MOST_KEPT {
-        return super::kept_text::write_kept(text, [p, q], lanes);
+    if lanes > 0 {
+        super::kept_text::write_together(text, lanes)?;
+        if (p + 1) * (q + 1) <= super::kept_text::MOST_KEPT {
+            return super::kept_text::write_kept(text, [p, q], lanes);
+        }
+    }
+    if lanes == 0 {
+        writeln!(text, "fn join() {{}}")?;
     }
     write_alone(text, [p, q], &array)
 }
@@ -44,7 +49,6 @@ pub(super) const BLEND: [(&str, [&str; 2]); 6] = [
 /// Functions that read the controls where they are wanted.
 fn write_alone(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
     let (rows, columns) = (p + 1, q + 1);
-    writeln!(text, "fn join() {{}}\nfn any_of(wanted: bool) -> bool {{ return wanted; }}")?;
     writeln!(text, "fn take(first: u32, wanted: bool) {{}}")?;
     let terms = list(q + 1, " + ", &|j| format!("basis[{j}] * controls[first + {j}u]"));
     writeln!(text, "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {terms}; }}")?;

@@ -22,6 +22,9 @@ const NEWTON: &str = include_str!(concat!(env!("OUT_DIR"), "/newton.wgsl"));
 const TANGENT_PLANE: &str = include_str!(concat!(env!("OUT_DIR"), "/tangent_plane.wgsl"));
 const SAMPLE: &str = include_str!(concat!(env!("OUT_DIR"), "/sample.wgsl"));
 const PROJECT: &str = include_str!(concat!(env!("OUT_DIR"), "/project.wgsl"));
+const PROJECT_TREE: &str = include_str!(concat!(env!("OUT_DIR"), "/project_tree.wgsl"));
+#[cfg(not(target_arch = "wasm32"))]
+const PROJECT_PACKET: &str = include_str!(concat!(env!("OUT_DIR"), "/project_packet.wgsl"));
 const REDUCE: &str = include_str!(concat!(env!("OUT_DIR"), "/reduce.wgsl"));
 const CELLS: &str = include_str!(concat!(env!("OUT_DIR"), "/cells.wgsl"));
 const PIECE: &str = include_str!(concat!(env!("OUT_DIR"), "/piece.wgsl"));
@@ -64,12 +67,18 @@ impl Kernel {
         let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
         match self {
             Self::Sample { degree } => [&common, &patch_text(degree, 0), JET, PATCH, BEST, SAMPLE].concat(),
-            Self::Project { degree, projection, .. } => {
+            Self::Project { degree, projection, culling } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
                     Projection::TangentPlane => TANGENT_PLANE,
                 };
-                [&common, &patch_text(degree, lanes), JET, PATCH, BEST, FOOT, step, PROJECT].concat()
+                let search = match culling {
+                    Culling::None => "",
+                    #[cfg(not(target_arch = "wasm32"))]
+                    Culling::Tree if lanes > 0 => PROJECT_PACKET,
+                    Culling::Tree => PROJECT_TREE,
+                };
+                [&common, &patch_text(degree, lanes), JET, PATCH, BEST, FOOT, step, PROJECT, search].concat()
             }
             Self::Reduce => [&common, BEST, REDUCE].concat(),
             Self::Cell { degree } => piecewise(&common, degree, CELL),

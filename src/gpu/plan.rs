@@ -12,69 +12,88 @@ const MOST_TURNS: usize = 60_000;
 /// Evaluations a step of the projection takes, at most: the step and its halvings.
 const EVALUATIONS_PER_STEP: usize = 10;
 
+/// Columns and rows of samples that neighbouring threads have, as `sample_of` of `project.wgsl`.
+const TILE: [usize; 2] = [4, 2];
+
 /// Cuts samples, and without a tree also patches, into chunks.
 pub(super) struct Plan {
     samples: usize,
+    columns: usize,
+    /// Threads for the samples: some at the ends of rows have none.
+    threads: usize,
     patches: usize,
     culling: Culling,
     /// Patches of a chunk, at most.
     most_patches: usize,
-    sample: usize,
-    sample_count: usize,
+    thread: usize,
+    thread_count: usize,
     patch: usize,
 }
 
 impl Plan {
-    pub(super) fn new(samples: usize, patches: usize, degree: [usize; 2], rule: &Rule) -> Self {
+    /// Of so many samples, in rows of `columns`.
+    pub(super) fn new(
+        samples: usize,
+        columns: usize,
+        patches: usize,
+        degree: [usize; 2],
+        rule: &Rule,
+    ) -> Self {
         let evaluations = 2 + EVALUATIONS_PER_STEP * rule.iterations as usize;
         // As `offer` of `project.wgsl` counts them.
         let turns = (degree[0] + 2) * evaluations;
+        let rows = samples.div_ceil(columns);
         Self {
             samples,
+            columns,
+            threads: columns.next_multiple_of(TILE[0]) * rows.next_multiple_of(TILE[1]),
             patches,
             culling: rule.culling,
             most_patches: (MOST_TURNS / turns).max(1),
-            sample: 0,
-            sample_count: 0,
+            thread: 0,
+            thread_count: 0,
             patch: 0,
         }
     }
 
     /// The part done by the chunks handed out.
     pub(super) fn fraction_before(&self) -> f64 {
-        let of_samples = self.patch as f64 / self.patches as f64 * self.sample_count as f64;
-        (self.sample as f64 + of_samples) / self.samples as f64
+        let of_threads = self.patch as f64 / self.patches as f64 * self.thread_count as f64;
+        (self.thread as f64 + of_threads) / self.threads as f64
     }
 
-    /// The next chunk of about `units` units, a sample each with the tree, a
-    /// sample on a patch each without.
-    pub(super) fn next(&mut self, units: usize) -> Option<(ProjectParams, usize)> {
-        if self.sample >= self.samples {
+    /// The next chunk of about `units` units, a thread each with the tree, a
+    /// thread on a patch each without: its params, threads and units.
+    pub(super) fn next(&mut self, units: usize) -> Option<(ProjectParams, [usize; 2])> {
+        if self.thread >= self.threads {
             return None;
         }
         // The samples stay the same until they have met all patches.
         if self.patch == 0 {
-            self.sample_count = (self.samples - self.sample).min(units.max(WORKGROUP_SIZE as usize));
+            let wanted = units.next_multiple_of(WORKGROUP_SIZE as usize);
+            self.thread_count = (self.threads - self.thread).min(wanted);
         }
         let mut params = ProjectParams {
-            first_sample: self.sample as u32,
-            sample_count: self.sample_count as u32,
+            first_thread: self.thread as u32,
+            sample_count: self.samples as u32,
+            columns: self.columns as u32,
             ..Zeroable::zeroed()
         };
         if self.culling == Culling::Tree {
-            self.sample += self.sample_count;
-            return Some((params, self.sample_count));
+            self.thread += self.thread_count;
+            return Some((params, [self.thread_count; 2]));
         }
-        let wanted = (units / self.sample_count).clamp(1, self.most_patches);
+        let wanted = (units / self.thread_count).clamp(1, self.most_patches);
         let patch_count = (self.patches - self.patch).min(wanted);
         params.first_patch = self.patch as u32;
         params.patch_count = patch_count as u32;
         self.patch += patch_count;
+        let threads = self.thread_count;
         if self.patch >= self.patches {
             self.patch = 0;
-            self.sample += self.sample_count;
+            self.thread += threads;
         }
-        Some((params, self.sample_count * patch_count))
+        Some((params, [threads, threads * patch_count]))
     }
 }
 
@@ -91,16 +110,19 @@ mod tests {
             step_tolerance: 0.01,
             culling: Culling::None,
         };
-        let (samples, patches) = (300, 1700);
-        let mut met = vec![0_u8; samples * patches];
-        let mut plan = Plan::new(samples, patches, [3, 3], &rule);
+        // 17 rows of 18 samples want threads for 18 of 20.
+        let (samples, threads, patches) = (17 * 18, 18 * 20, 1700);
+        let mut met = vec![0_u8; threads * patches];
+        let mut plan = Plan::new(samples, 18, patches, [3, 3], &rule);
         let mut paces = [1, 70, 5000, 200_000, 64].into_iter().cycle();
-        while let Some((params, _)) = plan.next(paces.next().unwrap_or(1)) {
+        while let Some((params, [count, _])) = plan.next(paces.next().unwrap_or(1)) {
             // A bicubic chunk stays below the turns that llvmpipe allows: 5 a row of evaluation and step.
             assert!(params.patch_count * 5 * 52 <= 65_535);
-            for sample in params.first_sample..params.first_sample + params.sample_count {
+            assert_eq!((params.sample_count as usize, params.columns), (samples, 18));
+            let first = params.first_thread as usize;
+            for thread in first..first + count {
                 for patch in params.first_patch..params.first_patch + params.patch_count {
-                    met[sample as usize * patches + patch as usize] += 1;
+                    met[thread * patches + patch as usize] += 1;
                 }
             }
         }

@@ -132,7 +132,7 @@ impl GpuStages {
             if !seen.contains(&kernel) {
                 seen.push(kernel);
                 let (pipeline, bind_group) = self.bind_project(group);
-                self.record_project(&mut work, kernel, &pipeline, &bind_group, &Zeroable::zeroed(), 0);
+                self.record_project(&mut work, kernel, &pipeline, &bind_group, &Zeroable::zeroed(), [0; 2]);
             }
         }
         self.record_reduce(&mut work, 0);
@@ -173,9 +173,9 @@ impl GpuStages {
         pipeline: &Pipeline,
         bind_group: &wgpu::BindGroup,
         params: &ProjectParams,
-        units: usize,
+        [threads, units]: [usize; 2],
     ) {
-        let extent = Extent::Workgroups(params.sample_count.div_ceil(WORKGROUP_SIZE));
+        let extent = Extent::Workgroups((threads as u32).div_ceil(WORKGROUP_SIZE));
         let params = bytes_of(params);
         work.dispatch(&Dispatch { kernel, pipeline, bind_group, params, extent, units });
     }
@@ -285,8 +285,9 @@ impl GpuStages {
         for (index, group) in self.target.groups.iter().enumerate() {
             let kernel = self.project_kernel(group);
             let (pipeline, bind_group) = self.bind_project(group);
-            let mut plan = Plan::new(page.len(), group.count, group.degree, &self.rule);
-            while let Some((params, units)) = plan.next(self.gpu.pace.chunk(kernel)) {
+            let columns = self.sampling.samples;
+            let mut plan = Plan::new(page.len(), columns, group.count, group.degree, &self.rule);
+            while let Some((params, size)) = plan.next(self.gpu.pace.chunk(kernel)) {
                 if work.make_room().await? {
                     let of_group = plan.fraction_before();
                     let groups = self.target.groups.len() as f64;
@@ -298,7 +299,7 @@ impl GpuStages {
                     step_tolerance: (self.rule.step_tolerance * self.target.scale) as f32,
                     ..params
                 };
-                self.record_project(&mut work, kernel, &pipeline, &bind_group, &params, units);
+                self.record_project(&mut work, kernel, &pipeline, &bind_group, &params, size);
             }
         }
         work.submit().await

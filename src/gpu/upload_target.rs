@@ -3,6 +3,8 @@
 use super::Gpu;
 use super::groups::{Controls, by_degree};
 use super::layouts::Node;
+#[cfg(not(target_arch = "wasm32"))]
+use super::packet_tree::packet_nodes;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::gather::Gather;
 use crate::iteration::Target;
@@ -58,8 +60,7 @@ impl Gpu {
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
             let tree = BoxTree::new(&boxes);
-            let of_tree = tree.nodes().iter().enumerate();
-            let nodes: Vec<Node> = of_tree.map(|(index, of)| node(index, of, origin, scale)).gather();
+            let nodes = self.nodes(&tree, &|of, place| node(of, place, origin, scale));
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
@@ -71,6 +72,18 @@ impl Gpu {
             });
         }
         GpuTarget { origin, scale, groups, patches, coordinate_error, radius }
+    }
+
+    /// The tree as stage `project` goes through it.
+    fn nodes(&self, tree: &BoxTree, pack: &dyn Fn(&crate::tree::Node, u32) -> Node) -> Vec<Node> {
+        #[cfg(not(target_arch = "wasm32"))]
+        if self.pipelines.lanes > 0 {
+            return packet_nodes(tree, self.pipelines.lanes as usize, pack);
+        }
+        let place = |index: usize, of: &crate::tree::Node| {
+            if of.count > 0 { 2 * of.first + 1 } else { 2 * index as u32 }
+        };
+        tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).gather()
     }
 }
 
@@ -87,10 +100,10 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
 }
 
 /// A node with its box rounded outwards.
-fn node(index: usize, node: &crate::tree::Node, origin: DVec3, scale: f64) -> Node {
+fn node(node: &crate::tree::Node, place: u32, origin: DVec3, scale: f64) -> Node {
     Node {
         box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
-        place: if node.count > 0 { 2 * node.first + 1 } else { 2 * index as u32 },
+        place,
         box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
         second: node.second,
     }
