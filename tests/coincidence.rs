@@ -1,5 +1,5 @@
-//! Copies by other parameters, degrees and pieces are told from their own
-//! polynomials, in few cells; what only nearly coincides is told apart.
+//! Copies, moved, edited, by other parameters, degrees and pieces, are told from
+//! their own controls, in few cells; what only nearly coincides is told apart.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
@@ -84,6 +84,45 @@ fn a_copy_put_back_into_place() {
     let there = RigidTransform::new(turn, DVec3::new(3.0, -1.0, 2.0)).unwrap();
     let moved = transformed(&model, &there).unwrap();
     is_a_copy("a sheet put into place", &model, &moved, there);
+}
+
+/// Every point of a moved copy is at most as far from the model as it was
+/// moved, and so far where the normal is along the way.
+#[test]
+fn a_moved_copy_takes_few_cells() {
+    for (name, most) in [("wavy-sheet", 1500), ("torus", 1500)] {
+        let model = shape(name).unwrap();
+        for way in [DVec3::new(0.0, 0.0, 0.3), DVec3::new(1e-3, 0.0, 2e-3), DVec3::new(0.0, 1e-7, 0.0)] {
+            let transform = RigidTransform::translation(way).unwrap();
+            let result = measure(&model, &model, transform, 1e-6);
+            let cells = result.certified.unwrap().cells;
+            println!("{name} moved by {way}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
+            assert!(result.converged && result.lower <= way.length() + ROUNDING);
+            assert!(result.upper <= way.length() + 1e-6 * result.diagonal);
+            assert!(cells < most, "{name}: {cells} cells");
+            if name == "torus" {
+                // Its normals point along every way.
+                assert!(way.length() <= result.upper);
+            }
+        }
+    }
+}
+
+/// One control point of many, moved: nobody else's patches need be searched.
+#[test]
+fn an_edited_copy_takes_few_cells() {
+    let model = shape("wavy-sheet").unwrap();
+    let mut arrays = model.surfaces()[0].clone().into_arrays();
+    let middle = arrays.control_points.len() / 2;
+    arrays.control_points[middle][2] += 0.1;
+    let edited = Model::from_arrays(None, vec![arrays]).unwrap();
+    for (a, b) in [(&model, &edited), (&edited, &model)] {
+        let result = measure(a, b, RigidTransform::IDENTITY, 1e-6);
+        let cells = result.certified.unwrap().cells;
+        println!("an edited sheet: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
+        // A bump is lower than its control point is raised.
+        assert!(result.converged && result.lower > 0.0 && result.lower < 0.1 && cells < FEW, "{cells}");
+    }
 }
 
 /// A flat bicubic patch with one control point raised lies `δ B_1(s) B_1(t)`
