@@ -4,7 +4,7 @@ use super::Search;
 use super::climb::climb;
 use super::corners::Sample;
 use super::nearest::{Foot, foot_on};
-use super::search::{Bounded, Farthest};
+use super::search::{Bounded, Farthest, Interval};
 use crate::gather::Gather;
 use crate::order::by_falling;
 use crate::project::closest_above;
@@ -86,17 +86,25 @@ impl Search<'_> {
     }
 
     /// Certifies the farthest point as narrowly as the last ones are, if it was
-    /// found while less was asked.
+    /// found while less was asked or told to be beyond the upper bound; what is
+    /// still told to be beyond it raises it.
     pub(crate) fn finish(&mut self) {
-        let Some(best) = self.farthest else { return };
-        let width = LAST_PART * self.tolerance;
+        let Some(mut best) = self.farthest else { return };
+        let Interval { lower, upper } = self.interval();
+        let mut width = LAST_PART * self.tolerance;
+        let is_beyond = best.closest.upper > upper;
+        if is_beyond {
+            width = width.min(0.5 * (upper - lower));
+        }
         let start = Some((best.closest.patch as u32, best.closest.parameters));
-        if best.closest.upper - best.closest.lower > width + self.rounding
+        if (is_beyond || best.closest.upper - best.closest.lower > width + self.rounding)
             && let Some(mut found) = self.certificate(best.patch, best.parameters, width, start, 0.0)
         {
             found.closest.lower = found.closest.lower.max(best.closest.lower);
-            self.farthest = Some(found);
+            best = found;
         }
+        self.dropped = self.dropped.max(best.closest.upper - self.rounding);
+        self.farthest = Some(best);
     }
 
     /// The width asked of a certificate while the distance may be `upper`.

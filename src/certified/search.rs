@@ -72,7 +72,7 @@ pub(crate) struct Search<'a> {
     pub(super) rounding: f64,
     profiles: Profiles,
     queue: Queue,
-    dropped: f64,
+    pub(super) dropped: f64,
     pub(super) farthest: Option<Farthest>,
     exhausted: bool,
     /// Cells bounded.
