@@ -11,10 +11,26 @@ pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T
     map(count.div_ceil(RANGE), |index| work(range(index)))
 }
 
+/// Items of some microseconds that are not worth waking another thread for.
+#[cfg(not(target_arch = "wasm32"))]
+const FEW: usize = 8;
+
+/// [`map`] of items that take microseconds.
+pub(crate) fn map_short<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(not(target_arch = "wasm32"))]
+    if count < FEW {
+        return (0..count).map(work).collect();
+    }
+    map(count, work)
+}
+
 /// `work` on 0 to `count`, results in order.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
+    if count == 1 {
+        return vec![work(0)];
+    }
     (0..count).into_par_iter().map(work).collect()
 }
 

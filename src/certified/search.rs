@@ -13,7 +13,7 @@ use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
-use crate::parallel::map;
+use crate::parallel::map_short;
 use crate::project::{Closest, Status};
 use glam::DVec3;
 
@@ -239,7 +239,7 @@ impl<'a> Search<'a> {
         }
         let regions = self.queue.next(CHUNK);
         let enough = self.enough();
-        let bounded = map(regions.len(), |index| {
+        let bounded = map_short(regions.len(), |index| {
             let region = &regions[index];
             (region.upper > enough).then(|| self.bound(region, enough))
         });

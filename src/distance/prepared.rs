@@ -10,7 +10,7 @@ use crate::gpu::{GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
-use crate::parallel::map;
+use crate::parallel::map_short;
 use crate::symmetry::{Revolution, revolutions};
 use crate::tree::Aabb;
 use std::cell::{OnceCell, RefCell};
@@ -45,7 +45,7 @@ impl PreparedTarget {
         let patches = &self.target.patches;
         let bounds = || {
             let rooms = rooms(&model.bezier.patches, patches);
-            map(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]))
+            map_short(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]))
         };
         Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
     }

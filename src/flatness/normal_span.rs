@@ -1,7 +1,8 @@
 //! The 2012 paper's criterion: the angle spanned by sampled normals.
 
 use super::{SAMPLES, sample_parameter};
-use crate::bezier::{Jet, Patch};
+use crate::bezier::Patch;
+use crate::both::{both, each};
 use crate::elementary::{acos, cos};
 use glam::DVec3;
 
@@ -14,38 +15,41 @@ const DEGENERATE_RATIO: f64 = 1e-6;
 ///
 /// Points without a normal are left out.
 pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
-    let jets: [[Jet; SAMPLES]; SAMPLES] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| patch.jet([sample_parameter(i), sample_parameter(j)]))
-    });
-    let longest = |tangent: fn(&Jet) -> DVec3| {
-        jets.iter().flatten().map(|jet| tangent(jet).length()).fold(0.0, f64::max)
-    };
-    let least = [DEGENERATE_RATIO * longest(|jet| jet.s), DEGENERATE_RATIO * longest(|jet| jet.t)];
-    let normals = jets.map(|line| {
-        line.map(|jet| {
-            let regular = jet.s.length() > least[0] && jet.t.length() > least[1];
-            if regular { jet.normal() } else { None }
-        })
-    });
-    let cosine = least_cosine(normals.iter().flatten());
-    (cosine < cos(tolerance)).then(|| {
-        let along = |line: &dyn Fn(usize, usize) -> Option<DVec3>| {
-            let cosines = (0..SAMPLES).map(|fixed| {
-                let normals: [_; SAMPLES] = std::array::from_fn(|moving| line(fixed, moving));
-                least_cosine(normals.iter())
-            });
-            acos(cosines.fold(1.0, f64::min))
-        };
-        [along(&|fixed, moving| normals[moving][fixed]), along(&|fixed, moving| normals[fixed][moving])]
-    })
+    let mut normals = [None; SAMPLES * SAMPLES];
+    let mut lengths = [[0.0; 2]; SAMPLES * SAMPLES];
+    let mut longest = [0.0_f64; 2];
+    for (index, (normal, lengths)) in normals.iter_mut().zip(&mut lengths).enumerate() {
+        let jet = patch.jet([sample_parameter(index / SAMPLES), sample_parameter(index % SAMPLES)]);
+        *normal = jet.normal();
+        *lengths = [jet.s.length_squared(), jet.t.length_squared()];
+        longest = both(|axis| longest[axis].max(lengths[axis]));
+    }
+    let least = each(longest, |longest| DEGENERATE_RATIO * DEGENERATE_RATIO * longest);
+    for (normal, [s, t]) in normals.iter_mut().zip(lengths) {
+        if s <= least[0] || t <= least[1] {
+            *normal = None;
+        }
+    }
+    if least_cosine(normals.len(), |index| normals[index]) >= cos(tolerance) {
+        return None;
+    }
+    let (mut along_s, mut along_t) = (1.0_f64, 1.0_f64);
+    for line in 0..SAMPLES {
+        along_s = along_s.min(least_cosine(SAMPLES, |index| normals[index * SAMPLES + line]));
+        along_t = along_t.min(least_cosine(SAMPLES, |index| normals[line * SAMPLES + index]));
+    }
+    Some([acos(along_s), acos(along_t)])
 }
 
-fn least_cosine<'a>(normals: impl Iterator<Item = &'a Option<DVec3>> + Clone) -> f64 {
+/// The least cosine between two of the normals that there are.
+fn least_cosine(count: usize, normal: impl Fn(usize) -> Option<DVec3>) -> f64 {
     let mut least = 1.0_f64;
-    let mut rest = normals.flatten();
-    while let Some(first) = rest.next() {
-        for second in rest.clone() {
-            least = least.min(first.dot(*second));
+    for index in 0..count {
+        let Some(first) = normal(index) else { continue };
+        for other in index + 1..count {
+            if let Some(second) = normal(other) {
+                least = least.min(first.dot(second));
+            }
         }
     }
     least.max(-1.0)
