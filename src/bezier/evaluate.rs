@@ -26,11 +26,16 @@ impl Jet {
     /// The unit normal s x t, or `None` where the derivatives are parallel or vanish.
     #[must_use]
     pub fn normal(&self) -> Option<DVec3> {
-        let normal = self.s.cross(self.t);
-        // Below this sine the direction of the product is rounding noise.
-        const SMALLEST_SINE: f64 = 1e-10;
-        (normal.length() > SMALLEST_SINE * self.s.length() * self.t.length()).then(|| normal.normalize())
+        normal(self.s, self.t)
     }
+}
+
+/// The unit normal s x t, or `None` where the derivatives are parallel or vanish.
+pub(crate) fn normal(s: DVec3, t: DVec3) -> Option<DVec3> {
+    let normal = s.cross(t);
+    // Below this sine the direction of the product is rounding noise.
+    const SMALLEST_SINE: f64 = 1e-10;
+    (normal.length() > SMALLEST_SINE * s.length() * t.length()).then(|| normal.normalize())
 }
 
 impl Patch<'_> {

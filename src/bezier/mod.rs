@@ -11,10 +11,12 @@ mod product_weights;
 mod restrict;
 mod split;
 mod squares;
+mod tangents;
 
 pub use basis::MAX_ORDER;
 pub use derivative_bounds::DerivativeBounds;
 pub use evaluate::Jet;
+pub(crate) use evaluate::normal;
 pub use extract::{BezierModel, PatchGrid, extract};
 pub(crate) use extract::{center_grid, power_of_two_below};
 pub use local_bounds::LocalBounds;

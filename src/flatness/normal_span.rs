@@ -1,9 +1,10 @@
 //! The 2012 paper's criterion: the angle spanned by sampled normals.
 
 use super::{SAMPLES, sample_parameter};
-use crate::bezier::Patch;
-use crate::both::{both, each};
+use crate::bezier::{Patch, normal};
+use crate::both::both;
 use crate::elementary::{acos, cos};
+use crate::gather::Gather;
 use glam::DVec3;
 
 /// A tangent this much shorter than the patch's longest is that of a
@@ -15,21 +16,18 @@ const DEGENERATE_RATIO: f64 = 1e-6;
 ///
 /// Points without a normal are left out.
 pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
-    let mut normals = [None; SAMPLES * SAMPLES];
-    let mut lengths = [[0.0; 2]; SAMPLES * SAMPLES];
-    let mut longest = [0.0_f64; 2];
-    for (index, (normal, lengths)) in normals.iter_mut().zip(&mut lengths).enumerate() {
-        let jet = patch.jet([sample_parameter(index / SAMPLES), sample_parameter(index % SAMPLES)]);
-        *normal = jet.normal();
-        *lengths = [jet.s.length_squared(), jet.t.length_squared()];
-        longest = both(|axis| longest[axis].max(lengths[axis]));
-    }
-    let least = each(longest, |longest| DEGENERATE_RATIO * DEGENERATE_RATIO * longest);
-    for (normal, [s, t]) in normals.iter_mut().zip(lengths) {
-        if s <= least[0] || t <= least[1] {
-            *normal = None;
-        }
-    }
+    let tangents = patch.tangents(&std::array::from_fn::<_, SAMPLES, _>(sample_parameter));
+    let longest = both(|axis| {
+        let lengths = tangents.iter().map(|tangents| tangents[axis].length_squared());
+        DEGENERATE_RATIO * DEGENERATE_RATIO * lengths.fold(0.0, f64::max)
+    });
+    let normals = tangents
+        .iter()
+        .map(|&[s, t]| {
+            let regular = s.length_squared() > longest[0] && t.length_squared() > longest[1];
+            if regular { normal(s, t) } else { None }
+        })
+        .gather();
     if least_cosine(normals.len(), |index| normals[index]) >= cos(tolerance) {
         return None;
     }
