@@ -16,7 +16,8 @@ const made = ".setup/wasm-made-from";
 
 // More is inlined than LLVM would for least size: at 25 the search in float64
 // takes a tenth longer, and at 50 the module is 1 KiB larger, gzipped, for
-// nothing; at 30 it is within its budget. Panics name their places, which shall not name this machine's folders.
+// nothing. With its relocations the linker tells where the data's objects lie.
+// Panics name their places, which shall not name this machine's folders.
 const rustFlags = [
   "-Cllvm-args=-inline-threshold=30",
   "-Clink-arg=--emit-relocs",
