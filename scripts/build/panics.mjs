@@ -10,7 +10,9 @@ const panic = [
   /^(<?alloc|core|__rustc)\[.*::(capacity_overflow|handle(_alloc)?_error)(::<.*>)?$/,
   // What writes the message, and what only messages of panics write.
   /panicking::panic_handler::/,
-  /^<(core\[.*Range<usize>|wgpu_types::texture::format::\w+) as core.*::fmt::Debug>::fmt/,
+  /^<(core\[.*Range<usize>|char|wgpu_types::texture::format::\w+) as core.*::fmt::Debug>::fmt/,
+  /StringError as core.*::fmt::Debug>::fmt$/,
+  /fmt::builders::PadAdapter as /,
 ];
 
 /** Makes traps of the functions that panic; the module must have their names. */

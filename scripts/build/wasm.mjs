@@ -7,17 +7,20 @@ import { must } from "../process.mjs";
 import { toolsEnvironment, toolsFolder } from "../setup/tools.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
 import { shortenImports } from "./imports.mjs";
+import { takeObjects } from "./objects.mjs";
 import { trapPanics } from "./panics.mjs";
-import { blankPlaces } from "./places.mjs";
+import { blankUnused } from "./unused.mjs";
 
 const out = "dist/wasm";
 const made = ".setup/wasm-made-from";
 
 // More is inlined than LLVM would for least size: at 25 the search in float64
 // takes a tenth longer, and at 50 the module is 1 KiB larger, gzipped, for
-// nothing; at 30 it is within its budget. Panics name their places, which shall not name this machine's folders.
+// nothing. With its relocations the linker tells where the data's objects lie.
+// Panics name their places, which shall not name this machine's folders.
 const rustFlags = [
   "-Cllvm-args=-inline-threshold=30",
+  "-Clink-arg=--emit-relocs",
   `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`,
 ].join("\u001f");
 
@@ -66,9 +69,10 @@ export async function buildWasm() {
     ],
     { env: toolsEnvironment({ CARGO_ENCODED_RUSTFLAGS: rustFlags }) },
   );
+  const objects = takeObjects(inRoot(wasmFile));
   await trapPanics(inRoot(wasmFile));
-  blankPlaces(inRoot(wasmFile));
   await must("wasm-opt", [inRoot(wasmFile), "-o", inRoot(wasmFile), ...optimizations]);
+  await blankUnused(inRoot(wasmFile), objects);
   shortenImports(inRoot(wasmFile), inRoot(glueFile));
   // It tells npm to leave the folder out of the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });
