@@ -12,7 +12,7 @@ use crate::both::each;
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
 use crate::gather::Gather;
-use crate::iteration::{Projected, Rule};
+use crate::iteration::{Culling, Projected, Rule};
 use crate::model::RigidTransform;
 use crate::order::by_falling;
 use crate::project::Status;
@@ -111,8 +111,14 @@ impl GpuStages {
         self.compile_seconds
     }
 
+    /// The rule on one group: a single patch needs no tree.
+    fn rule_on(&self, group: &TargetGroup) -> Rule {
+        let culling = if group.count == 1 { Culling::None } else { self.rule.culling };
+        Rule { culling, ..self.rule }
+    }
+
     fn project_kernel(&self, group: &TargetGroup) -> Kernel {
-        let Rule { projection, culling, .. } = self.rule;
+        let Rule { projection, culling, .. } = self.rule_on(group);
         Kernel::Project { degree: group.degree, projection, culling }
     }
 
@@ -286,7 +292,7 @@ impl GpuStages {
             let kernel = self.project_kernel(group);
             let (pipeline, bind_group) = self.bind_project(group);
             let columns = self.sampling.samples;
-            let mut plan = Plan::new(page.len(), columns, group.count, group.degree, &self.rule);
+            let mut plan = Plan::new(page.len(), columns, group.count, group.degree, &self.rule_on(group));
             while let Some((params, size)) = plan.next(self.gpu.pace.chunk(kernel)) {
                 if work.make_room().await? {
                     let of_group = plan.fraction_before();
