@@ -7,6 +7,7 @@
 //! largest bound of all is an upper bound of the directed distance whatever
 //! an iteration did: one that fails can only loosen.
 
+mod candidates;
 mod certify;
 mod climb;
 mod compare;

@@ -1,8 +1,9 @@
 //! A near foot on B, found fast and certified by nobody.
 
 use super::Side;
-use crate::project::{Status, is_beyond, nearest_control, newton_below};
+use crate::project::{Candidate, Status, is_beyond, nearest_control, newton_below};
 use glam::DVec3;
+use std::sync::atomic::Ordering;
 
 /// Newton steps on one patch, at most: bounds hold wherever it stops.
 const ITERATIONS: u32 = 16;
@@ -41,9 +42,26 @@ pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
 }
 
 /// The same, ended by the first foot that is at most `enough` away.
+///
+/// About the point for which B's patches are listed only those are looked at,
+/// from where they were near it, in the order of their bounds.
 pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
     let until = enough.max(0.0) * enough;
     let mut best = known;
+    if let Some(about) = &side.candidates {
+        let moved = about.center.distance(target);
+        if moved < about.room() {
+            for &Candidate { patch, parameters, least } in &about.list {
+                if least - moved >= best.distance_squared.sqrt() || best.distance_squared <= until {
+                    break;
+                }
+                look(side, target, patch, parameters, &known, &mut best);
+            }
+            if best.distance_squared.sqrt() <= about.reach - moved {
+                return best;
+            }
+        }
+    }
     let nodes = side.target.tree.nodes();
     let least = |index: usize| nodes[index].aabb.min_distance_squared(target);
     let mut waiting = [(0.0_f64, 0_usize); STACK];
@@ -75,19 +93,25 @@ pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough
             if is_beyond(&view, target, start, best.distance_squared) {
                 continue;
             }
-            // On the known foot's patch, only another valley is news.
-            let stale =
-                patch == known.patch && view.point(start).distance_squared(target) >= best.distance_squared;
-            if stale {
-                continue;
-            }
-            let foot = foot_below(side, target, patch, start, best.distance_squared);
-            if foot.distance_squared < best.distance_squared {
-                best = foot;
-            }
+            look(side, target, patch, start, &known, &mut best);
         }
     }
     best
+}
+
+/// The foot from a start on a patch, if it is nearer than the best.
+fn look(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], known: &Foot, best: &mut Foot) {
+    // On the known foot's patch, only another valley is news.
+    let stale = patch == known.patch
+        && side.patch(patch).point(start).distance_squared(target) >= best.distance_squared;
+    if stale {
+        return;
+    }
+    side.looks.fetch_add(1, Ordering::Relaxed);
+    let foot = foot_below(side, target, patch, start, best.distance_squared);
+    if foot.distance_squared < best.distance_squared {
+        *best = foot;
+    }
 }
 
 /// Deeper than a tree that halves the patches can be, with indices of 32 bits.

@@ -1,13 +1,13 @@
 //! Stage `raise`: the farthest samples, certified, raise the lower bound.
 
-use super::Search;
 use super::climb::climb;
 use super::corners::Sample;
 use super::nearest::{Foot, foot_on};
 use super::search::{Bounded, Farthest, Interval};
+use super::{Search, Side};
 use crate::gather::Gather;
 use crate::order::by_falling;
-use crate::project::closest_above;
+use crate::project::{Closest, closest_above};
 use glam::DVec3;
 
 /// Farthest samples of a chunk that are certified, at most.
@@ -26,9 +26,8 @@ const FOOT_PART: f64 = 0.25;
 impl Search<'_> {
     /// The nearest foot by the search that certifies, unless the known one is nearer.
     pub(super) fn surest(&self, point: DVec3, known: Foot) -> Foot {
-        let target = self.b.target;
         let start = Some((known.patch, known.parameters));
-        match closest_above(&target.patches, &target.tree, point, FOOT_PART * self.tolerance, start, 0.0) {
+        match self.closest(point, FOOT_PART * self.tolerance, start, 0.0) {
             Some(found) if found.upper * found.upper < known.distance_squared => {
                 foot_on(&self.b, point, found.patch as u32, found.parameters)
             }
@@ -123,9 +122,14 @@ impl Search<'_> {
         floor: f64,
     ) -> Option<Farthest> {
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
-        let target = self.b.target;
-        let mut closest = closest_above(&target.patches, &target.tree, point, width, known, floor)?;
+        let mut closest = self.closest(point, width, known, floor)?;
         closest.lower = (closest.lower - self.rounding).max(0.0);
         Some(Farthest { patch, parameters, point, closest })
+    }
+
+    /// The closest point of B, by the list of patches where that suffices.
+    fn closest(&self, point: DVec3, gap: f64, known: Option<(u32, [f64; 2])>, floor: f64) -> Option<Closest> {
+        let Side { target, candidates, .. } = &self.b;
+        closest_above(&target.patches, &target.tree, point, gap, known, floor, candidates.as_ref())
     }
 }

@@ -238,6 +238,7 @@ impl<'a> Search<'a> {
             return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
         }
         let regions = self.queue.next(CHUNK);
+        self.list_candidates(&regions[0]);
         let enough = self.enough();
         let bounded = map_short(regions.len(), |index| {
             let region = &regions[index];

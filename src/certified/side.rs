@@ -3,8 +3,10 @@
 use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
 use crate::iteration::Target;
 use crate::model::RigidTransform;
+use crate::project::Candidates;
 use crate::symmetry::Revolution;
 use glam::DVec3;
+use std::sync::atomic::AtomicUsize;
 
 /// Patches with their tree and derivative bounds.
 #[derive(Debug)]
@@ -13,12 +15,16 @@ pub(crate) struct Side<'a> {
     pub(super) bounds: &'a [LocalBounds],
     /// What each surface is, where that is known.
     pub(super) revolutions: &'a [Option<Revolution>],
+    /// The patches near a point about which many others are looked at.
+    pub(super) candidates: Option<Candidates>,
+    /// Patches looked at since those were listed.
+    pub(super) looks: AtomicUsize,
 }
 
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
-        Self { target, bounds, revolutions: &[] }
+        Self { target, bounds, revolutions: &[], candidates: None, looks: AtomicUsize::new(0) }
     }
 
     /// Knowing what each surface is.

@@ -1,6 +1,6 @@
 //! The closest point of a whole model, with a certificate.
 
-use super::{DistanceForm, Foot, Stationary, is_beyond, nearest_control, newton};
+use super::{Candidates, DistanceForm, Foot, Stationary, is_beyond, nearest_control, newton};
 use crate::bezier::{Patch, PatchSet};
 use crate::both::{both, each};
 use crate::tree::BoxTree;
@@ -80,11 +80,14 @@ impl Ord for Entry {
 /// halves, those not beyond a plane bounded by a [`DistanceForm`]. O(log patches) in general position.
 #[must_use]
 pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> Option<Closest> {
-    closest_above(patches, tree, target, gap, None, 0.0)
+    closest_above(patches, tree, target, gap, None, 0.0, None)
 }
 
 /// The same from a point that is known, a patch and its parameters, and given
 /// up, with whatever gap, where the distance is at most `floor`.
+///
+/// Where the known point is nearer than any patch that is not among
+/// `candidates` can be, by their lemma, only they are examined.
 pub(crate) fn closest_above(
     patches: &PatchSet,
     tree: &BoxTree,
@@ -92,6 +95,7 @@ pub(crate) fn closest_above(
     gap: f64,
     known: Option<(u32, [f64; 2])>,
     floor: f64,
+    candidates: Option<&Candidates>,
 ) -> Option<Closest> {
     let mut search = Search { patches, target, heap: BinaryHeap::new(), best: None };
     let root = tree.nodes().first()?;
@@ -99,7 +103,16 @@ pub(crate) fn closest_above(
         let distance_squared = patches.patch(patch as usize).point(parameters).distance_squared(target);
         search.offer(patch, parameters, distance_squared);
     }
-    search.push(root.aabb.min_distance_squared(target), Item::Node(0));
+    let upper = search.upper();
+    let moved = |about: &&Candidates| about.center.distance(target);
+    if let Some(about) = candidates.filter(|about| upper <= about.reach - moved(about)) {
+        for candidate in &about.list {
+            let least = (candidate.least - moved(&about)).max(0.0);
+            search.push(least * least, Item::Patch(candidate.patch, None));
+        }
+    } else {
+        search.push(root.aabb.min_distance_squared(target), Item::Node(0));
+    }
     let mut pieces = 0;
     let mut lower_squared = f64::INFINITY;
     while let Some(Entry { least, item }) = search.heap.pop() {
@@ -209,12 +222,8 @@ impl Search<'_> {
 
     /// Offers what an iteration ended at.
     fn foot(&mut self, index: u32, foot: Foot) -> Stationary {
-        let Foot { parameters, distance_squared, .. } = foot;
-        self.offer(index, parameters, distance_squared);
-        let jet = self.patches.patch(index as usize).jet(parameters);
-        let residual = jet.point - self.target;
-        let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
-        Stationary { parameters, distance_squared, gradient }
+        self.offer(index, foot.parameters, foot.distance_squared);
+        Stationary::new(&self.patches.patch(index as usize), self.target, &foot)
     }
 
     fn push_piece(

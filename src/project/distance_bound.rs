@@ -1,6 +1,7 @@
 //! Lower bounds of the distance from a point to a patch.
 
-use crate::bezier::{MAX_ORDER, product_weights};
+use super::Foot;
+use crate::bezier::{MAX_ORDER, Patch, product_weights};
 use crate::both::each;
 use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -32,6 +33,17 @@ pub struct Stationary {
     pub distance_squared: f64,
     /// Its derivatives by s and t.
     pub gradient: [f64; 2],
+}
+
+impl Stationary {
+    /// Where an iteration ended.
+    pub(crate) fn new(patch: &Patch<'_>, target: DVec3, foot: &Foot) -> Self {
+        let Foot { parameters, distance_squared, .. } = *foot;
+        let jet = patch.jet(parameters);
+        let residual = jet.point - target;
+        let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
+        Self { parameters, distance_squared, gradient }
+    }
 }
 
 impl DistanceForm {

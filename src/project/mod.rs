@@ -1,11 +1,13 @@
 //! Foot points: the nearest point of a patch, and of a model.
 
+mod candidates;
 mod closest;
 mod distance_bound;
 mod newton;
 mod start;
 mod tangent_plane;
 
+pub(crate) use candidates::{Candidate, Candidates};
 pub(crate) use closest::closest_above;
 pub use closest::{Closest, closest};
 pub use distance_bound::{DistanceForm, Stationary};

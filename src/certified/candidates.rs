@@ -1,0 +1,44 @@
+//! Patches of B listed about the farthest point, around which the last cells lie.
+
+use super::Search;
+use super::region::{Part, Region};
+use crate::project::Candidates;
+
+/// Patches looked at by parts of patches before a list is worth its making,
+/// which costs about as much.
+const MOST_LOOKS: usize = 256;
+
+/// How much farther than the farthest point's patch others are listed, in radii
+/// of a cell: its corners are two from that point, and so move both distances.
+const ROOM: f64 = 4.0;
+
+/// The same relative to the distance, at most: of a longer list, most would
+/// never be looked at.
+const LARGEST_ROOM: f64 = 0.03;
+
+impl Search<'_> {
+    /// Lists the patches near the farthest point before cells like this one are
+    /// bounded, if so many were looked at that it pays, and unless the point is
+    /// within a cell's radius of the last list's.
+    pub(super) fn list_candidates(&mut self, region: &Region) {
+        let looks = self.b.looks.get_mut();
+        let cell = match &region.part {
+            Part::Cell(cell) if !cell.is_whole() => cell,
+            _ => {
+                *looks = 0;
+                return;
+            }
+        };
+        let Some(best) = self.farthest.filter(|_| *looks >= MOST_LOOKS) else { return };
+        let [s, t] = self.a.whole_bounds(cell.patch).first;
+        let radius = cell.half[0] * s + cell.half[1] * t;
+        let stale = |about: &Candidates| about.center.distance(best.point) > radius;
+        if self.b.candidates.as_ref().is_none_or(stale) {
+            *looks = 0;
+            let distance = best.closest.upper;
+            let reach = distance + (ROOM * radius).min(LARGEST_ROOM * distance);
+            let target = self.b.target;
+            self.b.candidates = Some(Candidates::new(&target.patches, &target.tree, best.point, reach));
+        }
+    }
+}
