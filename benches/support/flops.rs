@@ -13,32 +13,35 @@ use naga::{
     BinaryOperator, Block, Expression, Function, GlobalVariable, Handle, Literal, MathFunction, Module,
     Range, ScalarKind, Span, Statement, TypeInner,
 };
+use regex::Regex;
 
-/// Where a kernel ends, and what is written there instead.
+/// Where a kernel ends, as a pattern, since its variables have lost their
+/// names, and what is written there instead.
 #[derive(Clone, Copy)]
 pub(crate) struct End([&'static str; 2]);
 
 /// `project` adds to `Best.s`, over the groups of patches; what is there
 /// before is 0, or a parameter, so less than one operation.
 pub(crate) const PROJECT: End = End([
-    "best[sample] = search.known;",
-    "let flops_before = best[sample].s;\nbest[sample] = search.known;\nbest[sample].s = flops_before + f32(flops);",
+    r"best\[(\w+)\]=(\w+)\.known;",
+    "let flops_before=best[$1].s;best[$1]=$2.known;best[$1].s=flops_before+f32(flops);",
 ]);
 
 /// `cell` writes `Best.s`.
 pub(crate) const CELL: End = End([
-    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),own.foot_at.x,own.foot_at.y);",
-    "best[id.x] = Best(seed,own.foot | (ITERATION_LIMIT << STATUS_SHIFT),f32(flops),own.foot_at.y);",
+    r"(best\[\w+\.x\]=Best\(\w+,\w+\.foot\|\(ITERATION_LIMIT<<STATUS_SHIFT\)),\w+\.foot_at\.x,(\w+\.foot_at\.y\);)",
+    "$1,f32(flops),$2",
 ]);
 
 /// `certify` writes `Cell.reach`.
-pub(crate) const CERTIFY: End = End(["cells[id.x] = own;", "own.reach = f32(flops);\ncells[id.x] = own;"]);
+pub(crate) const CERTIFY: End = End([r"cells\[(\w+)\.x\]=(\w+);", "$2.reach=f32(flops);cells[$1.x]=$2;"]);
 
 /// The kernel with the operations made written where its end says. Exact
 /// below 2^24 a thread.
 pub(crate) fn counting(text: &str, End([end, counted]): End) -> String {
-    assert!(text.contains(end), "the kernel ends in another way");
-    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(end, counted));
+    let end = Regex::new(end).expect("a pattern");
+    assert!(end.is_match(text), "the kernel ends in another way: {text}");
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", end.replace_all(text, counted));
     let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
     let info = validated(&module);
     let (flops, _) = module

@@ -5,6 +5,7 @@ use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::distance::PreparedModel;
 use nurbs_hausdorff::gpu::{Gpu, LevelBench};
+use nurbs_hausdorff::shapes::operations::cut_model;
 use std::rc::Rc;
 
 /// Degrees that the kernels are measured for.
@@ -21,9 +22,16 @@ const CELLS: usize = 8192;
 const MOVED: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-5;
 
-/// A net of these degrees and itself moved, cut into cells.
+/// Where the copy is cut, inside spans: patches alike would bound each other.
+const CUTS: [&[f64]; 2] = [&[0.03], &[0.03]];
+
+/// A net of these degrees and its pieces moved, cut into cells.
 pub(crate) fn bench(gpu: &Rc<Gpu>, degree: [usize; 2]) -> LevelBench {
-    let model = PreparedModel::new(&models::rough(degree, [SPANS; 2], 1.0, 1));
+    let net = models::rough(degree, [SPANS; 2], 1.0, 1);
+    let pieces = PreparedModel::new(&cut_model(&net, CUTS).expect("fractions inside"));
+    let model = PreparedModel::new(&net);
     let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, MOVED)).expect("finite");
-    LevelBench::new(gpu, [&model, &model], transform, TOLERANCE, CELLS).expect("a GPU").expect("enough cells")
+    LevelBench::new(gpu, [&model, &pieces], transform, TOLERANCE, CELLS)
+        .expect("a GPU")
+        .expect("enough cells")
 }
