@@ -35,8 +35,7 @@ const DEGENERATE: f64 = 1e-12;
 /// Bounds over the whole patch, and over parts, made when first asked for.
 #[derive(Debug)]
 pub struct LocalBounds {
-    /// Over [0, 1]^2.
-    pub whole: DerivativeBounds,
+    whole: OnceLock<DerivativeBounds>,
     /// The parameters, by axis, at which the patch's controls tell points of
     /// the model: [0, 1], and a little more where it was cut.
     pub room: [[f64; 2]; 2],
@@ -51,10 +50,15 @@ struct Parts {
 }
 
 impl LocalBounds {
-    /// Of `patch`, for which `room` must hold. O(p q).
+    /// Of a patch for which `room` holds.
     #[must_use]
-    pub fn new(patch: &Patch<'_>, room: [[f64; 2]; 2]) -> Self {
-        Self { whole: patch.derivative_bounds(), room, parts: OnceLock::new() }
+    pub fn new(room: [[f64; 2]; 2]) -> Self {
+        Self { whole: OnceLock::new(), room, parts: OnceLock::new() }
+    }
+
+    /// Bounds over [0, 1]^2 of the patch that these are of. O(p q) at first.
+    pub fn whole(&self, patch: &Patch<'_>) -> &DerivativeBounds {
+        self.whole.get_or_init(|| patch.derivative_bounds())
     }
 
     /// Bounds over the box, which must lie in the room, of the patch that
@@ -64,17 +68,17 @@ impl LocalBounds {
     pub fn over(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
         let inside = |axis: usize| low[axis] >= 0.0 && high[axis] <= 1.0;
         if inside(0) && inside(1) && (0..2).any(|axis| high[axis] - low[axis] > WIDE) {
-            return self.whole;
+            return *self.whole(patch);
         }
-        let Parts { lines, bounds } =
-            self.parts.get_or_init(|| Parts::new(patch, self.whole.radius, self.room));
+        let radius = self.whole(patch).radius;
+        let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.room));
         let touched = both(|axis| {
             let lines = &lines[axis];
             let first = lines.partition_point(|&line| line <= low[axis]).clamp(1, lines.len() - 1) - 1;
             first..lines.partition_point(|&line| line < high[axis]).clamp(first + 1, lines.len() - 1)
         });
         let [rows, columns] = touched;
-        let mut all = DerivativeBounds { radius: self.whole.radius, ..DerivativeBounds::default() };
+        let mut all = DerivativeBounds { radius, ..DerivativeBounds::default() };
         for s in rows {
             for t in columns.clone() {
                 let part =

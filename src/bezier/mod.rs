@@ -24,3 +24,4 @@ pub(crate) use local_bounds::{BEYOND, MOST_DEGREES};
 pub use patch::{Patch, PatchSet};
 pub(crate) use product_weights::product_weights;
 pub(crate) use squares::{lengths, squares};
+pub(crate) use tangents::GridBasis;

@@ -5,17 +5,28 @@ use super::{MAX_ORDER, Patch};
 use crate::both::both;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-impl Patch<'_> {
-    /// The first derivatives by s and t at (s, t) = (`at[i]`, `at[j]`), in
-    /// place `i N + j`: as of [`Patch::jet`], with what samples share computed
-    /// once. O(N p q + N^2 p).
-    pub(crate) fn tangents<const N: usize>(&self, at: &[f64; N]) -> Vec<[DVec3; 2]> {
-        let mut bases: [[Basis<MAX_ORDER>; N]; 2] = [[[[0.0; MAX_ORDER]; 3]; N]; 2];
-        for (bases, degree) in bases.iter_mut().zip(self.degree) {
-            for (basis, &parameter) in bases.iter_mut().zip(at) {
-                fill(basis, degree, parameter);
+/// The Bernstein polynomials in s and t at N parameters.
+#[derive(Debug)]
+pub(crate) struct GridBasis<const N: usize>([[Basis<MAX_ORDER>; N]; 2]);
+
+impl<const N: usize> GridBasis<N> {
+    /// Of these degrees. O(N (p^2 + q^2)).
+    pub(crate) fn new(degree: [usize; 2], at: impl Fn(usize) -> f64) -> Self {
+        let mut bases = [[[[0.0; MAX_ORDER]; 3]; N]; 2];
+        for (bases, degree) in bases.iter_mut().zip(degree) {
+            for (index, basis) in bases.iter_mut().enumerate() {
+                fill(basis, degree, at(index));
             }
         }
+        Self(bases)
+    }
+}
+
+impl Patch<'_> {
+    /// The first derivatives by s and t on the grid of parameters of `basis`,
+    /// which must be of the patch's degrees: of the i-th and the j-th in place
+    /// `i N + j`, as of [`Patch::jet`]. O(N p q + N^2 p).
+    pub(crate) fn tangents<const N: usize>(&self, GridBasis(bases): &GridBasis<N>) -> Vec<[DVec3; 2]> {
         let columns = self.degree[1] + 1;
         let mut tangents = vec![[DVec3::ZERO; 2]; N * N];
         // By row: the point and the derivative by t.

@@ -16,6 +16,7 @@ use crate::model::RigidTransform;
 use crate::parallel::map_short;
 use crate::project::{Closest, Status};
 use glam::DVec3;
+use std::cell::OnceCell;
 
 /// Regions bounded between two looks at the largest distance: enough to keep
 /// all threads busy, few enough that a better distance spares work soon.
@@ -126,7 +127,7 @@ impl<'a> Search<'a> {
         let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
         let root = Region {
             part: Part::Node(0),
-            upper: farthest_corners(&a, &b, &transform).min(farthest_correspondence(&a, &b, &transform)),
+            upper: farthest_corners(&a, &b, &transform).min(farthest_at_once(&a, &b, &transform)),
             foot: Foot::start(0, [0.5; 2]),
             level: 0,
         };
@@ -258,7 +259,7 @@ impl<'a> Search<'a> {
                     let first = parts.len();
                     region.split_into(&self.a, &self.profiles, upper, bounded.foot, &mut parts);
                     if matches!(region.part, Part::Node(_)) {
-                        self.limit_by_correspondence(&mut parts[first..]);
+                        self.limit_at_once(&mut parts[first..]);
                     }
                 }
                 _ => {
@@ -271,11 +272,11 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// Bounds whole patches by their likes on B.
-    fn limit_by_correspondence(&self, parts: &mut [Region]) {
+    /// Bounds whole patches at once where that can be.
+    fn limit_at_once(&self, parts: &mut [Region]) {
         for part in parts {
             if let Part::Cell(cell) = &part.part {
-                part.upper = part.upper.min(correspond(&self.a, &self.b, &self.transform, cell.patch));
+                part.upper = part.upper.min(at_once(&self.a, &self.b, &self.transform, cell.patch));
             }
         }
     }
@@ -325,7 +326,9 @@ impl<'a> Search<'a> {
     fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
         let patch = self.a.patch(cell.patch);
         let [low, high] = [cell.at([-1.0; 2]), cell.at([1.0; 2])];
-        let bounds = &self.a.bounds(cell.patch, low, high);
+        // Beside a sphere they are not needed.
+        let bounds = OnceCell::new();
+        let bounds = || bounds.get_or_init(|| self.a.bounds(cell.patch, low, high));
         let jet = moved(&patch.jet(cell.center), &self.transform);
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         let by_foot = |foot: &Foot| {
@@ -335,7 +338,7 @@ impl<'a> Search<'a> {
             if upper <= enough {
                 upper
             } else {
-                upper.min(certify(cell, &jet, bounds, &self.b, foot, enough))
+                upper.min(certify(cell, &jet, bounds(), &self.b, foot, enough))
             }
         };
         let mut foot = known;
@@ -351,7 +354,7 @@ impl<'a> Search<'a> {
         let same = cell.is_whole() && known.distance_squared == region.foot.distance_squared;
         if !follow && !same {
             let [h, k] = cell.half;
-            let radius = h * bounds.first[0] + k * bounds.first[1];
+            let radius = h * bounds().first[0] + k * bounds().first[1];
             foot = nearest_within(&self.b, jet.point, known, enough - radius);
         }
         // The parent's middle was told to be about as far as no point may be, and
@@ -369,7 +372,8 @@ impl<'a> Search<'a> {
         if upper > enough {
             upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
         }
-        let corners = Corners { cell: *cell, patch, bounds, transform: &self.transform, b: &self.b };
+        let corners =
+            Corners { cell: *cell, patch, bounds: bounds(), transform: &self.transform, b: &self.b };
         if upper > enough && corners.may_suffice(&foot, enough) {
             upper = upper.min(corners.bound(&foot, enough, &mut sample));
         }
@@ -379,14 +383,22 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The largest bound of A's patches by their likes on B, infinite once one has none.
-fn farthest_correspondence(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+/// At least the distance to B of every point of a patch of A, if its like on B
+/// or a sphere tells it.
+fn at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
+    let sphere = b.revolutions.iter().flatten().find_map(|of_b| of_b.sphere);
+    let beside = |sphere| on_sphere(&Cell::whole(index), &a.patch(index), transform, &sphere);
+    correspond(a, b, transform, index).min(sphere.map_or(f64::INFINITY, beside))
+}
+
+/// The largest of all A's patches, infinite once one has none.
+fn farthest_at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
     let mut largest = 0.0_f64;
     for index in 0..a.target.patches.len() {
         if largest == f64::INFINITY {
             break;
         }
-        largest = largest.max(correspond(a, b, transform, index as u32));
+        largest = largest.max(at_once(a, b, transform, index as u32));
     }
     largest
 }

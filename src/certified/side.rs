@@ -38,7 +38,7 @@ impl<'a> Side<'a> {
 
     /// Derivative bounds of a whole patch.
     pub(super) fn whole_bounds(&self, index: u32) -> &'a DerivativeBounds {
-        &self.bounds[index as usize].whole
+        self.bounds[index as usize].whole(&self.patch(index))
     }
 
     /// Derivative bounds over a box in the patch's room.

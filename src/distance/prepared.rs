@@ -4,13 +4,13 @@ use crate::bezier::{BezierModel, LocalBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten, rooms};
+use crate::gather::Gather;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuCells;
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::CellTree;
 use crate::iteration::{Sampling, SamplingRule, Target};
 use crate::model::Model;
-use crate::parallel::map_short;
 use crate::symmetry::{Revolution, revolutions};
 use crate::tree::Aabb;
 use std::cell::{OnceCell, RefCell};
@@ -42,10 +42,9 @@ pub(crate) struct PreparedTarget {
 impl PreparedTarget {
     /// The patches as method `certified` wants them, which were cut from those of `model`.
     pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Side<'a> {
-        let patches = &self.target.patches;
         let bounds = || {
-            let rooms = rooms(&model.bezier.patches, patches);
-            map_short(patches.len(), |index| LocalBounds::new(&patches.patch(index), rooms[index]))
+            let rooms = rooms(&model.bezier.patches, &self.target.patches);
+            rooms.into_iter().map(LocalBounds::new).gather()
         };
         Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
     }

@@ -7,7 +7,7 @@ mod rooms;
 
 pub use rooms::rooms;
 
-use crate::bezier::{Patch, PatchSet, center_grid};
+use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
 
 /// When a patch counts as flat.
@@ -35,11 +35,11 @@ const SAMPLES: usize = 4;
 
 impl Flatness {
     /// The direction to halve `patch` along, or `None` if it is flat.
-    fn direction(self, patch: &Patch<'_>) -> Option<usize> {
+    fn direction(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<usize> {
         let [s, t] = match self {
             Self::None => return None,
-            Self::Loose => normal_span::excess(patch, 45_f64.to_radians())?,
-            Self::Tight => normal_span::excess(patch, 25_f64.to_radians())?,
+            Self::Loose => normal_span::excess(patch, basis, 45_f64.to_radians())?,
+            Self::Tight => normal_span::excess(patch, basis, 25_f64.to_radians())?,
             Self::Curvature => curvature::excess(patch, 45_f64.to_radians())?,
         };
         Some(usize::from(t > s))
@@ -59,7 +59,10 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
     for part in map_ranges(patches.len(), |range| {
         let mut part = PatchSet::default();
         for index in range {
-            cut(&mut part, patches.patch(index), flatness, grid, MOST_HALVINGS);
+            let patch = patches.patch(index);
+            let basis = GridBasis::new(patch.degree, sample_parameter);
+            let cutting = Cutting { flatness, basis, grid };
+            cutting.cut(&mut part, patch, MOST_HALVINGS);
         }
         part
     }) {
@@ -68,18 +71,27 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
     flat
 }
 
-fn cut(flat: &mut PatchSet, patch: Patch<'_>, flatness: Flatness, grid: f64, halvings: u32) {
-    let direction = if halvings > 0 { flatness.direction(&patch) } else { None };
-    let Some(axis) = direction else {
-        if halvings == MOST_HALVINGS {
-            flat.push(patch)
-        } else {
-            flat.push_centered(patch, grid)
+/// How patches of one pair of degrees are cut.
+struct Cutting {
+    flatness: Flatness,
+    basis: GridBasis<SAMPLES>,
+    grid: f64,
+}
+
+impl Cutting {
+    fn cut(&self, flat: &mut PatchSet, patch: Patch<'_>, halvings: u32) {
+        let direction = if halvings > 0 { self.flatness.direction(&patch, &self.basis) } else { None };
+        let Some(axis) = direction else {
+            if halvings == MOST_HALVINGS {
+                flat.push(patch)
+            } else {
+                flat.push_centered(patch, self.grid)
+            }
+            return;
+        };
+        for (controls, domain) in patch.halves(axis).iter().zip(patch.half_domains(axis)) {
+            self.cut(flat, Patch { controls, domain, ..patch }, halvings - 1);
         }
-        return;
-    };
-    for (controls, domain) in patch.halves(axis).iter().zip(patch.half_domains(axis)) {
-        cut(flat, Patch { controls, domain, ..patch }, flatness, grid, halvings - 1);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The 2012 paper's criterion: the angle spanned by sampled normals.
 
-use super::{SAMPLES, sample_parameter};
-use crate::bezier::{Patch, normal};
+use super::SAMPLES;
+use crate::bezier::{GridBasis, Patch, normal};
 use crate::both::both;
 use crate::elementary::{acos, cos};
 use crate::gather::Gather;
@@ -14,9 +14,10 @@ const DEGENERATE_RATIO: f64 = 1e-6;
 /// The largest angle between normals of the same s-line and t-line, if some
 /// two normals of the patch are more than `tolerance` radians apart.
 ///
-/// Points without a normal are left out.
-pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
-    let tangents = patch.tangents(&std::array::from_fn::<_, SAMPLES, _>(sample_parameter));
+/// Points without a normal are left out; `basis` is of the patch's degrees at
+/// the sample parameters.
+pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f64) -> Option<[f64; 2]> {
+    let tangents = patch.tangents(basis);
     let longest = both(|axis| {
         let lengths = tangents.iter().map(|tangents| tangents[axis].length_squared());
         DEGENERATE_RATIO * DEGENERATE_RATIO * lengths.fold(0.0, f64::max)

@@ -3,7 +3,7 @@
 use super::{Projected, Rule};
 use crate::bezier::{Patch, PatchSet};
 use crate::both::each;
-use crate::parallel::map;
+use crate::gather::Gather;
 use crate::project::{Foot, Projection, Status, nearest_control, newton, tangent_plane};
 use crate::tree::BoxTree;
 use glam::DVec3;
@@ -32,7 +32,7 @@ impl Target {
     /// Builds the tree. O(n log n).
     #[must_use]
     pub fn new(patches: PatchSet) -> Self {
-        let boxes = map(patches.len(), |index| patches.patch(index).bounding_box());
+        let boxes = patches.iter().map(|patch| patch.bounding_box()).gather();
         Self { tree: BoxTree::new(&boxes), patches }
     }
 }
