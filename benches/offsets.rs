@@ -10,7 +10,7 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::distance::{Backend, Engine, Options, PreparedModel, Silent};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
-use nurbs_hausdorff::shapes::{shape, sphere, torus};
+use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Rounds of which the fastest is told.
@@ -55,6 +55,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
 
 fn pairs() -> Vec<Pair> {
     let ball = |radius| sphere(DVec3::ZERO, radius).expect("a sphere");
+    let [offset, copy] = [1.1, 1.0].map(|radius| sphere_parts([1.0, radius]).expect("parts of spheres"));
     let ring = |tube| torus(3.0, tube).expect("a torus");
     let sheet = shape("wavy-sheet").expect("a sheet");
     let [[start, end], _] = sheet.surfaces()[0].domain();
@@ -78,5 +79,7 @@ fn pairs() -> Vec<Pair> {
         pair("a sphere of 1 turned in one of 1.25", &ball(1.0), &ball(1.25), askew),
         pair("the other way", &ball(1.25), &ball(1.0), askew),
         pair("a torus on itself turned", &ring(1.0), &ring(1.0), aside),
+        pair("a part of a sphere in one of 1.1", &offset[0], &offset[1], still),
+        pair("a part of a sphere on a sphere", &copy[0], &copy[1], still),
     ]
 }
