@@ -1,12 +1,16 @@
 //! Method `certified`: an interval to the tolerance that the user asks for.
 //!
-//! A is cut into cells. `certify` bounds the distance to B from above over a
-//! whole cell, from the foot of its centre alone; `search` halves the cells
-//! whose bound is not yet within the tolerance of the largest distance found;
-//! `lower` certifies that distance. Every cell ends with a bound, so the
+//! Whole patches are bounded `at_once` where their likes on B or a sphere tell
+//! it, and of surfaces of revolution about one axis only a `profile` is taken.
+//! The rest of A is cut into cells. `certify` bounds the distance to B from
+//! above over a whole cell, from the foot of its centre alone, `compare` by the
+//! polynomials of both, `corners` where the nearest patch changes; `search`
+//! halves the cells whose bound is not yet within the tolerance of the largest
+//! distance found; `raise` certifies that distance. Every cell ends with a bound, so the
 //! largest bound of all is an upper bound of the directed distance whatever
 //! an iteration did: one that fails can only loosen.
 
+mod at_once;
 mod candidates;
 mod certify;
 mod climb;

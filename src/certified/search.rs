@@ -1,10 +1,10 @@
 //! Stage `search`: halving cells until the interval is as narrow as asked.
 
 use super::Side;
+use super::at_once::{at_once, farthest_at_once, farthest_corners};
 use super::certify::certify;
 use super::compare::compare;
 use super::corners::{Corners, Sample};
-use super::correspond::correspond;
 use super::nearest::{Foot, foot_on, nearest, nearest_within};
 use super::on_sphere::on_sphere;
 use super::profile::Profiles;
@@ -381,43 +381,4 @@ impl<'a> Search<'a> {
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
         Bounded { upper, foot, patch: cell.patch, sample }
     }
-}
-
-/// At least the distance to B of every point of a patch of A, if its like on B
-/// or a sphere tells it.
-fn at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
-    let sphere = b.revolutions.iter().flatten().find_map(|of_b| of_b.sphere);
-    let beside = |sphere| on_sphere(&Cell::whole(index), &a.patch(index), transform, &sphere);
-    correspond(a, b, transform, index).min(sphere.map_or(f64::INFINITY, beside))
-}
-
-/// The largest of all A's patches, infinite once one has none.
-fn farthest_at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
-    let mut largest = 0.0_f64;
-    for index in 0..a.target.patches.len() {
-        if largest == f64::INFINITY {
-            break;
-        }
-        largest = largest.max(at_once(a, b, transform, index as u32));
-    }
-    largest
-}
-
-/// The largest distance between points of the two models' boxes: a convex
-/// function's largest value over A's box is at a corner.
-fn farthest_corners(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
-    let (Some(a), Some(b)) = (a.target.tree.nodes().first(), b.target.tree.nodes().first()) else {
-        return 0.0;
-    };
-    let pick = |bit: usize, low: f64, high: f64| if bit == 0 { low } else { high };
-    let corner = |index: usize| {
-        let (min, max) = (a.aabb.min, a.aabb.max);
-        DVec3::new(
-            pick(index & 1, min.x, max.x),
-            pick(index & 2, min.y, max.y),
-            pick(index & 4, min.z, max.z),
-        )
-    };
-    let distance_squared = |index| b.aabb.max_distance_squared(transform.apply(corner(index)));
-    (0..8).map(distance_squared).fold(0.0, f64::max).sqrt()
 }
