@@ -6,7 +6,7 @@
 //! says of the distance is not believed, only its parameters are evaluated.
 
 use super::sheet::Sheet;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec2Swizzles};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
@@ -74,10 +74,13 @@ impl<'a> Target<'a> {
 
     /// Whether a point of the target within `limit` is found; looks harder and
     /// harder before it says no. `like` is where the point lies on its own
-    /// model, of which the target may be a copy.
+    /// model, of which the target may be a copy, or a transposed one.
     pub(crate) fn is_within(&self, point: DVec3, limit: f64, like: (usize, DVec2)) -> bool {
         let squared = limit * limit;
-        let alike = |sheet: &Sheet| sheet.point(sheet.clamp(like.1)).distance_squared(point) <= squared;
+        let alike = |sheet: &Sheet| {
+            let places = [like.1, like.1.yx()];
+            places.iter().any(|&place| sheet.point(sheet.clamp(place)).distance_squared(point) <= squared)
+        };
         self.sheets.get(like.0).is_some_and(alike)
             || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
