@@ -94,17 +94,19 @@ fn iteration_prints_one_object_with_every_key() {
 fn certified_is_the_default_and_keeps_its_tolerance() {
     let a = file("sphere.json", &shape("sphere").unwrap().to_json().unwrap());
     let b = file("larger.json", &shape("sphere-larger").unwrap().to_json().unwrap());
-    let result = printed(&run(&["distance", &a, &b, "--tolerance", "1e-4", "--json", "--symmetric"]));
+    // Radii of 2 and 2.2, the centres 0.5 apart: the same both ways.
+    let moved = ["distance", &a, &b, "--translate", "0.3,0.4,0", "--json"];
+    let result = printed(&run(&[&moved[..], &["--tolerance", "1e-4", "--symmetric"]].concat()));
     assert_eq!(result["method"], "certified");
     let [lower, upper, tolerance] = ["lower", "upper", "tolerance"].map(|key| result[key].as_f64().unwrap());
-    assert!(lower <= 0.2 + 1e-12 && 0.2 - 1e-12 <= upper);
+    assert!(lower <= 0.7 + 1e-12 && 0.7 - 1e-12 <= upper);
     assert!(upper - lower <= tolerance * 1.000_001, "{lower} {upper} {tolerance}");
     assert!((tolerance - 1e-4 * result["diagonal"].as_f64().unwrap()).abs() < 1e-15);
     for key in ["forward", "reverse"] {
         assert!(result[key]["cells"].as_u64().unwrap() > 0);
         assert!(result[key]["levels"].as_u64().unwrap() > 0);
     }
-    let absolute = printed(&run(&["distance", &a, &b, "--tolerance", "0.01", "--absolute", "--json"]));
+    let absolute = printed(&run(&[&moved[..], &["--tolerance", "0.01", "--absolute"]].concat()));
     assert_eq!(absolute["tolerance"], 0.01);
 }
 
