@@ -12,28 +12,47 @@ const square = (height) => ({
 /** One square at each height. */
 export const planes = (...heights) => ({ surfaces: heights.map(square) });
 
-/** x, y and w of a circle's control points (The NURBS Book, section 7.5). */
-const circle = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((eighth) => {
-  const [angle, corner] = [(eighth * Math.PI) / 4, eighth % 2 === 1];
-  const [size, weight] = corner ? [Math.SQRT2, Math.SQRT1_2] : [1, 1];
-  return [size * Math.cos(angle), size * Math.sin(angle), weight];
-});
+/** x, y and w of an arc's control points, `quarters` from an angle on (The NURBS Book, section 7.5). */
+const arc = (from, quarters) =>
+  Array.from({ length: 2 * quarters + 1 }, (_, eighth) => {
+    const [angle, corner] = [from + (eighth * Math.PI) / 4, eighth % 2 === 1];
+    const [size, weight] = corner ? [Math.SQRT2, Math.SQRT1_2] : [1, 1];
+    return [size * Math.cos(angle), size * Math.sin(angle), weight];
+  });
 
-/** How far a point of an uneven sphere of radius 2 or so is off, and another's with it, at most. */
-export const UNEVEN = 1e-7;
+const knots = (quarters) => {
+  const inner = Array.from({ length: 2 * (quarters - 1) }, (_, index) => 1 + Math.floor(index / 2));
+  return [0, 0, 0, ...inner, quarters, quarters, quarters];
+};
 
-/** A sphere whose control points are off by 1e-8 of its size, so that none knows it for a sphere. */
-export function unevenSphere(radius) {
-  const uneven = (i, j) => radius * (1 + 1e-8 * Math.sin(i + j / radius));
-  const ctrl = circle.map(([x, y, around], i) =>
-    [...circle.slice(6, 8), ...circle.slice(0, 3)].map(([out, up, along], j) => {
-      const scale = uneven(i, j);
-      return [scale * out * x, scale * out * y, scale * up, around * along];
+/** Turned a little about an axis that is none of the sphere's. */
+function turned([x, y, z]) {
+  const [cos, sin] = [Math.cos(0.2), Math.sin(0.2)];
+  const [a, b] = [cos * x - sin * y, sin * x + cos * y];
+  return [a, cos * b - sin * z, sin * b + cos * z];
+}
+
+/** Quarters of a sphere round from an angle on, and along from a latitude on. */
+function spherePart(radius, [round, rounds], [along, alongs], turn) {
+  const ctrl = arc(round, rounds).map(([x, y, weight]) =>
+    arc(along, alongs).map(([out, up, weightAlong]) => {
+      const point = [radius * out * x, radius * out * y, radius * up];
+      return [...turn(point), weight * weightAlong];
     }),
   );
-  const knots_u = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4];
-  return { surfaces: [{ degree: [2, 2], knots_u, knots_v: [0, 0, 0, 1, 1, 2, 2, 2], ctrl }] };
+  const surface = { degree: [2, 2], knots_u: knots(rounds), knots_v: knots(alongs), ctrl };
+  return { surfaces: [surface] };
 }
+
+/**
+ * A quarter of a sphere of radius 2 around -x, turned, and three quarters of
+ * one of 2.2 around it: 0.2 from each other all over, which nothing but ever
+ * smaller cells tells. Minutes at 1e-9.
+ */
+export const sphereParts = {
+  a: spherePart(2, [0.75 * Math.PI, 1], [-0.25 * Math.PI, 1], turned),
+  b: spherePart(2.2, [0, 3], [-0.5 * Math.PI, 2], (point) => point),
+};
 
 /** What a file input takes for a file of this text. */
 export const file = (name, text) => ({
