@@ -107,6 +107,6 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
 }
 
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
+pub(super) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
 }

@@ -21,6 +21,7 @@ pub use extract::{BezierModel, PatchGrid, extract};
 pub(crate) use extract::{center_grid, power_of_two_below};
 pub use local_bounds::LocalBounds;
 pub(crate) use local_bounds::{BEYOND, MOST_DEGREES};
+pub(crate) use patch::relative;
 pub use patch::{Patch, PatchSet};
 pub(crate) use product_weights::product_weights;
 pub(crate) use squares::{lengths, squares};

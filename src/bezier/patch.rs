@@ -1,6 +1,7 @@
 //! Storage of many Bézier patches.
 
 use crate::both::each;
+use crate::gather::Gather;
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -44,6 +45,11 @@ impl Patch<'_> {
         let local = self.local_points().fold(Aabb::EMPTY, Aabb::with);
         Aabb { min: local.min + self.center, max: local.max + self.center }
     }
+}
+
+/// Homogeneous controls relative to `point` of what they were relative to.
+pub(crate) fn relative(controls: &[DVec4], point: DVec3) -> Vec<DVec4> {
+    controls.iter().map(|control| (control.xyz() - control.w * point).extend(control.w)).gather()
 }
 
 #[derive(Debug, Clone)]

@@ -1,9 +1,9 @@
 //! Halving a patch.
 
 use super::extract::center_of;
+use super::patch::relative;
 use super::{Patch, PatchSet};
-use crate::gather::Gather;
-use glam::{DVec3, DVec4, Vec4Swizzles};
+use glam::{DVec3, DVec4};
 
 impl Patch<'_> {
     /// The controls of the two halves of the patch along `axis` (0: s, else t),
@@ -48,11 +48,7 @@ impl PatchSet {
     pub(crate) fn push_centered(&mut self, patch: Patch<'_>, grid: f64) {
         let shift: DVec3 =
             center_of(patch.local_points().map(|point| point + patch.center), grid) - patch.center;
-        let controls: Vec<DVec4> = patch
-            .controls
-            .iter()
-            .map(|control| (control.xyz() - control.w * shift).extend(control.w))
-            .gather();
+        let controls = relative(patch.controls, shift);
         self.push(Patch { center: patch.center + shift, controls: &controls, ..patch });
     }
 }

@@ -1,6 +1,7 @@
 //! Tangents of a patch on a grid.
 
 use super::basis::{Basis, fill};
+use super::evaluate::contract;
 use super::{MAX_ORDER, Patch};
 use crate::both::both;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -29,16 +30,18 @@ impl Patch<'_> {
     pub(crate) fn tangents<const N: usize>(&self, GridBasis(bases): &GridBasis<N>) -> Vec<[DVec3; 2]> {
         let columns = self.degree[1] + 1;
         let mut tangents = vec![[DVec3::ZERO; 2]; N * N];
-        // By row: the point and the derivative by t.
-        let mut rows = [[DVec4::ZERO; 2]; MAX_ORDER];
+        // By row: the points and the derivatives by t.
+        let mut rows = [[DVec4::ZERO; MAX_ORDER]; 2];
         for (j, in_t) in bases[1].iter().enumerate() {
-            for (row, controls) in rows.iter_mut().zip(self.controls.chunks_exact(columns)) {
-                *row = both(|order| sum(controls.iter().copied(), &in_t[order]));
+            for (index, row) in self.controls.chunks_exact(columns).enumerate() {
+                for order in 0..2 {
+                    rows[order][index] = contract(row, &in_t[order]);
+                }
             }
+            let [points, derivatives] = rows.each_ref().map(|row| &row[..=self.degree[0]]);
             for (i, in_s) in bases[0].iter().enumerate() {
-                let along = |order: usize| rows[..=self.degree[0]].iter().map(move |row| row[order]);
-                let point = sum(along(0), &in_s[0]);
-                let derivatives = [sum(along(0), &in_s[1]), sum(along(1), &in_s[0])];
+                let point = contract(points, &in_s[0]);
+                let derivatives = [contract(points, &in_s[1]), contract(derivatives, &in_s[0])];
                 let local = point.xyz() / point.w;
                 tangents[i * N + j] =
                     both(|axis| (derivatives[axis].xyz() - derivatives[axis].w * local) / point.w);
@@ -46,8 +49,4 @@ impl Patch<'_> {
         }
         tangents
     }
-}
-
-fn sum(controls: impl Iterator<Item = DVec4>, basis: &[f64]) -> DVec4 {
-    controls.zip(basis).fold(DVec4::ZERO, |sum, (control, &value)| sum + value * control)
 }

@@ -10,9 +10,8 @@ use glam::DVec3;
 /// At least the distance to B of every point of a patch of A, if its like on B
 /// or a sphere tells it.
 pub(super) fn at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
-    let sphere = b.revolutions.iter().flatten().find_map(|of_b| of_b.sphere);
     let beside = |sphere| on_sphere(&Cell::whole(index), &a.patch(index), transform, &sphere);
-    correspond(a, b, transform, index).min(sphere.map_or(f64::INFINITY, beside))
+    correspond(a, b, transform, index).min(b.sphere.map_or(f64::INFINITY, beside))
 }
 
 /// The largest of all A's patches, infinite once one has none.

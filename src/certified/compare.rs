@@ -5,10 +5,10 @@ use super::foot_map::FootMap;
 use super::nearest::Foot;
 use super::region::Cell;
 use super::side::Side;
-use crate::bezier::{Jet, Patch, product_weights, squares};
+use crate::bezier::{Jet, Patch, product_weights, relative, squares};
 use crate::both::both;
 use crate::model::RigidTransform;
-use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
+use glam::{DVec2, DVec4, Vec4Swizzles};
 
 /// How much of a foot's way may be along the other parameter, and be cut off
 /// at the edge of the patch, for the map to count as one along the axes.
@@ -81,20 +81,19 @@ pub(super) fn compare(
         [middle - reach, middle + reach]
     });
     let controls = target.restricted(image[0], image[1]);
+    let origin = jet.point;
+    let controls = turned(&controls, target.degree, swapped, along.map(|way| way < 0.0));
     let y = Net {
         degree: if swapped { [target.degree[1], target.degree[0]] } else { target.degree },
-        controls: turned(&controls, target.degree, swapped, along.map(|way| way < 0.0)),
+        controls: relative(&controls, origin - target.center),
     };
     let range = both(|axis| [cell.center[axis] - cell.half[axis], cell.center[axis] + cell.half[axis]]);
-    let x = Net { degree: patch.degree, controls: patch.restricted(range[0], range[1]) };
-    let origin = jet.point;
-    let about = |center: DVec3| {
-        let shift = center - origin;
-        move |control: DVec4| (control.xyz() + control.w * shift).extend(control.w)
-    };
-    let rotated = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
-    let x = x.each(|control| about(transform.apply(patch.center))(rotated(control)));
-    let y = y.each(|control| about(target.center)(*control));
+    let mut controls = patch.restricted(range[0], range[1]);
+    for control in &mut controls {
+        *control = transform.rotate(control.xyz()).extend(control.w);
+    }
+    let x =
+        Net { degree: patch.degree, controls: relative(&controls, origin - transform.apply(patch.center)) };
     x.largest_difference(&y)
 }
 
@@ -120,13 +119,6 @@ struct Net {
 }
 
 impl Net {
-    fn each(mut self, of: impl Fn(&DVec4) -> DVec4) -> Self {
-        for control in &mut self.controls {
-            *control = of(control);
-        }
-        self
-    }
-
     /// At least the largest distance between points of equal parameters.
     fn largest_difference(&self, other: &Self) -> f64 {
         let ([p, q], [m, n]) = (self.degree, other.degree);
@@ -147,7 +139,7 @@ impl Net {
         for coefficient in &quotient {
             longest = longest.max(coefficient.xyz().length_squared());
         }
-        for [length_squared, weight_squared] in squares(&quotient, [p + m, q + n]) {
+        for (length_squared, weight_squared) in squares([p + m, q + n], &quotient) {
             largest = largest.max(length_squared / weight_squared);
         }
         let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());

@@ -26,8 +26,9 @@ impl Profiles {
     pub(super) fn new(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, tolerance: f64) -> Self {
         let mut profiles = Self { round: Vec::with_capacity(a.revolutions.len()), slack: 0.0 };
         for of_a in a.revolutions {
-            let slack = of_a.as_ref().map_or(f64::INFINITY, |of_a| slack(of_a, b, transform));
-            let use_it = slack <= MOST_SLACK * tolerance;
+            let most = MOST_SLACK * tolerance;
+            let slack = of_a.as_ref().map_or(f64::INFINITY, |of_a| slack(of_a, b, transform, most));
+            let use_it = slack <= most;
             profiles.slack = profiles.slack.max(if use_it { slack } else { 0.0 });
             profiles.round.push(of_a.as_ref().filter(|_| use_it).map(|of_a| (of_a.round, of_a.start)));
         }
@@ -55,8 +56,9 @@ impl Profiles {
 
 /// By how much the points of a circle of A may differ in their distance to B:
 /// twice how far A's surface, and B's, are from surfaces of revolution, and
-/// what turns about the two axes differ by; infinite if B has others.
-fn slack(of_a: &Revolution, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+/// what turns about the two axes differ by; infinite if B has others, and
+/// not looked at further once it is above `enough`.
+fn slack(of_a: &Revolution, b: &Side<'_>, transform: &RigidTransform, enough: f64) -> f64 {
     let axis = of_a.axis.moved(transform);
     let mut most = if b.revolutions.is_empty() { f64::INFINITY } else { 0.0_f64 };
     for of_b in b.revolutions {
@@ -68,6 +70,9 @@ fn slack(of_a: &Revolution, b: &Side<'_>, transform: &RigidTransform) -> f64 {
             _ => f64::INFINITY,
         };
         most = most.max(slack);
+        if most > enough {
+            break;
+        }
     }
     2.0 * of_a.off + most
 }

@@ -4,7 +4,7 @@ use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
 use crate::iteration::Target;
 use crate::model::RigidTransform;
 use crate::project::Candidates;
-use crate::symmetry::Revolution;
+use crate::symmetry::{Revolution, Sphere};
 use glam::DVec3;
 use std::sync::atomic::AtomicUsize;
 
@@ -15,6 +15,8 @@ pub(crate) struct Side<'a> {
     pub(super) bounds: &'a [LocalBounds],
     /// What each surface is, where that is known.
     pub(super) revolutions: &'a [Option<Revolution>],
+    /// A sphere among them.
+    pub(super) sphere: Option<Sphere>,
     /// The patches near a point about which many others are looked at.
     pub(super) candidates: Option<Candidates>,
     /// Patches looked at since those were listed.
@@ -24,12 +26,13 @@ pub(crate) struct Side<'a> {
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
-        Self { target, bounds, revolutions: &[], candidates: None, looks: AtomicUsize::new(0) }
+        Self { target, bounds, revolutions: &[], sphere: None, candidates: None, looks: AtomicUsize::new(0) }
     }
 
     /// Knowing what each surface is.
     pub(crate) fn with(self, revolutions: &'a [Option<Revolution>]) -> Self {
-        Self { revolutions, ..self }
+        let sphere = revolutions.iter().flatten().find_map(|surface| surface.sphere);
+        Self { revolutions, sphere, ..self }
     }
 
     pub(super) fn patch(&self, index: u32) -> Patch<'a> {

@@ -171,9 +171,7 @@ impl Engine {
 mod tests {
     use super::*;
     use crate::distance::Silent;
-    use crate::model::{Model, RigidTransform, SurfaceArrays};
-    use crate::shapes::{shape, sphere};
-    use glam::{DQuat, DVec3};
+    use crate::shapes::{shape, sphere_parts};
 
     /// An engine on a GPU, or `None` and a visible line if the environment allows it.
     fn engine(test: &str) -> Option<Engine> {
@@ -208,21 +206,8 @@ mod tests {
         assert!(!engine.has_gpu());
     }
 
-    /// How far the control points of an uneven sphere are off, relative to its size.
-    const UNEVEN: f64 = 1e-6;
-
-    fn uneven_sphere(radius: f64) -> Model {
-        let sphere = sphere(DVec3::ZERO, radius).unwrap();
-        let surface = &sphere.surfaces()[0];
-        let mut control_points = surface.control_points().to_vec();
-        for (index, [x, y, z, _]) in control_points.iter_mut().enumerate() {
-            let scale = 1.0 + UNEVEN * (index as f64 / radius).sin();
-            (*x, *y, *z) = (scale * *x, scale * *y, scale * *z);
-        }
-        let knots = [surface.knots(0).to_vec(), surface.knots(1).to_vec()];
-        let (degree, counts) = (surface.degree(), surface.counts());
-        Model::from_arrays(None, vec![SurfaceArrays { degree, knots, counts, control_points }]).unwrap()
-    }
+    /// Rounding of a distance between models of size 1.
+    const ROUNDING: f64 = 1e-12;
 
     #[test]
     fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
@@ -230,12 +215,10 @@ mod tests {
         // As if it were no processor, as `auto` has no use for one's kernels.
         let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().taken_for_hardware();
         engine.gpu.replace(Some(Rc::new(gpu)));
-        // All of A is about equally far from B, and neither is known by its form: many cells.
-        let [a, b] = [1.0, 1.1].map(|radius| PreparedModel::new(&uneven_sphere(radius)));
-        let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
-        let transform = RigidTransform::new(turn, DVec3::ZERO).unwrap();
+        // All of A is equally far from B, and nothing tells that at once: many cells.
+        let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model));
         let run = |backend| {
-            let options = Options { tolerance: 2e-5, transform, backend, ..Options::default() };
+            let options = Options { backend, ..Options::default() };
             pollster::block_on(engine.distance(&a, &b, &options, &mut Silent))
         };
         let offend = || engine.gpu.borrow().as_ref().unwrap().offend();
@@ -249,7 +232,7 @@ mod tests {
         let details = failed.certified.unwrap();
         assert_eq!((failed.backend, failed.adapter), ("cpu", None));
         assert_eq!(details.cpu_cells, details.cells);
-        assert!(failed.converged && failed.lower < 0.1 + 3.0 * UNEVEN && 0.1 - 3.0 * UNEVEN < failed.upper);
+        assert!(failed.converged && failed.lower < 0.1 + ROUNDING && 0.1 - ROUNDING < failed.upper);
         let notice = failed.notice.unwrap();
         assert!(
             notice.contains("offence") && notice.ends_with("; the rest was computed on the CPU"),

@@ -1,11 +1,9 @@
 //! Lower bounds of the distance from a point to a patch.
 
 use super::Foot;
-use crate::bezier::{MAX_ORDER, Patch, product_weights};
+use crate::bezier::{Patch, relative, squares};
 use crate::both::each;
-use crate::gather::Gather;
 use glam::{DVec3, DVec4, Vec4Swizzles};
-use std::sync::OnceLock;
 
 /// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
 const ROUNDINGS_PER_DEGREE: f64 = 4.0;
@@ -52,27 +50,8 @@ impl DistanceForm {
     #[must_use]
     pub fn new(degree: [usize; 2], controls: &[DVec4], target: DVec3) -> Self {
         let [p, q] = degree;
-        let (columns, doubled) = (q + 1, 2 * q + 1);
-        let mut products = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
-        let weights = [square_weights(p), square_weights(q)];
-        let relative: Vec<DVec4> =
-            controls.iter().map(|control| (control.xyz() - control.w * target).extend(control.w)).gather();
-        // Every pair of rows once, as its product counts twice.
-        for i in 0..=p {
-            for k in i..=p {
-                let in_s = weights[0][i * (p + 1) + k] * if i == k { 1.0 } else { 2.0 };
-                for j in 0..=q {
-                    let left = relative[i * columns + j];
-                    for l in 0..=q {
-                        let right = relative[k * columns + l];
-                        let weight = in_s * weights[1][j * columns + l];
-                        let product = &mut products[(i + k) * doubled + j + l];
-                        product.0 += weight * left.xyz().dot(right.xyz());
-                        product.1 += weight * left.w * right.w;
-                    }
-                }
-            }
-        }
+        let relative = relative(controls, target);
+        let products = squares(degree, &relative);
         let largest = relative.iter().fold(0.0_f64, |largest, y| largest.max(y.xyz().length_squared()));
         let unit = (ROUNDINGS_PER_DEGREE * (p + q) as f64 + ROUNDINGS_BESIDES) * f64::EPSILON;
         Self { degree: [2 * p, 2 * q], products, unit, largest }
@@ -144,10 +123,4 @@ impl DistanceForm {
         // What is no number bounds nothing: `max` passes over it.
         least.max(0.0).min(known.distance_squared)
     }
-}
-
-/// The weights of a square's products, made once a degree.
-fn square_weights(degree: usize) -> &'static [f64] {
-    static MADE: [OnceLock<Vec<f64>>; MAX_ORDER] = [const { OnceLock::new() }; MAX_ORDER];
-    MADE[degree].get_or_init(|| product_weights(degree, degree))
 }

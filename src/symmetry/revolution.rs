@@ -180,7 +180,7 @@ impl Arc {
             bent = bent.max((weight / (arc[i].w * start.z) - 1.0).abs());
             is_short &= unit(i).dot(from + to) > 0.0;
         }
-        let [least, largest] = lengths(&arc, [orders[0] - 1, 0]);
+        let [least, largest] = lengths([orders[0] - 1, 0], &arc);
         off += WEIGHTS * bent * reach + (largest - 1.0).max(1.0 - least) * widest;
         Some(Self { off, reach, widest, from, to, is_short, profile })
     }

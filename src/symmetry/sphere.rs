@@ -1,8 +1,8 @@
 //! Spheres.
 
 use super::line::Line;
-use crate::bezier::{Patch, lengths};
-use glam::{DVec3, DVec4, Vec4Swizzles};
+use crate::bezier::{Patch, lengths, relative};
+use glam::DVec3;
 
 /// A sphere that lies on a surface whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,23 +23,16 @@ impl Sphere {
         profile: impl Iterator<Item = Patch<'a>>,
         mut off: f64,
     ) -> Self {
-        let (center, radius) = (ends[0].midpoint(ends[1]), 0.5 * ends[0].distance(ends[1]));
         off += axis.way_to(ends[0]).length().max(axis.way_to(ends[1]).length());
-        let mut apart = 0.0_f64;
-        for patch in profile {
-            let [least, largest] = lengths(&controls_from(center, &patch), patch.degree);
-            apart = apart.max(largest - radius).max(radius - least);
-        }
-        Self { center, radius, off: off + apart }
+        let sphere = Self { center: ends[0].midpoint(ends[1]), radius: 0.5 * ends[0].distance(ends[1]), off };
+        Self { off: profile.fold(off, |apart, patch| apart.max(sphere.farthest(&patch))), ..sphere }
     }
-}
 
-/// The patch's controls relative to another point.
-fn controls_from(point: DVec3, patch: &Patch<'_>) -> Vec<DVec4> {
-    let shift = patch.center - point;
-    let mut controls = patch.controls.to_vec();
-    for control in &mut controls {
-        *control = (control.xyz() + control.w * shift).extend(control.w);
+    /// At least the distance of every point of the patch to the surface:
+    /// `| |a - c| - r |`, with `|a - c|` between the lengths that the controls
+    /// relative to the centre allow. O(p^2 q^2).
+    pub(crate) fn farthest(&self, patch: &Patch<'_>) -> f64 {
+        let [least, largest] = lengths(patch.degree, &relative(patch.controls, self.center - patch.center));
+        (largest - self.radius).max(self.radius - least) + self.off
     }
-    controls
 }
