@@ -12,16 +12,32 @@ pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T
 }
 
 /// Items of some microseconds that are not worth waking another thread for.
-#[cfg(not(target_arch = "wasm32"))]
 const FEW: usize = 8;
+
+/// Whether so many items, which take microseconds, are done on this thread.
+pub(crate) fn is_few(count: usize) -> bool {
+    count < FEW
+}
 
 /// [`map`] of items that take microseconds.
 pub(crate) fn map_short<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(not(target_arch = "wasm32"))]
-    if count < FEW {
+    if is_few(count) {
         return (0..count).map(work).collect();
     }
     map(count, work)
+}
+
+/// `work` that calls [`map`] several times, as one of the threads that share it:
+/// from elsewhere, every call would wait for one of them to wake.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn together<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    rayon::scope(|_| work())
+}
+
+/// `work` itself.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn together<T>(work: impl FnOnce() -> T) -> T {
+    work()
 }
 
 /// `work` on 0 to `count`, results in order.

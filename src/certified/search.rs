@@ -13,7 +13,7 @@ use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
-use crate::parallel::map_short;
+use crate::parallel::{is_few, map_short, together};
 use crate::project::{Closest, Status};
 use glam::DVec3;
 use std::cell::OnceCell;
@@ -230,8 +230,24 @@ impl<'a> Search<'a> {
         self.limit.map_or(within, |limit| within.max(limit - self.rounding))
     }
 
-    /// Bounds the next chunk of regions; `Some` when there is nothing left to do.
+    /// Bounds about the next chunk of regions; `Some` when there is nothing left to do.
     pub(crate) fn advance(&mut self) -> Option<Stop> {
+        if is_few(self.queue.len()) {
+            return self.advance_once();
+        }
+        let most = self.cells + CHUNK;
+        together(|| {
+            loop {
+                let stop = self.advance_once();
+                if stop.is_some() || self.cells >= most {
+                    return stop;
+                }
+            }
+        })
+    }
+
+    /// Bounds the regions that wait, up to a chunk.
+    fn advance_once(&mut self) -> Option<Stop> {
         if self.limit.is_some_and(|limit| self.lower() > limit) {
             return Some(Stop::Converged);
         }
