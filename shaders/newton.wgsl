@@ -8,14 +8,12 @@ const RESIDUAL_ROUNDING: f32 = 1e-6;
 const STALLED_DECREASE: f32 = 1e-6;
 const MOST_HALVINGS: u32 = 8u;
 
-// The largest cosine between the residual and a free tangent, rounding taken off.
-fn stationarity(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<bool>) -> f32 {
+// Whether the cosines between the residual and the free tangents are small, rounding taken off.
+fn is_stationary(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<bool>) -> bool {
     let size = length(residual);
     let tangents = vec2<f32>(length(jet.s), length(jet.t));
     let rounding = RESIDUAL_ROUNDING * (tangents.x + tangents.y + size);
-    let room = abs(gradient) - tangents * rounding;
-    let cosines = select(vec2<f32>(0.0), room / (tangents * size), free & (room > vec2<f32>(0.0)));
-    return max(cosines.x, cosines.y);
+    return !any(free & (abs(gradient) > tangents * (rounding + STATIONARY_COSINE * size)));
 }
 
 // The minimum of the quadratic model inside the patch, as far as one cut at an edge finds it.
@@ -23,7 +21,8 @@ fn newton_step(at: vec2<f32>, gradient: vec2<f32>, hessian: vec3<f32>, freed: ve
     let weight = vec2<f32>(hessian.x, hessian.z);
     let least = DEGENERATE_RATIO * max(weight.x, weight.y);
     let free = freed & (weight > vec2<f32>(least));
-    let alone = select(vec2<f32>(0.0), -gradient / weight, free);
+    let inverse = 1.0 / weight;
+    let alone = select(vec2<f32>(0.0), -gradient * inverse, free);
     if !all(free) {
         return alone;
     }
@@ -34,14 +33,14 @@ fn newton_step(at: vec2<f32>, gradient: vec2<f32>, hessian: vec3<f32>, freed: ve
     var full = vec2<f32>(
         hessian.y * gradient.y - hessian.z * gradient.x,
         hessian.y * gradient.x - hessian.x * gradient.y,
-    ) / determinant;
+    ) * (1.0 / determinant);
     let in_s = clamp(at.x + full.x, 0.0, 1.0) - at.x;
     if in_s != full.x {
-        full = vec2<f32>(in_s, -(gradient.y + hessian.y * in_s) / weight.y);
+        full = vec2<f32>(in_s, -(gradient.y + hessian.y * in_s) * inverse.y);
     }
     let in_t = clamp(at.y + full.y, 0.0, 1.0) - at.y;
     if in_t != full.y {
-        full = vec2<f32>(-(gradient.x + hessian.y * in_t) / weight.x, in_t);
+        full = vec2<f32>(-(gradient.x + hessian.y * in_t) * inverse.x, in_t);
     }
     return full;
 }
@@ -67,8 +66,10 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         let next_value = dot(residual, residual);
         if !(next_value < value) {
             halvings++;
-            if halvings > MOST_HALVINGS {
-                status = select(ITERATION_LIMIT, settled(free), decrease <= STALLED_DECREASE * value);
+            // No shorter step decreases it beyond rounding either.
+            let stalled = decrease <= STALLED_DECREASE * value;
+            if stalled || halvings > MOST_HALVINGS {
+                status = select(ITERATION_LIMIT, settled(free), stalled);
                 break;
             }
             scale *= 0.5;
@@ -80,7 +81,7 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         let pushed_below = (at <= vec2<f32>(0.0)) & (gradient > vec2<f32>(0.0));
         let pushed_above = (at >= vec2<f32>(1.0)) & (gradient < vec2<f32>(0.0));
         free = !(pushed_below | pushed_above);
-        if stationarity(jet, residual, gradient, free) <= STATIONARY_COSINE {
+        if is_stationary(jet, residual, gradient, free) {
             status = settled(free);
             break;
         }

@@ -61,7 +61,7 @@ pub(crate) fn newton_below(
         let residual = jet.point - target;
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
         let free = both(|axis| !pushes_out(at[axis], gradient[axis]));
-        if stationarity(&jet, residual, gradient, free) <= STATIONARY_COSINE {
+        if is_stationary(&jet, residual, gradient, free) {
             return Foot { parameters: at, distance_squared: value, status: settled(free) };
         }
         let hessian = hessian(&jet, residual, free);
@@ -82,8 +82,9 @@ pub(crate) fn newton_below(
                 break;
             }
             halvings += 1;
-            if halvings > MOST_HALVINGS {
-                let stalled = decrease <= STALLED_DECREASE * value;
+            // No shorter step decreases it beyond rounding either.
+            let stalled = decrease <= STALLED_DECREASE * value;
+            if stalled || halvings > MOST_HALVINGS {
                 let status = if stalled { settled(free) } else { Status::IterationLimit };
                 return Foot { parameters: at, distance_squared: value, status };
             }
@@ -101,18 +102,13 @@ fn pushes_out(parameter: f64, gradient: f64) -> bool {
     (parameter <= 0.0 && gradient > 0.0) || (parameter >= 1.0 && gradient < 0.0)
 }
 
-/// The largest cosine between the residual and a free tangent, rounding taken off.
-fn stationarity(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]) -> f64 {
-    let length = residual.length();
-    let rounding = RESIDUAL_ROUNDING * (jet.s.length() + jet.t.length() + length);
-    let mut cosine = 0.0_f64;
-    for (axis, tangent) in [jet.s, jet.t].into_iter().enumerate() {
-        let room = gradient[axis].abs() - tangent.length() * rounding;
-        if free[axis] && room > 0.0 {
-            cosine = cosine.max(room / (tangent.length() * length));
-        }
-    }
-    cosine
+/// Whether the cosines between the residual and the free tangents are small, rounding taken off.
+fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]) -> bool {
+    let size = residual.length();
+    let tangents = [jet.s.length(), jet.t.length()];
+    let rounding = RESIDUAL_ROUNDING * (tangents[0] + tangents[1] + size);
+    let most = rounding + STATIONARY_COSINE * size;
+    (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * most))
 }
 
 /// `[ss, st, tt]` of ½|S - target|², full if positive definite on the free
