@@ -36,7 +36,7 @@ struct Search {
 }
 
 fn offer(before: Search, patch_index: u32, point: vec3<f32>) -> Search {
-    let local = point - centers[patch_index].xyz;
+    let local = point - center_of(patch_index);
     let found = foot(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
     var after = before;
     after.turns += (found.evaluations + 1u) * TURNS_OF_EVALUATION;
@@ -56,8 +56,9 @@ fn sample_of(id: vec3<u32>, groups: vec3<u32>) -> u32 {
     }
     let across = (params.columns + 3u) / 4u;
     let tile = index / 8u;
-    let column = tile % across * 4u + index % 4u;
-    let row = tile / across * 2u + index / 4u % 2u;
+    let down = tile / across;
+    let column = (tile - down * across) * 4u + index % 4u;
+    let row = down * 2u + index / 4u % 2u;
     return select(params.sample_count, row * params.columns + column, column < params.columns);
 }
 
@@ -70,7 +71,7 @@ fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgr
     var search = Search(best[sample], 0u);
     let point = samples[sample].xyz;
     for (var k = 0u; k < params.patch_count; k++) {
-        take((params.first_patch + k) * PATCH_SIZE, exists);
+        take(params.first_patch + k, exists);
         if exists {
             search = offer(search, params.first_patch + k, point);
         }

@@ -59,9 +59,12 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
                 break;
             }
             if (place & 1u) == 0u {
-                keys_above[height] = keys;
-                parents_above[height] = parent;
-                height++;
+                // Nothing is above the root.
+                if place != 0u {
+                    keys_above[height] = keys;
+                    parents_above[height] = parent;
+                    height++;
+                }
                 parent = place >> 1u;
                 let child = parent * LANES + lane;
                 let distance = gap(nodes[2u * child], nodes[2u * child + 1u], least, most);
@@ -72,7 +75,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
                     break;
                 }
                 if any_of(wanted) {
-                    take((place >> 1u) * PATCH_SIZE, wanted);
+                    take(place >> 1u, wanted);
                     pending = select(pending, place >> 1u, wanted);
                 }
             }
@@ -113,8 +116,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
             search = offer(search, pending, point);
             pending = NOWHERE;
         }
-        // The numbers are small enough for float32.
-        search.turns = u32(largest(f32(search.turns)));
+        search.turns = u32(most_of(i32(search.turns)));
         reach = largest(search.known.distance_squared);
     }
     if exists {

@@ -14,13 +14,17 @@ pub(super) const MOST_KEPT: usize = 36;
 
 /// `join`, which all threads of a subgroup must call first, and what they find
 /// out together: broadcasts, which llvmpipe has instructions for, unlike
-/// `subgroupMin` and its kind.
+/// `subgroupAny`, `subgroupMin` and their kind, for which it loops over the
+/// lanes. Of floats that are not all negative, the largest is found by their
+/// bits, in whose order there is no NaN to look for.
 pub(super) fn write_together(text: &mut String, lanes: usize) -> std::fmt::Result {
     writeln!(text, "const LANES: u32 = {lanes}u;\nvar<private> lane: u32;")?;
     writeln!(text, "fn join() {{ lane = subgroupExclusiveAdd(1u); }}")?;
-    writeln!(text, "fn any_of(wanted: bool) -> bool {{ return subgroupAny(wanted); }}")?;
+    writeln!(text, "fn any_of(wanted: bool) -> bool {{ return most_of(select(0, 1, wanted)) == 1; }}")?;
+    let largest = "bitcast<f32>(most_of(bitcast<i32>(own)))";
+    writeln!(text, "fn largest(own: f32) -> f32 {{ return {largest}; }}")?;
     for (name, kind, of) in
-        [("least_of", "u32", "min"), ("largest", "f32", "max"), ("largest3", "vec3<f32>", "max")]
+        [("least_of", "u32", "min"), ("most_of", "i32", "max"), ("largest3", "vec3<f32>", "max")]
     {
         writeln!(text, "fn {name}(own: {kind}) -> {kind} {{")?;
         for k in 0..lanes {
@@ -35,12 +39,17 @@ pub(super) fn write_together(text: &mut String, lanes: usize) -> std::fmt::Resul
     Ok(())
 }
 
-/// `take`, after which `blend` and `nearest_control` work on the patch taken by
-/// the threads that wanted it. All threads of a subgroup must call it.
+/// `take`, after which `center_of`, `blend` and `nearest_control` work on the
+/// patch taken by the threads that wanted it. All threads of a subgroup must
+/// call it.
 pub(super) fn write_kept(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
     let size = (p + 1) * (q + 1);
     writeln!(text, "var<private> net: array<vec4<f32>, {size}>;")?;
-    writeln!(text, "fn take(first: u32, wanted: bool) {{")?;
+    writeln!(text, "var<private> center: vec3<f32>;")?;
+    writeln!(text, "fn center_of(patch_index: u32) -> vec3<f32> {{ return center; }}")?;
+    writeln!(text, "fn take(patch_index: u32, wanted: bool) {{\nlet first = patch_index * PATCH_SIZE;")?;
+    writeln!(text, "var middle = vec3<f32>(0.0);\nif lane == 0u {{ middle = centers[patch_index].xyz; }}")?;
+    writeln!(text, "center = select(center, subgroupBroadcast(middle, 0u), wanted);")?;
     for first in (0..size).step_by(lanes) {
         let part = first / lanes;
         writeln!(text, "var part{part} = vec4<f32>(0.0);\nif lane < {}u {{", size - first)?;

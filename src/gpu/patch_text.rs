@@ -49,7 +49,8 @@ pub(super) const BLEND: [(&str, [&str; 2]); 6] = [
 /// Functions that read the controls where they are wanted.
 fn write_alone(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
     let (rows, columns) = (p + 1, q + 1);
-    writeln!(text, "fn take(first: u32, wanted: bool) {{}}")?;
+    writeln!(text, "fn take(patch_index: u32, wanted: bool) {{}}")?;
+    writeln!(text, "fn center_of(patch_index: u32) -> vec3<f32> {{ return centers[patch_index].xyz; }}")?;
     let terms = list(q + 1, " + ", &|j| format!("basis[{j}] * controls[first + {j}u]"));
     writeln!(text, "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {terms}; }}")?;
     writeln!(text, "fn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{\nvar sums: Blend;")?;
