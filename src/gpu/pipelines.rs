@@ -64,9 +64,8 @@ impl Kernel {
     /// The WGSL text of the kernel, for subgroups of `lanes` threads that load
     /// together, or for threads that load alone if 0.
     pub(super) fn text(self, lanes: u32) -> String {
-        let common = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
         match self {
-            Self::Sample { degree } => [&common, &patch_text(degree, 0), JET, PATCH, BEST, SAMPLE].concat(),
+            Self::Sample { degree } => joined(&patch_text(degree, 0), &[JET, PATCH, BEST, SAMPLE]),
             Self::Project { degree, projection, culling } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
@@ -78,15 +77,15 @@ impl Kernel {
                     Culling::Tree if lanes > 0 => PROJECT_PACKET,
                     Culling::Tree => PROJECT_TREE,
                 };
-                [&common, &patch_text(degree, lanes), JET, PATCH, BEST, FOOT, step, PROJECT, search].concat()
+                joined(&patch_text(degree, lanes), &[JET, PATCH, BEST, FOOT, step, PROJECT, search])
             }
-            Self::Reduce => [&common, BEST, REDUCE].concat(),
-            Self::Cell { degree } => piecewise(&common, degree, CELL),
-            Self::Certify { degree } => piecewise(&common, degree, CERTIFY),
-            Self::Split => [&common, BEST, CELLS, PIECE, TALLY, SPLIT].concat(),
-            Self::Level => [&common, CELLS, TALLY, LEVEL].concat(),
+            Self::Reduce => joined("", &[BEST, REDUCE]),
+            Self::Cell { degree } => piecewise(degree, CELL),
+            Self::Certify { degree } => piecewise(degree, CERTIFY),
+            Self::Split => joined("", &[BEST, CELLS, PIECE, TALLY, SPLIT]),
+            Self::Level => joined("", &[CELLS, TALLY, LEVEL]),
             #[cfg(not(target_arch = "wasm32"))]
-            Self::Box(kernel) => common + &kernel.text(),
+            Self::Box(kernel) => joined(&kernel.text(), &[]),
         }
     }
 
@@ -124,9 +123,17 @@ impl Kernel {
 const LEVEL_BYTES: usize = size_of::<LevelParams>();
 
 /// The text of a stage that evaluates pieces of these degrees.
-fn piecewise(common: &str, [p, q]: [usize; 2], stage: &str) -> String {
+fn piecewise([p, q]: [usize; 2], stage: &str) -> String {
     let degrees = format!("const P: u32 = {p}u;\nconst Q: u32 = {q}u;\n");
-    [common, &degrees, JET, BEST, CELLS, PIECE, HORNER, stage].concat()
+    joined(&degrees, &[JET, BEST, CELLS, PIECE, HORNER, stage])
+}
+
+/// What all kernels begin with, then what was written for one, then parts of files.
+fn joined(written: &str, parts: &[&str]) -> String {
+    let mut text = format!("const WORKGROUP_SIZE: u32 = {WORKGROUP_SIZE}u;\n");
+    text += written;
+    parts.iter().for_each(|part| text += part);
+    text
 }
 
 /// A compiled kernel and the layout its buffers are bound by.
