@@ -19,10 +19,8 @@ use nurbs_hausdorff::bezier::{BezierModel, extract};
 use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
-use nurbs_hausdorff::iteration::{
-    Culling, Projected, Rule, Sampling, SamplingRule, Target, project, reduce, sample,
-};
-use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
+use nurbs_hausdorff::project::{Projection, Target};
 use nurbs_hausdorff::tree::BoxTree;
 use nurbs_hausdorff::{Model, RigidTransform};
 use rayon::prelude::*;

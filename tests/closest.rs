@@ -7,7 +7,7 @@ mod support;
 use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::iteration::Target;
+use nurbs_hausdorff::project::Target;
 use nurbs_hausdorff::project::{Closest, DistanceForm, Stationary, closest, newton};
 use nurbs_hausdorff::shapes::{shape, sphere, torus};
 use nurbs_hausdorff::{Model, SurfaceArrays};
@@ -28,7 +28,7 @@ fn target_of(model: &Model, flatness: Flatness) -> Target {
 /// The closest point, which must lie on the model by the independent evaluator,
 /// as far away as is said.
 fn find(model: &Model, target: &Target, point: DVec3) -> Closest {
-    let found = closest(&target.patches, &target.tree, point, GAP).unwrap();
+    let found = closest(&target, point, GAP).unwrap();
     let patch = target.patches.patch(found.patch);
     let [u, v] = patch.surface_parameters(found.parameters);
     let on_it = DVec3::from_array(evaluator::point(&model.surfaces()[patch.surface], u, v));
@@ -77,7 +77,7 @@ fn points_as_near_to_everything() {
 #[test]
 fn no_patches_have_no_closest_point() {
     let none = Target::new(nurbs_hausdorff::bezier::PatchSet::default());
-    assert!(closest(&none.patches, &none.tree, DVec3::ZERO, GAP).is_none());
+    assert!(closest(&none, DVec3::ZERO, GAP).is_none());
 }
 
 #[test]

@@ -6,10 +6,9 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
-use nurbs_hausdorff::project::closest;
+use nurbs_hausdorff::project::{Target, closest};
 use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
-use nurbs_hausdorff::tree::BoxTree;
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Cells that are few: those of a profile. Those of a surface are more than ten
@@ -131,14 +130,12 @@ fn three_quarters_that_do_not_go_round() {
 
 /// A sample's distance, certified from below, is at most the upper bound.
 fn largest_sample(a: &Model, b: &Model) -> f64 {
-    let (a, b) = (extract(a), extract(b));
-    let boxes: Vec<_> = b.patches.iter().map(|patch| patch.bounding_box()).collect();
-    let tree = BoxTree::new(&boxes);
+    let (a, b) = (extract(a), Target::new(extract(b).patches));
     let mut largest = 0.0_f64;
     for patch in a.patches.iter() {
         for sample in 0..49 {
             let point = patch.point([f64::from(sample / 7) / 6.0, f64::from(sample % 7) / 6.0]);
-            largest = largest.max(closest(&b.patches, &tree, point, 1e-12).unwrap().lower);
+            largest = largest.max(closest(&b, point, 1e-12).unwrap().lower);
         }
     }
     largest

@@ -56,7 +56,7 @@ pub(crate) struct Target<'a> {
     model: &'a Model,
     /// What the sheets are relative to.
     origin: DVec3,
-    flat: OnceCell<nurbs_hausdorff::iteration::Target>,
+    flat: OnceCell<nurbs_hausdorff::project::Target>,
     sheets: &'a [Sheet],
     coarse: Vec<(usize, DVec2, DVec3)>,
 }
@@ -92,12 +92,12 @@ impl<'a> Target<'a> {
     fn hinted(&self, point: DVec3) -> f64 {
         let flat = || {
             let patches = flatten(&extract(self.model).patches, Flatness::Loose);
-            nurbs_hausdorff::iteration::Target::new(patches)
+            nurbs_hausdorff::project::Target::new(patches)
         };
         let target = self.flat.get_or_init(flat);
         let diagonal = self.model.bounding_box().diagonal();
         let gap = HINT_GAP * diagonal.max(f64::MIN_POSITIVE);
-        let Some(found) = closest(&target.patches, &target.tree, point + self.origin, gap) else {
+        let Some(found) = closest(&target, point + self.origin, gap) else {
             return f64::INFINITY;
         };
         let patch = target.patches.patch(found.patch);

@@ -37,8 +37,7 @@ impl Search<'_> {
             *looks = 0;
             let distance = best.closest.upper;
             let reach = distance + (ROOM * radius).min(LARGEST_ROOM * distance);
-            let target = self.b.target;
-            self.b.candidates = Some(Candidates::new(&target.patches, &target.tree, best.point, reach));
+            self.b.candidates = Some(Candidates::new(self.b.target, best.point, reach));
         }
     }
 }

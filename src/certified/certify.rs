@@ -1,8 +1,8 @@
 //! Stage `certify`: an upper bound of the distance from a cell of A to B.
 
 use super::Side;
+use super::feet::Foot;
 use super::foot_map::FootMap;
-use super::nearest::Foot;
 use super::quadratic::Quadratic;
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Jet};
@@ -32,43 +32,82 @@ pub(super) fn certify(
     foot: &Foot,
     enough: f64,
 ) -> f64 {
-    let distance = foot.distance_squared.sqrt();
+    let distance = foot.distance();
     let [h, k] = cell.half;
     let mut best = distance + h * a_bounds.first[0] + k * a_bounds.first[1];
     if best <= enough {
         return best;
     }
-    let jet = b.patch(foot.patch).jet(foot.parameters);
-    let residual = jet.point - a.point;
-    let room = b.room(foot.patch);
-    let frozen = both(|axis| {
-        let [low, high] = room[axis];
-        let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
-        let parameter = foot.parameters[axis];
-        (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
-    });
-    let rest_a = remainder(a_bounds, cell.half, [0.0; 2]);
-    let mut try_map = |map: FootMap| {
-        let map = map.fitted(foot.parameters, room);
-        let [low, high] = map.image(foot.parameters);
-        let rest_b =
-            remainder(&b.bounds(foot.patch, low, high), map.width().to_array(), map.turn().to_array());
-        let length = difference(a, &jet, cell.half, &map).largest_length_squared().sqrt();
-        best = best.min(length + rest_a + rest_b);
+    let facing = Facing::new(cell, a, a_bounds, b, foot);
+    let mut try_map = |map: &FootMap| {
+        let (quadratic, rest) = facing.difference(map);
+        best = best.min(quadratic.largest_length_squared().sqrt() + rest);
         best
     };
-    if let Some(linear) = FootMap::linearised(&jet, residual, [h * a.s, k * a.t], frozen) {
-        if try_map(linear) <= enough {
+    if let Some(linear) = facing.linear() {
+        if try_map(&linear) <= enough {
             return best;
         }
-        let Quadratic { ss, st, tt, .. } = difference(a, &jet, cell.half, &linear);
-        if let Some(bent) = linear.bent(&jet, [ss, st, tt], frozen)
-            && try_map(bent) <= enough
+        let Quadratic { ss, st, tt, .. } = difference(a, &facing.jet, cell.half, &linear);
+        if let Some(bent) = linear.bent(&facing.jet, [ss, st, tt], facing.frozen)
+            && try_map(&bent) <= enough
         {
             return best;
         }
     }
-    try_map(FootMap::CONSTANT)
+    try_map(&FootMap::CONSTANT)
+}
+
+/// A cell of A and a foot of its centre, from which maps into B's patch are made.
+pub(super) struct Facing<'a> {
+    cell: &'a Cell,
+    a: &'a Jet,
+    rest_a: f64,
+    b: &'a Side<'a>,
+    foot: &'a Foot,
+    jet: Jet,
+    room: [[f64; 2]; 2],
+    frozen: [bool; 2],
+}
+
+impl<'a> Facing<'a> {
+    /// Of A's moved jet at the cell's centre, its bounds over the cell, and a foot on B.
+    pub(super) fn new(
+        cell: &'a Cell,
+        a: &'a Jet,
+        a_bounds: &DerivativeBounds,
+        b: &'a Side<'_>,
+        foot: &'a Foot,
+    ) -> Self {
+        let jet = b.patch(foot.patch).jet(foot.parameters);
+        let residual = jet.point - a.point;
+        let room = b.room(foot.patch);
+        let frozen = both(|axis| {
+            let [low, high] = room[axis];
+            let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
+            let parameter = foot.parameters[axis];
+            (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
+        });
+        let rest_a = remainder(a_bounds, cell.half, [0.0; 2]);
+        Self { cell, a, rest_a, b, foot, jet, room, frozen }
+    }
+
+    /// The foot's linearisation, where there is one.
+    pub(super) fn linear(&self) -> Option<FootMap> {
+        let [h, k] = self.cell.half;
+        let residual = self.jet.point - self.a.point;
+        FootMap::linearised(&self.jet, residual, [h * self.a.s, k * self.a.t], self.frozen)
+    }
+
+    /// The Taylor quadratic of `A - B∘φ` at the centre, φ fitted into the
+    /// patch's room, and at least how far the two may be apart in the cell.
+    pub(super) fn difference(&self, map: &FootMap) -> (Quadratic, f64) {
+        let map = map.fitted(self.foot.parameters, self.room);
+        let [low, high] = map.image(self.foot.parameters);
+        let bounds = self.b.bounds(self.foot.patch, low, high);
+        let rest_b = remainder(&bounds, map.width().to_array(), map.turn().to_array());
+        (difference(self.a, &self.jet, self.cell.half, &map), self.rest_a + rest_b)
+    }
 }
 
 /// Taylor's remainder of third order of a surface along `β + ℓ + ½m` with

@@ -1,8 +1,8 @@
 //! A bound for cells that keep their distance to B by a change of parameters:
 //! copies and offsets, with other knots, degrees or pieces.
 
+use super::feet::Foot;
 use super::foot_map::FootMap;
-use super::nearest::Foot;
 use super::region::Cell;
 use super::side::Side;
 use crate::bezier::{Jet, Patch, product_weights, relative, squares};

@@ -16,7 +16,8 @@
 //! knowledge of how the patches meet.
 
 use super::Side;
-use super::nearest::{Foot, foot_on, nearest};
+use super::feet::{Foot, Sample};
+use super::nearest::{foot_on, nearest_within};
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Patch};
 use crate::both::{both, each};
@@ -36,13 +37,6 @@ const LEAST_STEP: f64 = 1e-3;
 /// The cell's corners in [-1, 1]^2, around it.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// A point of A met on the way: where, and its nearest foot.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sample {
-    pub(super) parameters: [f64; 2],
-    pub(super) foot: Foot,
-}
-
 /// A place of a polygon's vertex in [-1, 1]^2, with feet on both patches.
 type Vertex = ([f64; 2], [Foot; 2]);
 
@@ -60,7 +54,7 @@ impl Corners<'_> {
     /// foot of a corner, than which it is at least δ_A more, or that of the
     /// centre, than which the farthest corner is seldom much nearer.
     pub(super) fn may_suffice(&self, foot: &Foot, enough: f64) -> bool {
-        foot.distance_squared.sqrt() + self.of_cell() <= enough
+        foot.distance() + self.of_cell() <= enough
     }
 
     /// The lemma's bound, or infinity where feet are taken on more than two
@@ -74,7 +68,7 @@ impl Corners<'_> {
         for (&corner, own) in CORNERS.iter().zip(&mut own) {
             let mut foot = other.map_or(*own, |other| nearer(*own, self.foot(corner, &other)));
             if !self.may_suffice(&foot, enough) {
-                foot = nearest(self.b, self.point(corner), foot);
+                foot = nearest_within(self.b, self.point(corner), foot, 0.0);
             }
             self.offer(corner, foot, farthest);
             if !self.may_suffice(&foot, enough) {
@@ -139,8 +133,7 @@ impl Corners<'_> {
     fn crossing(&self, from: Vertex, to: Vertex) -> Vertex {
         let at = |x: f64| both(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
         // Of distances, not squares: on overlapping sheets these grow linearly from the join.
-        let difference =
-            |[own, other]: &[Foot; 2]| own.distance_squared.sqrt() - other.distance_squared.sqrt();
+        let difference = |[own, other]: &[Foot; 2]| own.distance() - other.distance();
         let (mut low, mut high) = (0.0, 1.0);
         let (mut at_low, mut at_high) = (difference(&from.1), difference(&to.1));
         let mut vertex = to;

@@ -3,20 +3,26 @@
 //! Whole patches are bounded `at_once` where their likes on B or a sphere tell
 //! it, and of surfaces of revolution about one axis only a `profile` is taken.
 //! The rest of A is cut into cells. `certify` bounds the distance to B from
-//! above over a whole cell, from the foot of its centre alone, `compare` by the
-//! polynomials of both, `corners` where the nearest patch changes; `search`
-//! halves the cells whose bound is not yet within the tolerance of the largest
-//! distance found; `raise` certifies that distance. Every cell ends with a bound, so the
+//! above over a whole cell, from the foot of its centre alone, `blend` by weighted
+//! means where several patches are about equally near, `compare` by the
+//! polynomials of both, `corners` where the nearest patch changes close to A;
+//! `bound` takes the least. `search` halves the cells whose bound is not yet
+//! within the tolerance of the largest distance found, to which `climb` leads;
+//! `raise` certifies that distance. Every cell ends with a bound, so the
 //! largest bound of all is an upper bound of the directed distance whatever
 //! an iteration did: one that fails can only loosen.
 
 mod at_once;
+mod balance;
+mod blend;
+mod bound;
 mod candidates;
 mod certify;
 mod climb;
 mod compare;
 mod corners;
 mod correspond;
+mod feet;
 mod foot_map;
 mod nearest;
 mod on_sphere;
@@ -29,7 +35,7 @@ mod region;
 mod search;
 mod side;
 
-pub(crate) use nearest::Foot;
+pub(crate) use feet::Foot;
 pub(crate) use pieces::{Pieces, Place};
 pub(crate) use region::{Cell, Part, Region};
 pub(crate) use search::{Interval, Returned, Search};

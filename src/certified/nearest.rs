@@ -1,32 +1,23 @@
 //! A near foot on B, found fast and certified by nobody.
 
 use super::Side;
-use crate::project::{Candidate, Status, is_beyond, nearest_control, newton_below};
+use super::feet::{Feet, Foot};
+use crate::project::{Candidate, Status, nearest_control, newton_below};
 use glam::DVec3;
 use std::sync::atomic::Ordering;
 
 /// Newton steps on one patch, at most: bounds hold wherever it stops.
 const ITERATIONS: u32 = 16;
 
-/// A point of B near a target.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Foot {
-    pub(crate) patch: u32,
-    pub(crate) parameters: [f64; 2],
-    pub(crate) distance_squared: f64,
-    pub(crate) status: Status,
-}
-
-impl Foot {
-    /// A place on B where an iteration may start, however far.
-    pub(crate) fn start(patch: u32, parameters: [f64; 2]) -> Self {
-        Self { patch, parameters, distance_squared: f64::INFINITY, status: Status::IterationLimit }
-    }
-}
-
 /// The foot on one patch from a start near it.
 pub(super) fn foot_on(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
     foot_below(side, target, patch, start, f64::INFINITY)
+}
+
+/// A place on B as a foot.
+pub(super) fn place_on(side: &Side<'_>, target: DVec3, patch: u32, parameters: [f64; 2]) -> Foot {
+    let distance_squared = side.patch(patch).point(parameters).distance_squared(target);
+    Foot { distance_squared, ..Foot::start(patch, parameters) }
 }
 
 /// The same, given up where it will not be nearer than `most`, squared.
@@ -36,29 +27,36 @@ fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most:
 }
 
 /// The nearest foot over all patches that the tree does not rule out, given
-/// one to beat. O(log patches) in general position.
-pub(super) fn nearest(side: &Side<'_>, target: DVec3, known: Foot) -> Foot {
-    nearest_within(side, target, known, 0.0)
+/// one to beat, ended by the first that is at most `enough` away. O(log patches)
+/// in general position.
+pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
+    nearest_feet(side, target, known, enough, 0.0).nearest()
 }
 
-/// The same, ended by the first foot that is at most `enough` away.
+/// The same with the feet met on the way, patches ruled out that cannot be
+/// nearer by more than `slack`.
 ///
 /// About the point for which B's patches are listed only those are looked at,
 /// from where they were near it, in the order of their bounds.
-pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
+pub(super) fn nearest_feet(side: &Side<'_>, target: DVec3, known: Foot, enough: f64, slack: f64) -> Feet {
     let until = enough.max(0.0) * enough;
-    let mut best = known;
+    let mut looking = Looking { side, target, known, slack, feet: Feet::of(known), most: 0.0 };
+    looking.tighten();
     if let Some(about) = &side.candidates {
         let moved = about.center.distance(target);
         if moved < about.room() {
-            for &Candidate { patch, parameters, least } in &about.list {
-                if least - moved >= best.distance_squared.sqrt() || best.distance_squared <= until {
+            for candidate in &about.list {
+                let Candidate { patch, parameters, least, .. } = *candidate;
+                let least = (least - moved).max(0.0);
+                if least * least >= looking.most || looking.nearest() <= until {
                     break;
                 }
-                look(side, target, patch, parameters, &known, &mut best);
+                if about.least_squared(candidate, target) < looking.most {
+                    looking.look(patch, parameters);
+                }
             }
-            if best.distance_squared.sqrt() <= about.reach - moved {
-                return best;
+            if looking.most.sqrt() <= about.reach - moved {
+                return looking.feet;
             }
         }
     }
@@ -66,10 +64,10 @@ pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough
     let least = |index: usize| nodes[index].aabb.min_distance_squared(target);
     let mut waiting = [(0.0_f64, 0_usize); STACK];
     let mut height = 1;
-    while height > 0 && best.distance_squared > until {
+    while height > 0 && looking.nearest() > until {
         height -= 1;
         let (distance_squared, index) = waiting[height];
-        if distance_squared >= best.distance_squared {
+        if distance_squared >= looking.most {
             continue;
         }
         let node = &nodes[index];
@@ -79,7 +77,7 @@ pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough
             let pair =
                 if near <= far { [(far, second), (near, first)] } else { [(near, first), (far, second)] };
             for (distance_squared, child) in pair {
-                if distance_squared < best.distance_squared {
+                if distance_squared < looking.most {
                     waiting[height] = (distance_squared, child);
                     height += 1;
                 }
@@ -88,29 +86,47 @@ pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough
         }
         let first = node.first as usize;
         for &patch in &side.target.tree.order()[first..first + node.count as usize] {
-            let view = side.patch(patch);
-            let start = nearest_control(&view, target);
-            if is_beyond(&view, target, start, best.distance_squared) {
-                continue;
+            if side.target.boxes[patch as usize].min_distance_squared(target) < looking.most {
+                looking.look(patch, nearest_control(&side.patch(patch), target));
             }
-            look(side, target, patch, start, &known, &mut best);
         }
     }
-    best
+    looking.feet
 }
 
-/// The foot from a start on a patch, if it is nearer than the best.
-fn look(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], known: &Foot, best: &mut Foot) {
-    // On the known foot's patch, only another valley is news.
-    let stale = patch == known.patch
-        && side.patch(patch).point(start).distance_squared(target) >= best.distance_squared;
-    if stale {
-        return;
+/// A search for the nearest foot.
+struct Looking<'a> {
+    side: &'a Side<'a>,
+    target: DVec3,
+    known: Foot,
+    slack: f64,
+    feet: Feet,
+    /// Squared distance below which a patch is worth a look.
+    most: f64,
+}
+
+impl Looking<'_> {
+    fn nearest(&self) -> f64 {
+        self.feet.nearest().distance_squared
     }
-    side.looks.fetch_add(1, Ordering::Relaxed);
-    let foot = foot_below(side, target, patch, start, best.distance_squared);
-    if foot.distance_squared < best.distance_squared {
-        *best = foot;
+
+    fn tighten(&mut self) {
+        let most = (self.feet.nearest().distance() - self.slack).max(0.0);
+        self.most = most * most;
+    }
+
+    /// Takes in the foot from a start on a patch.
+    fn look(&mut self, patch: u32, start: [f64; 2]) {
+        // On the known foot's patch, only another valley is news.
+        let stale = patch == self.known.patch
+            && self.known.status != Status::IterationLimit
+            && self.side.patch(patch).point(start).distance_squared(self.target) >= self.nearest();
+        if stale {
+            return;
+        }
+        self.side.looks.fetch_add(1, Ordering::Relaxed);
+        self.feet.add(foot_below(self.side, self.target, patch, start, self.most));
+        self.tighten();
     }
 }
 

@@ -28,11 +28,17 @@ const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
 const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
 
 impl Quadratic {
-    /// At least the largest `|Q|²` over the square: the largest of the 25
-    /// Bernstein coefficients of the biquartic `|Q|²`, which the polynomial
-    /// does not exceed (convex hull property). Exact where `|Q|²` is constant.
+    /// At least the largest `|Q|²` over the square: the largest of its
+    /// coefficients. Exact where `|Q|²` is constant.
     #[must_use]
     pub fn largest_length_squared(&self) -> f64 {
+        self.length_squared().iter().flatten().fold(0.0, |largest, &coefficient| largest.max(coefficient))
+    }
+
+    /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
+    /// polynomial does not exceed (convex hull property).
+    #[must_use]
+    pub fn length_squared(&self) -> [[f64; 5]; 5] {
         let mut net = [[DVec3::ZERO; 3]; 3];
         for (i, row) in net.iter_mut().enumerate() {
             for (j, control) in row.iter_mut().enumerate() {
@@ -55,6 +61,6 @@ impl Quadratic {
                 }
             }
         }
-        coefficients.iter().flatten().fold(0.0, |largest, &coefficient| largest.max(coefficient))
+        coefficients
     }
 }

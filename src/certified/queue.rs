@@ -114,7 +114,7 @@ impl Queue {
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
-    use super::super::nearest::Foot;
+    use super::super::feet::Foot;
     use super::super::region::Cell;
     use super::*;
 

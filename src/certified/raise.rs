@@ -1,12 +1,12 @@
 //! Stage `raise`: the farthest samples, certified, raise the lower bound.
 
+use super::bound::{Bounded, Kind};
 use super::climb::climb;
-use super::corners::Sample;
-use super::nearest::{Foot, foot_on};
-use super::search::{Bounded, Farthest, Interval};
+use super::feet::{Foot, Sample};
+use super::nearest::{foot_on, nearest_within};
+use super::search::{Farthest, Interval};
 use super::{Search, Side};
 use crate::gather::Gather;
-use crate::order::by_falling;
 use crate::project::{Closest, closest_above};
 use glam::DVec3;
 
@@ -14,7 +14,7 @@ use glam::DVec3;
 const MOST_CERTIFIED: usize = 8;
 
 /// Width asked of a sample's certificate, relative to the interval's.
-const CERTIFICATE_PART: f64 = 1e-3;
+const CERTIFICATE_PART: f64 = 3e-2;
 
 /// Least width asked of one, relative to the tolerance.
 const LAST_PART: f64 = 1e-2;
@@ -35,45 +35,70 @@ impl Search<'_> {
         }
     }
 
-    /// Certifies the chunk's farthest samples while they exceed the best by
-    /// more than a certificate's width.
+    /// Certifies the chunk's farthest samples that exceed the best by more than
+    /// a certificate's width.
+    ///
+    /// From the middles of patches it climbs in any case: the farthest point is
+    /// seldom on the patch whose middle is farthest, and knowing it before cells
+    /// are bounded spares most of them.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
-        let samples: Vec<&Bounded> = bounded.iter().flatten().gather();
+        let mut samples: Vec<&Bounded> = bounded.iter().flatten().gather();
         let upper = samples.iter().fold(0.0_f64, |upper, bounded| upper.max(bounded.upper));
-        let samples = by_falling(&samples, |bounded| bounded.sample.foot.distance_squared);
-        for bounded in samples.into_iter().take(MOST_CERTIFIED) {
-            if !self.raise_to(bounded.patch, bounded.sample, upper) {
+        for _ in 0..MOST_CERTIFIED.min(samples.len()) {
+            let mut farthest = (0, -1.0);
+            for (index, bounded) in samples.iter().enumerate() {
+                if bounded.sample.foot.distance_squared > farthest.1 {
+                    farthest = (index, bounded.sample.foot.distance_squared);
+                }
+            }
+            let Bounded { patch, sample, kind, upper: most, .. } = samples.swap_remove(farthest.0);
+            let is_farther = match kind {
+                Kind::Node => self.raise_to(*patch, *sample, self.certificate_width(upper)),
+                Kind::Patch if *most > self.enough() => self.climb_from(*patch, *sample, 0.0),
+                Kind::Patch | Kind::Cell => self.climb_from(*patch, *sample, self.lower()),
+            };
+            if !is_farther {
                 return;
             }
         }
     }
 
-    /// Certifies a sample, moved to where the distance is locally largest or as
-    /// it is, while the distance may be `upper`; tells whether it exceeds the
-    /// best by more than a certificate's width.
-    pub(super) fn raise_to(&mut self, patch: u32, sample: Sample, upper: f64) -> bool {
-        let Sample { parameters, foot } = sample;
-        let width = self.certificate_width(upper);
-        if foot.distance_squared.sqrt() <= self.lower() + width {
+    /// Certifies a sample moved to where the distance is locally largest, if it
+    /// is farther than `floor`; tells whether it seemed so.
+    pub(super) fn climb_from(&mut self, patch: u32, sample: Sample, floor: f64) -> bool {
+        let width = LAST_PART * self.tolerance;
+        if sample.foot.distance() <= floor + width {
             return false;
         }
-        let climbed = climb(&self.a, &self.b, &self.transform, patch, parameters, foot);
-        for (parameters, foot) in [climbed, (parameters, foot)] {
-            if self.certify_sample(patch, parameters, &foot, width) {
-                break;
-            }
+        let sample = self.with_nearest(patch, sample, floor + width);
+        if sample.foot.distance() > floor + width {
+            let climbed = climb(&self.a, &self.b, &self.transform, patch, sample, width);
+            self.raise_to(patch, climbed, width);
         }
         true
     }
 
-    /// Takes the point for the farthest if its certificate says so.
-    fn certify_sample(&mut self, patch: u32, parameters: [f64; 2], foot: &Foot, width: f64) -> bool {
-        let start = Some((foot.patch, foot.parameters));
-        let found = self.certificate(patch, parameters, width, start, self.lower());
-        let best = self.farthest;
-        let better = found.filter(|found| best.is_none_or(|best| found.closest.lower > best.closest.lower));
-        self.farthest = better.or(best);
-        better.is_some()
+    /// Takes a sample for the farthest point if its certificate says so; tells
+    /// whether it seemed farther by more than the certificate's width.
+    fn raise_to(&mut self, patch: u32, sample: Sample, width: f64) -> bool {
+        let most = self.lower() + width;
+        if sample.foot.distance() <= most {
+            return false;
+        }
+        let Sample { parameters, foot } = self.with_nearest(patch, sample, most);
+        if foot.distance() > most {
+            let start = Some((foot.patch, foot.parameters));
+            let found = self.certificate(patch, parameters, width, start, self.lower());
+            let is_better = |found: &Farthest| found.closest.lower > self.lower();
+            self.farthest = found.filter(is_better).or(self.farthest);
+        }
+        true
+    }
+
+    /// The sample with the nearest foot, or one at most `enough` away.
+    fn with_nearest(&self, patch: u32, sample: Sample, enough: f64) -> Sample {
+        let point = self.transform.apply(self.a.patch(patch).point(sample.parameters));
+        Sample { foot: nearest_within(&self.b, point, sample.foot, enough), ..sample }
     }
 
     /// Takes some point for the farthest: a witness also where the models'
@@ -130,6 +155,6 @@ impl Search<'_> {
     /// The closest point of B, by the list of patches where that suffices.
     fn closest(&self, point: DVec3, gap: f64, known: Option<(u32, [f64; 2])>, floor: f64) -> Option<Closest> {
         let Side { target, candidates, .. } = &self.b;
-        closest_above(&target.patches, &target.tree, point, gap, known, floor, candidates.as_ref())
+        closest_above(target, point, gap, known, floor, candidates.as_ref())
     }
 }

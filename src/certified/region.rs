@@ -1,7 +1,7 @@
 //! The parts of A that are worked on.
 
 use super::Side;
-use super::nearest::Foot;
+use super::feet::Foot;
 use super::profile::Profiles;
 use crate::both::both;
 
@@ -86,21 +86,16 @@ impl Region {
             Part::Node(index) => {
                 let tree = &side.target.tree;
                 let node = &tree.nodes()[*index as usize];
-                let children = if node.count == 0 { &[*index + 1, node.second][..] } else { &[*index] };
-                // The first one's point is this one's, whose foot is known.
-                let mut foot = foot;
-                for &child in children {
-                    let node = &tree.nodes()[child as usize];
-                    let first = node.first as usize;
-                    if node.count == 0 {
-                        push(Part::Node(child), foot);
+                if node.count == 0 {
+                    // The first one's point is this one's, whose foot is known.
+                    push(Part::Node(*index + 1), foot);
+                    push(Part::Node(node.second), Foot::start(foot.patch, foot.parameters));
+                }
+                let first = node.first as usize;
+                for &patch in &tree.order()[first..first + node.count as usize] {
+                    if let Some(cell) = profiles.cell(side, patch) {
+                        push(Part::Cell(cell), foot);
                     }
-                    for &patch in &tree.order()[first..first + node.count as usize] {
-                        if let Some(cell) = profiles.cell(side, patch) {
-                            push(Part::Cell(cell), foot);
-                        }
-                    }
-                    foot = Foot::start(foot.patch, foot.parameters);
                 }
             }
             Part::Cell(cell) => {

@@ -2,21 +2,16 @@
 
 use super::Side;
 use super::at_once::{at_once, farthest_at_once, farthest_corners};
-use super::certify::certify;
-use super::compare::compare;
-use super::corners::{Corners, Sample};
-use super::nearest::{Foot, foot_on, nearest, nearest_within};
-use super::on_sphere::on_sphere;
+use super::feet::{Foot, Sample};
+use super::nearest::nearest_within;
 use super::profile::Profiles;
 use super::queue::Queue;
-use super::region::{Cell, Part, Region};
-use super::side::moved;
+use super::region::{Part, Region};
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use crate::parallel::{is_few, map_short, together};
-use crate::project::{Closest, Status};
+use crate::project::Closest;
 use glam::DVec3;
-use std::cell::OnceCell;
 
 /// Regions bounded between two looks at the largest distance: enough to keep
 /// all threads busy, few enough that a better distance spares work soon.
@@ -97,14 +92,6 @@ pub(crate) struct Returned {
     pub(crate) undecided: Vec<Region>,
     /// A far point of A: patch and parameters.
     pub(crate) farthest: Option<(u32, [f64; 2])>,
-}
-
-/// What bounding one region gave.
-pub(super) struct Bounded {
-    pub(super) upper: f64,
-    foot: Foot,
-    pub(super) patch: u32,
-    pub(super) sample: Sample,
 }
 
 impl<'a> Search<'a> {
@@ -215,9 +202,8 @@ impl<'a> Search<'a> {
         self.queue.extend_undecided(returned.undecided);
         let Some((patch, parameters)) = returned.farthest else { return };
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
-        let foot = nearest(&self.b, point, Foot::start(0, [0.5; 2]));
-        let upper = self.interval().upper;
-        self.raise_to(patch, Sample { parameters, foot }, upper);
+        let foot = nearest_within(&self.b, point, Foot::start(0, [0.5; 2]), 0.0);
+        self.climb_from(patch, Sample { parameters, foot }, self.lower());
     }
 
     pub(super) fn lower(&self) -> f64 {
@@ -247,7 +233,7 @@ impl<'a> Search<'a> {
     }
 
     /// Bounds the regions that wait, up to a chunk.
-    fn advance_once(&mut self) -> Option<Stop> {
+    pub(crate) fn advance_once(&mut self) -> Option<Stop> {
         if self.limit.is_some_and(|limit| self.lower() > limit) {
             return Some(Stop::Converged);
         }
@@ -307,94 +293,5 @@ impl<'a> Search<'a> {
         } else {
             None
         }
-    }
-
-    fn bound(&self, region: &Region, enough: f64) -> Bounded {
-        match &region.part {
-            Part::Node(index) => self.bound_node(*index, region, enough),
-            Part::Cell(cell) => self.bound_cell(cell, region, enough),
-        }
-    }
-
-    /// By the triangle inequality from one point of the node's first patch.
-    fn bound_node(&self, index: u32, region: &Region, enough: f64) -> Bounded {
-        let tree = &self.a.target.tree;
-        let node = &tree.nodes()[index as usize];
-        let mut leaf = index as usize;
-        while tree.nodes()[leaf].count == 0 {
-            leaf += 1;
-        }
-        let patch = tree.order()[tree.nodes()[leaf].first as usize];
-        let parameters = [0.5; 2];
-        let local = self.a.patch(patch).point(parameters);
-        let point = self.transform.apply(local);
-        let radius = node.aabb.max_distance_squared(local).sqrt();
-        let known = foot_on(&self.b, point, region.foot.patch, region.foot.parameters);
-        let foot = if known.distance_squared == region.foot.distance_squared {
-            known
-        } else {
-            nearest_within(&self.b, point, known, enough - radius)
-        };
-        let reach = foot.distance_squared.sqrt() + radius;
-        Bounded { upper: region.upper.min(reach), foot, patch, sample: Sample { parameters, foot } }
-    }
-
-    fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
-        let patch = self.a.patch(cell.patch);
-        let [low, high] = [cell.at([-1.0; 2]), cell.at([1.0; 2])];
-        // Beside a sphere they are not needed.
-        let bounds = OnceCell::new();
-        let bounds = || bounds.get_or_init(|| self.a.bounds(cell.patch, low, high));
-        let jet = moved(&patch.jet(cell.center), &self.transform);
-        let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
-        let by_foot = |foot: &Foot| {
-            let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
-            let upper =
-                sphere.map_or(f64::INFINITY, |sphere| on_sphere(cell, &patch, &self.transform, &sphere));
-            if upper <= enough {
-                upper
-            } else {
-                upper.min(certify(cell, &jet, bounds(), &self.b, foot, enough))
-            }
-        };
-        let mut foot = known;
-        let mut upper = by_foot(&known);
-        let mut sample = Sample { parameters: cell.center, foot };
-        // Near enough as the parent's foot leads, wherever the nearest is.
-        if upper <= enough {
-            return Bounded { upper, foot, patch: cell.patch, sample };
-        }
-        // Away from edges the parent's foot leads to the nearest patch again,
-        // except across a ridge, which every other level looks for.
-        let follow = known.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
-        let same = cell.is_whole() && known.distance_squared == region.foot.distance_squared;
-        if !follow && !same {
-            let [h, k] = cell.half;
-            let radius = h * bounds().first[0] + k * bounds().first[1];
-            foot = nearest_within(&self.b, jet.point, known, enough - radius);
-        }
-        // The parent's middle was told to be about as far as no point may be, and
-        // no point was found that far: of a patch with two valleys, the iteration
-        // may have gone into the wrong one.
-        let doubtful = 0.5 * (self.lower() + enough);
-        let far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance_squared.sqrt() > doubtful;
-        if far(&region.foot) && far(&foot) {
-            foot = self.surest(jet.point, foot);
-        }
-        if foot != known {
-            upper = upper.min(by_foot(&foot));
-            sample.foot = foot;
-        }
-        if upper > enough {
-            upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
-        }
-        let corners =
-            Corners { cell: *cell, patch, bounds: bounds(), transform: &self.transform, b: &self.b };
-        if upper > enough && corners.may_suffice(&foot, enough) {
-            upper = upper.min(corners.bound(&foot, enough, &mut sample));
-        }
-        // What is no number bounds nothing.
-        let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
-        Bounded { upper, foot, patch: cell.patch, sample }
     }
 }

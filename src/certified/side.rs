@@ -1,9 +1,9 @@
 //! One of the two models, as this method wants it.
 
 use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
-use crate::iteration::Target;
 use crate::model::RigidTransform;
 use crate::project::Candidates;
+use crate::project::Target;
 use crate::symmetry::{Revolution, Sphere};
 use glam::DVec3;
 use std::sync::atomic::AtomicUsize;

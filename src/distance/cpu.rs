@@ -4,10 +4,10 @@ use super::{Candidate, Progress, StatusCounts};
 use crate::bezier::BezierModel;
 use crate::error::Result;
 use crate::gather::Gather;
-use crate::iteration::{Projected, Rule, Sampling, Target, project, reduce, sample};
+use crate::iteration::{Projected, Rule, Sampling, project, reduce, sample};
 use crate::model::RigidTransform;
 use crate::parallel::map;
-use crate::project::Status;
+use crate::project::{Status, Target};
 use std::ops::Range;
 
 /// Samples between two looks at the monitor.

@@ -6,7 +6,7 @@ use super::{
     PreparedSampling, PreparedTarget, Progress, StatusCounts, SurfacePoint,
 };
 use crate::error::Result;
-use crate::iteration::{Projected, Target, sample};
+use crate::iteration::{Projected, sample};
 use crate::model::RigidTransform;
 use crate::project::{Closest, Projection, Status, closest, contraction, nearest_control};
 use glam::DVec3;
@@ -142,8 +142,7 @@ impl Direction<'_> {
     }
 
     fn closest(&self, point: DVec3) -> Option<Closest> {
-        let Target { patches, tree } = &self.target.target;
-        closest(patches, tree, point, CERTIFICATE_GAP * self.diagonal)
+        closest(&self.target.target, point, CERTIFICATE_GAP * self.diagonal)
     }
 
     /// The candidate's distance by the certified search.

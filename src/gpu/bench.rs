@@ -4,8 +4,9 @@ use super::{Gpu, GpuStages};
 use crate::bezier::BezierModel;
 use crate::distance::{Progress, Silent};
 use crate::error::Result;
-use crate::iteration::{Rule, Sampling, Target};
+use crate::iteration::{Rule, Sampling};
 use crate::model::RigidTransform;
+use crate::project::Target;
 use std::ops::Range;
 use std::rc::Rc;
 

@@ -6,9 +6,9 @@ use super::test_gpu::gpu;
 use super::{Gpu, GpuStages};
 use crate::distance::{Progress, Silent};
 use crate::flatness::{Flatness, flatten};
-use crate::iteration::{Culling, Rule, Sampling, SamplingRule, Target, sample};
+use crate::iteration::{Culling, Rule, Sampling, SamplingRule, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
-use crate::project::{Projection, closest};
+use crate::project::{Projection, Target, closest};
 use glam::{DQuat, DVec3};
 use std::rc::Rc;
 
@@ -61,7 +61,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
         let found = pollster::block_on(stages.field()).unwrap();
         for (place, projected) in page.clone().zip(&found) {
             let point = sample(&a, &sampling, place, &transform);
-            let truth = closest(&target.patches, &target.tree, point, GAP * diagonal).unwrap();
+            let truth = closest(&target, point, GAP * diagonal).unwrap();
             let distance = projected.distance_squared.sqrt();
             assert!(distance >= truth.lower - error, "{name}: {distance} < {} - {error}", truth.lower);
             // The foot is where the kernel says, as far as it says.

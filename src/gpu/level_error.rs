@@ -11,8 +11,8 @@ use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
 use crate::bezier::{LocalBounds, PatchSet};
 use crate::certified::{Part, Pieces, Search, Side};
-use crate::iteration::Target;
 use crate::model::RigidTransform;
+use crate::project::Target;
 use crate::project::closest;
 use bytemuck::{Zeroable, bytes_of};
 use glam::{DQuat, DVec3, DVec4};
@@ -204,7 +204,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
         let mut search = Search::new(Side::new(&a, &of_a), Side::new(&b, &of_b), transform, 1e-5, None);
         // Down to cells, by float64.
         while search.waiting() < CELLS {
-            assert!(search.advance().is_none(), "{degree:?}: decided too soon");
+            assert!(search.advance_once().is_none(), "{degree:?}: decided too soon");
         }
         let levels = Levels::new(&gpu, &search).unwrap().unwrap();
         let lent = search.lend(CELLS);
@@ -215,7 +215,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
             let Part::Cell(cell) = region.part else { panic!("lent a node") };
             let place = [0, 1].map(|_| [-1.0, 1.0, 2.0 * random.f64() - 1.0][random.usize(0..3)]);
             let point = transform.apply(a.patches.patch(cell.patch as usize).point(cell.at(place)));
-            let truth = closest(&b.patches, &b.tree, point, 1e-9).unwrap();
+            let truth = closest(&b, point, 1e-9).unwrap();
             assert!(truth.lower <= region.upper, "{degree:?}: {} > {}", truth.lower, region.upper);
             checked += 1;
         }

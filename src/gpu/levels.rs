@@ -17,9 +17,9 @@ use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
 use crate::distance::now;
 use crate::error::Result;
 use crate::gather::Gather;
-use crate::iteration::{Culling, Target};
+use crate::iteration::Culling;
 use crate::model::RigidTransform;
-use crate::project::Projection;
+use crate::project::{Projection, Target};
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
 use std::rc::Rc;
 

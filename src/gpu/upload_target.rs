@@ -7,7 +7,7 @@ use super::layouts::Node;
 use super::packet_tree::packet_nodes;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::gather::Gather;
-use crate::iteration::Target;
+use crate::project::Target;
 use crate::tree::{Aabb, BoxTree};
 use glam::DVec3;
 

@@ -12,7 +12,7 @@ mod sampling;
 
 pub use cells::CellRadius;
 pub(crate) use cells::cell_pieces;
-pub use project::{Culling, Target, project};
+pub use project::{Culling, project};
 pub use reduce::reduce;
 pub use sample::sample;
 pub(crate) use sampling::uniform;

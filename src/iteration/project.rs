@@ -1,11 +1,9 @@
 //! Stage `project`: the nearest foot of every sample.
 
 use super::{Projected, Rule};
-use crate::bezier::{Patch, PatchSet};
+use crate::bezier::Patch;
 use crate::both::each;
-use crate::gather::Gather;
-use crate::project::{Foot, Projection, Status, nearest_control, newton, tangent_plane};
-use crate::tree::BoxTree;
+use crate::project::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
 
 /// Which patches a sample is projected on. The distances are the same: a
@@ -17,24 +15,6 @@ pub enum Culling {
     Tree,
     /// All, as in the paper.
     None,
-}
-
-/// What samples are projected on: flat patches and the tree over their boxes.
-#[derive(Debug, Clone)]
-pub struct Target {
-    /// The patches.
-    pub patches: PatchSet,
-    /// The tree over their boxes.
-    pub tree: BoxTree,
-}
-
-impl Target {
-    /// Builds the tree. O(n log n).
-    #[must_use]
-    pub fn new(patches: PatchSet) -> Self {
-        let boxes = patches.iter().map(|patch| patch.bounding_box()).gather();
-        Self { tree: BoxTree::new(&boxes), patches }
-    }
 }
 
 /// The least distance from `sample` that the rule's iterations find on the

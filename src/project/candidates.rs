@@ -1,9 +1,8 @@
 //! The patches that can be nearest to points about one point.
 
-use super::{DistanceForm, Stationary, is_beyond, nearest_control, newton};
-use crate::bezier::PatchSet;
+use super::{DistanceForm, Stationary, Target, nearest_control, newton};
 use crate::order::by_falling;
-use crate::tree::BoxTree;
+use crate::tree::Aabb;
 use glam::DVec3;
 
 /// Newton steps from a start; the bounds hold wherever it stops.
@@ -15,8 +14,12 @@ pub(crate) struct Candidate {
     pub(crate) patch: u32,
     /// A point of it near the centre, (s, t).
     pub(crate) parameters: [f64; 2],
+    /// That point.
+    pub(crate) point: DVec3,
     /// At most the patch's distance to the centre.
     pub(crate) least: f64,
+    /// A box around the patch.
+    pub(crate) aabb: Aabb,
 }
 
 /// All patches that may be nearer to a centre than `reach`, with bounds.
@@ -26,7 +29,7 @@ pub(crate) struct Candidate {
 ///
 /// Proof. The distance to a set changes by no more than the point moves,
 /// `d(x, P) >= d(c, P) - |x - c|`; the bounds of d(c, P) are boxes' and
-/// [`DistanceForm`]'s, and of patches beyond a plane. ∎
+/// [`DistanceForm`]'s. ∎
 #[derive(Debug)]
 pub(crate) struct Candidates {
     pub(crate) center: DVec3,
@@ -41,8 +44,20 @@ impl Candidates {
         self.list.first().map_or(0.0, |nearest| self.reach - nearest.least)
     }
 
+    /// At most the squared distance from `point` to a listed patch.
+    ///
+    /// Also by the box around the patch: with `δ = x - c`,
+    /// `|y - x|² = |y - c|² - 2 δ·(y - c) + |δ|²` for its points y.
+    pub(crate) fn least_squared(&self, candidate: &Candidate, point: DVec3) -> f64 {
+        let step = point - self.center;
+        let [low, high] = [candidate.aabb.min - self.center, candidate.aabb.max - self.center];
+        let along = (step * low).max(step * high).element_sum();
+        candidate.least * candidate.least - 2.0 * along + step.length_squared()
+    }
+
     /// Of all patches about `center`. O(p^2 q^2) for each whose box is within reach.
-    pub(crate) fn new(patches: &PatchSet, tree: &BoxTree, center: DVec3, reach: f64) -> Self {
+    pub(crate) fn new(target: &Target, center: DVec3, reach: f64) -> Self {
+        let Target { patches, tree, boxes } = target;
         let reach_squared = reach * reach;
         let mut list = Vec::new();
         let mut waiting = vec![0];
@@ -56,21 +71,23 @@ impl Candidates {
             }
             let first = node.first as usize;
             for &index in &tree.order()[first..first + node.count as usize] {
-                let patch = patches.patch(index as usize);
-                let start = nearest_control(&patch, center);
-                if is_beyond(&patch, center, start, reach_squared) {
+                if boxes[index as usize].min_distance_squared(center) >= reach_squared {
                     continue;
                 }
+                let patch = patches.patch(index as usize);
                 let form = DistanceForm::new(patch.degree, patch.controls, center - patch.center);
                 let least = form.least();
                 if least >= reach_squared {
                     continue;
                 }
-                let foot = newton(&patch, center, start, ITERATIONS);
+                let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
                 let known = Stationary::new(&patch, center, &foot);
                 let least = least.max(form.least_about(&known)).sqrt();
                 if least < reach {
-                    list.push(Candidate { patch: index, parameters: foot.parameters, least });
+                    let parameters = foot.parameters;
+                    let point = patch.point(parameters);
+                    let aabb = patch.bounding_box();
+                    list.push(Candidate { patch: index, parameters, point, least, aabb });
                 }
             }
         }
@@ -83,7 +100,7 @@ mod tests {
     use super::super::{closest, closest_above};
     use super::Candidates;
     use crate::bezier::extract;
-    use crate::iteration::Target;
+    use crate::project::Target;
     use crate::shapes::shape;
     use glam::DVec3;
 
@@ -97,13 +114,14 @@ mod tests {
         let (mut listed, mut unlisted, mut used) = (0, 0, 0);
         for name in ["bottle", "torus", "wavy-sheet"] {
             let Ok(model) = shape(name) else { unreachable!() };
-            let Target { patches, tree } = Target::new(extract(&model).patches);
+            let target = Target::new(extract(&model).patches);
+            let Target { patches, tree, .. } = &target;
             let box_ = tree.nodes()[0].aabb;
             for _ in 0..10 {
                 let center = box_.center() + 0.5 * box_.extent() * direction();
-                let Some(nearest) = closest(&patches, &tree, center, 1e-9) else { unreachable!() };
+                let Some(nearest) = closest(&target, center, 1e-9) else { unreachable!() };
                 let reach = nearest.upper + 0.1 * box_.diagonal();
-                let about = Candidates::new(&patches, &tree, center, reach);
+                let about = Candidates::new(&target, center, reach);
                 let point = center + 0.03 * box_.diagonal() * direction();
                 let moved = point.distance(center);
                 for index in 0..patches.len() {
@@ -119,9 +137,9 @@ mod tests {
                     *(if candidate.is_some() { &mut listed } else { &mut unlisted }) += 1;
                 }
                 assert!(about.list.is_sorted_by_key(|candidate| candidate.least.to_bits()));
-                let by_tree = closest(&patches, &tree, point, 1e-9);
+                let by_tree = closest(&target, point, 1e-9);
                 let known = Some((nearest.patch as u32, nearest.parameters));
-                let by_list = closest_above(&patches, &tree, point, 1e-9, known, 0.0, Some(&about));
+                let by_list = closest_above(&target, point, 1e-9, known, 0.0, Some(&about));
                 let (Some(by_tree), Some(by_list)) = (by_tree, by_list) else { unreachable!() };
                 assert!(by_list.lower <= by_tree.upper && by_tree.lower <= by_list.upper);
                 assert!(by_list.upper - by_list.lower < 2e-9);

@@ -1,9 +1,8 @@
 //! The closest point of a whole model, with a certificate.
 
-use super::{Candidates, DistanceForm, Foot, Stationary, is_beyond, nearest_control, newton};
-use crate::bezier::{Patch, PatchSet};
+use super::{Candidates, DistanceForm, Foot, Stationary, Target, nearest_control, newton};
+use crate::bezier::Patch;
 use crate::both::{both, each};
-use crate::tree::BoxTree;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -34,17 +33,21 @@ pub struct Closest {
     pub lower: f64,
 }
 
+/// What may hold the closest point; small, as the heap moves it about.
 enum Item {
     Node(u32),
-    /// With its form once that is made.
-    Patch(u32, Option<DistanceForm>),
-    /// With the nearest point known of its patch.
-    Piece {
-        patch: u32,
-        controls: Vec<DVec4>,
-        range: [[f64; 2]; 2],
-        foot: Stationary,
-    },
+    Patch(u32),
+    /// A patch of which more is known.
+    Formed(u32, Box<DistanceForm>),
+    Piece(Box<Piece>),
+}
+
+/// A part of a patch with the nearest point known of the patch.
+struct Piece {
+    patch: u32,
+    controls: Vec<DVec4>,
+    range: [[f64; 2]; 2],
+    foot: Stationary,
 }
 
 struct Entry {
@@ -70,17 +73,16 @@ impl Ord for Entry {
     }
 }
 
-/// The closest point of `patches` (with `tree` over their boxes) to `target`,
-/// or `None` if there are no patches.
+/// The closest point of `target` to `point`, or `None` if there are no patches.
 ///
-/// Guarantee: `lower <= d(target, patches) <= upper`, and `upper - lower <= gap`
-/// (plus rounding) unless the target is so evenly near to many points that a
+/// Guarantee: `lower <= d(point, target) <= upper`, and `upper - lower <= gap`
+/// (plus rounding) unless the point is so evenly near to many points that a
 /// fixed number of pieces does not separate them. Best first: whatever can be
-/// nearest is examined next, boxes of the tree, then patches, then their
-/// halves, those not beyond a plane bounded by a [`DistanceForm`]. O(log patches) in general position.
+/// nearest is examined next, boxes of the tree, then patches, by their own boxes
+/// and by a [`DistanceForm`], then their halves. O(log patches) in general position.
 #[must_use]
-pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> Option<Closest> {
-    closest_above(patches, tree, target, gap, None, 0.0, None)
+pub fn closest(target: &Target, point: DVec3, gap: f64) -> Option<Closest> {
+    closest_above(target, point, gap, None, 0.0, None)
 }
 
 /// The same from a point that is known, a patch and its parameters, and given
@@ -89,29 +91,28 @@ pub fn closest(patches: &PatchSet, tree: &BoxTree, target: DVec3, gap: f64) -> O
 /// Where the known point is nearer than any patch that is not among
 /// `candidates` can be, by their lemma, only they are examined.
 pub(crate) fn closest_above(
-    patches: &PatchSet,
-    tree: &BoxTree,
-    target: DVec3,
+    target: &Target,
+    point: DVec3,
     gap: f64,
     known: Option<(u32, [f64; 2])>,
     floor: f64,
     candidates: Option<&Candidates>,
 ) -> Option<Closest> {
-    let mut search = Search { patches, target, heap: BinaryHeap::new(), best: None };
-    let root = tree.nodes().first()?;
+    let mut search = Search { target, point, heap: BinaryHeap::new(), best: None };
+    let root = target.tree.nodes().first()?;
     if let Some((patch, parameters)) = known {
-        let distance_squared = patches.patch(patch as usize).point(parameters).distance_squared(target);
+        let distance_squared = search.patch(patch).point(parameters).distance_squared(point);
         search.offer(patch, parameters, distance_squared);
     }
     let upper = search.upper();
-    let moved = |about: &&Candidates| about.center.distance(target);
+    let moved = |about: &&Candidates| about.center.distance(point);
     if let Some(about) = candidates.filter(|about| upper <= about.reach - moved(about)) {
         for candidate in &about.list {
             let least = (candidate.least - moved(&about)).max(0.0);
-            search.push(least * least, Item::Patch(candidate.patch, None));
+            search.push(least * least, Item::Patch(candidate.patch));
         }
     } else {
-        search.push(root.aabb.min_distance_squared(target), Item::Node(0));
+        search.push(root.aabb.min_distance_squared(point), Item::Node(0));
     }
     let mut pieces = 0;
     let mut lower_squared = f64::INFINITY;
@@ -122,35 +123,35 @@ pub(crate) fn closest_above(
             break;
         }
         match item {
-            Item::Node(node) => search.open_node(tree, node as usize, least),
-            Item::Patch(patch, form) => search.open_patch(patch, form),
-            Item::Piece { patch, controls, range, foot } => {
+            Item::Node(node) => search.open_node(node as usize),
+            Item::Patch(patch) => search.open_patch(patch),
+            Item::Formed(patch, form) => search.open_formed(patch, &form),
+            Item::Piece(piece) => {
                 pieces += 1;
-                search.open_piece(patch, &controls, range, foot);
+                search.open_piece(&piece);
             }
         }
     }
-    let (patch, parameters, distance_squared) = search.best?;
-    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(target.abs()).max_element();
+    let (index, parameters, distance_squared) = search.best?;
+    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(point.abs()).max_element();
     let upper = distance_squared.sqrt();
     let lower = (lower_squared.sqrt().min(upper) - COORDINATE_ROUNDING * coordinate).max(0.0);
-    Some(Closest {
-        patch: patch as usize,
-        parameters,
-        point: patches.patch(patch as usize).point(parameters),
-        upper,
-        lower,
-    })
+    let point = search.patch(index).point(parameters);
+    Some(Closest { patch: index as usize, parameters, point, upper, lower })
 }
 
 struct Search<'a> {
-    patches: &'a PatchSet,
-    target: DVec3,
+    target: &'a Target,
+    point: DVec3,
     heap: BinaryHeap<Entry>,
     best: Option<(u32, [f64; 2], f64)>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn patch(&self, index: u32) -> Patch<'a> {
+        self.target.patches.patch(index as usize)
+    }
+
     fn best_squared(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.2)
     }
@@ -171,43 +172,46 @@ impl Search<'_> {
         }
     }
 
-    fn open_node(&mut self, tree: &BoxTree, index: usize, least: f64) {
+    fn open_node(&mut self, index: usize) {
+        let Target { tree, boxes, .. } = self.target;
         let node = tree.nodes()[index];
         if node.count == 0 {
             for child in [index + 1, node.second as usize] {
-                let least = tree.nodes()[child].aabb.min_distance_squared(self.target);
+                let least = tree.nodes()[child].aabb.min_distance_squared(self.point);
                 self.push(least, Item::Node(child as u32));
             }
             return;
         }
         let first = node.first as usize;
         for &patch in &tree.order()[first..first + node.count as usize] {
-            self.push(least, Item::Patch(patch, None));
+            let least = node.aabb.min_distance_squared(self.point);
+            let least = least.max(boxes[patch as usize].min_distance_squared(self.point));
+            self.push(least, Item::Patch(patch));
         }
     }
 
-    /// First its form, which mostly tells that it is too far.
-    fn open_patch(&mut self, index: u32, form: Option<DistanceForm>) {
-        let patch = self.patches.patch(index as usize);
-        let Some(form) = form else {
-            let start = nearest_control(&patch, self.target);
-            if !is_beyond(&patch, self.target, start, self.best_squared()) {
-                let form = DistanceForm::new(patch.degree, patch.controls, self.target - patch.center);
-                self.push(form.least(), Item::Patch(index, Some(form)));
-            }
-            return;
-        };
-        let start = nearest_control(&patch, self.target);
-        let foot = self.foot(index, newton(&patch, self.target, start, ITERATIONS));
-        self.push_piece(index, patch.controls.to_vec(), [[0.0, 1.0]; 2], &form, foot);
+    /// Its form mostly tells that it is too far.
+    fn open_patch(&mut self, index: u32) {
+        let patch = self.patch(index);
+        let form = DistanceForm::new(patch.degree, patch.controls, self.point - patch.center);
+        self.push(form.least(), Item::Formed(index, Box::new(form)));
     }
 
-    fn open_piece(&mut self, index: u32, controls: &[DVec4], range: [[f64; 2]; 2], known: Stationary) {
-        let patch = self.patches.patch(index as usize);
+    fn open_formed(&mut self, index: u32, form: &DistanceForm) {
+        let patch = self.patch(index);
+        let start = nearest_control(&patch, self.point);
+        let foot = self.foot(index, newton(&patch, self.point, start, ITERATIONS));
+        let controls = patch.controls.to_vec();
+        self.push_piece(Piece { patch: index, controls, range: [[0.0, 1.0]; 2], foot }, form);
+    }
+
+    fn open_piece(&mut self, piece: &Piece) {
+        let &Piece { patch: index, ref controls, range, foot: known } = piece;
+        let patch = self.patch(index);
         let middle = each(range, |[start, end]| 0.5 * (start + end));
         let mut foot = known;
-        if patch.point(middle).distance_squared(self.target) < self.best_squared() {
-            let found = self.foot(index, newton(&patch, self.target, middle, ITERATIONS));
+        if patch.point(middle).distance_squared(self.point) < self.best_squared() {
+            let found = self.foot(index, newton(&patch, self.point, middle, ITERATIONS));
             if found.distance_squared < known.distance_squared {
                 foot = found;
             }
@@ -215,36 +219,30 @@ impl Search<'_> {
         let piece = Patch { controls, domain: range, ..patch };
         let axis = longer_axis(&piece);
         for (controls, range) in piece.halves(axis).into_iter().zip(piece.half_domains(axis)) {
-            let form = DistanceForm::new(patch.degree, &controls, self.target - patch.center);
-            self.push_piece(index, controls, range, &form, foot);
+            let form = DistanceForm::new(patch.degree, &controls, self.point - patch.center);
+            self.push_piece(Piece { patch: index, controls, range, foot }, &form);
         }
     }
 
     /// Offers what an iteration ended at.
     fn foot(&mut self, index: u32, foot: Foot) -> Stationary {
         self.offer(index, foot.parameters, foot.distance_squared);
-        Stationary::new(&self.patches.patch(index as usize), self.target, &foot)
+        Stationary::new(&self.patch(index), self.point, &foot)
     }
 
-    fn push_piece(
-        &mut self,
-        index: u32,
-        controls: Vec<DVec4>,
-        range: [[f64; 2]; 2],
-        form: &DistanceForm,
-        foot: Stationary,
-    ) {
+    fn push_piece(&mut self, piece: Piece, form: &DistanceForm) {
+        let Piece { range, foot, .. } = &piece;
         let width = both(|axis| range[axis][1] - range[axis][0]);
         let local = Stationary {
             parameters: both(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),
             gradient: both(|axis| width[axis] * foot.gradient[axis]),
-            ..foot
+            ..*foot
         };
         let mut least = form.least();
         if local.parameters.iter().all(|parameter| (0.0..=1.0).contains(parameter)) {
             least = least.max(form.least_about(&local));
         }
-        self.push(least, Item::Piece { patch: index, controls, range, foot });
+        self.push(least, Item::Piece(Box::new(piece)));
     }
 }
 

@@ -6,6 +6,7 @@ mod distance_bound;
 mod newton;
 mod start;
 mod tangent_plane;
+mod target;
 
 pub(crate) use candidates::{Candidate, Candidates};
 pub(crate) use closest::closest_above;
@@ -13,9 +14,9 @@ pub use closest::{Closest, closest};
 pub use distance_bound::{DistanceForm, Stationary};
 pub use newton::newton;
 pub(crate) use newton::newton_below;
-pub(crate) use start::is_beyond;
 pub use start::nearest_control;
 pub use tangent_plane::{contraction, tangent_plane};
+pub use target::Target;
 
 use serde::Serialize;
 

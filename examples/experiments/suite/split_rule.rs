@@ -9,8 +9,8 @@ use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{PatchSet, extract};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, Target, project, sample};
-use nurbs_hausdorff::project::{Projection, closest};
+use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, project, sample};
+use nurbs_hausdorff::project::{Projection, Target, closest};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
 use rayon::prelude::*;
@@ -46,7 +46,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let uncut = Target::new(b.clone());
         let truth: Vec<f64> = samples
             .par_iter()
-            .map(|&point| closest(&uncut.patches, &uncut.tree, point, TRUTH).map_or(0.0, |found| found.upper))
+            .map(|&point| closest(&uncut, point, TRUTH).map_or(0.0, |found| found.upper))
             .collect();
         let mut measure = |rule: &str, degrees: f64, patches: PatchSet| {
             let [missed, largest] = errors(&Target::new(patches.clone()), &samples, &truth);

@@ -10,8 +10,8 @@ use evaluator::NurbsEvaluator;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, Target, project, sample};
-use nurbs_hausdorff::project::{Projection, closest};
+use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, project, sample};
+use nurbs_hausdorff::project::{Projection, Target, closest};
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use std::time::Instant;
 
@@ -69,7 +69,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
                 seconds = seconds.min(started.elapsed().as_secs_f64() / points.len() as f64);
             }
             let is_missed = |(&point, distance): (&DVec3, f64)| {
-                let found = closest(&target.patches, &target.tree, point, TRUTH);
+                let found = closest(&target, point, TRUTH);
                 found.is_some_and(|found| distance > found.upper + PUBLISHED.step_tolerance)
             };
             let missed = points.iter().zip(distances).filter(|&pair| is_missed(pair)).count();

@@ -1,0 +1,152 @@
+//! Stage `bound`: how far a region can be from B, by all bounds there are.
+
+use super::Search;
+use super::blend::{blend, carrying_feet};
+use super::certify::certify;
+use super::compare::compare;
+use super::corners::Corners;
+use super::feet::{Feet, Foot, Sample};
+use super::nearest::{foot_on, nearest_feet, place_on};
+use super::on_sphere::on_sphere;
+use super::region::{Cell, Part, Region};
+use super::side::moved;
+use crate::project::Status;
+use std::cell::OnceCell;
+
+/// By how much a foot may be farther than the nearest one, in radii of the
+/// region: a bound that much larger is mostly as good, and most patches that
+/// are about equally near need not be looked at.
+const NODE_SLACK: f64 = 0.25;
+const PATCH_SLACK: f64 = 0.2;
+const CELL_SLACK: f64 = 0.1;
+
+/// Distance, in radii of the cell, up to which corners are looked at: farther
+/// away, weighted means are as close and cost less.
+const NEAR: f64 = 2.0;
+
+/// What a region is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Several patches.
+    Node,
+    /// One patch, known by its middle only.
+    Patch,
+    /// A cell.
+    Cell,
+}
+
+/// What bounding one region gave.
+pub(super) struct Bounded {
+    pub(super) kind: Kind,
+    pub(super) upper: f64,
+    /// The foot of its middle.
+    pub(super) foot: Foot,
+    /// The patch of A of the sample.
+    pub(super) patch: u32,
+    /// The farthest point met.
+    pub(super) sample: Sample,
+}
+
+impl Search<'_> {
+    /// A bound of at most `enough` if one is found, else the least found.
+    pub(super) fn bound(&self, region: &Region, enough: f64) -> Bounded {
+        match &region.part {
+            Part::Node(index) => self.bound_node(*index, region, enough),
+            Part::Cell(cell) => self.bound_cell(cell, region, enough),
+        }
+    }
+
+    /// By the triangle inequality from one point of the node's first patch.
+    fn bound_node(&self, index: u32, region: &Region, enough: f64) -> Bounded {
+        let tree = &self.a.target.tree;
+        let node = &tree.nodes()[index as usize];
+        let mut leaf = index as usize;
+        while tree.nodes()[leaf].count == 0 {
+            leaf += 1;
+        }
+        let patch = tree.order()[tree.nodes()[leaf].first as usize];
+        let parameters = [0.5; 2];
+        let local = self.a.patch(patch).point(parameters);
+        let point = self.transform.apply(local);
+        let radius = node.aabb.max_distance_squared(local).sqrt();
+        let (kind, slack) =
+            if node.count > 0 { (Kind::Patch, PATCH_SLACK) } else { (Kind::Node, NODE_SLACK) };
+        let mut foot = place_on(&self.b, point, region.foot.patch, region.foot.parameters);
+        // The first part's point is the whole's, but a patch's own foot is to be closer.
+        if kind == Kind::Patch || foot.distance_squared != region.foot.distance_squared {
+            foot = nearest_feet(&self.b, point, foot, enough - radius, slack * radius).nearest();
+        }
+        let upper = region.upper.min(foot.distance() + radius);
+        Bounded { kind, upper, foot, patch, sample: Sample { parameters, foot } }
+    }
+
+    fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
+        let patch = self.a.patch(cell.patch);
+        let [low, high] = [cell.at([-1.0; 2]), cell.at([1.0; 2])];
+        // Beside a sphere they are not needed.
+        let bounds = OnceCell::new();
+        let bounds = || bounds.get_or_init(|| self.a.bounds(cell.patch, low, high));
+        let jet = moved(&patch.jet(cell.center), &self.transform);
+        let by_foot = |foot: &Foot| {
+            let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
+            let upper =
+                sphere.map_or(f64::INFINITY, |sphere| on_sphere(cell, &patch, &self.transform, &sphere));
+            if upper <= enough {
+                upper
+            } else {
+                upper.min(certify(cell, &jet, bounds(), &self.b, foot, enough))
+            }
+        };
+        let by_feet = |feet: &Feet| match feet.all() {
+            [_] => f64::INFINITY,
+            _ => blend(cell, &jet, bounds(), &self.b, feet),
+        };
+        let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
+        let mut sample = Sample { parameters: cell.center, foot: known };
+        let mut upper = by_foot(&known);
+        // Near enough as the parent's foot leads, wherever the nearest is.
+        if upper > enough {
+            let feet = carrying_feet(cell, &jet, &self.b, known);
+            upper = upper.min(by_feet(&feet));
+            sample.foot = feet.nearest();
+        }
+        let mut foot = sample.foot;
+        if upper > enough {
+            let [h, k] = cell.half;
+            let radius = h * bounds().first[0] + k * bounds().first[1];
+            // Away from edges the parent's foot leads to the nearest patch again,
+            // except across a ridge, which every other level looks for.
+            let follow = foot.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
+            let same = cell.is_whole() && foot.distance_squared == region.foot.distance_squared;
+            if !follow && !same {
+                let slack = if cell.is_whole() { 0.0 } else { CELL_SLACK * radius };
+                let feet = nearest_feet(&self.b, jet.point, foot, enough - radius, slack);
+                upper = upper.min(by_feet(&feet));
+                foot = feet.nearest();
+            }
+            // The parent's middle was told to be about as far as no point may be, and
+            // no point was found that far: of a patch with two valleys, the iteration
+            // may have gone into the wrong one.
+            let doubtful = 0.5 * (self.lower() + enough);
+            let far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance() > doubtful;
+            if !cell.is_whole() && far(&region.foot) && far(&foot) {
+                foot = self.surest(jet.point, foot);
+            }
+            if foot != known {
+                upper = upper.min(by_foot(&foot));
+            }
+            if upper > enough {
+                upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
+            }
+            sample.foot = foot;
+            let corners =
+                Corners { cell: *cell, patch, bounds: bounds(), transform: &self.transform, b: &self.b };
+            if upper > enough && foot.distance() <= NEAR * radius && corners.may_suffice(&foot, enough) {
+                upper = upper.min(corners.bound(&foot, enough, &mut sample));
+            }
+        }
+        // What is no number bounds nothing.
+        let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
+        Bounded { kind: Kind::Cell, upper, foot, patch: cell.patch, sample }
+    }
+}

@@ -1,0 +1,26 @@
+//! What points are projected on.
+
+use crate::bezier::{OrientedBox, PatchSet};
+use crate::gather::Gather;
+use crate::tree::BoxTree;
+
+/// Flat patches with the tree over their boxes.
+#[derive(Debug, Clone)]
+pub struct Target {
+    /// The patches.
+    pub patches: PatchSet,
+    /// The tree over their axis-aligned boxes.
+    pub tree: BoxTree,
+    /// A closer box around each patch.
+    pub(crate) boxes: Vec<OrientedBox>,
+}
+
+impl Target {
+    /// Builds the boxes and the tree. O(n log n).
+    #[must_use]
+    pub fn new(patches: PatchSet) -> Self {
+        let boxes = patches.iter().map(|patch| patch.bounding_box()).gather();
+        let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).gather();
+        Self { tree: BoxTree::new(&boxes), boxes: oriented, patches }
+    }
+}
