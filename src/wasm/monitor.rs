@@ -26,9 +26,9 @@ impl Watch {
 
 impl Monitor for Watch {
     fn progress(&mut self, fraction: f64) {
-        let interval = self.interval.map_or(JsValue::UNDEFINED, |interval| {
-            interval.into_iter().map(JsValue::from).collect::<Array>().into()
-        });
+        let interval = self
+            .interval
+            .map_or(JsValue::UNDEFINED, |[lower, upper]| Array::of2(&lower.into(), &upper.into()).into());
         if let Some(on_progress) = &self.on_progress
             && let Err(thrown) = on_progress.call2(&JsValue::UNDEFINED, &fraction.into(), &interval)
         {

@@ -5,27 +5,25 @@
 
 use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
-use serde::ser::{
-    Error as _, Impossible, SerializeMap, SerializeSeq, SerializeStruct, SerializeTuple, Serializer,
-};
+use serde::ser::{Impossible, SerializeMap, SerializeSeq, SerializeStruct, SerializeTuple, Serializer};
 use std::fmt::Display;
 use wasm_bindgen::JsValue;
 
-/// Why a result cannot be written.
+/// A result holds data that no result holds: nothing that was made of one.
 #[derive(Debug)]
-pub(super) struct Mismatch(pub(super) String);
+pub(super) struct Mismatch;
 
 impl Display for Mismatch {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.write_str(&self.0)
+        formatter.write_str("results hold no such data")
     }
 }
 
 impl std::error::Error for Mismatch {}
 
 impl serde::ser::Error for Mismatch {
-    fn custom<T: Display>(message: T) -> Self {
-        Self(message.to_string())
+    fn custom<T: Display>(_: T) -> Self {
+        Self
     }
 }
 
@@ -39,9 +37,10 @@ pub(super) struct Properties {
 }
 
 impl Properties {
-    fn set(&self, name: &JsValue, value: &JsValue) -> Result<(), Mismatch> {
-        let set = Reflect::set(&self.object, name, value);
-        set.map(|_| ()).map_err(|_| Mismatch::custom("an object refused a property"))
+    fn set(&self, name: &JsValue, value: Written) -> Result<(), Mismatch> {
+        // Only a proxy or a frozen object refuses a property.
+        let _ = Reflect::set(&self.object, name, &value?);
+        Ok(())
     }
 }
 
@@ -51,7 +50,7 @@ pub(super) struct Items(Array);
 type Written = Result<JsValue, Mismatch>;
 
 fn none<T>() -> Result<T, Mismatch> {
-    Err(Mismatch::custom("results hold no such data"))
+    Err(Mismatch)
 }
 
 macro_rules! numbers {
@@ -209,7 +208,7 @@ impl SerializeStruct for Properties {
         name: &'static str,
         value: &T,
     ) -> Result<(), Mismatch> {
-        self.set(&name.into(), &value.serialize(Plain)?)
+        self.set(&name.into(), value.serialize(Plain))
     }
 
     fn end(self) -> Written {
@@ -227,7 +226,7 @@ impl SerializeMap for Properties {
     }
 
     fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Mismatch> {
-        self.set(&self.name, &value.serialize(Plain)?)
+        self.set(&self.name, value.serialize(Plain))
     }
 
     fn end(self) -> Written {

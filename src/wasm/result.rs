@@ -1,7 +1,8 @@
 //! A result as a plain JavaScript object.
 
 use super::object::object;
-use super::plain::{Mismatch, Plain};
+use super::plain::Plain;
+use crate::both::each;
 use crate::distance::{DistanceResult, Field};
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;
@@ -9,7 +10,7 @@ use wasm_bindgen::{JsError, JsValue};
 
 /// The result as the command line prints it, with the fields as typed arrays.
 pub(super) fn of(result: &DistanceResult) -> Result<JsValue, JsValue> {
-    let object = result.serialize(Plain).map_err(|Mismatch(found)| JsError::new(&found))?;
+    let object = result.serialize(Plain).map_err(JsError::from)?;
     add_field(&object, result)?;
     for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
         if let Some(directed) = directed {
@@ -21,17 +22,20 @@ pub(super) fn of(result: &DistanceResult) -> Result<JsValue, JsValue> {
 
 fn add_field(object: &JsValue, result: &DistanceResult) -> Result<(), JsValue> {
     if !result.field.is_empty() {
-        let fields = result.field.iter().map(field).collect::<Array>();
+        let fields = Array::new();
+        for part in &result.field {
+            fields.push(&field(part));
+        }
         Reflect::set(object, &"field".into(), &fields)?;
     }
     Ok(())
 }
 
 fn field(field: &Field) -> JsValue {
-    let counts: Array = field.counts.iter().map(|&count| JsValue::from(count as u32)).collect();
+    let [rows, columns] = each(field.counts, |count| JsValue::from(count as u32));
     object(&[
         ("surface", JsValue::from(field.surface as u32)),
-        ("counts", counts.into()),
+        ("counts", Array::of2(&rows, &columns).into()),
         ("points", Float64Array::from(field.points.as_slice()).into()),
         ("feet", Float64Array::from(field.feet.as_slice()).into()),
         ("distances", Float64Array::from(field.distances.as_slice()).into()),
