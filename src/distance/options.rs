@@ -118,27 +118,41 @@ const MOST_SAMPLES: usize = 1024;
 /// that one patch of the highest degree stays within a kernel's turns.
 const MOST_ITERATIONS: u32 = 300;
 
+const POSITIVE: &str = "a positive finite number";
+const AT_LEAST_0: &str = "a finite number of at least 0";
+
 impl Options {
     /// Checks every range.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option.
     pub fn validate(&self) -> Result<()> {
-        let Self { samples, iterations, tolerance, step_tolerance, .. } = *self;
-        check("samples", (2..=MOST_SAMPLES).contains(&samples), samples as f64, "2 to 1024")?;
-        check("grid", (2..=MOST_SAMPLES).contains(&self.grid), self.grid as f64, "2 to 1024")?;
+        let positive = |found: f64| found.is_finite() && found > 0.0;
+        let at_least_0 = |found: f64| found.is_finite() && found >= 0.0;
+        let counts = 2..=MOST_SAMPLES;
         let memory = (1..=MOST_MEMORY).contains(&self.memory_budget);
-        check("memory budget", memory, self.memory_budget as f64, "1 to 256 MiB")?;
-        check("iterations", (1..=MOST_ITERATIONS).contains(&iterations), iterations.into(), "1 to 300")?;
-        check_positive("tolerance", tolerance)?;
-        if let Some(limit) = self.limit {
-            check("limit", limit.is_finite() && limit >= 0.0, limit, "a finite number of at least 0")?;
+        let iterations = (1..=MOST_ITERATIONS).contains(&self.iterations);
+        // One list, as every call that may fail is code of the wasm module.
+        let checks = [
+            ("samples", counts.contains(&self.samples), self.samples as f64, "2 to 1024"),
+            ("grid", counts.contains(&self.grid), self.grid as f64, "2 to 1024"),
+            ("memory budget", memory, self.memory_budget as f64, "1 to 256 MiB"),
+            ("iterations", iterations, self.iterations.into(), "1 to 300"),
+            ("tolerance", positive(self.tolerance), self.tolerance, POSITIVE),
+            ("limit", self.limit.is_none_or(at_least_0), self.limit.unwrap_or_default(), AT_LEAST_0),
+            (
+                "max seconds",
+                self.max_seconds.is_none_or(positive),
+                self.max_seconds.unwrap_or_default(),
+                POSITIVE,
+            ),
+            ("max cells", self.max_cells != Some(0), 0.0, "at least 1"),
+            ("step tolerance", positive(self.step_tolerance), self.step_tolerance, POSITIVE),
+        ];
+        match checks.into_iter().find(|(_, valid, ..)| !valid) {
+            Some((option, _, found, expected)) => Err(Error::out_of_range(option, found, expected)),
+            None => Ok(()),
         }
-        if let Some(seconds) = self.max_seconds {
-            check_positive("max seconds", seconds)?;
-        }
-        check("max cells", self.max_cells != Some(0), 0.0, "at least 1")?;
-        check_positive("step tolerance", step_tolerance)
     }
 
     pub(crate) fn rule(&self) -> Rule {
@@ -149,12 +163,4 @@ impl Options {
             culling: self.culling,
         }
     }
-}
-
-fn check_positive(option: &'static str, found: f64) -> Result<()> {
-    check(option, found.is_finite() && found > 0.0, found, "a positive finite number")
-}
-
-fn check(option: &'static str, valid: bool, found: f64, expected: &'static str) -> Result<()> {
-    if valid { Ok(()) } else { Err(Error::out_of_range(option, found, expected)) }
 }
