@@ -15,7 +15,7 @@ const MOST_LOSSES: u32 = 2;
 pub struct Engine {
     gpu: RefCell<Option<Rc<Gpu>>>,
     losses: Cell<u32>,
-    /// Why there is no GPU, if one was wanted.
+    /// Why there is no GPU, if one was wanted: there is none, or it was lost.
     missing: RefCell<Option<Error>>,
 }
 
@@ -118,8 +118,11 @@ impl Engine {
     fn gpu_for(&self, backend: Backend) -> Result<Option<Rc<Gpu>>> {
         let gpu = self.gpu.borrow().clone().filter(|_| backend != Backend::Cpu);
         if gpu.is_none() && backend == Backend::Gpu {
-            let found = "the engine was made without one".to_owned();
-            return Err(self.missing.borrow().clone().unwrap_or(Error::NoAdapter { found }));
+            return Err(match &*self.missing.borrow() {
+                Some(Error::DeviceLost { found }) => Error::DeviceLost { found: found.clone() },
+                Some(Error::NoAdapter { found }) => Error::NoAdapter { found: found.clone() },
+                _ => Error::NoAdapter { found: "the engine was made without one".to_owned() },
+            });
         }
         Ok(gpu)
     }
@@ -158,11 +161,8 @@ impl Engine {
         } else {
             Error::DeviceLost { found: format!("{MOST_LOSSES} times, the last time: {found}") }
         };
-        self.missing.replace(Some(error.clone()));
-        if backend == Backend::Gpu {
-            return Err(error);
-        }
-        Ok(())
+        self.missing.replace(Some(error));
+        self.gpu_for(backend).map(drop)
     }
 }
 
