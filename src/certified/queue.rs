@@ -104,7 +104,7 @@ impl Queue {
     /// Brings regions of the largest bounds to the end.
     fn choose(&mut self) {
         self.chosen = self.capacity / CHOSEN_PART;
-        let regions = self.regions.make_contiguous();
+        let regions = &self.regions;
         let mut order: Vec<u32> = (0..regions.len() as u32).gather();
         let first = regions.len() - self.chosen;
         select(&mut order, first, &|index| regions[index as usize].upper);
