@@ -44,7 +44,7 @@ impl Gpu {
                 ..Default::default()
             })
             .await
-            .map_err(|error| no_adapter(error.to_string()))?;
+            .map_err(|error| no_adapter(why_none(&error)))?;
         let lanes = lanes_that_load_together(&adapter);
         let required_features = if lanes > 0 { wgpu::Features::SUBGROUP } else { wgpu::Features::empty() };
         let (device, queue) = adapter
@@ -175,6 +175,25 @@ impl Gpu {
         buffer.unmap();
         Ok(content)
     }
+}
+
+/// What was tried without finding an adapter.
+#[cfg(not(target_arch = "wasm32"))]
+fn why_none(error: &wgpu::RequestAdapterError) -> String {
+    error.to_string()
+}
+
+/// Browsers tell no more, and of the other platforms that the error's own text
+/// goes through there is none.
+#[cfg(target_arch = "wasm32")]
+fn why_none(error: &wgpu::RequestAdapterError) -> String {
+    match error {
+        wgpu::RequestAdapterError::NotFound { no_adapter_backends, .. } if no_adapter_backends.is_empty() => {
+            "the browser has no WebGPU"
+        }
+        _ => "the browser found none",
+    }
+    .to_owned()
 }
 
 /// Threads of a subgroup where loading together pays, else 0: on processors,
