@@ -23,8 +23,8 @@ impl OrientedBox {
     pub fn new(patch: &Patch<'_>) -> Self {
         let (last, columns) = (patch.controls.len() - 1, patch.degree[1]);
         let way = |from: usize, to: usize| {
-            let [from, to] = [from, to].map(|index| patch.controls[index].xyz() / patch.controls[index].w);
-            to - from
+            let at = |index: usize| patch.controls[index].xyz() / patch.controls[index].w;
+            at(to) - at(from)
         };
         let [rising, falling] = [way(0, last), way(columns, last - columns)];
         let [s, t] = [rising + falling, rising - falling];

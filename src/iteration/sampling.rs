@@ -59,8 +59,8 @@ impl Sampling {
                 SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });
-            let places = [0, 1]
-                .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).gather());
+            let places =
+                both(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).gather());
             grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
         }
         let radius = CellRadius::of_all(model, &grids);
