@@ -1,6 +1,6 @@
 //! The patches that can be nearest to points about one point.
 
-use super::{DistanceForm, Stationary, Target, nearest_control, newton};
+use super::{Target, nearest_control, newton};
 use crate::order::by_falling;
 use crate::tree::Aabb;
 use glam::DVec3;
@@ -28,8 +28,7 @@ pub(crate) struct Candidate {
 /// away, and every other patch `reach - |x - c|`.
 ///
 /// Proof. The distance to a set changes by no more than the point moves,
-/// `d(x, P) >= d(c, P) - |x - c|`; the bounds of d(c, P) are boxes' and
-/// [`DistanceForm`]'s. ∎
+/// `d(x, P) >= d(c, P) - |x - c|`; the bounds of d(c, P) are the boxes'. ∎
 #[derive(Debug)]
 pub(crate) struct Candidates {
     pub(crate) center: DVec3,
@@ -55,7 +54,7 @@ impl Candidates {
         candidate.least * candidate.least - 2.0 * along + step.length_squared()
     }
 
-    /// Of all patches about `center`. O(p^2 q^2) for each whose box is within reach.
+    /// Of all patches about `center`. O(p q) for each whose boxes are within reach.
     pub(crate) fn new(target: &Target, center: DVec3, reach: f64) -> Self {
         let Target { patches, tree, boxes } = target;
         let reach_squared = reach * reach;
@@ -71,23 +70,14 @@ impl Candidates {
             }
             let first = node.first as usize;
             for &index in &tree.order()[first..first + node.count as usize] {
-                if boxes[index as usize].min_distance_squared(center) >= reach_squared {
-                    continue;
-                }
-                let patch = patches.patch(index as usize);
-                let form = DistanceForm::new(patch.degree, patch.controls, center - patch.center);
-                let least = form.least();
-                if least >= reach_squared {
-                    continue;
-                }
-                let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
-                let known = Stationary::new(&patch, center, &foot);
-                let least = least.max(form.least_about(&known)).sqrt();
-                if least < reach {
-                    let parameters = foot.parameters;
-                    let point = patch.point(parameters);
-                    let aabb = patch.bounding_box();
-                    list.push(Candidate { patch: index, parameters, point, least, aabb });
+                let aabb = node.aabb;
+                let of_box = boxes[index as usize].min_distance_squared(center);
+                let least = of_box.max(aabb.min_distance_squared(center));
+                if least < reach_squared {
+                    let patch = patches.patch(index as usize);
+                    let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
+                    let (parameters, point) = (foot.parameters, patch.point(foot.parameters));
+                    list.push(Candidate { patch: index, parameters, point, least: least.sqrt(), aabb });
                 }
             }
         }
