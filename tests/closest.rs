@@ -28,7 +28,7 @@ fn target_of(model: &Model, flatness: Flatness) -> Target {
 /// The closest point, which must lie on the model by the independent evaluator,
 /// as far away as is said.
 fn find(model: &Model, target: &Target, point: DVec3) -> Closest {
-    let found = closest(&target, point, GAP).unwrap();
+    let found = closest(target, point, GAP).unwrap();
     let patch = target.patches.patch(found.patch);
     let [u, v] = patch.surface_parameters(found.parameters);
     let on_it = DVec3::from_array(evaluator::point(&model.surfaces()[patch.surface], u, v));

@@ -97,7 +97,7 @@ impl<'a> Target<'a> {
         let target = self.flat.get_or_init(flat);
         let diagonal = self.model.bounding_box().diagonal();
         let gap = HINT_GAP * diagonal.max(f64::MIN_POSITIVE);
-        let Some(found) = closest(&target, point + self.origin, gap) else {
+        let Some(found) = closest(target, point + self.origin, gap) else {
             return f64::INFINITY;
         };
         let patch = target.patches.patch(found.patch);

@@ -16,28 +16,16 @@ use std::cell::OnceCell;
 /// By how much a foot may be farther than the nearest one, in radii of the
 /// region: a bound that much larger is mostly as good, and most patches that
 /// are about equally near need not be looked at.
-const NODE_SLACK: f64 = 0.25;
-const PATCH_SLACK: f64 = 0.2;
-const CELL_SLACK: f64 = 0.1;
+const NODE_SLACK: f64 = 0.3;
+const PATCH_SLACK: f64 = 0.3;
+const CELL_SLACK: f64 = 0.15;
 
 /// Distance, in radii of the cell, up to which corners are looked at: farther
 /// away, weighted means are as close and cost less.
 const NEAR: f64 = 2.0;
 
-/// What a region is of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// Several patches.
-    Node,
-    /// One patch, known by its middle only.
-    Patch,
-    /// A cell.
-    Cell,
-}
-
 /// What bounding one region gave.
 pub(super) struct Bounded {
-    pub(super) kind: Kind,
     pub(super) upper: f64,
     /// The foot of its middle.
     pub(super) foot: Foot,
@@ -69,15 +57,15 @@ impl Search<'_> {
         let local = self.a.patch(patch).point(parameters);
         let point = self.transform.apply(local);
         let radius = node.aabb.max_distance_squared(local).sqrt();
-        let (kind, slack) =
-            if node.count > 0 { (Kind::Patch, PATCH_SLACK) } else { (Kind::Node, NODE_SLACK) };
+        let is_patch = node.count > 0;
+        let slack = if is_patch { PATCH_SLACK } else { NODE_SLACK };
         let mut foot = place_on(&self.b, point, region.foot.patch, region.foot.parameters);
         // The first part's point is the whole's, but a patch's own foot is to be closer.
-        if kind == Kind::Patch || foot.distance_squared != region.foot.distance_squared {
+        if is_patch || foot.distance_squared != region.foot.distance_squared {
             foot = nearest_feet(&self.b, point, foot, enough - radius, slack * radius).nearest();
         }
         let upper = region.upper.min(foot.distance() + radius);
-        Bounded { kind, upper, foot, patch, sample: Sample { parameters, foot } }
+        Bounded { upper, foot, patch, sample: Sample { parameters, foot } }
     }
 
     fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
@@ -104,19 +92,21 @@ impl Search<'_> {
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         let mut sample = Sample { parameters: cell.center, foot: known };
         let mut upper = by_foot(&known);
+        // Away from edges the parent's foot leads to the nearest patch again,
+        // except across a ridge, which every other level looks for; and so do
+        // the feet that carry a balance.
+        let mut follow = known.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
         // Near enough as the parent's foot leads, wherever the nearest is.
         if upper > enough {
             let feet = carrying_feet(cell, &jet, &self.b, known);
             upper = upper.min(by_feet(&feet));
             sample.foot = feet.nearest();
+            follow |= feet.all().len() > 1;
         }
         let mut foot = sample.foot;
         if upper > enough {
             let [h, k] = cell.half;
             let radius = h * bounds().first[0] + k * bounds().first[1];
-            // Away from edges the parent's foot leads to the nearest patch again,
-            // except across a ridge, which every other level looks for.
-            let follow = foot.status == Status::Converged && region.level % 2 == 1 && !cell.is_whole();
             let same = cell.is_whole() && foot.distance_squared == region.foot.distance_squared;
             if !follow && !same {
                 let slack = if cell.is_whole() { 0.0 } else { CELL_SLACK * radius };
@@ -147,6 +137,6 @@ impl Search<'_> {
         }
         // What is no number bounds nothing.
         let upper = if upper.is_nan() { region.upper } else { upper.min(region.upper) };
-        Bounded { kind: Kind::Cell, upper, foot, patch: cell.patch, sample }
+        Bounded { upper, foot, patch: cell.patch, sample }
     }
 }

@@ -6,7 +6,7 @@ use crate::project::Candidates;
 
 /// Patches looked at by parts of patches before a list is worth its making,
 /// which costs about as much.
-const MOST_LOOKS: usize = 256;
+const MOST_LOOKS: usize = 64;
 
 /// How much farther than the farthest point's patch others are listed, in radii
 /// of a cell: its corners are two from that point, and so move both distances.

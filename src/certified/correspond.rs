@@ -13,10 +13,10 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 /// Then `A - B` has those weights too and the differences of the control
 /// points for its own, whose hull contains it. O(p q).
 pub(super) fn correspond(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
-    if index as usize >= b.target.patches.len() {
+    if index as usize >= b.alike.len() {
         return f64::INFINITY;
     }
-    let (of_a, of_b) = (a.patch(index), b.patch(index));
+    let (of_a, of_b) = (a.patch(index), b.alike.patch(index as usize));
     let place = |patch: &Patch<'_>| (patch.surface, patch.degree, patch.domain);
     if place(&of_a) != place(&of_b) {
         return f64::INFINITY;

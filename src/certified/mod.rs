@@ -12,6 +12,7 @@
 //! largest bound of all is an upper bound of the directed distance whatever
 //! an iteration did: one that fails can only loosen.
 
+mod across;
 mod at_once;
 mod balance;
 mod blend;
@@ -22,6 +23,7 @@ mod climb;
 mod compare;
 mod corners;
 mod correspond;
+mod extreme;
 mod feet;
 mod foot_map;
 mod nearest;

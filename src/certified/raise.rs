@@ -1,7 +1,9 @@
 //! Stage `raise`: the farthest samples, certified, raise the lower bound.
 
-use super::bound::{Bounded, Kind};
+use super::across::across;
+use super::bound::Bounded;
 use super::climb::climb;
+use super::extreme::extreme;
 use super::feet::{Foot, Sample};
 use super::nearest::{foot_on, nearest_within};
 use super::search::{Farthest, Interval};
@@ -12,6 +14,9 @@ use glam::DVec3;
 
 /// Farthest samples of a chunk that are certified, at most.
 const MOST_CERTIFIED: usize = 8;
+
+/// Patches that a sample climbs on to from the first, at most.
+const MOST_CROSSINGS: usize = 4;
 
 /// Width asked of a sample's certificate, relative to the interval's.
 const CERTIFICATE_PART: f64 = 3e-2;
@@ -35,15 +40,10 @@ impl Search<'_> {
         }
     }
 
-    /// Certifies the chunk's farthest samples that exceed the best by more than
-    /// a certificate's width.
-    ///
-    /// From the middles of patches it climbs in any case: the farthest point is
-    /// seldom on the patch whose middle is farthest, and knowing it before cells
-    /// are bounded spares most of them.
+    /// Certifies the chunk's farthest samples while they exceed the best by more
+    /// than a certificate's width.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
         let mut samples: Vec<&Bounded> = bounded.iter().flatten().gather();
-        let upper = samples.iter().fold(0.0_f64, |upper, bounded| upper.max(bounded.upper));
         for _ in 0..MOST_CERTIFIED.min(samples.len()) {
             let mut farthest = (0, -1.0);
             for (index, bounded) in samples.iter().enumerate() {
@@ -51,40 +51,58 @@ impl Search<'_> {
                     farthest = (index, bounded.sample.foot.distance_squared);
                 }
             }
-            let Bounded { patch, sample, kind, upper: most, .. } = samples.swap_remove(farthest.0);
-            let is_farther = match kind {
-                Kind::Node => self.raise_to(*patch, *sample, self.certificate_width(upper)),
-                Kind::Patch if *most > self.enough() => self.climb_from(*patch, *sample, 0.0),
-                Kind::Patch | Kind::Cell => self.climb_from(*patch, *sample, self.lower()),
-            };
-            if !is_farther {
+            let Bounded { patch, sample, .. } = samples.swap_remove(farthest.0);
+            if !self.climb_from(*patch, *sample) {
                 return;
             }
         }
     }
 
-    /// Certifies a sample moved to where the distance is locally largest, if it
-    /// is farther than `floor`; tells whether it seemed so.
-    pub(super) fn climb_from(&mut self, patch: u32, sample: Sample, floor: f64) -> bool {
+    /// Certifies a sample moved to where the distance is locally largest; tells
+    /// whether it seemed farther than the best.
+    pub(super) fn climb_from(&mut self, patch: u32, sample: Sample) -> bool {
         let width = LAST_PART * self.tolerance;
-        if sample.foot.distance() <= floor + width {
+        let most = self.lower() + width;
+        if sample.foot.distance() <= most {
             return false;
         }
-        let sample = self.with_nearest(patch, sample, floor + width);
-        if sample.foot.distance() > floor + width {
-            let climbed = climb(&self.a, &self.b, &self.transform, patch, sample, width);
+        let sample = self.with_nearest(patch, sample, most);
+        if sample.foot.distance() > most {
+            let (patch, climbed) = self.climbed(patch, sample);
             self.raise_to(patch, climbed, width);
         }
         true
     }
 
-    /// Takes a sample for the farthest point if its certificate says so; tells
-    /// whether it seemed farther by more than the certificate's width.
-    fn raise_to(&mut self, patch: u32, sample: Sample, width: f64) -> bool {
-        let most = self.lower() + width;
-        if sample.foot.distance() <= most {
-            return false;
+    /// The sample moved to where the distance is locally largest, over the edges
+    /// of its patch too.
+    fn climbed(&self, patch: u32, sample: Sample) -> (u32, Sample) {
+        let least = LAST_PART * self.tolerance;
+        let climb = |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least);
+        let mut best = (patch, climb(patch, sample));
+        let mut seen = vec![patch];
+        for _ in 0..MOST_CROSSINGS {
+            let before = best;
+            for (patch, parameters) in across(&self.a, before.0, before.1.parameters) {
+                if seen.contains(&patch) {
+                    continue;
+                }
+                seen.push(patch);
+                let further = climb(patch, Sample { parameters, ..before.1 });
+                if further.foot.distance() > best.1.foot.distance() + least {
+                    best = (patch, further);
+                }
+            }
+            if best.0 == before.0 {
+                break;
+            }
         }
+        best
+    }
+
+    /// Takes a sample for the farthest point if its certificate says so.
+    fn raise_to(&mut self, patch: u32, sample: Sample, width: f64) {
+        let most = self.lower() + width;
         let Sample { parameters, foot } = self.with_nearest(patch, sample, most);
         if foot.distance() > most {
             let start = Some((foot.patch, foot.parameters));
@@ -92,7 +110,6 @@ impl Search<'_> {
             let is_better = |found: &Farthest| found.closest.lower > self.lower();
             self.farthest = found.filter(is_better).or(self.farthest);
         }
-        true
     }
 
     /// The sample with the nearest foot, or one at most `enough` away.
@@ -101,11 +118,21 @@ impl Search<'_> {
         Sample { foot: nearest_within(&self.b, point, sample.foot, enough), ..sample }
     }
 
-    /// Takes some point for the farthest: a witness also where the models'
-    /// boxes alone answer.
+    /// Takes the point for the farthest that goes farthest away from B, from
+    /// its centre to A's, and climbs from there: a witness also where the boxes
+    /// alone answer, and the farthest point of a moved copy.
     pub(super) fn begin(&mut self, upper: f64) {
-        if !self.a.target.patches.is_empty() {
-            self.farthest = self.certificate(0, [0.5; 2], self.certificate_width(upper), None, 0.0);
+        let [from, to] =
+            [&self.a, &self.b].map(|side| side.target.tree.nodes().first().map(|root| root.aabb.center()));
+        let (Some(from), Some(to)) = (from, to) else { return };
+        let away = self.transform.inverse().rotate(self.transform.apply(from) - to);
+        let (patch, parameters) = extreme(&self.a, away).unwrap_or((0, [0.5; 2]));
+        self.farthest = self.certificate(patch, parameters, self.certificate_width(upper), None, 0.0);
+        let Some(Farthest { closest, point, .. }) = self.farthest else { return };
+        if upper > self.enough() {
+            let foot = foot_on(&self.b, point, closest.patch as u32, closest.parameters);
+            let (patch, climbed) = self.climbed(patch, Sample { parameters, foot });
+            self.raise_to(patch, climbed, LAST_PART * self.tolerance);
         }
     }
 

@@ -203,7 +203,7 @@ impl<'a> Search<'a> {
         let Some((patch, parameters)) = returned.farthest else { return };
         let point = self.transform.apply(self.a.patch(patch).point(parameters));
         let foot = nearest_within(&self.b, point, Foot::start(0, [0.5; 2]), 0.0);
-        self.climb_from(patch, Sample { parameters, foot }, self.lower());
+        self.climb_from(patch, Sample { parameters, foot });
     }
 
     pub(super) fn lower(&self) -> f64 {

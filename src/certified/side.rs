@@ -1,6 +1,6 @@
 //! One of the two models, as this method wants it.
 
-use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch};
+use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch, PatchSet};
 use crate::model::RigidTransform;
 use crate::project::Candidates;
 use crate::project::Target;
@@ -13,6 +13,8 @@ use std::sync::atomic::AtomicUsize;
 pub(crate) struct Side<'a> {
     pub(super) target: &'a Target,
     pub(super) bounds: &'a [LocalBounds],
+    /// Its patches cut as the other side's are.
+    pub(super) alike: &'a PatchSet,
     /// What each surface is, where that is known.
     pub(super) revolutions: &'a [Option<Revolution>],
     /// A sphere among them.
@@ -26,7 +28,20 @@ pub(crate) struct Side<'a> {
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
-        Self { target, bounds, revolutions: &[], sphere: None, candidates: None, looks: AtomicUsize::new(0) }
+        Self {
+            target,
+            bounds,
+            alike: &target.patches,
+            revolutions: &[],
+            sphere: None,
+            candidates: None,
+            looks: AtomicUsize::new(0),
+        }
+    }
+
+    /// Beside one whose patches are cut otherwise, as these of the same model are.
+    pub(crate) fn beside(self, alike: &'a PatchSet) -> Self {
+        Self { alike, ..self }
     }
 
     /// Knowing what each surface is.

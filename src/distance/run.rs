@@ -105,7 +105,10 @@ impl Ends<'_> {
         let fine = self.from.bezier().patches.len() >= FINE;
         let of_cells = if fine { Flatness::None } else { Flatness::Loose };
         let (from, to) = (self.from.target(of_cells), self.to.target(Flatness::Loose));
-        let (a, b) = (from.side(self.from), to.side(self.to));
+        let (a, mut b) = (from.side(self.from), to.side(self.to));
+        if fine {
+            b = b.beside(&self.to.bezier().patches);
+        }
         let prepare = now() - started;
         let diagonal = self.diagonal();
         let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;
