@@ -18,11 +18,8 @@ const MOST_CERTIFIED: usize = 8;
 /// Patches that a sample climbs on to from the first, at most.
 const MOST_CROSSINGS: usize = 4;
 
-/// Width asked of a sample's certificate, relative to the interval's.
-const CERTIFICATE_PART: f64 = 3e-2;
-
-/// Least width asked of one, relative to the tolerance.
-const LAST_PART: f64 = 1e-2;
+/// Width asked of a sample's certificate, relative to the tolerance.
+const CERTIFICATE_PART: f64 = 1e-2;
 
 /// Width asked, relative to the tolerance, where the nearest foot is looked
 /// for, which is doubted from half the tolerance on.
@@ -61,7 +58,7 @@ impl Search<'_> {
     /// Certifies a sample moved to where the distance is locally largest; tells
     /// whether it seemed farther than the best.
     pub(super) fn climb_from(&mut self, patch: u32, sample: Sample) -> bool {
-        let width = LAST_PART * self.tolerance;
+        let width = CERTIFICATE_PART * self.tolerance;
         let most = self.lower() + width;
         if sample.foot.distance() <= most {
             return false;
@@ -77,7 +74,7 @@ impl Search<'_> {
     /// The sample moved to where the distance is locally largest, over the edges
     /// of its patch too.
     fn climbed(&self, patch: u32, sample: Sample) -> (u32, Sample) {
-        let least = LAST_PART * self.tolerance;
+        let least = CERTIFICATE_PART * self.tolerance;
         let climb = |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least);
         let mut best = (patch, climb(patch, sample));
         let mut seen = vec![patch];
@@ -121,19 +118,17 @@ impl Search<'_> {
     /// Takes the point for the farthest that goes farthest away from B, from
     /// its centre to A's, and climbs from there: a witness also where the boxes
     /// alone answer, and the farthest point of a moved copy.
-    pub(super) fn begin(&mut self, upper: f64) {
+    pub(super) fn begin(&mut self) {
         let [from, to] =
             [&self.a, &self.b].map(|side| side.target.tree.nodes().first().map(|root| root.aabb.center()));
         let (Some(from), Some(to)) = (from, to) else { return };
         let away = self.transform.inverse().rotate(self.transform.apply(from) - to);
         let (patch, parameters) = extreme(&self.a, away).unwrap_or((0, [0.5; 2]));
-        self.farthest = self.certificate(patch, parameters, self.certificate_width(upper), None, 0.0);
-        let Some(Farthest { closest, point, .. }) = self.farthest else { return };
-        if upper > self.enough() {
-            let foot = foot_on(&self.b, point, closest.patch as u32, closest.parameters);
-            let (patch, climbed) = self.climbed(patch, Sample { parameters, foot });
-            self.raise_to(patch, climbed, LAST_PART * self.tolerance);
-        }
+        let start = Sample { parameters, foot: Foot::start(0, [0.5; 2]) };
+        let start = self.with_nearest(patch, start, 0.0);
+        let (patch, Sample { parameters, foot }) = self.climbed(patch, start);
+        let known = Some((foot.patch, foot.parameters));
+        self.farthest = self.certificate(patch, parameters, CERTIFICATE_PART * self.tolerance, known, 0.0);
     }
 
     /// Certifies the farthest point as narrowly as the last ones are, if it was
@@ -142,7 +137,7 @@ impl Search<'_> {
     pub(crate) fn finish(&mut self) {
         let Some(mut best) = self.farthest else { return };
         let Interval { lower, upper } = self.interval();
-        let mut width = LAST_PART * self.tolerance;
+        let mut width = CERTIFICATE_PART * self.tolerance;
         let is_beyond = best.closest.upper > upper;
         if is_beyond {
             width = width.min(0.5 * (upper - lower));
@@ -156,11 +151,6 @@ impl Search<'_> {
         }
         self.dropped = self.dropped.max(best.closest.upper - self.rounding);
         self.farthest = Some(best);
-    }
-
-    /// The width asked of a certificate while the distance may be `upper`.
-    fn certificate_width(&self, upper: f64) -> f64 {
-        (CERTIFICATE_PART * (upper - self.lower())).max(LAST_PART * self.tolerance)
     }
 
     /// A point of A with its distance to B, as narrow as `width` if that can be

@@ -135,8 +135,7 @@ impl<'a> Search<'a> {
             kernel_cells: 0,
             levels: 0,
         };
-        let upper = search.interval().upper;
-        search.begin(upper);
+        search.begin();
         search
     }
 
