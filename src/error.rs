@@ -48,8 +48,23 @@ pub enum Error {
         /// The value.
         found: f64,
     },
-    /// A weight is zero or negative.
-    #[error("surface {surface}: weight of control point {index} is {}, expected more than 0", Shown(*.found))]
+    /// A coordinate, weight or knot is so large that its square would overflow.
+    #[error("surface {surface}: {what} {index} is {}, expected at most 1e100 in size", Shown(*.found))]
+    NumberTooLarge {
+        /// Index of the surface in its model.
+        surface: usize,
+        /// Which list the value stands in.
+        what: &'static str,
+        /// Its index in that list.
+        index: usize,
+        /// The value.
+        found: f64,
+    },
+    /// A weight is negative, zero or less than 1e-100.
+    #[error(
+        "surface {surface}: weight of control point {index} is {}, expected at least 1e-100",
+        Shown(*.found)
+    )]
     WeightNotPositive {
         /// Index of the surface in its model.
         surface: usize,
@@ -199,8 +214,8 @@ pub enum Error {
         /// What was found, and what was expected.
         found: String,
     },
-    /// A transform that is not a rotation and a translation of finite numbers.
-    #[error("the transform's {found}, expected a finite translation and a rotation of unit length")]
+    /// A transform that is not a rotation and a translation of at most 1e100.
+    #[error("the transform's {found}, expected a translation of at most 1e100 and a rotation of unit length")]
     TransformNotRigid {
         /// What is wrong with it.
         found: String,
@@ -260,6 +275,7 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Self::NonFinite { .. } => "NON_FINITE",
+            Self::NumberTooLarge { .. } => "NUMBER_TOO_LARGE",
             Self::WeightNotPositive { .. } => "WEIGHT_NOT_POSITIVE",
             Self::KnotsDecreasing { .. } => "KNOTS_DECREASING",
             Self::KnotsLength { .. } => "KNOTS_LENGTH",

@@ -15,6 +15,7 @@ pub mod model;
 mod order;
 mod parallel;
 pub mod project;
+mod rounding;
 pub mod shapes;
 mod shown;
 mod symmetry;

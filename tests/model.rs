@@ -93,9 +93,25 @@ fn numbers_too_large_for_f64_are_refused_in_json() {
 }
 
 #[test]
+fn numbers_whose_squares_may_overflow_are_refused() {
+    for (bad, said) in [(1.1e100, "is 1.1e100,"), (-1e155, "is -1e155,"), (f64::MAX, "e308,")] {
+        let expected = [said, "expected at most 1e100 in size"];
+        for coordinate in 0..4 {
+            let found = ["control point 7", expected[0], expected[1]];
+            refused("NUMBER_TOO_LARGE", &found, |arrays| arrays.control_points[7][coordinate] = bad);
+        }
+        refused("NUMBER_TOO_LARGE", &["knot in u 4", expected[0], expected[1]], |arrays| {
+            arrays.knots[0][4] = bad;
+        });
+    }
+    let at_the_limit = SurfaceArrays { control_points: vec![[1e100, -1e100, 0.0, 1e100]; 12], ..valid() };
+    assert!(Model::from_arrays(None, vec![at_the_limit]).is_ok());
+}
+
+#[test]
 fn weights_that_are_not_positive_are_refused() {
-    for (weight, said) in [(0.0, "is 0,"), (-2.5, "is -2.5,"), (-0.0, "is -0,")] {
-        refused("WEIGHT_NOT_POSITIVE", &["control point 11", said, "expected more than 0"], |arrays| {
+    for (weight, said) in [(0.0, "is 0,"), (-2.5, "is -2.5,"), (-0.0, "is -0,"), (1e-101, "is 1e-101,")] {
+        refused("WEIGHT_NOT_POSITIVE", &["control point 11", said, "expected at least 1e-100"], |arrays| {
             arrays.control_points[11][3] = weight;
         });
     }

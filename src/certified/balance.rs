@@ -83,7 +83,9 @@ const FREE: f64 = f64::NAN;
 /// `Σ λ v + |Σ λ s| + |Σ λ t|` over weights λ, which is taken by one plane, by
 /// two that even out one slope, or by three that even out both.
 fn of_few(planes: &[Plane], few: &[usize]) -> Balance {
-    let mut best = Balance { weights: [(0, 0.0); 3], place: [0.0; 2], height: f64::INFINITY };
+    let first = few[0];
+    let alone = [(first, 1.0), (first, 0.0), (first, 0.0)];
+    let mut best = Balance { weights: alone, place: [0.0; 2], height: f64::INFINITY };
     for (place, &i) in few.iter().enumerate() {
         let one = planes[i];
         best.offer(planes, [(i, 1.0), (i, 0.0), (i, 0.0)], [FREE; 2]);
@@ -159,5 +161,15 @@ mod tests {
             several += usize::from(weights.iter().all(|(_, weight)| *weight > 0.0));
         }
         assert!(several > 50, "{several}");
+    }
+
+    /// Weights have sum 1 even where no mean can be told, so that what they weigh is a bound.
+    #[test]
+    fn weights_of_planes_without_numbers_have_sum_1() {
+        for number in [f64::NAN, f64::INFINITY, f64::MAX] {
+            let planes = [DVec3::splat(number); 4];
+            let sum: f64 = balance(&planes).weights.iter().map(|(_, weight)| weight).sum();
+            assert!(sum == 1.0, "{number}: {sum}");
+        }
     }
 }

@@ -17,12 +17,14 @@ use super::certify::Facing;
 use super::feet::{Feet, Foot};
 use super::foot_map::FootMap;
 use super::nearest::foot_on;
+use super::quadratic::largest;
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Jet};
 use glam::DVec3;
 
 /// At least the distance to B of every point of the cell, by the feet of its
-/// centre on different patches; infinite where one of them alone does best.
+/// centre on different patches; infinite where one of them alone does best, and
+/// no number where that cannot be told.
 pub(super) fn blend(cell: &Cell, a: &Jet, a_bounds: &DerivativeBounds, b: &Side<'_>, feet: &Feet) -> f64 {
     let feet = feet.all();
     let mut planes = Vec::with_capacity(feet.len());
@@ -42,14 +44,13 @@ pub(super) fn blend(cell: &Cell, a: &Jet, a_bounds: &DerivativeBounds, b: &Side<
         let map = facing.linear().unwrap_or(FootMap::CONSTANT);
         let (quadratic, rest) = facing.difference(&map);
         let squares = quadratic.length_squared();
-        let largest = squares.iter().flatten().fold(0.0_f64, |largest, &square| largest.max(square));
         // |Q| + rest, squared.
-        let more = rest * (2.0 * largest.sqrt() + rest);
+        let more = rest * (2.0 * largest(&squares).sqrt() + rest);
         for (mean, square) in mean.iter_mut().flatten().zip(squares.iter().flatten()) {
             *mean += weight * (square + more);
         }
     }
-    mean.iter().flatten().fold(0.0_f64, |largest, &mean| largest.max(mean)).sqrt()
+    largest(&mean).sqrt()
 }
 
 /// The centre's feet on those of the listed patches that carry the balance over

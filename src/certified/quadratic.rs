@@ -27,12 +27,23 @@ const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
 /// polynomials i, k in quartic number i + k.
 const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
 
+/// The largest of the coefficients and 0; no number where one is none.
+pub(super) fn largest(coefficients: &[[f64; 5]; 5]) -> f64 {
+    let mut largest = 0.0_f64;
+    for &coefficient in coefficients.iter().flatten() {
+        if coefficient > largest || coefficient.is_nan() {
+            largest = coefficient;
+        }
+    }
+    largest
+}
+
 impl Quadratic {
     /// At least the largest `|Q|²` over the square: the largest of its
-    /// coefficients. Exact where `|Q|²` is constant.
+    /// coefficients. Exact where `|Q|²` is constant; no number where one is none.
     #[must_use]
     pub fn largest_length_squared(&self) -> f64 {
-        self.length_squared().iter().flatten().fold(0.0, |largest, &coefficient| largest.max(coefficient))
+        largest(&self.length_squared())
     }
 
     /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the

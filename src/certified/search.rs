@@ -11,6 +11,7 @@ use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use crate::parallel::{is_few, map_short, together};
 use crate::project::Closest;
+use crate::rounding::coordinate_rounding;
 use glam::DVec3;
 
 /// Regions bounded between two looks at the largest distance: enough to keep
@@ -20,10 +21,13 @@ const CHUNK: usize = 1024;
 /// Half-width of a cell that float64 does not halve further with use.
 const SMALLEST_HALF: f64 = 1e-12;
 
-/// Rounding of a bound relative to the largest coordinate: a cell's sums take
-/// fewer than some hundred roundings of 2^-53 each, and a flat piece's controls,
-/// followed beyond an edge, are off by less than 600.
-const ROUNDING: f64 = 512.0 * f64::EPSILON;
+/// Rounding of a bound in those of coordinates: a cell's sums take fewer than
+/// some hundred roundings of 2^-53 each, and a flat piece's controls, followed
+/// beyond an edge, are off by less than 600; 1024 in all.
+const ROUNDING: f64 = 8.0;
+
+/// Part of the tolerance that rounding may take; of a finer one, it takes all.
+const MOST_LOST: f64 = 0.5;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -62,6 +66,7 @@ pub(crate) struct Search<'a> {
     pub(super) a: Side<'a>,
     pub(super) b: Side<'a>,
     pub(super) transform: RigidTransform,
+    /// What the bounds may differ by, so that the interval is as narrow as asked.
     pub(super) tolerance: f64,
     /// A bound above it need not be tighter.
     limit: Option<f64>,
@@ -119,13 +124,16 @@ impl<'a> Search<'a> {
             level: 0,
         };
         let profiles = Profiles::new(&a, &b, &transform, tolerance);
+        let rounding = ROUNDING * coordinate_rounding(largest);
+        // Twice, as the interval's ends are rounded themselves.
+        let lost = profiles.slack + 2.0 * rounding;
         let mut search = Self {
             a,
             b,
             transform,
-            tolerance,
+            tolerance: if lost < MOST_LOST * tolerance { tolerance - lost } else { tolerance },
             limit,
-            rounding: ROUNDING * largest,
+            rounding,
             profiles,
             queue: Queue::new(root),
             dropped: 0.0,
@@ -163,7 +171,7 @@ impl<'a> Search<'a> {
         (&self.a, &self.b, &self.transform)
     }
 
-    /// The width asked for.
+    /// What the bounds may differ by.
     pub(crate) fn tolerance(&self) -> f64 {
         self.tolerance
     }

@@ -54,14 +54,15 @@ pub(super) async fn certified(
     progress.interval(lower, upper);
     let Some(farthest) = search.farthest() else { return Ok(None) };
     let within = search.within();
-    let converged = stop == Stop::Converged && (options.limit.is_none() || within.is_some());
+    let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
+    let stop = if stop == Stop::Converged && !is_decided { Stop::Precision } else { stop };
     let [from, to] = search.witness_patches(farthest);
     let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
     let directed = Directed {
         computed: farthest.closest.upper,
         lower,
         upper,
-        converged,
+        converged: stop == Stop::Converged,
         from: surface_point(from.surface, from.surface_parameters(farthest.parameters), farthest.point),
         to: surface_point(
             to.surface,

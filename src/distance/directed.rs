@@ -9,6 +9,7 @@ use crate::error::Result;
 use crate::iteration::{Projected, sample};
 use crate::model::RigidTransform;
 use crate::project::{Closest, Projection, Status, closest, contraction, nearest_control};
+use crate::rounding::coordinate_rounding;
 use glam::DVec3;
 
 /// Width asked of a sample's float64 certificate, relative to the models'
@@ -22,10 +23,6 @@ const FINISHED_TO_THE_END: usize = 64;
 
 /// Samples of a page finished in float64, at most.
 const MOST_FINISHED: usize = 1024;
-
-/// Rounding of points and distances in float64 relative to the largest
-/// coordinate: 64 units of 2^-53, added to the upper bound once.
-pub(super) const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One direction: A's samples against B's patches.
 pub(super) struct Direction<'a> {
@@ -206,7 +203,7 @@ impl Direction<'_> {
             lower: farthest.lower.min(farthest.distance),
             upper: farthest.distance.max(unfinished + distance_error)
                 + radius.rigorous
-                + COORDINATE_ROUNDING * coordinate,
+                + coordinate_rounding(coordinate),
             converged,
             from: self.sample_point(farthest.sample, farthest.point),
             to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),

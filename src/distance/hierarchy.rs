@@ -2,7 +2,6 @@
 
 use super::cpu_descent::boxes_of;
 use super::descent::{Descending, Descent};
-use super::directed::COORDINATE_ROUNDING;
 use super::run::{Ends, Run};
 use super::{Options, Progress, Seconds, now};
 use crate::error::Result;
@@ -11,6 +10,7 @@ use crate::gpu::Gpu;
 use crate::gpu::{Frame, GpuDescent};
 use crate::hierarchy::Traversal;
 use crate::model::RigidTransform;
+use crate::rounding::coordinate_rounding;
 use crate::tree::Aabb;
 use std::rc::Rc;
 
@@ -28,7 +28,7 @@ impl Ends<'_> {
     ) -> Result<Run> {
         let started = now();
         let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
-        let slack = COORDINATE_ROUNDING * self.largest_coordinate();
+        let slack = coordinate_rounding(self.largest_coordinate());
         let transform = self.transform;
         let prepared = Seconds { prepare: now() - started, ..Seconds::default() };
         let (stages, adapter, seconds) = match gpu {

@@ -14,6 +14,7 @@
  */
 export type ErrorCode =
   | "NON_FINITE"
+  | "NUMBER_TOO_LARGE"
   | "WEIGHT_NOT_POSITIVE"
   | "KNOTS_DECREASING"
   | "KNOTS_LENGTH"

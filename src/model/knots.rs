@@ -1,6 +1,7 @@
 //! Validation of one knot vector.
 
 use super::MAX_DEGREE;
+use super::range::{is_in_range, out_of_range};
 use crate::error::{Direction, Error, Result};
 
 /// Checks degree, number of control points and knots of one direction.
@@ -25,12 +26,12 @@ pub(super) fn validate(
     if knots.len() != expected {
         return Err(Error::KnotsLength { surface, direction, found: knots.len(), expected });
     }
-    if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
+    if let Some(index) = knots.iter().position(|&knot| !is_in_range(knot)) {
         let what = match direction {
             Direction::U => "knot in u",
             Direction::V => "knot in v",
         };
-        return Err(Error::NonFinite { surface, what, index, found: knots[index] });
+        return Err(out_of_range(surface, what, index, knots[index]));
     }
     if let Some(before) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
         return Err(Error::KnotsDecreasing {

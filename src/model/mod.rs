@@ -3,6 +3,7 @@
 mod interchange;
 mod knots;
 mod nurbs;
+mod range;
 mod surface;
 mod transform;
 

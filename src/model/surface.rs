@@ -1,6 +1,7 @@
 //! One validated NURBS surface.
 
 use super::knots;
+use super::range::{LEAST_WEIGHT, is_in_range, out_of_range};
 use crate::both::both;
 use crate::error::{Direction, Error, Result};
 
@@ -31,8 +32,9 @@ impl NurbsSurface {
     ///
     /// # Errors
     /// Names the first violation found: degree, number of control points,
-    /// knots (length, finite, not falling, domain, multiplicity), ragged net,
-    /// non-finite coordinates, weights that are not positive. O(size).
+    /// knots (length, finite and at most 1e100 in size, not falling, domain,
+    /// multiplicity), ragged net, coordinates that are not finite or more than
+    /// 1e100 in size, weights outside 1e-100 to 1e100. O(size).
     pub fn new(index: usize, arrays: SurfaceArrays) -> Result<Self> {
         for axis in 0..2 {
             knots::validate(
@@ -54,10 +56,10 @@ impl NurbsSurface {
             });
         }
         for (point, &[x, y, z, w]) in arrays.control_points.iter().enumerate() {
-            if let Some(found) = [x, y, z, w].into_iter().find(|value| !value.is_finite()) {
-                return Err(Error::NonFinite { surface: index, what: "control point", index: point, found });
+            if let Some(found) = [x, y, z, w].into_iter().find(|&value| !is_in_range(value)) {
+                return Err(out_of_range(index, "control point", point, found));
             }
-            if w <= 0.0 {
+            if w < LEAST_WEIGHT {
                 return Err(Error::WeightNotPositive { surface: index, index: point, found: w });
             }
         }

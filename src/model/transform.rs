@@ -1,5 +1,6 @@
 //! The rigid transform that moves model A against model B.
 
+use super::range::is_in_range;
 use crate::error::{Error, Result};
 use crate::shown::Shown;
 use glam::{DQuat, DVec3};
@@ -22,10 +23,10 @@ impl RigidTransform {
     /// From a unit quaternion and a translation; the quaternion is normalised.
     ///
     /// # Errors
-    /// [`Error::TransformNotRigid`] if a number is not finite or the
-    /// quaternion's length is not 1 to about single precision.
+    /// [`Error::TransformNotRigid`] if a number is not finite, the translation
+    /// more than 1e100 along an axis, or the quaternion's length is not 1 to about single precision.
     pub fn new(rotation: DQuat, translation: DVec3) -> Result<Self> {
-        if !translation.is_finite() {
+        if !translation.to_array().into_iter().all(is_in_range) {
             let [x, y, z] = translation.to_array().map(Shown);
             return Err(Error::TransformNotRigid { found: format!("translation is [{x}, {y}, {z}]") });
         }
@@ -39,7 +40,7 @@ impl RigidTransform {
     /// A translation.
     ///
     /// # Errors
-    /// [`Error::TransformNotRigid`] if a number is not finite.
+    /// [`Error::TransformNotRigid`] if a number is not finite or more than 1e100.
     pub fn translation(translation: DVec3) -> Result<Self> {
         Self::new(DQuat::IDENTITY, translation)
     }

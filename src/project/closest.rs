@@ -3,6 +3,7 @@
 use super::{Candidates, DistanceForm, Foot, Stationary, Target, nearest_control, newton};
 use crate::bezier::Patch;
 use crate::both::{both, each};
+use crate::rounding::coordinate_rounding;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -13,10 +14,6 @@ const ITERATIONS: u32 = 32;
 /// Pieces examined, at most. A few dozen suffice unless the target is nearly
 /// as near to a whole curve or sheet of points; then the certificate is wider.
 const MOST_PIECES: usize = 4096;
-
-/// Rounding of coordinates, boxes and roots relative to the largest
-/// coordinate, taken off the lower bound once: 64 units of 2^-53.
-const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A point of a model near a target, and how near any point can be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +132,7 @@ pub(crate) fn closest_above(
     let (index, parameters, distance_squared) = search.best?;
     let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(point.abs()).max_element();
     let upper = distance_squared.sqrt();
-    let lower = (lower_squared.sqrt().min(upper) - COORDINATE_ROUNDING * coordinate).max(0.0);
+    let lower = (lower_squared.sqrt().min(upper) - coordinate_rounding(coordinate)).max(0.0);
     let point = search.patch(index).point(parameters);
     Some(Closest { patch: index as usize, parameters, point, upper, lower })
 }

@@ -55,6 +55,11 @@ test("every listed shape can be made", () => {
 const refusals = [
   ["NON_FINITE", { knotsU: [0, 0, Number.NaN, 1] }, /surface 0.*knot/],
   ["NON_FINITE", { controlPoints: square().controlPoints.with(5, Infinity) }, /control point 1/],
+  [
+    "NUMBER_TOO_LARGE",
+    { controlPoints: square().controlPoints.with(5, 1e155) },
+    /control point 1.*1e\+155/,
+  ],
   ["WEIGHT_NOT_POSITIVE", { controlPoints: square().controlPoints.with(7, 0) }, /control point 1/],
   ["KNOTS_DECREASING", { knotsU: [0, 1, 0, 1] }],
   ["KNOTS_LENGTH", { knotsV: [0, 0, 1] }, /3 knots in v, expected 4/],

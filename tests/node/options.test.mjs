@@ -45,6 +45,7 @@ const refusals = [
   ["OPTION_INVALID", { transform: { rotation: [0, 0, 0, "1"] } }],
   ["TRANSFORM_NOT_RIGID", { transform: { rotation: [0, 0, 0, 2] } }],
   ["TRANSFORM_NOT_RIGID", { transform: { translation: [0, 0, Infinity] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { translation: [0, 0, 2e100] } }],
 ];
 
 for (const [code, options, message] of refusals) {

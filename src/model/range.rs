@@ -1,0 +1,24 @@
+//! The numbers that float64 can compute with.
+
+use crate::error::Error;
+
+/// The largest size of a coordinate, weight or knot: a coordinate times a weight
+/// is 1e200 at most, and the square of a length far from overflow.
+const LARGEST: f64 = 1e100;
+
+/// The least weight: a coordinate divided by two weights is far from overflow.
+pub(super) const LEAST_WEIGHT: f64 = 1e-100;
+
+/// Whether the number is neither too large nor none at all.
+pub(super) fn is_in_range(number: f64) -> bool {
+    number.abs() <= LARGEST
+}
+
+/// The error for a number that is not [`is_in_range`].
+pub(super) fn out_of_range(surface: usize, what: &'static str, index: usize, found: f64) -> Error {
+    if found.is_finite() {
+        Error::NumberTooLarge { surface, what, index, found }
+    } else {
+        Error::NonFinite { surface, what, index, found }
+    }
+}
