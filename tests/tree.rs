@@ -6,9 +6,6 @@ use nurbs_hausdorff::tree::{Aabb, BoxTree};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Boxes in a leaf, at most: the kernels have two bits for their number.
-const LEAF_SIZE: u32 = 3;
-
 /// Rounding of squared distances of size up to 1e3.
 const ROUNDING: f64 = 1e-12;
 
@@ -33,10 +30,8 @@ fn contains(outer: &Aabb, inner: &Aabb) -> bool {
 /// after its last node and its depth.
 fn check(tree: &BoxTree, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32) {
     let node = tree.nodes()[index];
-    let (members, end, depth) = if node.count > 0 {
-        assert!(node.count <= LEAF_SIZE && node.second == 0);
-        let first = node.first as usize;
-        (tree.order()[first..first + node.count as usize].to_vec(), index + 1, 0)
+    let (members, end, depth) = if node.is_leaf() {
+        (vec![tree.item(&node)], index + 1, 0)
     } else {
         let (mut members, second, low) = check(tree, boxes, index + 1);
         assert_eq!(node.second as usize, second, "the second child follows the first's nodes");
@@ -44,6 +39,7 @@ fn check(tree: &BoxTree, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32)
         members.extend(more);
         (members, end, low.max(high) + 1)
     };
+    assert_eq!(members[0], tree.item(&node));
     let union = members.iter().fold(Aabb::EMPTY, |union, &member| union.union(boxes[member as usize]));
     assert_eq!(node.aabb, union);
     assert!(members.iter().all(|&member| contains(&node.aabb, &boxes[member as usize])));
@@ -89,6 +85,18 @@ proptest! {
         members.sort_unstable();
         prop_assert!(members.iter().copied().eq(0..boxes.len() as u32));
         prop_assert!(depth <= usize::BITS - (boxes.len() - 1).leading_zeros());
+    }
+
+    #[test]
+    fn leaves_within_a_reach_are_those_whose_boxes_are(
+        boxes in vec(any_box(), 0..60), point in any_point(), reach in 0.0..100.0_f64,
+    ) {
+        let tree = BoxTree::new(&boxes);
+        let mut found: Vec<u32> =
+            tree.leaves_within(point, reach * reach).iter().map(|leaf| tree.item(leaf)).collect();
+        found.sort_unstable();
+        let is_within = |index: &u32| boxes[*index as usize].min_distance_squared(point) <= reach * reach;
+        prop_assert_eq!(found, (0..boxes.len() as u32).filter(is_within).collect::<Vec<_>>());
     }
 
     #[test]

@@ -19,22 +19,12 @@ pub(super) fn across(side: &Side<'_>, index: u32, parameters: [f64; 2]) -> Vec<(
     let Some(root) = tree.nodes().first().filter(|_| !is_inside) else { return joined };
     let most = JOINED * JOINED * root.aabb.diagonal() * root.aabb.diagonal();
     let point = side.patch(index).point(parameters);
-    let mut waiting = vec![0];
-    while let Some(place) = waiting.pop() {
-        let node = &tree.nodes()[place];
-        if node.aabb.min_distance_squared(point) > most {
-            continue;
-        }
-        if node.count == 0 {
-            waiting.extend([place + 1, node.second as usize]);
-        }
-        let first = node.first as usize;
-        for &other in &tree.order()[first..first + node.count as usize] {
-            let patch = side.patch(other);
-            let foot = newton(&patch, point, nearest_control(&patch, point), ITERATIONS);
-            if other != index && foot.distance_squared <= most {
-                joined.push((other, foot.parameters));
-            }
+    for leaf in tree.leaves_within(point, most) {
+        let other = tree.item(&leaf);
+        let patch = side.patch(other);
+        let foot = newton(&patch, point, nearest_control(&patch, point), ITERATIONS);
+        if other != index && foot.distance_squared <= most {
+            joined.push((other, foot.parameters));
         }
     }
     joined

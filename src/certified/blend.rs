@@ -27,6 +27,9 @@ use glam::DVec3;
 /// no number where that cannot be told.
 pub(super) fn blend(cell: &Cell, a: &Jet, a_bounds: &DerivativeBounds, b: &Side<'_>, feet: &Feet) -> f64 {
     let feet = feet.all();
+    if feet.len() == 1 {
+        return f64::INFINITY;
+    }
     let mut planes = Vec::with_capacity(feet.len());
     for foot in feet {
         planes.push(plane(cell, a, b.patch(foot.patch).point(foot.parameters)));

@@ -17,7 +17,6 @@ use std::cell::OnceCell;
 /// region: a bound that much larger is mostly as good, and most patches that
 /// are about equally near need not be looked at.
 const NODE_SLACK: f64 = 0.3;
-const PATCH_SLACK: f64 = 0.3;
 const CELL_SLACK: f64 = 0.15;
 
 /// Distance, in radii of the cell, up to which corners are looked at: farther
@@ -48,21 +47,15 @@ impl Search<'_> {
     fn bound_node(&self, index: u32, region: &Region, enough: f64) -> Bounded {
         let tree = &self.a.target.tree;
         let node = &tree.nodes()[index as usize];
-        let mut leaf = index as usize;
-        while tree.nodes()[leaf].count == 0 {
-            leaf += 1;
-        }
-        let patch = tree.order()[tree.nodes()[leaf].first as usize];
+        let patch = tree.item(node);
         let parameters = [0.5; 2];
         let local = self.a.patch(patch).point(parameters);
         let point = self.transform.apply(local);
         let radius = node.aabb.max_distance_squared(local).sqrt();
-        let is_patch = node.count > 0;
-        let slack = if is_patch { PATCH_SLACK } else { NODE_SLACK };
         let mut foot = place_on(&self.b, point, region.foot.patch, region.foot.parameters);
         // The first part's point is the whole's, but a patch's own foot is to be closer.
-        if is_patch || foot.distance_squared != region.foot.distance_squared {
-            foot = nearest_feet(&self.b, point, foot, enough - radius, slack * radius).nearest();
+        if node.is_leaf() || foot.distance_squared != region.foot.distance_squared {
+            foot = nearest_feet(&self.b, point, foot, enough - radius, NODE_SLACK * radius).nearest();
         }
         let upper = region.upper.min(foot.distance() + radius);
         Bounded { upper, foot, patch, sample: Sample { parameters, foot } }
@@ -85,10 +78,7 @@ impl Search<'_> {
                 upper.min(certify(cell, &jet, bounds(), &self.b, foot, enough))
             }
         };
-        let by_feet = |feet: &Feet| match feet.all() {
-            [_] => f64::INFINITY,
-            _ => blend(cell, &jet, bounds(), &self.b, feet),
-        };
+        let by_feet = |feet: &Feet| blend(cell, &jet, bounds(), &self.b, feet);
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         let mut sample = Sample { parameters: cell.center, foot: known };
         let mut upper = by_foot(&known);

@@ -20,23 +20,21 @@ pub(super) fn extreme(side: &Side<'_>, direction: DVec3) -> Option<(u32, [f64; 2
         if reach(&node.aabb, direction) <= best.0 {
             continue;
         }
-        if node.count == 0 {
+        if !node.is_leaf() {
             let [first, second] = [place + 1, node.second as usize];
             let [of_first, of_second] =
                 [first, second].map(|child| reach(&tree.nodes()[child].aabb, direction));
             waiting.extend(if of_first > of_second { [second, first] } else { [first, second] });
+            continue;
         }
-        let first = node.first as usize;
-        for &index in &tree.order()[first..first + node.count as usize] {
-            let patch = side.patch(index);
-            let [p, q] = patch.degree;
-            for (place, control) in patch.controls.iter().enumerate() {
-                let along = (patch.center + control.xyz() / control.w).dot(direction);
-                if along > best.0 {
-                    let (i, j) = (place / (q + 1), place % (q + 1));
-                    let parameters = [i as f64 / p as f64, j as f64 / q as f64];
-                    best = (along, Some((index, parameters)));
-                }
+        let patch = side.patch(tree.item(node));
+        let [p, q] = patch.degree;
+        for (place, control) in patch.controls.iter().enumerate() {
+            let along = (patch.center + control.xyz() / control.w).dot(direction);
+            if along > best.0 {
+                let (i, j) = (place / (q + 1), place % (q + 1));
+                let parameters = [i as f64 / p as f64, j as f64 / q as f64];
+                best = (along, Some((tree.item(node), parameters)));
             }
         }
     }

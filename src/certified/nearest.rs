@@ -71,7 +71,7 @@ pub(super) fn nearest_feet(side: &Side<'_>, target: DVec3, known: Foot, enough: 
             continue;
         }
         let node = &nodes[index];
-        if node.count == 0 {
+        if !node.is_leaf() {
             let (first, second) = (index + 1, node.second as usize);
             let (near, far) = (least(first), least(second));
             let pair =
@@ -84,11 +84,9 @@ pub(super) fn nearest_feet(side: &Side<'_>, target: DVec3, known: Foot, enough: 
             }
             continue;
         }
-        let first = node.first as usize;
-        for &patch in &side.target.tree.order()[first..first + node.count as usize] {
-            if side.target.boxes[patch as usize].min_distance_squared(target) < looking.most {
-                looking.look(patch, nearest_control(&side.patch(patch), target));
-            }
+        let patch = side.target.tree.item(node);
+        if side.target.boxes[patch as usize].min_distance_squared(target) < looking.most {
+            looking.look(patch, nearest_control(&side.patch(patch), target));
         }
     }
     looking.feet

@@ -65,10 +65,21 @@ impl Search<'_> {
         }
         let sample = self.with_nearest(patch, sample, most);
         if sample.foot.distance() > most {
-            let (patch, climbed) = self.climbed(patch, sample);
-            self.raise_to(patch, climbed, width);
+            self.raise_from(patch, sample);
         }
         true
+    }
+
+    /// Takes the sample, moved to where the distance is locally largest, for the
+    /// farthest point if its certificate says so or there is none yet.
+    fn raise_from(&mut self, patch: u32, sample: Sample) {
+        let (patch, Sample { parameters, foot }) = self.climbed(patch, sample);
+        let known = Some((foot.patch, foot.parameters));
+        let width = CERTIFICATE_PART * self.tolerance;
+        let found = self.certificate(patch, parameters, width, known, self.lower());
+        let is_better =
+            |found: &Farthest| self.farthest.is_none_or(|best| found.closest.lower > best.closest.lower);
+        self.farthest = found.filter(is_better).or(self.farthest);
     }
 
     /// The sample moved to where the distance is locally largest, over the edges
@@ -97,18 +108,6 @@ impl Search<'_> {
         best
     }
 
-    /// Takes a sample for the farthest point if its certificate says so.
-    fn raise_to(&mut self, patch: u32, sample: Sample, width: f64) {
-        let most = self.lower() + width;
-        let Sample { parameters, foot } = self.with_nearest(patch, sample, most);
-        if foot.distance() > most {
-            let start = Some((foot.patch, foot.parameters));
-            let found = self.certificate(patch, parameters, width, start, self.lower());
-            let is_better = |found: &Farthest| found.closest.lower > self.lower();
-            self.farthest = found.filter(is_better).or(self.farthest);
-        }
-    }
-
     /// The sample with the nearest foot, or one at most `enough` away.
     fn with_nearest(&self, patch: u32, sample: Sample, enough: f64) -> Sample {
         let point = self.transform.apply(self.a.patch(patch).point(sample.parameters));
@@ -125,15 +124,11 @@ impl Search<'_> {
         let away = self.transform.inverse().rotate(self.transform.apply(from) - to);
         let (patch, parameters) = extreme(&self.a, away).unwrap_or((0, [0.5; 2]));
         let start = Sample { parameters, foot: Foot::start(0, [0.5; 2]) };
-        let start = self.with_nearest(patch, start, 0.0);
-        let (patch, Sample { parameters, foot }) = self.climbed(patch, start);
-        let known = Some((foot.patch, foot.parameters));
-        self.farthest = self.certificate(patch, parameters, CERTIFICATE_PART * self.tolerance, known, 0.0);
+        self.raise_from(patch, self.with_nearest(patch, start, 0.0));
     }
 
-    /// Certifies the farthest point as narrowly as the last ones are, if it was
-    /// found while less was asked or told to be beyond the upper bound; what is
-    /// still told to be beyond it raises it.
+    /// Certifies the farthest point anew where its certificate is wider than
+    /// asked or beyond the upper bound, which is raised to what is still told.
     pub(crate) fn finish(&mut self) {
         let Some(mut best) = self.farthest else { return };
         let Interval { lower, upper } = self.interval();

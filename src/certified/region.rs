@@ -86,16 +86,12 @@ impl Region {
             Part::Node(index) => {
                 let tree = &side.target.tree;
                 let node = &tree.nodes()[*index as usize];
-                if node.count == 0 {
+                if !node.is_leaf() {
                     // The first one's point is this one's, whose foot is known.
                     push(Part::Node(*index + 1), foot);
                     push(Part::Node(node.second), Foot::start(foot.patch, foot.parameters));
-                }
-                let first = node.first as usize;
-                for &patch in &tree.order()[first..first + node.count as usize] {
-                    if let Some(cell) = profiles.cell(side, patch) {
-                        push(Part::Cell(cell), foot);
-                    }
+                } else if let Some(cell) = profiles.cell(side, tree.item(node)) {
+                    push(Part::Cell(cell), foot);
                 }
             }
             Part::Cell(cell) => {

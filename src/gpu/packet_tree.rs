@@ -1,6 +1,7 @@
 //! The tree that the threads of a subgroup go through together.
 
 use super::layouts::Node;
+use super::upload_target::leaf_place;
 use crate::tree::BoxTree;
 
 /// No box: farther from everything than any distance.
@@ -26,7 +27,7 @@ pub(super) fn packet_nodes(
         next += 1;
         while children.len() < lanes {
             let size = |index: u32| of(index).aabb.diagonal();
-            let inner = (0..children.len()).filter(|&place| of(children[place]).count == 0);
+            let inner = (0..children.len()).filter(|&place| !of(children[place]).is_leaf());
             let largest = inner.max_by(|&a, &b| size(children[a]).total_cmp(&size(children[b])));
             let Some(place) = largest else { break };
             let opened = children[place];
@@ -34,8 +35,8 @@ pub(super) fn packet_nodes(
             children.push(of(opened).second);
         }
         for &child in &children {
-            let place = if of(child).count > 0 {
-                2 * of(child).first + 1
+            let place = if of(child).is_leaf() {
+                leaf_place(of(child))
             } else {
                 roots.push(child);
                 2 * (roots.len() as u32 - 1)

@@ -81,10 +81,15 @@ impl Gpu {
             return packet_nodes(tree, self.pipelines.lanes as usize, pack);
         }
         let place = |index: usize, of: &crate::tree::Node| {
-            if of.count > 0 { 2 * of.first + 1 } else { 2 * index as u32 }
+            if of.is_leaf() { leaf_place(of) } else { 2 * index as u32 }
         };
         tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).gather()
     }
+}
+
+/// What tells the kernels a leaf's patch: odd, where an inner node's place is even.
+pub(super) fn leaf_place(leaf: &crate::tree::Node) -> u32 {
+    2 * leaf.first + 1
 }
 
 /// Bound of the error of a point of `patch` computed in float32 from rounded

@@ -73,7 +73,7 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
             continue;
         }
         let node = &nodes[index];
-        if node.count == 0 {
+        if !node.is_leaf() {
             let mut children = each([index + 1, node.second as usize], |child| (least(child), child));
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
@@ -81,9 +81,7 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
             stack.extend(children);
             continue;
         }
-        let first = node.first as usize;
-        for &patch in &target.tree.order()[first..first + node.count as usize] {
-            offer(best, patch as usize, project_on(&target.patches.patch(patch as usize), sample, rule));
-        }
+        let patch = target.tree.item(node) as usize;
+        offer(best, patch, project_on(&target.patches.patch(patch), sample, rule));
     }
 }

@@ -59,26 +59,15 @@ impl Candidates {
         let Target { patches, tree, boxes } = target;
         let reach_squared = reach * reach;
         let mut list = Vec::new();
-        let mut waiting = vec![0];
-        while let Some(index) = waiting.pop() {
-            let Some(node) = tree.nodes().get(index) else { continue };
-            if node.aabb.min_distance_squared(center) >= reach_squared {
-                continue;
-            }
-            if node.count == 0 {
-                waiting.extend([index + 1, node.second as usize]);
-            }
-            let first = node.first as usize;
-            for &index in &tree.order()[first..first + node.count as usize] {
-                let aabb = node.aabb;
-                let of_box = boxes[index as usize].min_distance_squared(center);
-                let least = of_box.max(aabb.min_distance_squared(center));
-                if least < reach_squared {
-                    let patch = patches.patch(index as usize);
-                    let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
-                    let (parameters, point) = (foot.parameters, patch.point(foot.parameters));
-                    list.push(Candidate { patch: index, parameters, point, least: least.sqrt(), aabb });
-                }
+        for leaf in tree.leaves_within(center, reach_squared) {
+            let (index, aabb) = (tree.item(&leaf), leaf.aabb);
+            let of_box = boxes[index as usize].min_distance_squared(center);
+            let least = of_box.max(aabb.min_distance_squared(center));
+            if least < reach_squared {
+                let patch = patches.patch(index as usize);
+                let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
+                let (parameters, point) = (foot.parameters, patch.point(foot.parameters));
+                list.push(Candidate { patch: index, parameters, point, least: least.sqrt(), aabb });
             }
         }
         Self { center, reach, list: by_falling(&list, |candidate| -candidate.least) }

@@ -171,19 +171,17 @@ impl<'a> Search<'a> {
 
     fn open_node(&mut self, index: usize) {
         let Target { tree, boxes, .. } = self.target;
-        let node = tree.nodes()[index];
-        if node.count == 0 {
-            for child in [index + 1, node.second as usize] {
-                let least = tree.nodes()[child].aabb.min_distance_squared(self.point);
-                self.push(least, Item::Node(child as u32));
-            }
-            return;
-        }
-        let first = node.first as usize;
-        for &patch in &tree.order()[first..first + node.count as usize] {
+        let node = &tree.nodes()[index];
+        if node.is_leaf() {
+            let patch = tree.item(node);
             let least = node.aabb.min_distance_squared(self.point);
             let least = least.max(boxes[patch as usize].min_distance_squared(self.point));
             self.push(least, Item::Patch(patch));
+            return;
+        }
+        for child in [index + 1, node.second as usize] {
+            let least = tree.nodes()[child].aabb.min_distance_squared(self.point);
+            self.push(least, Item::Node(child as u32));
         }
     }
 

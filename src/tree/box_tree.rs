@@ -5,17 +5,23 @@ use crate::gather::Gather;
 use crate::order::select;
 use glam::DVec3;
 
-/// A node: an inner one has two children, a leaf some boxes.
+/// A node: an inner one has two children, a leaf one box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Contains all boxes below.
     pub aabb: Aabb,
     /// Index of the second child; the first follows its parent. 0 in a leaf.
     pub second: u32,
-    /// First of the leaf's places in [`BoxTree::order`].
+    /// Place in [`BoxTree::order`] of the leaf, of an inner node of the first leaf below.
     pub first: u32,
-    /// Number of boxes in a leaf, 0 in an inner node.
-    pub count: u32,
+}
+
+impl Node {
+    /// Whether it has no children.
+    #[must_use]
+    pub fn is_leaf(&self) -> bool {
+        self.second == 0
+    }
 }
 
 /// A tree over boxes `0..n`, nodes in depth-first order, root first.
@@ -25,19 +31,15 @@ pub struct BoxTree {
     order: Vec<u32>,
 }
 
-/// Boxes in a leaf, at most: what is done with a patch costs more than the two
-/// box tests that spare one.
-const LEAF_SIZE: usize = 1;
-
 impl BoxTree {
     /// Halves the boxes at the median of their centres along the longest axis,
-    /// so that the depth is at most `ceil(log2 n)`. O(n log n) on average.
+    /// so that the depth is at most `ceil(log2 n)`, down to single ones: what is
+    /// done with a patch costs more than the two box tests that spare one.
+    /// O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
-        let mut tree = Self {
-            nodes: Vec::with_capacity(2 * boxes.len().div_ceil(LEAF_SIZE)),
-            order: (0..boxes.len() as u32).gather(),
-        };
+        let mut tree =
+            Self { nodes: Vec::with_capacity(2 * boxes.len()), order: (0..boxes.len() as u32).gather() };
         if !boxes.is_empty() {
             let mut order = std::mem::take(&mut tree.order);
             tree.build(boxes, &mut order, 0);
@@ -50,11 +52,10 @@ impl BoxTree {
         let of = |index: &u32| boxes[*index as usize];
         let aabb = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.union(of(index)));
         let node = self.nodes.len();
-        if order.len() <= LEAF_SIZE {
-            self.nodes.push(Node { aabb, second: 0, first, count: order.len() as u32 });
+        self.nodes.push(Node { aabb, second: 0, first });
+        if order.len() == 1 {
             return;
         }
-        self.nodes.push(Node { aabb, second: 0, first: 0, count: 0 });
         let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(of(index).center()));
         let axis = longest_axis(centers.extent());
         let middle = order.len() / 2;
@@ -75,6 +76,31 @@ impl BoxTree {
     #[must_use]
     pub fn order(&self) -> &[u32] {
         &self.order
+    }
+
+    /// Index of a leaf's box, of an inner node's first one below.
+    #[must_use]
+    pub fn item(&self, node: &Node) -> u32 {
+        self.order[node.first as usize]
+    }
+
+    /// The leaves whose boxes are at most the root of `reach_squared` from a point.
+    #[must_use]
+    pub fn leaves_within(&self, point: DVec3, reach_squared: f64) -> Vec<Node> {
+        let mut leaves = Vec::new();
+        let mut waiting = vec![0];
+        while let Some(index) = waiting.pop() {
+            let Some(node) = self.nodes.get(index) else { continue };
+            if node.aabb.min_distance_squared(point) > reach_squared {
+                continue;
+            }
+            if node.is_leaf() {
+                leaves.push(*node);
+            } else {
+                waiting.extend([index + 1, node.second as usize]);
+            }
+        }
+        leaves
     }
 }
 
