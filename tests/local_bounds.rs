@@ -139,6 +139,7 @@ fn bounds_over_parts_hold() {
             });
             let (low, high) = ([s[0], t[0]], [s[1], t[1]]);
             piece.check(&bounds.over(&piece.piece, low, high), low, high);
+            piece.check(bounds.about(&piece.piece, low, high), low, high);
         }
     });
 }

@@ -90,19 +90,18 @@ impl Patch<'_> {
         let weight =
             self.controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(least(control.w)));
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
-        let mut weights = [[0.0_f64; ORDERS]; ORDERS];
+        let differences = self.difference_bounds(lost);
         let reach = |control: &DVec4| (control.xyz().length() + lost[0]) / least(control.w);
         bounds[0][0] = self.controls.iter().map(reach).fold(0.0, f64::max);
         for order in 1..ORDERS {
             for a in (0..=order).rev() {
                 let b = order - a;
-                let (numerator, w) = self.difference_bound(a, b, lost);
-                weights[a][b] = w;
-                let mut sum = numerator;
+                let mut sum = differences[a][b][0];
                 for i in 0..=a {
                     for j in 0..=b {
                         if i + j > 0 {
-                            sum += BINOMIAL[a][i] * BINOMIAL[b][j] * weights[i][j] * bounds[a - i][b - j];
+                            sum +=
+                                BINOMIAL[a][i] * BINOMIAL[b][j] * differences[i][j][1] * bounds[a - i][b - j];
                         }
                     }
                 }
@@ -117,30 +116,36 @@ impl Patch<'_> {
         }
     }
 
-    /// Largest length of the (a, b)-th derivative's controls: space, weight.
-    fn difference_bound(&self, a: usize, b: usize, lost: [f64; 2]) -> (f64, f64) {
+    /// Largest lengths of the controls of the derivatives of order (a, b), by
+    /// a and b: space, weight.
+    fn difference_bounds(&self, lost: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
         let [p, q] = self.degree;
-        if a > p || b > q {
-            return (0.0, 0.0);
-        }
         let columns = q + 1;
-        let (mut space, mut weight) = (0.0_f64, 0.0_f64);
-        for i in 0..=p - a {
-            for j in 0..=q - b {
-                let mut difference = DVec4::ZERO;
-                for (k, in_s) in BINOMIAL[a].iter().take(a + 1).enumerate() {
-                    for (l, in_t) in BINOMIAL[b].iter().take(b + 1).enumerate() {
-                        let sign = if (a - k + b - l).is_multiple_of(2) { 1.0 } else { -1.0 };
-                        difference += sign * in_s * in_t * self.controls[(i + k) * columns + j + l];
+        let mut bounds = [[[0.0; 2]; ORDERS]; ORDERS];
+        let mut by_s = self.controls.to_vec();
+        for a in 0..ORDERS.min(p + 1) {
+            let mut net = by_s[..(p + 1 - a) * columns].to_vec();
+            for (b, bound) in bounds[a].iter_mut().enumerate().take((ORDERS - a).min(columns)) {
+                let (mut space, mut weight) = (0.0_f64, 0.0_f64);
+                for row in net.chunks_exact_mut(columns) {
+                    for j in 0..columns - b {
+                        let difference = row[j];
+                        space = space.max(difference.xyz().length_squared());
+                        weight = weight.max(difference.w.abs());
+                        if j + b < q {
+                            row[j] = row[j + 1] - difference;
+                        }
                     }
                 }
-                space = space.max(difference.xyz().length());
-                weight = weight.max(difference.w.abs());
+                let scale = falling_factorial(p, a) * falling_factorial(q, b);
+                let terms = 2.0_f64.powi((a + b) as i32);
+                *bound = [scale * (space.sqrt() + terms * lost[0]), scale * (weight + terms * lost[1])];
+            }
+            for index in 0..(p - a) * columns {
+                by_s[index] = by_s[index + columns] - by_s[index];
             }
         }
-        let scale = falling_factorial(p, a) * falling_factorial(q, b);
-        let terms = 2.0_f64.powi((a + b) as i32);
-        (scale * (space + terms * lost[0]), scale * (weight + terms * lost[1]))
+        bounds
     }
 }
 

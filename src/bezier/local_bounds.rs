@@ -32,10 +32,12 @@ const ROUNDING: f64 = 1024.0 * f64::EPSILON;
 /// Net points of an edge are one when this near, relative to the patch's radius.
 const DEGENERATE: f64 = 1e-12;
 
-/// Bounds over the whole patch, and over parts, made when first asked for.
+/// Bounds over the whole patch, over all of its room, and over parts, made when
+/// first asked for.
 #[derive(Debug)]
 pub struct LocalBounds {
     whole: OnceLock<DerivativeBounds>,
+    roomy: OnceLock<DerivativeBounds>,
     /// The parameters, by axis, at which the patch's controls tell points of
     /// the model: [0, 1], and a little more where it was cut.
     pub room: [[f64; 2]; 2],
@@ -53,7 +55,7 @@ impl LocalBounds {
     /// Of a patch for which `room` holds.
     #[must_use]
     pub fn new(room: [[f64; 2]; 2]) -> Self {
-        Self { whole: OnceLock::new(), room, parts: OnceLock::new() }
+        Self { whole: OnceLock::new(), roomy: OnceLock::new(), room, parts: OnceLock::new() }
     }
 
     /// Bounds over [0, 1]^2 of the patch that these are of. O(p q) at first.
@@ -61,14 +63,22 @@ impl LocalBounds {
         self.whole.get_or_init(|| patch.derivative_bounds())
     }
 
+    /// Bounds over [0, 1]^2, or over the whole room where the box, which must
+    /// lie in it, does not lie in that. O(p q (p + q)) at first.
+    pub fn about(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> &DerivativeBounds {
+        if low.into_iter().chain(high).all(|parameter| (0.0..=1.0).contains(&parameter)) {
+            return self.whole(patch);
+        }
+        self.roomy.get_or_init(|| patch.bounds_over(self.room[0], self.room[1]))
+    }
+
     /// Bounds over the box, which must lie in the room, of the patch that
     /// these are of: those of all parts that it touches. O(parts touched), and
     /// O(p q (p + q)) for each when it is first touched.
     #[must_use]
     pub fn over(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
-        let inside = |axis: usize| low[axis] >= 0.0 && high[axis] <= 1.0;
-        if inside(0) && inside(1) && (0..2).any(|axis| high[axis] - low[axis] > WIDE) {
-            return *self.whole(patch);
+        if (0..2).any(|axis| high[axis] - low[axis] > WIDE) {
+            return *self.about(patch, low, high);
         }
         let radius = self.whole(patch).radius;
         let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.room));
@@ -82,7 +92,7 @@ impl LocalBounds {
         for s in rows {
             for t in columns.clone() {
                 let part =
-                    || patch.bounds_over([lines[0][s], lines[0][s + 1]], [lines[1][t], lines[1][t + 1]]);
+                    || patch.bounds_over_part([lines[0][s], lines[0][s + 1]], [lines[1][t], lines[1][t + 1]]);
                 all.enclose(bounds[s * (lines[1].len() - 1) + t].get_or_init(part));
             }
         }
@@ -134,10 +144,17 @@ fn is_degenerate(patch: &Patch<'_>, axis: usize, at_end: bool, radius: f64) -> b
 }
 
 impl Patch<'_> {
-    /// Bounds over a part by the patch's parameters: the recursion's excess is
-    /// proportional to the part's size, as its weights and its points about
-    /// its own centre then vary less. Those over the equal part around a
-    /// narrow one hold too, and are the lesser where rounding weighs more.
+    /// Bounds over a part: those over the equal part around a narrow one hold
+    /// too, and are the lesser where rounding weighs more.
+    fn bounds_over_part(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
+        let own = self.bounds_over(s, t);
+        let around = [part_around(s), part_around(t)];
+        if around == [s, t] { own } else { own.least(&self.bounds_over(around[0], around[1])) }
+    }
+
+    /// Bounds over a box by the patch's parameters: the recursion's excess is
+    /// proportional to the box's size, as its weights and its points about
+    /// its own centre then vary less.
     fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
         let controls = self.restricted(s, t);
         let part = Patch { controls: &controls, ..*self };
@@ -148,9 +165,7 @@ impl Patch<'_> {
             let size = [control.xyz().length(), control.w];
             lost = both(|kind| lost[kind].max(ROUNDING * size[kind]));
         }
-        let own = centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]]);
-        let around = [part_around(s), part_around(t)];
-        if around == [s, t] { own } else { own.least(&self.bounds_over(around[0], around[1])) }
+        centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]])
     }
 }
 

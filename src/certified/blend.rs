@@ -13,19 +13,27 @@
 
 use super::Side;
 use super::balance::{Plane, balance, plane_of_distance};
+use super::cell_bounds::CellBounds;
 use super::certify::Facing;
 use super::feet::{Feet, Foot};
 use super::foot_map::FootMap;
 use super::nearest::foot_on;
 use super::quadratic::largest;
 use super::region::Cell;
-use crate::bezier::{DerivativeBounds, Jet};
+use crate::bezier::Jet;
 use glam::DVec3;
 
 /// At least the distance to B of every point of the cell, by the feet of its
 /// centre on different patches; infinite where one of them alone does best, and
 /// no number where that cannot be told.
-pub(super) fn blend(cell: &Cell, a: &Jet, a_bounds: &DerivativeBounds, b: &Side<'_>, feet: &Feet) -> f64 {
+pub(super) fn blend(
+    cell: &Cell,
+    a: &Jet,
+    a_bounds: &CellBounds<'_>,
+    b: &Side<'_>,
+    feet: &Feet,
+    enough: f64,
+) -> f64 {
     let feet = feet.all();
     if feet.len() == 1 {
         return f64::INFINITY;
@@ -38,22 +46,31 @@ pub(super) fn blend(cell: &Cell, a: &Jet, a_bounds: &DerivativeBounds, b: &Side<
     if weights.iter().any(|(_, weight)| *weight == 1.0) {
         return f64::INFINITY;
     }
-    let mut mean = [[0.0_f64; 5]; 5];
+    let mut facings = Vec::with_capacity(weights.len());
     for (index, weight) in weights {
-        if weight == 0.0 {
-            continue;
-        }
-        let facing = Facing::new(cell, a, a_bounds, b, &feet[index]);
-        let map = facing.linear().unwrap_or(FootMap::CONSTANT);
-        let (quadratic, rest) = facing.difference(&map);
-        let squares = quadratic.length_squared();
-        // |Q| + rest, squared.
-        let more = rest * (2.0 * largest(&squares).sqrt() + rest);
-        for (mean, square) in mean.iter_mut().flatten().zip(squares.iter().flatten()) {
-            *mean += weight * (square + more);
+        if weight > 0.0 {
+            facings.push((Facing::new(cell, a, a_bounds, b, &feet[index]), weight));
         }
     }
-    largest(&mean).sqrt()
+    let mut squares = Vec::with_capacity(facings.len());
+    for (facing, weight) in &facings {
+        let followed = facing.follow(&facing.linear().unwrap_or(FootMap::CONSTANT));
+        squares.push((followed.quadratic.length_squared(), *weight, followed));
+    }
+    // The root of the largest weighted mean of `(|Q| + rest)²`.
+    let bound = |scale: f64, close: bool| {
+        let mut mean = [[0.0_f64; 5]; 5];
+        for (squares, weight, followed) in &squares {
+            let rest = scale * followed.rest(close);
+            let more = rest * (2.0 * largest(squares).sqrt() + rest);
+            for (mean, square) in mean.iter_mut().flatten().zip(squares.iter().flatten()) {
+                *mean += weight * (square + more);
+            }
+        }
+        largest(&mean).sqrt()
+    };
+    let whole = bound(1.0, false);
+    if whole > enough && bound(0.0, false) <= enough { bound(1.0, true) } else { whole }
 }
 
 /// The centre's feet on those of the listed patches that carry the balance over

@@ -2,6 +2,7 @@
 
 use super::Search;
 use super::blend::{blend, carrying_feet};
+use super::cell_bounds::CellBounds;
 use super::certify::certify;
 use super::compare::compare;
 use super::corners::Corners;
@@ -11,7 +12,6 @@ use super::on_sphere::on_sphere;
 use super::region::{Cell, Part, Region};
 use super::side::moved;
 use crate::project::Status;
-use std::cell::OnceCell;
 
 /// By how much a foot may be farther than the nearest one, in radii of the
 /// region: a bound that much larger is mostly as good, and most patches that
@@ -63,10 +63,7 @@ impl Search<'_> {
 
     fn bound_cell(&self, cell: &Cell, region: &Region, enough: f64) -> Bounded {
         let patch = self.a.patch(cell.patch);
-        let [low, high] = [cell.at([-1.0; 2]), cell.at([1.0; 2])];
-        // Beside a sphere they are not needed.
-        let bounds = OnceCell::new();
-        let bounds = || bounds.get_or_init(|| self.a.bounds(cell.patch, low, high));
+        let bounds = CellBounds::new(&self.a, *cell);
         let jet = moved(&patch.jet(cell.center), &self.transform);
         let by_foot = |foot: &Foot| {
             let sphere = self.b.revolution(self.b.patch(foot.patch).surface).and_then(|of_b| of_b.sphere);
@@ -75,10 +72,10 @@ impl Search<'_> {
             if upper <= enough {
                 upper
             } else {
-                upper.min(certify(cell, &jet, bounds(), &self.b, foot, enough))
+                upper.min(certify(cell, &jet, &bounds, &self.b, foot, enough))
             }
         };
-        let by_feet = |feet: &Feet| blend(cell, &jet, bounds(), &self.b, feet);
+        let by_feet = |feet: &Feet| blend(cell, &jet, &bounds, &self.b, feet, enough);
         let known = foot_on(&self.b, jet.point, region.foot.patch, region.foot.parameters);
         let mut sample = Sample { parameters: cell.center, foot: known };
         let mut upper = by_foot(&known);
@@ -96,7 +93,8 @@ impl Search<'_> {
         let mut foot = sample.foot;
         if upper > enough {
             let [h, k] = cell.half;
-            let radius = h * bounds().first[0] + k * bounds().first[1];
+            let [s, t] = bounds.close().first;
+            let radius = h * s + k * t;
             let same = cell.is_whole() && foot.distance_squared == region.foot.distance_squared;
             if !follow && !same {
                 let slack = if cell.is_whole() { 0.0 } else { CELL_SLACK * radius };
@@ -119,8 +117,13 @@ impl Search<'_> {
                 upper = upper.min(compare(cell, &patch, &self.transform, &jet, &self.b, &foot, enough));
             }
             sample.foot = foot;
-            let corners =
-                Corners { cell: *cell, patch, bounds: bounds(), transform: &self.transform, b: &self.b };
+            let corners = Corners {
+                cell: *cell,
+                patch,
+                bounds: bounds.close(),
+                transform: &self.transform,
+                b: &self.b,
+            };
             if upper > enough && foot.distance() <= NEAR * radius && corners.may_suffice(&foot, enough) {
                 upper = upper.min(corners.bound(&foot, enough, &mut sample));
             }

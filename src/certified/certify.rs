@@ -1,6 +1,7 @@
 //! Stage `certify`: an upper bound of the distance from a cell of A to B.
 
 use super::Side;
+use super::cell_bounds::CellBounds;
 use super::feet::Foot;
 use super::foot_map::FootMap;
 use super::quadratic::Quadratic;
@@ -27,21 +28,27 @@ use glam::{DVec2, DVec3};
 pub(super) fn certify(
     cell: &Cell,
     a: &Jet,
-    a_bounds: &DerivativeBounds,
+    a_bounds: &CellBounds<'_>,
     b: &Side<'_>,
     foot: &Foot,
     enough: f64,
 ) -> f64 {
     let distance = foot.distance();
     let [h, k] = cell.half;
-    let mut best = distance + h * a_bounds.first[0] + k * a_bounds.first[1];
+    let [s, t] = a_bounds.of_patch().first;
+    let mut best = distance + h * s + k * t;
     if best <= enough {
         return best;
     }
     let facing = Facing::new(cell, a, a_bounds, b, foot);
     let mut try_map = |map: &FootMap| {
-        let (quadratic, rest) = facing.difference(map);
-        best = best.min(quadratic.largest_length_squared().sqrt() + rest);
+        let followed = facing.follow(map);
+        let length = followed.quadratic.largest_length_squared().sqrt();
+        let mut bound = length + followed.rest(false);
+        if length <= enough && bound > enough {
+            bound = length + followed.rest(true);
+        }
+        best = best.min(bound);
         best
     };
     if let Some(linear) = facing.linear() {
@@ -62,7 +69,7 @@ pub(super) fn certify(
 pub(super) struct Facing<'a> {
     cell: &'a Cell,
     a: &'a Jet,
-    rest_a: f64,
+    a_bounds: &'a CellBounds<'a>,
     b: &'a Side<'a>,
     foot: &'a Foot,
     jet: Jet,
@@ -75,7 +82,7 @@ impl<'a> Facing<'a> {
     pub(super) fn new(
         cell: &'a Cell,
         a: &'a Jet,
-        a_bounds: &DerivativeBounds,
+        a_bounds: &'a CellBounds<'_>,
         b: &'a Side<'_>,
         foot: &'a Foot,
     ) -> Self {
@@ -88,8 +95,7 @@ impl<'a> Facing<'a> {
             let parameter = foot.parameters[axis];
             (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
         });
-        let rest_a = remainder(a_bounds, cell.half, [0.0; 2]);
-        Self { cell, a, rest_a, b, foot, jet, room, frozen }
+        Self { cell, a, a_bounds, b, foot, jet, room, frozen }
     }
 
     /// The foot's linearisation, where there is one.
@@ -99,14 +105,34 @@ impl<'a> Facing<'a> {
         FootMap::linearised(&self.jet, residual, [h * self.a.s, k * self.a.t], self.frozen)
     }
 
-    /// The Taylor quadratic of `A - B∘φ` at the centre, φ fitted into the
-    /// patch's room, and at least how far the two may be apart in the cell.
-    pub(super) fn difference(&self, map: &FootMap) -> (Quadratic, f64) {
+    /// `A - B∘φ` with φ the map fitted into the patch's room.
+    pub(super) fn follow(&self, map: &FootMap) -> Followed<'_> {
         let map = map.fitted(self.foot.parameters, self.room);
-        let [low, high] = map.image(self.foot.parameters);
-        let bounds = self.b.bounds(self.foot.patch, low, high);
-        let rest_b = remainder(&bounds, map.width().to_array(), map.turn().to_array());
-        (difference(self.a, &self.jet, self.cell.half, &map), self.rest_a + rest_b)
+        Followed { facing: self, quadratic: difference(self.a, &self.jet, self.cell.half, &map), map }
+    }
+}
+
+/// `A - B∘φ` over a cell.
+pub(super) struct Followed<'a> {
+    facing: &'a Facing<'a>,
+    map: FootMap,
+    /// Its Taylor quadratic at the centre.
+    pub(super) quadratic: Quadratic,
+}
+
+impl Followed<'_> {
+    /// At least how far it may be from the quadratic, by bounds over whole
+    /// patches, or by `close` ones over parts, which cost more.
+    pub(super) fn rest(&self, close: bool) -> f64 {
+        let Facing { cell, a_bounds, b, foot, .. } = self.facing;
+        let [low, high] = self.map.image(foot.parameters);
+        let (of_a, of_b) = if close {
+            (a_bounds.close(), b.bounds(foot.patch, low, high))
+        } else {
+            (a_bounds.of_patch(), *b.bounds_about(foot.patch, low, high))
+        };
+        let [width, turn] = [self.map.width().to_array(), self.map.turn().to_array()];
+        remainder(of_a, cell.half, [0.0; 2]) + remainder(&of_b, width, turn)
     }
 }
 

@@ -18,6 +18,7 @@ mod balance;
 mod blend;
 mod bound;
 mod candidates;
+mod cell_bounds;
 mod certify;
 mod climb;
 mod compare;

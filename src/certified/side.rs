@@ -59,6 +59,11 @@ impl<'a> Side<'a> {
         self.bounds[index as usize].whole(&self.patch(index))
     }
 
+    /// Derivative bounds over a whole patch, or over all its room where the box is not inside.
+    pub(super) fn bounds_about(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> &'a DerivativeBounds {
+        self.bounds[index as usize].about(&self.patch(index), low, high)
+    }
+
     /// Derivative bounds over a box in the patch's room.
     pub(crate) fn bounds(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
         self.bounds[index as usize].over(&self.patch(index), low, high)
