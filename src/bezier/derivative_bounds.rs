@@ -19,17 +19,6 @@ pub struct DerivativeBounds {
 impl DerivativeBounds {
     /// Makes these bounds hold where others do too.
     pub(super) fn enclose(&mut self, other: &Self) {
-        // What is no number bounds nothing.
-        self.combine(other, |own, other| if other.is_nan() { f64::INFINITY } else { own.max(other) });
-    }
-
-    /// The lesser of each two bounds.
-    pub(super) fn least(mut self, other: &Self) -> Self {
-        self.combine(other, f64::min);
-        self
-    }
-
-    fn combine(&mut self, other: &Self, choose: impl Fn(f64, f64) -> f64) {
         let pairs = [
             (&mut self.first[..], &other.first[..]),
             (&mut self.second[..], &other.second[..]),
@@ -37,7 +26,8 @@ impl DerivativeBounds {
         ];
         for (own, other) in pairs {
             for (own, &other) in own.iter_mut().zip(other) {
-                *own = choose(*own, other);
+                // What is no number bounds nothing.
+                *own = if other.is_nan() { f64::INFINITY } else { own.max(other) };
             }
         }
     }

@@ -12,8 +12,8 @@ const PART: f64 = 1.0 / PARTS as f64;
 
 /// Times that the part at a degenerate edge is halved. Derivatives along that
 /// edge vanish in proportion to the distance from it, which only bounds over
-/// ever narrower parts show.
-const GRADES: u32 = 12;
+/// ever narrower parts show; over still narrower ones rounding weighs more.
+const GRADES: u32 = 8;
 
 /// Width of a box from which on bounds over parts are not worth their making.
 const WIDE: f64 = 0.25;
@@ -92,7 +92,7 @@ impl LocalBounds {
         for s in rows {
             for t in columns.clone() {
                 let part =
-                    || patch.bounds_over_part([lines[0][s], lines[0][s + 1]], [lines[1][t], lines[1][t + 1]]);
+                    || patch.bounds_over([lines[0][s], lines[0][s + 1]], [lines[1][t], lines[1][t + 1]]);
                 all.enclose(bounds[s * (lines[1].len() - 1) + t].get_or_init(part));
             }
         }
@@ -144,14 +144,6 @@ fn is_degenerate(patch: &Patch<'_>, axis: usize, at_end: bool, radius: f64) -> b
 }
 
 impl Patch<'_> {
-    /// Bounds over a part: those over the equal part around a narrow one hold
-    /// too, and are the lesser where rounding weighs more.
-    fn bounds_over_part(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
-        let own = self.bounds_over(s, t);
-        let around = [part_around(s), part_around(t)];
-        if around == [s, t] { own } else { own.least(&self.bounds_over(around[0], around[1])) }
-    }
-
     /// Bounds over a box by the patch's parameters: the recursion's excess is
     /// proportional to the box's size, as its weights and its points about
     /// its own centre then vary less.
@@ -167,13 +159,4 @@ impl Patch<'_> {
         }
         centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]])
     }
-}
-
-/// The equal part around a narrow one; itself beyond an edge.
-fn part_around([low, high]: [f64; 2]) -> [f64; 2] {
-    if low < 0.0 || high > 1.0 {
-        return [low, high];
-    }
-    let first = (low / PART).floor() * PART;
-    [first, first + PART]
 }
