@@ -43,13 +43,40 @@ impl Patch<'_> {
     /// 2 (p + q) units of rounding of the patch's radius. O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
+        let sum = match self.degree {
+            #[cfg(not(target_arch = "wasm32"))]
+            [2, 2] => self.sum_of::<3, 3>(parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [2, 3] => self.sum_of::<3, 4>(parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [3, 2] => self.sum_of::<4, 3>(parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [3, 3] => self.sum_of::<4, 4>(parameters),
+            _ => self.sum(parameters),
+        };
+        self.center + sum.xyz() / sum.w
+    }
+
+    /// The homogeneous point.
+    fn sum(&self, parameters: [f64; 2]) -> DVec4 {
         let basis = bases::<MAX_ORDER>(self.degree, parameters);
         let columns = self.degree[1] + 1;
         let mut sum = DVec4::ZERO;
         for (row, s) in self.controls.chunks_exact(columns).zip(basis[0][0]) {
             sum += s * contract(row, &basis[1][0]);
         }
-        self.center + sum.xyz() / sum.w
+        sum
+    }
+
+    /// The same of degrees N - 1 and M - 1.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[inline(always)]
+    fn sum_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> DVec4 {
+        let mut values = [DVec4::ZERO; N];
+        for (value, row) in values.iter_mut().zip(self.controls.as_chunks::<M>().0) {
+            [*value, ..] = casteljau(*row, t);
+        }
+        casteljau(values, s)[0]
     }
 
     /// Point, first and second derivatives at (s, t) in [0, 1]^2, by the
@@ -59,9 +86,13 @@ impl Patch<'_> {
         // The commonest degrees are written out, but not for the browser's small module.
         match self.degree {
             #[cfg(not(target_arch = "wasm32"))]
-            [2, 2] => self.jet_by::<3>([2, 2], parameters),
+            [2, 2] => self.jet_of::<3, 3>(parameters),
             #[cfg(not(target_arch = "wasm32"))]
-            [3, 3] => self.jet_by::<4>([3, 3], parameters),
+            [2, 3] => self.jet_of::<3, 4>(parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [3, 2] => self.jet_of::<4, 3>(parameters),
+            #[cfg(not(target_arch = "wasm32"))]
+            [3, 3] => self.jet_of::<4, 4>(parameters),
             #[cfg(not(target_arch = "wasm32"))]
             [0..8, 0..8] => self.jet_by::<8>(self.degree, parameters),
             degree => self.jet_by::<MAX_ORDER>(degree, parameters),
@@ -83,6 +114,27 @@ impl Patch<'_> {
             st += basis[0][1][i] * first;
             tt += basis[0][0][i] * contract(row, &basis[1][2]);
         }
+        self.quotient([h, s, t, ss, st, tt])
+    }
+
+    /// The jet of degrees N - 1 in s and M - 1 in t, row by row and then across.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[inline(always)]
+    fn jet_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> Jet {
+        let [mut value, mut first, mut second] = [[DVec4::ZERO; N]; 3];
+        for (i, row) in self.controls.as_chunks::<M>().0.iter().enumerate().take(N) {
+            [value[i], first[i], second[i]] = casteljau(*row, t);
+        }
+        let [p, q] = [(N - 1) as f64, (M - 1) as f64];
+        let [h, of_s, of_ss] = casteljau(value, s);
+        let [of_t, of_st, _] = casteljau(first, s);
+        let [of_tt, ..] = casteljau(second, s);
+        self.quotient([h, p * of_s, q * of_t, p * (p - 1.0) * of_ss, p * q * of_st, q * (q - 1.0) * of_tt])
+    }
+
+    /// The jet of the quotient of a homogeneous point and its derivatives.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    fn quotient(&self, [h, s, t, ss, st, tt]: [DVec4; 6]) -> Jet {
         let inverse = 1.0 / h.w;
         let local = h.xyz() * inverse;
         let ds = (s.xyz() - s.w * local) * inverse;
@@ -96,6 +148,22 @@ impl Patch<'_> {
             tt: (tt.xyz() - 2.0 * t.w * dt - tt.w * local) * inverse,
         }
     }
+}
+
+/// The value at t, the first derivative over the degree N - 1 and the second
+/// over (N - 1)(N - 2), by de Casteljau's algorithm.
+#[cfg(not(target_arch = "wasm32"))]
+#[inline(always)]
+fn casteljau<const N: usize>(mut controls: [DVec4; N], t: f64) -> [DVec4; 3] {
+    let between = |a: DVec4, b: DVec4| (1.0 - t) * a + t * b;
+    for last in (3..N).rev() {
+        for index in 0..last {
+            controls[index] = between(controls[index], controls[index + 1]);
+        }
+    }
+    let [a, b, c] = [controls[0], controls[1], controls[2]];
+    let [low, high] = [between(a, b), between(b, c)];
+    [between(low, high), high - low, (a - b) + (c - b)]
 }
 
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
