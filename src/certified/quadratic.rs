@@ -63,11 +63,13 @@ impl Quadratic {
         }
         let mut coefficients = [[0.0_f64; 5]; 5];
         for i in 0..3 {
-            for k in 0..3 {
-                for j in 0..3 {
-                    for l in 0..3 {
+            for j in 0..3 {
+                coefficients[2 * i][2 * j] += PRODUCT[i][i] * PRODUCT[j][j] * net[i][j].length_squared();
+                // Each two controls once, for both their products.
+                for k in i..3 {
+                    for l in if k == i { j + 1 } else { 0 }..3 {
                         coefficients[i + k][j + l] +=
-                            PRODUCT[i][k] * PRODUCT[j][l] * net[i][j].dot(net[k][l]);
+                            2.0 * PRODUCT[i][k] * PRODUCT[j][l] * net[i][j].dot(net[k][l]);
                     }
                 }
             }

@@ -16,7 +16,7 @@ use glam::DVec3;
 const MOST_CERTIFIED: usize = 8;
 
 /// Patches that a sample climbs on to from the first, at most.
-const MOST_CROSSINGS: usize = 4;
+const MOST_CROSSINGS: usize = 8;
 
 /// Width asked of a sample's certificate, relative to the tolerance.
 const CERTIFICATE_PART: f64 = 1e-2;
@@ -99,6 +99,7 @@ impl Search<'_> {
                 let further = climb(patch, Sample { parameters, ..before.1 });
                 if further.foot.distance() > best.1.foot.distance() + least {
                     best = (patch, further);
+                    break;
                 }
             }
             if best.0 == before.0 {
