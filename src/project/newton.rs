@@ -6,8 +6,9 @@ use crate::both::both;
 use glam::DVec3;
 
 /// The cosine between the residual and a tangent below which a point is
-/// stationary: the distance's error is its square, below float64's rounding.
-const STATIONARY_COSINE: f64 = 1e-9;
+/// stationary: the distance's relative error is half its square, below
+/// float64's rounding.
+const STATIONARY_COSINE: f64 = 1e-8;
 
 /// Rounding of a residual relative to the patch's size, which the stationary
 /// test cannot see below.
