@@ -6,7 +6,7 @@ use super::climb::climb;
 use super::extreme::extreme;
 use super::feet::{Foot, Sample};
 use super::nearest::{foot_on, nearest_within};
-use super::search::{Farthest, Interval};
+use super::search::Farthest;
 use super::{Search, Side};
 use crate::gather::Gather;
 use crate::project::{Closest, closest_above};
@@ -128,25 +128,11 @@ impl Search<'_> {
         self.raise_from(patch, self.with_nearest(patch, start, 0.0));
     }
 
-    /// Certifies the farthest point anew where its certificate is wider than
-    /// asked or beyond the upper bound, which is raised to what is still told.
+    /// Raises the upper bound to what is told of the farthest point.
     pub(crate) fn finish(&mut self) {
-        let Some(mut best) = self.farthest else { return };
-        let Interval { lower, upper } = self.interval();
-        let mut width = CERTIFICATE_PART * self.tolerance;
-        let is_beyond = best.closest.upper > upper;
-        if is_beyond {
-            width = width.min(0.5 * (upper - lower));
+        if let Some(best) = &self.farthest {
+            self.dropped = self.dropped.max(best.closest.upper - self.rounding);
         }
-        let start = Some((best.closest.patch as u32, best.closest.parameters));
-        if (is_beyond || best.closest.upper - best.closest.lower > width + self.rounding)
-            && let Some(mut found) = self.certificate(best.patch, best.parameters, width, start, 0.0)
-        {
-            found.closest.lower = found.closest.lower.max(best.closest.lower);
-            best = found;
-        }
-        self.dropped = self.dropped.max(best.closest.upper - self.rounding);
-        self.farthest = Some(best);
     }
 
     /// A point of A with its distance to B, as narrow as `width` if that can be
