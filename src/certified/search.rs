@@ -39,7 +39,7 @@ pub enum Stop {
     Cells,
     /// The budget of time is spent.
     Time,
-    /// Cells are as small as float64 can tell.
+    /// Cells are as small as float64 can tell, or its rounding is wider than asked.
     Precision,
     /// The caller cancelled.
     Cancelled,
