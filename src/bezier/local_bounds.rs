@@ -22,12 +22,14 @@ const WIDE: f64 = 0.25;
 pub(crate) const BEYOND: f64 = 0.125;
 
 /// Degrees in s and t together up to which they are followed: `|1 - x| + |x|`
-/// is at most 1.25 there, so rounding grows by no more than `1.25^9 < 8`.
+/// is at most 1.25 there, and 1.23 from there to the other edge's, so rounding
+/// grows by no more than `1.25^9 < 8`, and beyond both edges `1.53^9 < 46`.
 pub(crate) const MOST_DEGREES: usize = 9;
 
-/// Rounding of a part's controls relative to the patch's largest: some hundred
-/// of 2^-53, eight times as many beyond an edge.
-const ROUNDING: f64 = 1024.0 * f64::EPSILON;
+/// Rounding of a part's controls relative to the patch's largest: three of
+/// 2^-53 for each of two restrictions and each degree, or some hundred inside,
+/// which beyond both edges grow by less than 46.
+const ROUNDING: f64 = 2048.0 * f64::EPSILON;
 
 /// Net points of an edge are one when this near, relative to the patch's radius.
 const DEGENERATE: f64 = 1e-12;
