@@ -21,9 +21,12 @@ pub(super) fn across(side: &Side<'_>, index: u32, parameters: [f64; 2]) -> Vec<(
     let point = side.patch(index).point(parameters);
     for leaf in tree.leaves_within(point, most) {
         let other = tree.item(&leaf);
+        if other == index {
+            continue;
+        }
         let patch = side.patch(other);
         let foot = newton(&patch, point, nearest_control(&patch, point), ITERATIONS);
-        if other != index && foot.distance_squared <= most {
+        if foot.distance_squared <= most {
             joined.push((other, foot.parameters));
         }
     }

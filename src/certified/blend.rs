@@ -14,7 +14,7 @@
 use super::Side;
 use super::balance::{Plane, balance, plane_of_distance};
 use super::cell_bounds::CellBounds;
-use super::certify::Facing;
+use super::certify::{Facing, Followed};
 use super::feet::{Feet, Foot};
 use super::foot_map::FootMap;
 use super::nearest::foot_on;
@@ -52,16 +52,16 @@ pub(super) fn blend(
             facings.push((Facing::new(cell, a, a_bounds, b, &feet[index]), weight));
         }
     }
-    let mut squares = Vec::with_capacity(facings.len());
+    let mut terms = Vec::with_capacity(facings.len());
     for (facing, weight) in &facings {
         let followed = facing.follow(&facing.linear().unwrap_or(FootMap::CONSTANT));
-        squares.push((followed.quadratic.length_squared(), *weight, followed));
+        terms.push((followed.quadratic.length_squared(), *weight, followed));
     }
     // The root of the largest weighted mean of `(|Q| + rest)²`.
-    let bound = |scale: f64, close: bool| {
+    let bound = |rest: fn(&Followed<'_>) -> f64| {
         let mut mean = [[0.0_f64; 5]; 5];
-        for (squares, weight, followed) in &squares {
-            let rest = scale * followed.rest(close);
+        for (squares, weight, followed) in &terms {
+            let rest = rest(followed);
             let more = rest * (2.0 * largest(squares).sqrt() + rest);
             for (mean, square) in mean.iter_mut().flatten().zip(squares.iter().flatten()) {
                 *mean += weight * (square + more);
@@ -69,8 +69,9 @@ pub(super) fn blend(
         }
         largest(&mean).sqrt()
     };
-    let whole = bound(1.0, false);
-    if whole > enough && bound(0.0, false) <= enough { bound(1.0, true) } else { whole }
+    let whole = bound(|followed| followed.rest(false));
+    let close_may_suffice = || bound(|_| 0.0) <= enough;
+    if whole > enough && close_may_suffice() { bound(|followed| followed.rest(true)) } else { whole }
 }
 
 /// The centre's feet on those of the listed patches that carry the balance over

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 
-/// The largest size of a coordinate, weight or knot: a coordinate times a weight
+/// The largest size of a coordinate, translation, weight or knot: a coordinate times a weight
 /// is 1e200 at most, and the square of a length far from overflow.
 const LARGEST: f64 = 1e100;
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 /// `model` moved by `transform`: parameters and weights stay.
 ///
 /// # Errors
-/// `NON_FINITE` if a coordinate overflows.
+/// `NUMBER_TOO_LARGE` if a coordinate is moved beyond 1e100 in size.
 pub fn transformed(model: &Model, transform: &RigidTransform) -> Result<Model> {
     let move_point = |&[x, y, z, w]: &[f64; 4]| {
         let point = transform.apply(DVec3::new(x, y, z));
