@@ -3,11 +3,14 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+mod support;
+
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::distance::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+use support::cpu::measure;
 
 /// Cells that are few: halving down to cells of the tolerance takes some
 /// hundred thousand.
@@ -16,16 +19,13 @@ const FEW: usize = 4000;
 /// Rounding of a search relative to the diagonal.
 const ROUNDING: f64 = 1e-12;
 
-fn measure(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> DistanceResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
-    let options = Options { tolerance, transform, max_seconds: Some(30.0), ..Options::default() };
-    pollster::block_on(engine.distance(&a, &b, &options, &mut Silent)).unwrap()
+fn compared(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> DistanceResult {
+    measure(a, b, &Options { tolerance, transform, max_seconds: Some(30.0), ..Options::default() })
 }
 
 fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {
     for tolerance in [1e-6, 1e-10] {
-        let result = measure(a, b, transform, tolerance);
+        let result = compared(a, b, transform, tolerance);
         let cells = result.certified.unwrap().cells;
         println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         assert!(result.converged && result.lower == 0.0, "{name}: {result:?}");
@@ -94,7 +94,7 @@ fn a_moved_copy_takes_few_cells() {
         let model = shape(name).unwrap();
         for way in [DVec3::new(0.0, 0.0, 0.3), DVec3::new(1e-3, 0.0, 2e-3), DVec3::new(0.0, 1e-7, 0.0)] {
             let transform = RigidTransform::translation(way).unwrap();
-            let result = measure(&model, &model, transform, 1e-6);
+            let result = compared(&model, &model, transform, 1e-6);
             let cells = result.certified.unwrap().cells;
             println!("{name} moved by {way}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
             assert!(result.converged && result.lower <= way.length() + ROUNDING);
@@ -117,7 +117,7 @@ fn an_edited_copy_takes_few_cells() {
     arrays.control_points[middle][2] += 0.1;
     let edited = Model::from_arrays(None, vec![arrays]).unwrap();
     for (a, b) in [(&model, &edited), (&edited, &model)] {
-        let result = measure(a, b, RigidTransform::IDENTITY, 1e-6);
+        let result = compared(a, b, RigidTransform::IDENTITY, 1e-6);
         let cells = result.certified.unwrap().cells;
         println!("an edited sheet: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         // A bump is lower than its control point is raised.
@@ -144,7 +144,7 @@ fn a_small_bump_is_no_copy() {
         let truth = raised * (4.0_f64 / 9.0).powi(2);
         for tolerance in [1e-6, 1e-10, 1e-12] {
             let DistanceResult { lower, upper, converged, .. } =
-                measure(&sheet(raised), &sheet(0.0), RigidTransform::IDENTITY, tolerance);
+                compared(&sheet(raised), &sheet(0.0), RigidTransform::IDENTITY, tolerance);
             assert!(converged, "{raised} {tolerance}");
             assert!(lower <= truth * (1.0 + ROUNDING) && truth <= upper, "{truth} not in [{lower}, {upper}]");
         }

@@ -3,17 +3,18 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+mod support;
+
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::distance::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use support::cpu::measure;
 
 const ROUNDING: f64 = 1e-12;
 
-fn measure(a: &Model, b: &Model, options: &Options) -> (DistanceResult, usize) {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
-    let result = pollster::block_on(engine.distance(&a, &b, options, &mut Silent)).unwrap();
+fn measured(a: &Model, b: &Model, options: &Options) -> (DistanceResult, usize) {
+    let result = measure(a, b, options);
     let cells = result.certified.unwrap().cells;
     (result, cells)
 }
@@ -69,7 +70,7 @@ fn a_point_as_far_from_three_walls() {
         let mut counts = Vec::new();
         for tolerance in [1e-4, 1e-7, 1e-10] {
             let (result, cells) =
-                measure(&across, &walls, &Options { tolerance, transform, ..Options::default() });
+                measured(&across, &walls, &Options { tolerance, transform, ..Options::default() });
             assert!(result.converged && result.lower <= truth + ROUNDING && truth - ROUNDING <= result.upper);
             assert!((result.computed - truth).abs() <= tolerance * result.diagonal);
             counts.push(cells);
@@ -89,7 +90,7 @@ fn a_moved_copy_is_as_far_as_it_was_moved() {
         for way in [DVec3::new(0.3, 0.1, 0.2), DVec3::new(-0.02, 0.01, 0.005), DVec3::new(0.0, 0.0, 1.5)] {
             let way = size * way;
             let transform = RigidTransform::translation(way).unwrap();
-            let (result, cells) = measure(&model, &model, &Options { transform, ..Options::default() });
+            let (result, cells) = measured(&model, &model, &Options { transform, ..Options::default() });
             let DistanceResult { lower, upper, .. } = result;
             let truth = way.length();
             assert!(result.converged, "{name}");

@@ -3,10 +3,13 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+mod support;
+
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::distance::{DistanceResult, Method, Options};
 use nurbs_hausdorff::shapes::{sphere, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use support::cpu::measure;
 
 /// From where squares are lost to the largest that is accepted.
 const SIZES: [f64; 13] =
@@ -22,12 +25,6 @@ const CELLS: usize = 300;
 
 /// Part of the distance that its analytic value is rounded by.
 const ROUNDING: f64 = 1e-12;
-
-fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
-    pollster::block_on(engine.distance(&a, &b, options, &mut Silent)).unwrap()
-}
 
 fn options(method: Method) -> Options {
     let symmetric = method != Method::Hierarchy;

@@ -3,25 +3,22 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+mod support;
+
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::distance::Options;
 use nurbs_hausdorff::project::{Target, closest};
 use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
 use nurbs_hausdorff::{Model, RigidTransform};
+use support::cpu::measure;
 
 /// Cells that are few: those of a profile. Those of a surface are more than ten
 /// thousand in these tests.
 const FEW: usize = 1500;
 /// Rounding of a search relative to the diagonal.
 const ROUNDING: f64 = 1e-12;
-
-fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
-    pollster::block_on(engine.distance(&a, &b, options, &mut Silent)).unwrap()
-}
 
 /// Whether the truth is in the interval, and how many cells that took.
 fn cells(name: &str, a: &Model, b: &Model, truth: f64, tolerance: f64) -> usize {

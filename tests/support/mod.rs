@@ -8,6 +8,7 @@
     reason = "each test crate uses a part, and a panic is how a test fails"
 )]
 
+pub mod cpu;
 pub mod evaluator;
 pub mod gpu;
 pub mod models;
