@@ -110,7 +110,7 @@ impl Search<'_> {
             if !cell.is_whole() && far(&region.foot) && far(&foot) {
                 foot = self.surest(jet.point, foot);
             }
-            if foot != known {
+            if upper > enough && foot != known {
                 upper = upper.min(by_foot(&foot));
             }
             if upper > enough {

@@ -21,6 +21,11 @@ const MOST_CROSSINGS: usize = 8;
 /// Width asked of a sample's certificate, relative to the tolerance.
 const CERTIFICATE_PART: f64 = 1e-2;
 
+/// Part of what may still be gained that the first point's climb gains with a
+/// step, or it is left until it is known to be the best start: a way along a
+/// ridge that leads low is not followed to its end.
+const BEGIN_PART: f64 = 2e-3;
+
 /// Width asked, relative to the tolerance, where the nearest foot is looked
 /// for, which is doubted from half the tolerance on.
 const FOOT_PART: f64 = 0.25;
@@ -58,8 +63,7 @@ impl Search<'_> {
     /// Certifies a sample moved to where the distance is locally largest; tells
     /// whether it seemed farther than the best.
     pub(super) fn climb_from(&mut self, patch: u32, sample: Sample) -> bool {
-        let width = CERTIFICATE_PART * self.tolerance;
-        let most = self.lower() + width;
+        let most = self.lower() + self.width();
         if sample.foot.distance() <= most {
             return false;
         }
@@ -73,9 +77,9 @@ impl Search<'_> {
     /// Takes the sample, moved to where the distance is locally largest, for the
     /// farthest point if its certificate says so or there is none yet.
     fn raise_from(&mut self, patch: u32, sample: Sample) {
-        let (patch, Sample { parameters, foot }) = self.climbed(patch, sample);
+        let width = self.width();
+        let (patch, Sample { parameters, foot }) = self.climbed(patch, sample, width);
         let known = Some((foot.patch, foot.parameters));
-        let width = CERTIFICATE_PART * self.tolerance;
         let found = self.certificate(patch, parameters, width, known, self.lower());
         let is_better =
             |found: &Farthest| self.farthest.is_none_or(|best| found.closest.lower > best.closest.lower);
@@ -83,9 +87,8 @@ impl Search<'_> {
     }
 
     /// The sample moved to where the distance is locally largest, over the edges
-    /// of its patch too.
-    fn climbed(&self, patch: u32, sample: Sample) -> (u32, Sample) {
-        let least = CERTIFICATE_PART * self.tolerance;
+    /// of its patch too, as long as it gains more than `least`.
+    fn climbed(&self, patch: u32, sample: Sample, least: f64) -> (u32, Sample) {
         let climb = |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least);
         let mut best = (patch, climb(patch, sample));
         let mut seen = vec![patch];
@@ -115,17 +118,32 @@ impl Search<'_> {
         Sample { foot: nearest_within(&self.b, point, sample.foot, enough), ..sample }
     }
 
-    /// Takes the point for the farthest that goes farthest away from B, from
-    /// its centre to A's, and climbs from there: a witness also where the boxes
-    /// alone answer, and the farthest point of a moved copy.
+    /// Begins with the point that goes farthest away from B, from its centre to
+    /// A's: a witness also where the boxes alone answer, and the farthest point
+    /// of a moved copy. It climbs for as long as it gains a part of what is left
+    /// to be gained; then the middle of the first patch may be the better start.
     pub(super) fn begin(&mut self) {
-        let [from, to] =
-            [&self.a, &self.b].map(|side| side.target.tree.nodes().first().map(|root| root.aabb.center()));
-        let (Some(from), Some(to)) = (from, to) else { return };
+        let roots = [&self.a, &self.b].map(|side| side.target.tree.nodes().first());
+        let [Some(of_a), Some(of_b)] = roots else { return };
+        let [from, to] = [of_a.aabb.center(), of_b.aabb.center()];
         let away = self.transform.inverse().rotate(self.transform.apply(from) - to);
-        let (patch, parameters) = extreme(&self.a, away).unwrap_or((0, [0.5; 2]));
-        let start = Sample { parameters, foot: Foot::start(0, [0.5; 2]) };
-        self.raise_from(patch, self.with_nearest(patch, start, 0.0));
+        let start = |(patch, parameters)| {
+            let start = Sample { parameters, foot: Foot::start(0, [0.5; 2]) };
+            (patch, self.with_nearest(patch, start, 0.0))
+        };
+        let middle = start((self.a.target.tree.item(of_a), [0.5; 2]));
+        let (patch, sample) = start(extreme(&self.a, away).unwrap_or((0, [0.5; 2])));
+        let left = self.interval().upper - sample.foot.distance();
+        let climbed = self.climbed(patch, sample, self.width().max(BEGIN_PART * left));
+        let is_better = middle.1.foot.distance_squared > climbed.1.foot.distance_squared;
+        let [first, second] = if is_better { [middle, climbed] } else { [climbed, middle] };
+        self.raise_from(first.0, first.1);
+        self.climb_from(second.0, second.1);
+    }
+
+    /// Width asked of a sample's certificate.
+    fn width(&self) -> f64 {
+        CERTIFICATE_PART * self.tolerance
     }
 
     /// Raises the upper bound to what is told of the farthest point.
