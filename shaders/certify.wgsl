@@ -33,6 +33,8 @@ const SMALLEST_HALF: f32 = 1e-3;
 const LONGEST_ASPECT: f32 = 2.0;
 // A squared length changes little over a cell if by less than this part.
 const LITTLE: f32 = 0.125;
+// Distance, in radii of the cell, up to which A lies on B and a bent map helps.
+const ON_B: f32 = 0.01;
 
 // φ(σ, τ) = β + σ p + τ q + ½σ² m_0 + στ m_1 + ½τ² m_2.
 struct FootMap {
@@ -208,7 +210,7 @@ fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
         if all(at - extent >= target_piece.low) && all(at + extent <= target_piece.high) {
             upper = min(upper, bound);
         }
-        if bitcast<u32>(upper) <= bitcast<u32>(params.enough) {
+        if bitcast<u32>(upper) <= bitcast<u32>(params.enough) || distance > ON_B * (sides.x + sides.y) {
             break;
         }
     }

@@ -11,8 +11,8 @@ use crate::both::both;
 use glam::{DVec2, DVec3};
 
 /// Distance, in radii of the cell, up to which A lies on B as far as a cell of
-/// this size tells: farther away, no bent map was ever the one that sufficed
-/// in 52 models moved and turned.
+/// this size tells. Of 5,800 cells that bent maps sufficed for, in 52 models
+/// moved and turned and 300 random pairs, 14 were farther away.
 const ON_B: f64 = 0.01;
 
 /// At least the distance to B of every point of the cell, given A's moved jet
@@ -24,8 +24,9 @@ const ON_B: f64 = 0.01;
 /// With `Q` the Taylor quadratic of
 /// `D = A - B∘φ` at the centre, `|D - Q| <= R_A + R_B`, the remainders of third
 /// order, and `|Q|` is bounded by [`Quadratic::largest_length_squared`]. φ is
-/// the foot's linearisation, then that bent, then constant; the first bound of
-/// at most `enough` ends it, else the least is taken.
+/// the foot's linearisation, constant where there is none, and where A lies on
+/// B that bent; the first bound of at most `enough` ends it, else the least is
+/// taken.
 ///
 /// Linear maps give a bound of third order where the distance is positive:
 /// what D does along B then counts by its square only. Where A lies on B

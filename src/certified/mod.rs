@@ -37,6 +37,7 @@ mod raise;
 mod region;
 mod search;
 mod side;
+mod step;
 
 pub(crate) use feet::Foot;
 pub(crate) use pieces::{Pieces, Place};
