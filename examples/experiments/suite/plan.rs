@@ -14,10 +14,10 @@ pub(crate) struct Plan {
     /// Projections of samples on patches beyond which a method that tries all
     /// patches is run in the middle only, and there only if it cuts none.
     pub(crate) most_projections: usize,
-    /// A run shorter than this, in seconds, is repeated `rounds` times in all
-    /// and the shortest told.
-    pub(crate) short: f64,
-    pub(crate) rounds: usize,
+    /// Runs are repeated while all of them together take less, in seconds, and
+    /// the shortest time is told.
+    pub(crate) repeated_seconds: f64,
+    pub(crate) most_rounds: usize,
     pub(crate) pairs: Vec<PairPlan>,
 }
 

@@ -4,9 +4,9 @@ use super::methods::{Entry, methods};
 use super::pairs::Pair;
 use super::plan::Plan;
 use super::{Anyhow, Cell, Setup, Table};
-use nurbs_hausdorff::Error;
 use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
+use std::time::Instant;
 
 /// What one method gave at one position.
 #[derive(Debug, Clone)]
@@ -14,6 +14,8 @@ pub(crate) struct Outcome {
     pub(crate) position: f64,
     /// The result, or why there is none: an error's code, or "left-out".
     pub(crate) result: Result<DistanceResult, &'static str>,
+    /// How long the first run took, uploads included, in seconds.
+    took: f64,
 }
 
 /// A method's outcomes in the order of the positions.
@@ -23,7 +25,10 @@ pub(crate) struct Curve {
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// Runs every method at every position, the methods in turn.
+/// Runs every method at every position, the methods in turn; what is short
+/// enough again, position after position, and tells the shortest of the times:
+/// other work on the machine only adds, and what lasts for a while meets a
+/// position once.
 pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve>> {
     let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
     let mut curves: Vec<Curve> = methods(setup.choose(64, 12))
@@ -36,12 +41,26 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
         for curve in &mut curves {
             let options = Options { transform: pair.at(position)?, ..curve.method.options.clone() };
             let many = curve.method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
+            let begun = Instant::now();
             let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
-                repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
+                setup.measure(&a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
             };
-            curve.outcomes.push(Outcome { position, result });
+            let took = begun.elapsed().as_secs_f64();
+            curve.outcomes.push(Outcome { position, result, took });
+        }
+    }
+    for round in 1..setup.choose(plan.most_rounds, 1) {
+        for (index, &position) in positions.iter().enumerate() {
+            for Curve { method, outcomes } in &mut curves {
+                let Outcome { result: Ok(result), took, .. } = &mut outcomes[index] else { continue };
+                if round as f64 * *took < plan.repeated_seconds {
+                    let shortest = &mut result.seconds.solve;
+                    let options = Options { transform: pair.at(position)?, ..method.options.clone() };
+                    *shortest = shortest.min(setup.measure(&a, &b, &options)?.seconds.solve);
+                }
+            }
         }
     }
     Ok(curves)
@@ -53,30 +72,11 @@ fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize
     a.bezier().grids.len() * options.samples * options.samples * b.bezier().patches.len()
 }
 
-/// The result with the shortest of the times, as other work on the machine
-/// only adds.
-fn repeated(
-    setup: &Setup,
-    plan: &Plan,
-    a: &PreparedModel,
-    b: &PreparedModel,
-    options: &Options,
-) -> Result<DistanceResult, Error> {
-    let mut result = setup.measure(a, b, options)?;
-    if result.seconds.solve < plan.short {
-        for _ in 1..setup.choose(plan.rounds, 1) {
-            let again = setup.measure(a, b, options)?.seconds.solve;
-            result.seconds.solve = result.seconds.solve.min(again);
-        }
-    }
-    Ok(result)
-}
-
 /// A row for every method and position.
 pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
     let mut table = Table::new(&plan.columns);
     for curve in curves {
-        for Outcome { position, result } in &curve.outcomes {
+        for Outcome { position, result, .. } in &curve.outcomes {
             let found = result.as_ref().ok();
             let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
             let bounds = found.and_then(|result| result.iteration).map(|details| details.bounds);
