@@ -29,26 +29,24 @@ pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f
             if regular { normal(s, t) } else { None }
         })
         .gather();
-    if least_cosine(normals.len(), |index| normals[index]) >= cos(tolerance) {
+    if least_cosine(&normals, 1) >= cos(tolerance) {
         return None;
     }
     let (mut along_s, mut along_t) = (1.0_f64, 1.0_f64);
     for line in 0..SAMPLES {
-        along_s = along_s.min(least_cosine(SAMPLES, |index| normals[index * SAMPLES + line]));
-        along_t = along_t.min(least_cosine(SAMPLES, |index| normals[line * SAMPLES + index]));
+        along_s = along_s.min(least_cosine(&normals[line..], SAMPLES));
+        along_t = along_t.min(least_cosine(&normals[line * SAMPLES..][..SAMPLES], 1));
     }
     Some([acos(along_s), acos(along_t)])
 }
 
-/// The least cosine between two of the normals that there are.
-fn least_cosine(count: usize, normal: impl Fn(usize) -> Option<DVec3>) -> f64 {
+/// The least cosine between two of the normals that there are, of every `step`th.
+fn least_cosine(normals: &[Option<DVec3>], step: usize) -> f64 {
     let mut least = 1.0_f64;
-    for index in 0..count {
-        let Some(first) = normal(index) else { continue };
-        for other in index + 1..count {
-            if let Some(second) = normal(other) {
-                least = least.min(first.dot(second));
-            }
+    for (index, first) in normals.iter().enumerate().step_by(step) {
+        let Some(first) = first else { continue };
+        for second in normals[index..].iter().step_by(step).flatten() {
+            least = least.min(first.dot(*second));
         }
     }
     least.max(-1.0)
