@@ -93,14 +93,26 @@ impl GpuStages {
             statuses: StatusCounts::default(),
             compile_seconds: 0.0,
         };
+        // Run on nothing, which makes the driver compile it, is every kernel that is new.
+        let mut work = Work::new(gpu, &stages.buffers.params);
         for group in stages.sampling.pages.iter().flatten() {
-            new |= gpu.pipelines.get(Kernel::Sample { degree: group.degree }).1;
+            if gpu.pipelines.get(Kernel::Sample { degree: group.degree }).1 {
+                new = true;
+                stages.record_sample(&mut work, group, &SampleParams { columns: 1, ..Zeroable::zeroed() });
+            }
         }
         for group in &stages.target.groups {
-            new |= gpu.pipelines.get(stages.project_kernel(group)).1;
+            let kernel = stages.project_kernel(group);
+            if gpu.pipelines.get(kernel).1 {
+                new = true;
+                let (pipeline, bind_group) = stages.bind_project(group);
+                let params = Zeroable::zeroed();
+                stages.record_project(&mut work, kernel, &pipeline, &bind_group, &params, [0; 2]);
+            }
         }
         if new {
-            stages.warm_up().await?;
+            stages.record_reduce(&mut work, 0);
+            work.submit().await?;
             stages.compile_seconds = now() - started;
         }
         Ok(stages)
@@ -120,29 +132,6 @@ impl GpuStages {
     fn project_kernel(&self, group: &TargetGroup) -> Kernel {
         let Rule { projection, culling, .. } = self.rule_on(group);
         Kernel::Project { degree: group.degree, projection, culling }
-    }
-
-    /// Runs every kernel on nothing, which makes the driver compile it.
-    async fn warm_up(&self) -> Result<()> {
-        let mut work = Work::new(&self.gpu, &self.buffers.params);
-        let mut seen: Vec<Kernel> = Vec::new();
-        for group in self.sampling.pages.iter().flatten() {
-            let kernel = Kernel::Sample { degree: group.degree };
-            if !seen.contains(&kernel) {
-                seen.push(kernel);
-                self.record_sample(&mut work, group, &SampleParams { columns: 1, ..Zeroable::zeroed() });
-            }
-        }
-        for group in &self.target.groups {
-            let kernel = self.project_kernel(group);
-            if !seen.contains(&kernel) {
-                seen.push(kernel);
-                let (pipeline, bind_group) = self.bind_project(group);
-                self.record_project(&mut work, kernel, &pipeline, &bind_group, &Zeroable::zeroed(), [0; 2]);
-            }
-        }
-        self.record_reduce(&mut work, 0);
-        work.submit().await
     }
 
     fn record_sample(&self, work: &mut Work<'_>, group: &SampleGroup, params: &SampleParams) {
