@@ -8,10 +8,16 @@ pub(crate) trait Gather: Iterator + Sized {
     #[inline(always)]
     fn gather(self) -> Vec<Self::Item> {
         let mut items = Vec::with_capacity(self.size_hint().0);
+        self.gather_into(&mut items);
+        items
+    }
+
+    /// Appends the items in order: `extend`, of which the same is true.
+    #[inline(always)]
+    fn gather_into(self, items: &mut Vec<Self::Item>) {
         for item in self {
             items.push(item);
         }
-        items
     }
 }
 

@@ -119,8 +119,8 @@ impl PatchSet {
     /// Appends all patches of `other`.
     pub fn append(&mut self, other: &Self) {
         let before = self.controls.len();
-        self.entries
-            .extend(other.entries.iter().map(|entry| Entry { first: entry.first + before, ..entry.clone() }));
+        let moved = |entry: &Entry| Entry { first: entry.first + before, ..entry.clone() };
+        other.entries.iter().map(moved).gather_into(&mut self.entries);
         self.controls.extend_from_slice(&other.controls);
     }
 

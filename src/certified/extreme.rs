@@ -24,7 +24,7 @@ pub(super) fn extreme(side: &Side<'_>, direction: DVec3) -> Option<(u32, [f64; 2
             let [first, second] = [place + 1, node.second as usize];
             let [of_first, of_second] =
                 [first, second].map(|child| reach(&tree.nodes()[child].aabb, direction));
-            waiting.extend(if of_first > of_second { [second, first] } else { [first, second] });
+            waiting.extend_from_slice(&if of_first > of_second { [second, first] } else { [first, second] });
             continue;
         }
         let patch = side.patch(tree.item(node));

@@ -48,7 +48,9 @@ impl Queue {
     }
 
     pub(super) fn extend(&mut self, regions: Vec<Region>) {
-        self.regions.extend(regions);
+        for region in regions {
+            self.regions.push_back(region);
+        }
     }
 
     pub(super) fn extend_undecided(&mut self, regions: Vec<Region>) {
@@ -85,7 +87,7 @@ impl Queue {
                 nodes.push(region);
             }
         }
-        self.regions.extend(nodes);
+        self.extend(nodes);
         (cells, dropped)
     }
 

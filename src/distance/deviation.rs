@@ -96,8 +96,8 @@ impl Direction<'_> {
             let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
             let [u, v] = each(patch.domain, |[start, end]| end - start);
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
-            field.points.extend(point.to_array());
-            field.feet.extend(foot.point.to_array());
+            field.points.extend_from_slice(&point.to_array());
+            field.feet.extend_from_slice(&foot.point.to_array());
             field.distances.push(point.distance(foot.point));
             field.signed.push(signed(point, &foot));
             field.areas.push(jet.s.cross(jet.t).length() * weight);

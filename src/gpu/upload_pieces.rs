@@ -91,7 +91,7 @@ impl Gpu {
                 count: members.len(),
                 coefficients: self.upload("coefficients", &coefficients),
             });
-            order.extend(members);
+            order.extend_from_slice(members);
         }
         let mut places = vec![0; order.len()];
         for (index, &piece) in order.iter().enumerate() {

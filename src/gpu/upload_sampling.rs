@@ -138,7 +138,7 @@ fn add_row(
         _ => {
             let first = draft.patches.len() as u32;
             let start = patches.first + patch_row * in_v;
-            draft.patches.extend(start as u32..(start + in_v) as u32);
+            (start as u32..(start + in_v) as u32).gather_into(&mut draft.patches);
             draft.last = Some(((surface, patch_row), first));
             first
         }
@@ -148,7 +148,7 @@ fn add_row(
         _ => {
             let first = draft.places.len() as u32;
             let place = |&(column, t): &(usize, f64)| Place { patch_column: column as u32, t: t as f32 };
-            draft.places.extend(grid.places[1].iter().map(place));
+            grid.places[1].iter().map(place).gather_into(&mut draft.places);
             draft.last_places = Some((surface, first));
             first
         }

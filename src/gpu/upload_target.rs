@@ -62,7 +62,7 @@ impl Gpu {
             let tree = BoxTree::new(&boxes);
             let nodes = self.nodes(&tree, &|of, place| node(of, place, origin, scale));
             let patches_before = patches.len();
-            patches.extend(tree.order().iter().map(|&place| members[place as usize]));
+            tree.order().iter().map(|&place| members[place as usize]).gather_into(&mut patches);
             groups.push(TargetGroup {
                 degree,
                 count: members.len(),

@@ -78,7 +78,7 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
             }
-            stack.extend(children);
+            stack.extend_from_slice(&children);
             continue;
         }
         let patch = target.tree.item(node) as usize;

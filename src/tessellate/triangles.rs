@@ -9,8 +9,8 @@ impl Tessellation {
     pub(super) fn append(&mut self, sheet: &Sheet) {
         let first = self.positions.len() / 3;
         for Vertex { point, normal } in &sheet.vertices {
-            self.positions.extend((*point - self.origin).as_vec3().to_array());
-            self.normals.extend(normal.as_vec3().to_array());
+            self.positions.extend_from_slice(&(*point - self.origin).as_vec3().to_array());
+            self.normals.extend_from_slice(&normal.as_vec3().to_array());
         }
         let lines = |axis: usize| {
             sheet.joined[axis].iter().enumerate().filter(|&(_, &joined)| joined).map(|(line, _)| line)
@@ -37,7 +37,7 @@ impl Tessellation {
         let position = |vertex: usize| &self.positions[3 * vertex..3 * vertex + 3];
         let equal = |p: usize, q: usize| position(p) == position(q);
         if !(equal(a, b) || equal(b, c) || equal(c, a)) {
-            self.indices.extend([a, b, c].map(|vertex| vertex as u32));
+            self.indices.extend_from_slice(&[a, b, c].map(|vertex| vertex as u32));
         }
     }
 }

@@ -97,7 +97,7 @@ impl BoxTree {
             if node.is_leaf() {
                 leaves.push(*node);
             } else {
-                waiting.extend([index + 1, node.second as usize]);
+                waiting.extend_from_slice(&[index + 1, node.second as usize]);
             }
         }
         leaves
