@@ -123,14 +123,12 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
             }
             for i in 0..rows {
                 for k in 0..columns {
-                    partial[i * columns + k] =
-                        (0..columns).map(|j| v.operator[k][j] * net[i * columns + j]).sum();
+                    partial[i * columns + k] = combined(&v.operator[k][..columns], &net[i * columns..], 1);
                 }
             }
             for k in 0..rows {
                 for j in 0..columns {
-                    controls[k * columns + j] =
-                        (0..rows).map(|i| u.operator[k][i] * partial[i * columns + j]).sum();
+                    controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
                 }
             }
             // The net's weights, not the controls', which rounding can make differ.
@@ -146,6 +144,15 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
         }
     }
     PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] }
+}
+
+/// The sum of every `step`th control point times its weight.
+fn combined(weights: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
+    let mut sum = DVec4::ZERO;
+    for (weight, control) in weights.iter().zip(controls.iter().step_by(step)) {
+        sum += weight * control;
+    }
+    sum
 }
 
 /// The ends of the spans, each once.
