@@ -87,30 +87,19 @@ impl Engine {
         Ok(DistanceResult::symmetric(forward, reverse))
     }
 
-    /// One direction on the backend at hand, again after a lost device.
+    /// One direction, with the samples that the options ask for besides.
     async fn directed(
         &self,
         direction: &Ends<'_>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<Run> {
-        let run = match options.method {
-            Method::Certified => loop {
-                // On the processor float64 is about as fast, and ready at once.
-                let helps = |gpu: &Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
-                let gpu = self.gpu_for(options.backend)?.filter(helps);
-                match direction.certified(gpu.as_ref(), options, progress).await {
-                    Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
-                    other => break other?,
-                }
-            },
-            method => self.staged(direction, method, options, progress).await?,
-        };
+        let run = self.run(direction, options.method, options, progress).await?;
         if !options.field || options.method == Method::Iteration || run.is_cancelled() {
             return Ok(run);
         }
         // The samples follow the interval, on the GPU if there is one.
-        let sampled = self.staged(direction, Method::Iteration, options, progress).await?;
+        let sampled = self.run(direction, Method::Iteration, options, progress).await?;
         Ok(run.with_field_of(sampled))
     }
 
@@ -127,8 +116,8 @@ impl Engine {
         Ok(gpu)
     }
 
-    /// One direction of a method that is made of stages.
-    async fn staged(
+    /// One direction by one method on the backend at hand, again after a lost device.
+    async fn run(
         &self,
         direction: &Ends<'_>,
         method: Method,
@@ -137,9 +126,16 @@ impl Engine {
     ) -> Result<Run> {
         loop {
             let gpu = self.gpu_for(options.backend)?;
-            let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
-            let notice = if fell_back { self.notice() } else { None };
-            match direction.staged(gpu.as_ref(), method, options, notice, progress).await {
+            let run = if method == Method::Certified {
+                // On the processor float64 is about as fast, and ready at once.
+                let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                direction.certified(gpu.as_ref().filter(helps), options, progress).await
+            } else {
+                let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
+                let notice = if fell_back { self.notice() } else { None };
+                direction.staged(gpu.as_ref(), method, options, notice, progress).await
+            };
+            match run {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
                 other => return other,
             }
