@@ -3,9 +3,10 @@
 use super::model::PreparedModel;
 use super::monitor::Watch;
 use super::{options, result};
-use crate::distance::{self, Backend, Monitor};
+use crate::distance::{self, Monitor};
 use crate::error::Error;
 use js_sys::{Function, Promise};
+use std::pin::Pin;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
@@ -19,9 +20,10 @@ pub struct Engine(Rc<distance::Engine>);
 #[wasm_bindgen]
 impl Engine {
     /// `backend`: `"auto"`, `"gpu"` or `"cpu"`; undefined is `"auto"`.
-    pub async fn create(backend: JsValue) -> Result<Engine, JsValue> {
-        let backend: Backend = options::backend(&backend)?;
-        Ok(Self(Rc::new(distance::Engine::new(backend).await?)))
+    #[wasm_bindgen(unchecked_return_type = "Promise<Engine>")]
+    pub fn create(backend: &JsValue) -> Promise {
+        let backend = options::backend(backend);
+        promise(Box::pin(async move { Ok(Self(Rc::new(distance::Engine::new(backend?).await?)).into()) }))
     }
 
     #[wasm_bindgen(getter, js_name = hasGpu)]
@@ -53,7 +55,7 @@ impl Engine {
         let engine = Rc::clone(&self.0);
         let (a, b) = (a.inner(), b.inner());
         let options = options::distance(options);
-        future_to_promise(async move {
+        promise(Box::pin(async move {
             let options = options?;
             // However the distance before ended, it is this one's turn.
             let _ = JsFuture::from(turn).await;
@@ -66,6 +68,11 @@ impl Engine {
                 (Some(thrown), _) => Err(thrown),
                 (None, measured) => result::of(&measured?),
             }
-        })
+        }))
     }
+}
+
+/// Of work of any kind, so that what drives it is compiled once.
+fn promise(work: Pin<Box<dyn Future<Output = Result<JsValue, JsValue>>>>) -> Promise {
+    future_to_promise(work)
 }
