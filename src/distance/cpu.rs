@@ -44,7 +44,7 @@ impl<'a> CpuStages<'a> {
         for start in page.clone().step_by(CHUNK) {
             progress.checkpoint((start - page.start) as f64 / page.len() as f64).await?;
             let chunk = start..(start + CHUNK).min(page.end);
-            self.projected.extend(map(chunk.len(), |offset| one(chunk.start + offset)));
+            self.projected.append(&mut map(chunk.len(), |offset| one(chunk.start + offset)));
         }
         Ok(())
     }

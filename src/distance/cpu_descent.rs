@@ -40,7 +40,7 @@ pub(super) async fn descend(
     let mut bounds = Vec::new();
     for chunk in chunks(nodes) {
         progress.checkpoint(0.5 * chunk.start as f64 / nodes as f64).await?;
-        bounds.extend(traversal.bound(chunk));
+        bounds.append(&mut traversal.bound(chunk));
     }
     let extremes = extremes(&bounds);
     let (mut pairs, mut wanted) = (Pairs::new(), 0);

@@ -87,7 +87,7 @@ impl Direction<'_> {
             unfinished = unfinished.max(left);
             statuses += stages.statuses();
             if self.options.field {
-                projected.extend(stages.field().await?);
+                projected.append(&mut stages.field().await?);
             }
         }
         let field = if self.options.field { self.field(&projected) } else { Vec::new() };

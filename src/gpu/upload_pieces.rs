@@ -126,7 +126,7 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
     Piece {
         center: center.to_array().map(|x| x.round() as i32),
         value_error: rounded_up(error.value),
-        first_error: error.first.map(rounded_up),
+        first_error: each(error.first, rounded_up),
         first: [up(h * bounds.first[0]), up(k * bounds.first[1])],
         second_error: error.second.map(rounded_up),
         radius: up(own.radius),
