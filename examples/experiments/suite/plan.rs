@@ -14,10 +14,12 @@ pub(crate) struct Plan {
     /// Projections of samples on patches beyond which a method that tries all
     /// patches is run in the middle only, and there only if it cuts none.
     pub(crate) most_projections: usize,
-    /// Runs are repeated while all of them together take less, in seconds, and
-    /// the shortest time is told.
+    /// Runs at one position are repeated `rounds` times, while all of them
+    /// together take less, in seconds, and the shortest time is told.
     pub(crate) repeated_seconds: f64,
-    pub(crate) most_rounds: usize,
+    pub(crate) rounds: usize,
+    /// Passes over the positions, of methods that take less than that.
+    pub(crate) passes: usize,
     pub(crate) pairs: Vec<PairPlan>,
 }
 

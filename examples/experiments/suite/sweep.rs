@@ -4,6 +4,7 @@ use super::methods::{Entry, methods};
 use super::pairs::Pair;
 use super::plan::Plan;
 use super::{Anyhow, Cell, Setup, Table};
+use nurbs_hausdorff::Error;
 use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
 use std::time::Instant;
@@ -14,8 +15,6 @@ pub(crate) struct Outcome {
     pub(crate) position: f64,
     /// The result, or why there is none: an error's code, or "left-out".
     pub(crate) result: Result<DistanceResult, &'static str>,
-    /// How long the first run took, uploads included, in seconds.
-    took: f64,
 }
 
 /// A method's outcomes in the order of the positions.
@@ -25,43 +24,37 @@ pub(crate) struct Curve {
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// Runs every method at every position, the methods in turn; what is short
-/// enough again, position after position, and tells the shortest of the times:
-/// other work on the machine only adds, and what lasts for a while meets a
-/// position once.
+/// Runs one method after another, each at every position: right after a GPU's,
+/// whose threads are still about, a method on the processor takes longer. Several
+/// passes over the positions meet what slows the machine for a while at one.
 pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve>> {
     let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
-    let mut curves: Vec<Curve> = methods(setup.choose(64, 12))
-        .into_iter()
-        .map(|method| Curve { method, outcomes: Vec::new() })
-        .collect();
     let positions = pair.positions(setup.choose(21, 5));
-    for (index, &position) in positions.iter().enumerate() {
-        let in_the_middle = index == positions.len() / 2;
-        for curve in &mut curves {
-            let options = Options { transform: pair.at(position)?, ..curve.method.options.clone() };
-            let many = curve.method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
-            let begun = Instant::now();
+    let mut curves = Vec::new();
+    for method in methods(setup.choose(64, 12)) {
+        let mut outcomes = Vec::new();
+        for (index, &position) in positions.iter().enumerate() {
+            let in_the_middle = index == positions.len() / 2;
+            let options = Options { transform: pair.at(position)?, ..method.options.clone() };
+            let many = method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
             let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
-                setup.measure(&a, &b, &options).map_err(|error| error.code())
+                repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
             };
-            let took = begun.elapsed().as_secs_f64();
-            curve.outcomes.push(Outcome { position, result, took });
+            outcomes.push(Outcome { position, result });
         }
-    }
-    for round in 1..setup.choose(plan.most_rounds, 1) {
-        for (index, &position) in positions.iter().enumerate() {
-            for Curve { method, outcomes } in &mut curves {
-                let Outcome { result: Ok(result), took, .. } = &mut outcomes[index] else { continue };
-                if round as f64 * *took < plan.repeated_seconds {
-                    let shortest = &mut result.seconds.solve;
-                    let options = Options { transform: pair.at(position)?, ..method.options.clone() };
-                    *shortest = shortest.min(setup.measure(&a, &b, &options)?.seconds.solve);
+        for _ in 1..setup.choose(plan.passes, 1) {
+            for Outcome { position, result } in &mut outcomes {
+                let Ok(DistanceResult { seconds, .. }) = result else { continue };
+                if seconds.solve < plan.repeated_seconds {
+                    let options = Options { transform: pair.at(*position)?, ..method.options.clone() };
+                    let again = repeated(setup, plan, &a, &b, &options)?.seconds.solve;
+                    seconds.solve = seconds.solve.min(again);
                 }
             }
         }
+        curves.push(Curve { method, outcomes });
     }
     Ok(curves)
 }
@@ -72,11 +65,32 @@ fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize
     a.bezier().grids.len() * options.samples * options.samples * b.bezier().patches.len()
 }
 
+/// The result with the shortest of the times, as other work on the machine
+/// only adds.
+fn repeated(
+    setup: &Setup,
+    plan: &Plan,
+    a: &PreparedModel,
+    b: &PreparedModel,
+    options: &Options,
+) -> Result<DistanceResult, Error> {
+    let begun = Instant::now();
+    let mut result = setup.measure(a, b, options)?;
+    for _ in 1..setup.choose(plan.rounds, 1) {
+        if begun.elapsed().as_secs_f64() > plan.repeated_seconds {
+            break;
+        }
+        let again = setup.measure(a, b, options)?.seconds.solve;
+        result.seconds.solve = result.seconds.solve.min(again);
+    }
+    Ok(result)
+}
+
 /// A row for every method and position.
 pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
     let mut table = Table::new(&plan.columns);
     for curve in curves {
-        for Outcome { position, result, .. } in &curve.outcomes {
+        for Outcome { position, result } in &curve.outcomes {
             let found = result.as_ref().ok();
             let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
             let bounds = found.and_then(|result| result.iteration).map(|details| details.bounds);

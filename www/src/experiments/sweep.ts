@@ -100,7 +100,7 @@ export class Sweep {
     const first = await this.#runs.measure({ ...options, transform }, limit);
     if (!("value" in first)) return first;
     const { seconds } = first.value;
-    for (let round = 1; round < settings.most_rounds && !this.#stopped; round++) {
+    for (let round = 1; round < settings.rounds && !this.#stopped; round++) {
       if (round * seconds.solve >= settings.repeated_seconds) break;
       const again = await this.#runs.measure({ ...options, transform }, limit);
       if ("value" in again) seconds.solve = Math.min(seconds.solve, again.value.seconds.solve);
