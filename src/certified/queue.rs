@@ -48,6 +48,7 @@ impl Queue {
     }
 
     pub(super) fn extend(&mut self, regions: Vec<Region>) {
+        // A loop, as `Gather::gather_into` is one.
         for region in regions {
             self.regions.push_back(region);
         }

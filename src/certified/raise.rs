@@ -21,8 +21,8 @@ const MOST_CROSSINGS: usize = 8;
 /// Width asked of a sample's certificate, relative to the tolerance.
 const CERTIFICATE_PART: f64 = 1e-2;
 
-/// Part of what may still be gained that the first point's climb gains with a
-/// step, or it is left until it is known to be the best start: a way along a
+/// Part of what may still be gained that a step of the first point's climb is
+/// to promise until that point is known to be the better start: a way along a
 /// ridge that leads low is not followed to its end.
 const BEGIN_PART: f64 = 2e-3;
 

@@ -38,10 +38,9 @@ pub(super) fn step(b: &Side<'_>, at: [f64; 2], jet: &Jet, feet: &Feet, reach: f6
         return Some((step, 2.0 * step.dot(hill.gradient)));
     }
     if of_first < 1.0 && of_third == 0.0 {
-        let [here, there] = [first, second].map(|index| feet.all()[index].distance_squared);
-        let (step, gain) = ridge(hill(first), hill(second), 0.5 * (there - here));
+        let (step, value) = ridge(hill(first), hill(second));
         if step == step.max(low).min(high) {
-            return Some((step, here - nearest + 2.0 * gain));
+            return Some((step, 2.0 * value - nearest));
         }
     }
     let place = DVec2::from_array(place);
@@ -51,6 +50,7 @@ pub(super) fn step(b: &Side<'_>, at: [f64; 2], jet: &Jet, feet: &Feet, reach: f6
 /// Half the squared distance to a patch, to second order in A's parameters.
 #[derive(Debug, Clone, Copy)]
 struct Hill {
+    value: f64,
     gradient: DVec2,
     hessian: DMat2,
 }
@@ -70,13 +70,14 @@ impl Hill {
         let [ss, st, tt] =
             [a.s.dot(s) + way.dot(a.ss), a.s.dot(t) + way.dot(a.st), a.t.dot(t) + way.dot(a.tt)];
         let gradient = DVec2::new(way.dot(a.s), way.dot(a.t));
-        Self { gradient, hessian: DMat2::from_cols_array(&[ss, st, st, tt]) }
+        let hessian = DMat2::from_cols_array(&[ss, st, st, tt]);
+        Self { value: 0.5 * way.length_squared(), gradient, hessian }
     }
 
     /// Newton's step to the highest place, along an edge where the patch of A
     /// ends, else one uphill that goes as far as `reach`.
     fn ascent(&self, at: [f64; 2], reach: f64, a: &Jet) -> Option<DVec2> {
-        let Self { gradient, hessian } = *self;
+        let Self { gradient, hessian, .. } = *self;
         let free = both(|axis| {
             !((at[axis] <= 0.0 && gradient[axis] < 0.0) || (at[axis] >= 1.0 && gradient[axis] > 0.0))
         });
@@ -101,24 +102,23 @@ impl Hill {
 }
 
 /// Newton's step to the highest place of the ridge on which two hills are
-/// equally high, and by how much that is above the first, which is lower than
-/// the second by `behind`; no number where the ridge has none.
+/// equally high, and how high that is; no number where the ridge has none.
 ///
 /// To first order the ridge is a line. Along it both hills rise alike, and bend
 /// like their mean with the weights for which its gradient is least: 0 at a
 /// maximum of the lower one, where the way the ridge itself turns does not count.
-fn ridge(one: Hill, two: Hill, behind: f64) -> (DVec2, f64) {
+fn ridge(one: Hill, two: Hill) -> (DVec2, f64) {
     let across = one.gradient - two.gradient;
     let length_squared = across.length_squared();
     let weight = (-two.gradient.dot(across) / length_squared).clamp(0.0, 1.0);
     let gradient = two.gradient + weight * across;
     let hessian = two.hessian + (one.hessian - two.hessian) * weight;
-    let onto = across * (behind / length_squared);
+    let onto = across * ((two.value - one.value) / length_squared);
     let along = across.perp();
     // Without a highest place it is infinitely far.
     let bend = along.dot(hessian * along).min(0.0);
     let step = onto - along * ((gradient + hessian * onto).dot(along) / bend);
-    (step, step.dot(one.gradient + 0.5 * (hessian * step)))
+    (step, one.value + step.dot(one.gradient + 0.5 * (hessian * step)))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -128,11 +128,11 @@ mod tests {
     use crate::project::{Target, closest};
     use crate::shapes::shape;
 
-    /// A hill's value, gradient and Hessian about another place.
-    fn moved(value: f64, hill: Hill, step: DVec2) -> (f64, Hill) {
-        let Hill { gradient, hessian } = hill;
+    /// A hill about another place.
+    fn moved(hill: Hill, step: DVec2) -> Hill {
+        let Hill { value, gradient, hessian } = hill;
         let value = value + step.dot(gradient + 0.5 * (hessian * step));
-        (value, Hill { gradient: gradient + hessian * step, hessian })
+        Hill { value, gradient: gradient + hessian * step, hessian }
     }
 
     /// Newton's steps from ridge to ridge end at the highest place under two
@@ -146,14 +146,14 @@ mod tests {
             let mut hill = || {
                 let root = DMat2::from_cols_array(&[(); 4].map(|()| number()));
                 let hessian = -(root * root.transpose() + 0.3 * DMat2::IDENTITY);
-                (number(), Hill { gradient: DVec2::new(number(), number()), hessian })
+                Hill { value: number(), gradient: DVec2::new(number(), number()), hessian }
             };
             let (one, two) = (hill(), hill());
             let top = |weight: f64| {
-                let gradient = weight * one.1.gradient + (1.0 - weight) * two.1.gradient;
-                let hessian = one.1.hessian * weight + two.1.hessian * (1.0 - weight);
+                let gradient = weight * one.gradient + (1.0 - weight) * two.gradient;
+                let hessian = one.hessian * weight + two.hessian * (1.0 - weight);
                 let rise = -0.5 * gradient.dot(hessian.inverse() * gradient);
-                weight * one.0 + (1.0 - weight) * two.0 + rise
+                weight * one.value + (1.0 - weight) * two.value + rise
             };
             let lowest =
                 (0..=1_000).map(|k| (top(f64::from(k) * 1e-3), k)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -163,13 +163,13 @@ mod tests {
             }
             let (mut first, mut second) = (one, two);
             for _ in 0..30 {
-                let (step, _) = ridge(first.1, second.1, second.0 - first.0);
+                let (step, _) = ridge(first, second);
                 let step = step.clamp_length_max(1.0);
-                (first, second) = (moved(first.0, first.1, step), moved(second.0, second.1, step));
+                (first, second) = (moved(first, step), moved(second, step));
             }
             // A grid of weights tells the lowest top to about 1e-6 of the hills' size.
             ridges += 1;
-            reached += usize::from((first.0.min(second.0) - expected).abs() < 1e-5);
+            reached += usize::from((first.value.min(second.value) - expected).abs() < 1e-5);
         }
         // Steps are not shortened here where they lead lower, as a climb's are.
         assert!(ridges > 100 && reached * 20 > ridges * 19, "{reached} of {ridges}");

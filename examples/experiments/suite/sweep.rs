@@ -32,10 +32,13 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
     let positions = pair.positions(setup.choose(21, 5));
     let mut curves = Vec::new();
     for method in methods(setup.choose(64, 12)) {
+        let at = |position| -> Anyhow<Options> {
+            Ok(Options { transform: pair.at(position)?, ..method.options.clone() })
+        };
         let mut outcomes = Vec::new();
         for (index, &position) in positions.iter().enumerate() {
             let in_the_middle = index == positions.len() / 2;
-            let options = Options { transform: pair.at(position)?, ..method.options.clone() };
+            let options = at(position)?;
             let many = method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
             let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
                 repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
@@ -48,8 +51,7 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
             for Outcome { position, result } in &mut outcomes {
                 let Ok(DistanceResult { seconds, .. }) = result else { continue };
                 if seconds.solve < plan.repeated_seconds {
-                    let options = Options { transform: pair.at(*position)?, ..method.options.clone() };
-                    let again = repeated(setup, plan, &a, &b, &options)?.seconds.solve;
+                    let again = repeated(setup, plan, &a, &b, &at(*position)?)?.seconds.solve;
                     seconds.solve = seconds.solve.min(again);
                 }
             }
