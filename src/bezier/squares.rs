@@ -1,8 +1,9 @@
 //! Squares of rational functions in Bernstein form.
 
-use super::{MAX_ORDER, product_weights};
+use super::{scaled, unscale};
+use crate::both::each;
+use crate::gather::Gather;
 use glam::{DVec4, Vec4Swizzles};
-use std::sync::OnceLock;
 
 /// The Bernstein coefficients, of twice the degrees, of `|n|²` and `d²` of the
 /// rational function n/d with homogeneous controls `(n, d)`, t fastest; degrees
@@ -10,33 +11,39 @@ use std::sync::OnceLock;
 ///
 /// With `d > 0` their quotients contain between them the squared lengths that
 /// the function takes. O(p^2 q^2).
-pub(crate) fn squares([p, q]: [usize; 2], controls: &[DVec4]) -> Vec<(f64, f64)> {
-    let (columns, doubled) = (q + 1, 2 * q + 1);
-    let mut squares = vec![(0.0_f64, 0.0_f64); (2 * p + 1) * doubled];
-    let weights = [square_weights(p), square_weights(q)];
+pub(crate) fn squares(degree: [usize; 2], controls: &[DVec4]) -> Vec<(f64, f64)> {
+    let scaled = scaled(degree, controls);
+    let doubled = each(degree, |degree| 2 * degree);
+    let mut sums = vec![DVec4::ZERO; (doubled[0] + 1) * (doubled[1] + 1)];
+    match degree[1] {
+        // The commonest are written out, but not for the browser's small module.
+        #[cfg(not(target_arch = "wasm32"))]
+        2 => add_products(scaled.as_chunks::<3>().0, &mut sums),
+        #[cfg(not(target_arch = "wasm32"))]
+        3 => add_products(scaled.as_chunks::<4>().0, &mut sums),
+        q => add_products(&scaled.chunks_exact(q + 1).gather(), &mut sums),
+    }
+    unscale(doubled, &mut sums);
+    sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).gather()
+}
+
+/// Adds the products of the rows' coordinates.
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn add_products<R: AsRef<[DVec4]>>(rows: &[R], sums: &mut [DVec4]) {
     // Every pair of rows once, as its product counts twice.
-    for i in 0..=p {
-        for k in i..=p {
-            let in_s = weights[0][i * (p + 1) + k] * if i == k { 1.0 } else { 2.0 };
-            for j in 0..=q {
-                let left = controls[i * columns + j];
-                for l in 0..=q {
-                    let right = controls[k * columns + l];
-                    let weight = in_s * weights[1][j * columns + l];
-                    let square = &mut squares[(i + k) * doubled + j + l];
-                    square.0 += weight * left.xyz().dot(right.xyz());
-                    square.1 += weight * left.w * right.w;
+    for (i, one) in rows.iter().enumerate() {
+        for (k, other) in rows.iter().enumerate().skip(i) {
+            let (one, other) = (one.as_ref(), other.as_ref());
+            let times = if i == k { 1.0 } else { 2.0 };
+            let sums = &mut sums[(i + k) * (2 * one.len() - 1)..][..2 * one.len() - 1];
+            for (j, &left) in one.iter().enumerate() {
+                let left = times * left;
+                for (sum, &right) in sums[j..].iter_mut().zip(other) {
+                    *sum += left * right;
                 }
             }
         }
     }
-    squares
-}
-
-/// The weights of a square's products, made once a degree.
-fn square_weights(degree: usize) -> &'static [f64] {
-    static MADE: [OnceLock<Vec<f64>>; 2 * MAX_ORDER] = [const { OnceLock::new() }; 2 * MAX_ORDER];
-    MADE[degree].get_or_init(|| product_weights(degree, degree))
 }
 
 /// Roundings of a coefficient beside one for each of its products.

@@ -21,7 +21,7 @@ const CELL_SLACK: f64 = 0.15;
 
 /// Distance, in radii of the cell, up to which corners are looked at: farther
 /// away, weighted means are as close and cost less.
-const NEAR: f64 = 2.0;
+const NEAR: f64 = 0.5;
 
 /// What bounding one region gave.
 pub(super) struct Bounded {

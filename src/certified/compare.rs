@@ -5,7 +5,7 @@ use super::feet::Foot;
 use super::foot_map::FootMap;
 use super::region::Cell;
 use super::side::Side;
-use crate::bezier::{Jet, Patch, product_weights, relative, squares};
+use crate::bezier::{Jet, Patch, relative, scaled, squares, unscale};
 use crate::both::both;
 use crate::model::RigidTransform;
 use glam::{DVec2, DVec4, Vec4Swizzles};
@@ -122,24 +122,24 @@ impl Net {
     /// At least the largest distance between points of equal parameters.
     fn largest_difference(&self, other: &Self) -> f64 {
         let ([p, q], [m, n]) = (self.degree, other.degree);
-        let columns = q + n + 1;
+        let (degree, columns) = ([p + m, q + n], q + n + 1);
         // `X v - Y w` and `w v`.
         let mut quotient = vec![DVec4::ZERO; (p + m + 1) * columns];
-        let (in_s, in_t) = (product_weights(p, m), product_weights(q, n));
-        for (a, x) in self.controls.iter().enumerate() {
+        let (of_x, of_y) = (scaled(self.degree, &self.controls), scaled(other.degree, &other.controls));
+        for (a, x) in of_x.iter().enumerate() {
             let (i, j) = (a / (q + 1), a % (q + 1));
-            for (b, y) in other.controls.iter().enumerate() {
+            for (b, y) in of_y.iter().enumerate() {
                 let (k, l) = (b / (n + 1), b % (n + 1));
-                let weight = in_s[i * (m + 1) + k] * in_t[j * (n + 1) + l];
                 let product = (y.w * x.xyz() - x.w * y.xyz()).extend(x.w * y.w);
-                quotient[(i + k) * columns + j + l] += weight * product;
+                quotient[(i + k) * columns + j + l] += product;
             }
         }
+        unscale(degree, &mut quotient);
         let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
         for coefficient in &quotient {
             longest = longest.max(coefficient.xyz().length_squared());
         }
-        for (length_squared, weight_squared) in squares([p + m, q + n], &quotient) {
+        for (length_squared, weight_squared) in squares(degree, &quotient) {
             largest = largest.max(length_squared / weight_squared);
         }
         let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());
