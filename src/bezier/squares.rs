@@ -35,11 +35,12 @@ fn add_products<R: AsRef<[DVec4]>>(rows: &[R], sums: &mut [DVec4]) {
         for (k, other) in rows.iter().enumerate().skip(i) {
             let (one, other) = (one.as_ref(), other.as_ref());
             let times = if i == k { 1.0 } else { 2.0 };
-            let sums = &mut sums[(i + k) * (2 * one.len() - 1)..][..2 * one.len() - 1];
-            for (j, &left) in one.iter().enumerate() {
-                let left = times * left;
-                for (sum, &right) in sums[j..].iter_mut().zip(other) {
-                    *sum += left * right;
+            let doubled = 2 * one.len() - 1;
+            let sums = &mut sums[(i + k) * doubled..][..doubled];
+            for j in 0..one.len() {
+                let left = times * one[j];
+                for l in 0..one.len() {
+                    sums[j + l] += left * other[l];
                 }
             }
         }
