@@ -68,7 +68,8 @@ pub(crate) fn newton_below(
         let hessian = hessian(&jet, residual, free);
         let full = step(at, gradient, &hessian, free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
-        let even = hessian[0].min(hessian[2]) > SKEWED_RATIO * hessian[0].max(hessian[2]);
+        let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
+        let even = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
         if even && value - GAIN_ROOM * decrease > most {
             return Foot { parameters: at, distance_squared: value, status: Status::IterationLimit };
         }
