@@ -55,7 +55,7 @@ impl Search<'_> {
         let mut foot = place_on(&self.b, point, region.foot.patch, region.foot.parameters);
         // The first part's point is the whole's, but a patch's own foot is to be closer.
         if node.is_leaf() || foot.distance_squared != region.foot.distance_squared {
-            foot = nearest_feet(&self.b, point, foot, enough - radius, NODE_SLACK * radius).nearest();
+            foot = nearest_feet(&self.b, point, foot, enough - radius, NODE_SLACK * radius, None).nearest();
         }
         let upper = region.upper.min(foot.distance() + radius);
         Bounded { upper, foot, patch, sample: Sample { parameters, foot } }
@@ -98,7 +98,7 @@ impl Search<'_> {
             let same = cell.is_whole() && foot.distance_squared == region.foot.distance_squared;
             if !follow && !same {
                 let slack = if cell.is_whole() { 0.0 } else { CELL_SLACK * radius };
-                let feet = nearest_feet(&self.b, jet.point, foot, enough - radius, slack);
+                let feet = nearest_feet(&self.b, jet.point, foot, enough - radius, slack, None);
                 upper = upper.min(by_feet(&feet));
                 foot = feet.nearest();
             }

@@ -1,8 +1,9 @@
 //! Stage `climb`: a sample moved to where the distance is locally largest.
 
 use super::Side;
-use super::feet::{Feet, Sample};
-use super::nearest::{foot_on, nearest_within};
+use super::feet::{Feet, Foot, Sample};
+use super::met::Met;
+use super::nearest::{foot_on, nearest_feet};
 use super::side::moved;
 use super::step::step;
 use crate::both::both;
@@ -31,6 +32,7 @@ pub(super) fn climb(
     patch: u32,
     start: Sample,
     least: f64,
+    met: &mut Met,
 ) -> Sample {
     let surface = a.patch(patch);
     let mut at = start.parameters;
@@ -45,13 +47,18 @@ pub(super) fn climb(
         }
         let next = both(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0));
         let point = transform.apply(surface.point(next));
-        let mut moved = Feet::of(foot_on(b, point, best.patch, best.parameters));
+        let mut again = |foot: &Foot| {
+            let foot = foot_on(b, point, foot.patch, foot.parameters);
+            met.add(foot.patch, point, foot.distance());
+            foot
+        };
+        let mut moved = Feet::of(again(&best));
         for foot in &feet.all()[1..] {
-            moved.add(foot_on(b, point, foot.patch, foot.parameters));
+            moved.add(again(foot));
         }
         let mut found = moved.nearest();
         if found.distance_squared > best.distance_squared {
-            found = nearest_within(b, point, found, best.distance());
+            found = nearest_feet(b, point, found, best.distance(), 0.0, Some(met)).nearest();
         }
         if found.distance_squared > best.distance_squared {
             moved.add(found);

@@ -27,6 +27,7 @@ mod correspond;
 mod extreme;
 mod feet;
 mod foot_map;
+mod met;
 mod nearest;
 mod on_sphere;
 mod pieces;

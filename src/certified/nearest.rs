@@ -2,7 +2,8 @@
 
 use super::Side;
 use super::feet::{Feet, Foot};
-use crate::project::{Candidate, Status, nearest_control, newton_below};
+use super::met::Met;
+use crate::project::{self, Candidate, Status, nearest_control, newton_below};
 use glam::DVec3;
 use std::sync::atomic::Ordering;
 
@@ -11,7 +12,7 @@ const ITERATIONS: u32 = 16;
 
 /// The foot on one patch from a start near it.
 pub(super) fn foot_on(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
-    foot_below(side, target, patch, start, f64::INFINITY)
+    foot_below(side, target, patch, start, f64::INFINITY).0
 }
 
 /// A place on B as a foot.
@@ -20,27 +21,37 @@ pub(super) fn place_on(side: &Side<'_>, target: DVec3, patch: u32, parameters: [
     Foot { distance_squared, ..Foot::start(patch, parameters) }
 }
 
-/// The same, given up where it will not be nearer than `most`, squared.
-fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> Foot {
-    let foot = newton_below(&side.patch(patch), target, start, ITERATIONS, most);
-    Foot { patch, parameters: foot.parameters, distance_squared: foot.distance_squared, status: foot.status }
+/// The same, given up where it will not be nearer than `most`, squared; with
+/// the squared distance that is expected of the patch at least.
+fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> (Foot, f64) {
+    let (foot, least) = newton_below(&side.patch(patch), target, start, ITERATIONS, most);
+    let project::Foot { parameters, distance_squared, status } = foot;
+    (Foot { patch, parameters, distance_squared, status }, least)
 }
 
 /// The nearest foot over all patches that the tree does not rule out, given
 /// one to beat, ended by the first that is at most `enough` away. O(log patches)
 /// in general position.
 pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
-    nearest_feet(side, target, known, enough, 0.0).nearest()
+    nearest_feet(side, target, known, enough, 0.0, None).nearest()
 }
 
 /// The same with the feet met on the way, patches ruled out that cannot be
 /// nearer by more than `slack`.
 ///
 /// About the point for which B's patches are listed only those are looked at,
-/// from where they were near it, in the order of their bounds.
-pub(super) fn nearest_feet(side: &Side<'_>, target: DVec3, known: Foot, enough: f64, slack: f64) -> Feet {
+/// from where they were near it, in the order of their bounds. Those met before
+/// are looked at again only where they may have come nearer.
+pub(super) fn nearest_feet(
+    side: &Side<'_>,
+    target: DVec3,
+    known: Foot,
+    enough: f64,
+    slack: f64,
+    met: Option<&mut Met>,
+) -> Feet {
     let until = enough.max(0.0) * enough;
-    let mut looking = Looking { side, target, known, slack, feet: Feet::of(known), most: 0.0 };
+    let mut looking = Looking { side, target, known, slack, met, feet: Feet::of(known), most: 0.0 };
     looking.tighten();
     if let Some(about) = &side.candidates {
         let moved = about.center.distance(target);
@@ -85,7 +96,9 @@ pub(super) fn nearest_feet(side: &Side<'_>, target: DVec3, known: Foot, enough: 
             continue;
         }
         let patch = side.target.tree.item(node);
-        if side.target.boxes[patch as usize].min_distance_squared(target) < looking.most {
+        if !looking.is_known_far(patch)
+            && side.target.boxes[patch as usize].min_distance_squared(target) < looking.most
+        {
             looking.look(patch, nearest_control(&side.patch(patch), target));
         }
     }
@@ -98,6 +111,7 @@ struct Looking<'a> {
     target: DVec3,
     known: Foot,
     slack: f64,
+    met: Option<&'a mut Met>,
     feet: Feet,
     /// Squared distance below which a patch is worth a look.
     most: f64,
@@ -113,6 +127,11 @@ impl Looking<'_> {
         self.most = most * most;
     }
 
+    /// Whether a patch was so far, when it was met, that it is not the nearest.
+    fn is_known_far(&self, patch: u32) -> bool {
+        self.met.as_ref().is_some_and(|met| met.least(patch, self.target) >= self.most.sqrt())
+    }
+
     /// Takes in the foot from a start on a patch.
     fn look(&mut self, patch: u32, start: [f64; 2]) {
         // On the known foot's patch, only another valley is news.
@@ -123,7 +142,11 @@ impl Looking<'_> {
             return;
         }
         self.side.looks.fetch_add(1, Ordering::Relaxed);
-        self.feet.add(foot_below(self.side, self.target, patch, start, self.most));
+        let (foot, least) = foot_below(self.side, self.target, patch, start, self.most);
+        if let Some(met) = &mut self.met {
+            met.add(patch, self.target, least.max(0.0).sqrt());
+        }
+        self.feet.add(foot);
         self.tighten();
     }
 }

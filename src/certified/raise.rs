@@ -5,6 +5,7 @@ use super::bound::Bounded;
 use super::climb::climb;
 use super::extreme::extreme;
 use super::feet::{Foot, Sample};
+use super::met::Met;
 use super::nearest::{foot_on, nearest_within};
 use super::search::Farthest;
 use super::{Search, Side};
@@ -89,7 +90,9 @@ impl Search<'_> {
     /// The sample moved to where the distance is locally largest, over the edges
     /// of its patch too, as long as it gains more than `least`.
     fn climbed(&self, patch: u32, sample: Sample, least: f64) -> (u32, Sample) {
-        let climb = |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least);
+        let mut met = Met::new();
+        let mut climb =
+            |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least, &mut met);
         let mut best = (patch, climb(patch, sample));
         let mut seen = vec![patch];
         for _ in 0..MOST_CROSSINGS {

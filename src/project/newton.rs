@@ -43,18 +43,19 @@ const DEGENERATE_RATIO: f64 = 1e-14;
 /// `iterations` at most, each O(p q).
 #[must_use]
 pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32) -> Foot {
-    newton_below(patch, target, start, iterations, f64::INFINITY)
+    newton_below(patch, target, start, iterations, f64::INFINITY).0
 }
 
 /// As [`newton`], given up where even [`GAIN_ROOM`] times the decrease that
-/// the step promises would leave the squared distance above `most`.
+/// the step promises would leave the squared distance above `most`; with the
+/// squared distance that no further steps are expected to go below.
 pub(crate) fn newton_below(
     patch: &Patch<'_>,
     target: DVec3,
     start: [f64; 2],
     iterations: u32,
     most: f64,
-) -> Foot {
+) -> (Foot, f64) {
     let mut at = start;
     let mut jet = patch.jet(at);
     let mut value = jet.point.distance_squared(target);
@@ -63,15 +64,16 @@ pub(crate) fn newton_below(
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
         let free = both(|axis| !pushes_out(at[axis], gradient[axis]));
         if is_stationary(&jet, residual, gradient, free) {
-            return Foot { parameters: at, distance_squared: value, status: settled(free) };
+            return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
         }
         let hessian = hessian(&jet, residual, free);
         let full = step(at, gradient, &hessian, free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
         let even = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
-        if even && value - GAIN_ROOM * decrease > most {
-            return Foot { parameters: at, distance_squared: value, status: Status::IterationLimit };
+        let least = value - GAIN_ROOM * decrease;
+        if even && least > most {
+            return (Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }, least);
         }
         let mut scale = 1.0;
         let mut halvings = 0;
@@ -88,12 +90,13 @@ pub(crate) fn newton_below(
             let stalled = decrease <= STALLED_DECREASE * value;
             if stalled || halvings > MOST_HALVINGS {
                 let status = if stalled { settled(free) } else { Status::IterationLimit };
-                return Foot { parameters: at, distance_squared: value, status };
+                let least = if stalled { value } else { f64::NEG_INFINITY };
+                return (Foot { parameters: at, distance_squared: value, status }, least);
             }
             scale *= 0.5;
         }
     }
-    Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }
+    (Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }, f64::NEG_INFINITY)
 }
 
 fn settled(free: [bool; 2]) -> Status {
