@@ -105,7 +105,7 @@ impl Search<'_> {
             // The parent's middle was told to be about as far as no point may be, and
             // no point was found that far: of a patch with two valleys, the iteration
             // may have gone into the wrong one.
-            let doubtful = 0.5 * (self.lower() + enough);
+            let doubtful = 0.5 * (self.believed() + enough);
             let far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance() > doubtful;
             if !cell.is_whole() && far(&region.foot) && far(&foot) {
                 foot = self.surest(jet.point, foot);

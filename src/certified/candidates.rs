@@ -29,15 +29,15 @@ impl Search<'_> {
                 return;
             }
         };
-        let Some(best) = self.farthest.filter(|_| *looks >= MOST_LOOKS) else { return };
+        let many = *looks >= MOST_LOOKS;
+        let Some((point, distance)) = self.believed_point().filter(|_| many) else { return };
         let [s, t] = self.a.whole_bounds(cell.patch).first;
         let radius = cell.half[0] * s + cell.half[1] * t;
-        let stale = |about: &Candidates| about.center.distance(best.point) > radius;
+        let stale = |about: &Candidates| about.center.distance(point) > radius;
         if self.b.candidates.as_ref().is_none_or(stale) {
-            *looks = 0;
-            let distance = best.closest.upper;
+            *self.b.looks.get_mut() = 0;
             let reach = distance + (ROOM * radius).min(LARGEST_ROOM * distance);
-            self.b.candidates = Some(Candidates::new(self.b.target, best.point, reach));
+            self.b.candidates = Some(Candidates::new(self.b.target, point, reach));
         }
     }
 }

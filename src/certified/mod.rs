@@ -7,8 +7,8 @@
 //! means where several patches are about equally near, `compare` by the
 //! polynomials of both, `corners` where the nearest patch changes close to A;
 //! `bound` takes the least. `search` halves the cells whose bound is not yet
-//! within the tolerance of the largest distance found, to which `climb` leads;
-//! `raise` certifies that distance. Every cell ends with a bound, so the
+//! within the tolerance of the largest distance found, to which `climb` leads
+//! from the samples that `raise` chooses; `claim` certifies that distance. Every cell ends with a bound, so the
 //! largest bound of all is an upper bound of the directed distance whatever
 //! an iteration did: one that fails can only loosen.
 
@@ -20,6 +20,7 @@ mod bound;
 mod candidates;
 mod cell_bounds;
 mod certify;
+mod claim;
 mod climb;
 mod compare;
 mod corners;

@@ -13,6 +13,9 @@ const CAPACITY: usize = 1 << 21;
 /// at all regions, so it is seldom done.
 const CHOSEN_PART: usize = 32;
 
+/// Cells, at most, of which as few follow as a certificate takes the time of.
+const ENDING: usize = 32;
+
 /// Breadth first, so that a far point is met soon; when it is full, the largest
 /// bounds first.
 #[derive(Debug)]
@@ -40,6 +43,12 @@ impl Queue {
 
     pub(super) fn has_undecided(&self) -> bool {
         !self.undecided.is_empty()
+    }
+
+    /// Whether only cells wait, and few: mostly parts about the farthest point,
+    /// which leave a thread to spare.
+    pub(super) fn is_ending(&self) -> bool {
+        self.len() <= ENDING && self.regions.front().is_some_and(|region| matches!(region.part, Part::Cell(_)))
     }
 
     /// The largest bound of all that waits.

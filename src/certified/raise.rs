@@ -1,4 +1,4 @@
-//! Stage `raise`: the farthest samples, certified, raise the lower bound.
+//! Stage `raise`: the farthest samples raise the lower bound.
 
 use super::across::across;
 use super::bound::Bounded;
@@ -7,14 +7,13 @@ use super::extreme::extreme;
 use super::feet::{Foot, Sample};
 use super::met::Met;
 use super::nearest::{foot_on, nearest_within};
-use super::search::Farthest;
 use super::{Search, Side};
 use crate::gather::Gather;
-use crate::project::{Closest, closest_above};
+use crate::project::closest_above;
 use glam::DVec3;
 
-/// Farthest samples of a chunk that are certified, at most.
-const MOST_CERTIFIED: usize = 8;
+/// Farthest samples of a chunk that are climbed from, at most.
+const MOST_CLIMBED: usize = 8;
 
 /// Patches that a sample climbs on to from the first, at most.
 const MOST_CROSSINGS: usize = 8;
@@ -35,7 +34,8 @@ impl Search<'_> {
     /// The nearest foot by the search that certifies, unless the known one is nearer.
     pub(super) fn surest(&self, point: DVec3, known: Foot) -> Foot {
         let start = Some((known.patch, known.parameters));
-        match self.closest(point, FOOT_PART * self.tolerance, start, 0.0) {
+        let Side { target, candidates, .. } = &self.b;
+        match closest_above(target, point, FOOT_PART * self.tolerance, start, 0.0, candidates.as_ref()) {
             Some(found) if found.upper * found.upper < known.distance_squared => {
                 foot_on(&self.b, point, found.patch as u32, found.parameters)
             }
@@ -43,11 +43,11 @@ impl Search<'_> {
         }
     }
 
-    /// Certifies the chunk's farthest samples while they exceed the best by more
+    /// Climbs from the chunk's farthest samples while they exceed the best by more
     /// than a certificate's width.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
         let mut samples: Vec<&Bounded> = bounded.iter().flatten().gather();
-        for _ in 0..MOST_CERTIFIED.min(samples.len()) {
+        for _ in 0..MOST_CLIMBED.min(samples.len()) {
             let mut farthest = (0, -1.0);
             for (index, bounded) in samples.iter().enumerate() {
                 if bounded.sample.foot.distance_squared > farthest.1 {
@@ -61,10 +61,10 @@ impl Search<'_> {
         }
     }
 
-    /// Certifies a sample moved to where the distance is locally largest; tells
+    /// Offers a sample moved to where the distance is locally largest; tells
     /// whether it seemed farther than the best.
     pub(super) fn climb_from(&mut self, patch: u32, sample: Sample) -> bool {
-        let most = self.lower() + self.width();
+        let most = self.believed() + self.width();
         if sample.foot.distance() <= most {
             return false;
         }
@@ -75,16 +75,10 @@ impl Search<'_> {
         true
     }
 
-    /// Takes the sample, moved to where the distance is locally largest, for the
-    /// farthest point if its certificate says so or there is none yet.
+    /// Offers the sample, moved to where the distance is locally largest.
     fn raise_from(&mut self, patch: u32, sample: Sample) {
-        let width = self.width();
-        let (patch, Sample { parameters, foot }) = self.climbed(patch, sample, width);
-        let known = Some((foot.patch, foot.parameters));
-        let found = self.certificate(patch, parameters, width, known, self.lower());
-        let is_better =
-            |found: &Farthest| self.farthest.is_none_or(|best| found.closest.lower > best.closest.lower);
-        self.farthest = found.filter(is_better).or(self.farthest);
+        let (patch, sample) = self.climbed(patch, sample, self.width());
+        self.offer(patch, sample);
     }
 
     /// The sample moved to where the distance is locally largest, over the edges
@@ -145,36 +139,15 @@ impl Search<'_> {
     }
 
     /// Width asked of a sample's certificate.
-    fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         CERTIFICATE_PART * self.tolerance
     }
 
-    /// Raises the upper bound to what is told of the farthest point.
+    /// Certifies the farthest point and raises the upper bound to what is told of it.
     pub(crate) fn finish(&mut self) {
+        self.prove();
         if let Some(best) = &self.farthest {
             self.dropped = self.dropped.max(best.closest.upper - self.rounding);
         }
-    }
-
-    /// A point of A with its distance to B, as narrow as `width` if that can be
-    /// told and it exceeds `floor`, from a point of B where one is known.
-    fn certificate(
-        &self,
-        patch: u32,
-        parameters: [f64; 2],
-        width: f64,
-        known: Option<(u32, [f64; 2])>,
-        floor: f64,
-    ) -> Option<Farthest> {
-        let point = self.transform.apply(self.a.patch(patch).point(parameters));
-        let mut closest = self.closest(point, width, known, floor)?;
-        closest.lower = (closest.lower - self.rounding).max(0.0);
-        Some(Farthest { patch, parameters, point, closest })
-    }
-
-    /// The closest point of B, by the list of patches where that suffices.
-    fn closest(&self, point: DVec3, gap: f64, known: Option<(u32, [f64; 2])>, floor: f64) -> Option<Closest> {
-        let Side { target, candidates, .. } = &self.b;
-        closest_above(target, point, gap, known, floor, candidates.as_ref())
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Side;
 use super::at_once::{at_once, farthest_at_once, farthest_corners};
+use super::claim::Claim;
 use super::feet::{Foot, Sample};
 use super::nearest::nearest_within;
 use super::profile::Profiles;
@@ -9,7 +10,7 @@ use super::queue::Queue;
 use super::region::{Part, Region};
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
-use crate::parallel::{is_few, map_short, together};
+use crate::parallel::{is_few, map_short, side_by_side, together};
 use crate::project::Closest;
 use crate::rounding::coordinate_rounding;
 use glam::DVec3;
@@ -72,9 +73,13 @@ pub(crate) struct Search<'a> {
     limit: Option<f64>,
     pub(super) rounding: f64,
     profiles: Profiles,
-    queue: Queue,
+    pub(super) queue: Queue,
     pub(super) dropped: f64,
     pub(super) farthest: Option<Farthest>,
+    /// What is taken on trust, and the regions that were dropped because of it.
+    pub(super) claim: Option<Claim>,
+    pub(super) held: Vec<Region>,
+    pub(super) trusting: bool,
     exhausted: bool,
     /// Cells bounded.
     pub(crate) cells: usize,
@@ -138,6 +143,10 @@ impl<'a> Search<'a> {
             queue: Queue::new(root),
             dropped: 0.0,
             farthest: None,
+            claim: None,
+            held: Vec::new(),
+            // A limit is decided by what is certain.
+            trusting: limit.is_none(),
             exhausted: false,
             cells: 0,
             kernel_cells: 0,
@@ -150,10 +159,9 @@ impl<'a> Search<'a> {
     /// The interval so far.
     pub(crate) fn interval(&self) -> Interval {
         let lower = self.lower();
-        Interval {
-            lower,
-            upper: self.dropped.max(self.queue.upper()).max(lower) + self.profiles.slack + self.rounding,
-        }
+        let held = self.held.iter().fold(lower, |upper, region| upper.max(region.upper));
+        let upper = self.dropped.max(self.queue.upper()).max(held);
+        Interval { lower, upper: upper + self.profiles.slack + self.rounding }
     }
 
     /// The farthest point so far.
@@ -194,6 +202,7 @@ impl<'a> Search<'a> {
     /// Takes the next cells out, up to `most`; they must come back by
     /// [`Search::settle`], for until then nothing here knows of them.
     pub(crate) fn lend(&mut self, most: usize) -> Vec<Region> {
+        self.prove();
         let (cells, dropped) = self.queue.next_cells(most, self.enough());
         self.dropped = self.dropped.max(dropped);
         cells
@@ -219,24 +228,58 @@ impl<'a> Search<'a> {
 
     /// A bound of at most this ends a cell.
     pub(crate) fn enough(&self) -> f64 {
-        let within = self.lower() + self.tolerance;
+        let within = self.believed() + self.tolerance;
         self.limit.map_or(within, |limit| within.max(limit - self.rounding))
     }
 
     /// Bounds about the next chunk of regions; `Some` when there is nothing left to do.
     pub(crate) fn advance(&mut self) -> Option<Stop> {
+        let stop = self.advance_chunk();
+        let is_due = |claim: &Claim| stop.is_some() || self.cells >= claim.cells + CHUNK;
+        if self.claim.as_ref().is_some_and(is_due) {
+            self.prove();
+            return stop.filter(|_| self.queue.is_empty());
+        }
+        stop
+    }
+
+    fn advance_chunk(&mut self) -> Option<Stop> {
         if is_few(self.queue.len()) {
             return self.advance_once();
         }
         let most = self.cells + CHUNK;
         together(|| {
             loop {
-                let stop = self.advance_once();
+                let stop = match self.claim.filter(|_| self.queue.is_ending()) {
+                    Some(claim) => self.advance_beside(claim, most),
+                    None => self.advance_once(),
+                };
                 if stop.is_some() || self.cells >= most {
                     return stop;
                 }
             }
         })
+    }
+
+    /// Certifies a claim while regions are bounded, as long as it is not outdone.
+    fn advance_beside(&mut self, claim: Claim, most: usize) -> Option<Stop> {
+        let proof = self.proof(&claim);
+        let (closest, stop) = side_by_side(
+            || proof.closest(),
+            || {
+                loop {
+                    let stop = self.advance_once();
+                    if stop.is_some() || self.cells >= most || self.claim != Some(claim) {
+                        return stop;
+                    }
+                }
+            },
+        );
+        if self.claim == Some(claim) {
+            self.take(claim, closest);
+            return stop.filter(|_| self.queue.is_empty());
+        }
+        stop
     }
 
     /// Bounds the regions that wait, up to a chunk.
@@ -273,7 +316,7 @@ impl<'a> Search<'a> {
                 }
                 _ => {
                     self.exhausted |= upper > enough;
-                    self.dropped = self.dropped.max(upper);
+                    self.drop_region(Region { upper, ..*region });
                 }
             }
         }
