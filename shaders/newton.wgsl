@@ -88,13 +88,12 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         if steps == iterations {
             break;
         }
-        let flat = vec3<f32>(dot(jet.s, jet.s), dot(jet.s, jet.t), dot(jet.t, jet.t));
-        let full = flat + vec3<f32>(dot(residual, jet.ss), dot(residual, jet.st), dot(residual, jet.tt));
-        var definite = full.z > 0.0;
-        if free.x {
-            definite = full.x > 0.0 && (!free.y || full.x * full.z > full.y * full.y);
-        }
-        step = newton_step(at, gradient, select(flat, full, definite), free);
+        let ss = dot(jet.s, jet.s) + dot(residual, jet.ss);
+        let st = dot(jet.s, jet.t) + dot(residual, jet.st);
+        let tt = dot(jet.t, jet.t) + dot(residual, jet.tt);
+        let sizes = vec3<f32>(abs(ss), 0.0, abs(tt));
+        let hessian = select(sizes, vec3<f32>(ss, st, tt), ss > 0.0 && ss * tt > st * st);
+        step = newton_step(at, gradient, hessian, free);
         decrease = abs(dot(gradient, step));
         steps++;
         scale = 1.0;

@@ -14,7 +14,7 @@ const CAPACITY: usize = 1 << 21;
 const CHOSEN_PART: usize = 32;
 
 /// Cells, at most, of which as few follow as a certificate takes the time of.
-const ENDING: usize = 32;
+const ENDING: usize = 16;
 
 /// Breadth first, so that a far point is met soon; when it is full, the largest
 /// bounds first.
@@ -48,7 +48,8 @@ impl Queue {
     /// Whether only cells wait, and few: mostly parts about the farthest point,
     /// which leave a thread to spare.
     pub(super) fn is_ending(&self) -> bool {
-        self.len() <= ENDING && self.regions.front().is_some_and(|region| matches!(region.part, Part::Cell(_)))
+        self.len() <= ENDING
+            && self.regions.front().is_some_and(|region| matches!(region.part, Part::Cell(_)))
     }
 
     /// The largest bound of all that waits.

@@ -36,8 +36,8 @@ const DEGENERATE_RATIO: f64 = 1e-14;
 /// Minimises `½ |S - target|^2` over the patch from `start`.
 ///
 /// Guarantee: the result's distance is that of a point of the patch, and no
-/// larger than the start's. Steps use the full Hessian where it is positive
-/// definite, else Gauss-Newton's; a parameter at an edge with the gradient
+/// larger than the start's. Steps use the Hessian where it is positive definite,
+/// else the sizes of the second derivatives; a parameter at an edge with the gradient
 /// pushing out is frozen; a step leaving the patch is cut at the edge and the
 /// other parameter solved again; steps are halved until the distance falls.
 /// `iterations` at most, each O(p q).
@@ -66,7 +66,7 @@ pub(crate) fn newton_below(
         if is_stationary(&jet, residual, gradient, free) {
             return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
         }
-        let hessian = hessian(&jet, residual, free);
+        let hessian = hessian(&jet, residual);
         let full = step(at, gradient, &hessian, free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
@@ -116,18 +116,14 @@ fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]
     (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * most))
 }
 
-/// `[ss, st, tt]` of ½|S - target|², full if positive definite on the free
-/// parameters, else Gauss-Newton's.
-fn hessian(jet: &Jet, residual: DVec3, free: [bool; 2]) -> [f64; 3] {
-    let flat = [jet.s.dot(jet.s), jet.s.dot(jet.t), jet.t.dot(jet.t)];
-    let bent = [residual.dot(jet.ss), residual.dot(jet.st), residual.dot(jet.tt)];
-    let full = [0, 1, 2].map(|k| flat[k] + bent[k]);
-    let definite = match free {
-        [true, true] => full[0] > 0.0 && full[0] * full[2] > full[1] * full[1],
-        [true, false] => full[0] > 0.0,
-        [false, _] => full[2] > 0.0,
-    };
-    if definite { full } else { flat }
+/// `[ss, st, tt]` of ½|S - target|² if positive definite, else the absolute
+/// values of the second derivatives alone: where the distance is bent
+/// downwards, its gradient tells the way down and how far it stays one.
+fn hessian(jet: &Jet, residual: DVec3) -> [f64; 3] {
+    let ss = jet.s.dot(jet.s) + residual.dot(jet.ss);
+    let st = jet.s.dot(jet.t) + residual.dot(jet.st);
+    let tt = jet.t.dot(jet.t) + residual.dot(jet.tt);
+    if ss > 0.0 && ss * tt > st * st { [ss, st, tt] } else { [ss.abs(), 0.0, tt.abs()] }
 }
 
 /// The minimum of the quadratic model inside the patch, as far as one cut at
