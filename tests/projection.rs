@@ -130,6 +130,20 @@ fn beyond_the_centre_of_curvature_the_nearest_points_are_the_ends() {
     }
 }
 
+/// Near the axis the distance is bent downwards on the far half of the arc, and
+/// steps as if it were flat would be fifty times too short.
+#[test]
+fn steps_do_not_creep_where_the_distance_is_bent_downwards() {
+    let quarter = quarter_cylinder(1.0);
+    let patch = quarter.patches.patch(0);
+    let target = around(2.0 * FRAC_PI_2, 0.02, 0.1);
+    for start in [0.05, 0.3, 0.7] {
+        let foot = newton(&patch, target, [start, 0.2], 10);
+        assert_eq!((foot.status, foot.parameters[0]), (Status::OnEdge, 1.0), "from {start}");
+        assert!((foot.distance_squared - 1.0004).abs() < ROUNDING);
+    }
+}
+
 #[test]
 fn every_point_of_the_arc_is_as_near_to_its_axis() {
     let quarter = quarter_cylinder(1.0);

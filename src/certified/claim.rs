@@ -113,3 +113,60 @@ impl<'a> Search<'a> {
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::super::feet::Foot;
+    use super::super::{Interval, Side};
+    use super::*;
+    use crate::bezier::{LocalBounds, PatchSet, extract};
+    use crate::model::RigidTransform;
+    use crate::project::closest;
+    use crate::shapes::shape;
+
+    const TOLERANCE: f64 = 1e-5;
+
+    fn patches(name: &str) -> PatchSet {
+        let Ok(model) = shape(name) else { unreachable!() };
+        extract(&model).patches
+    }
+
+    /// However much is claimed and whenever, the interval is as narrow as asked
+    /// and no sample is farther than its end.
+    #[test]
+    fn a_false_claim_is_found_out() {
+        let random = &mut fastrand::Rng::with_seed(2);
+        let targets = [Target::new(patches("wavy-sheet")), Target::new(patches("torus"))];
+        let bounds = targets.each_ref().map(|target| {
+            target.patches.iter().map(|_| LocalBounds::new([[0.0, 1.0]; 2])).collect::<Vec<_>>()
+        });
+        let mut found_out = 0;
+        for _ in 0..20 {
+            let [a, b] = [0, 1].map(|side| Side::new(&targets[side], &bounds[side]));
+            let mut search = Search::new(a, b, RigidTransform::IDENTITY, TOLERANCE, None);
+            let claimed_at = random.usize(1..5);
+            let mut rounds = 0;
+            while search.advance().is_none() {
+                rounds += 1;
+                if rounds == claimed_at {
+                    let patch = random.usize(..targets[1].patches.len()) as u32;
+                    let parameters = [random.f64(), random.f64()];
+                    let distance = search.interval().upper * random.f64();
+                    let foot = Foot { distance_squared: distance * distance, ..Foot::start(patch, [0.5; 2]) };
+                    search.offer(0, Sample { parameters, foot });
+                }
+            }
+            search.finish();
+            let Interval { lower, upper } = search.interval();
+            assert!(upper - lower <= TOLERANCE, "{lower} {upper}");
+            for patch in targets[0].patches.iter() {
+                for _ in 0..10 {
+                    let point = patch.point([random.f64(), random.f64()]);
+                    assert!(closest(&targets[1], point, 1e-9).is_some_and(|found| found.lower <= upper));
+                }
+            }
+            found_out += usize::from(!search.trusting);
+        }
+        assert!((3..20).contains(&found_out), "{found_out}");
+    }
+}

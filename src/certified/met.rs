@@ -31,3 +31,30 @@ impl Met {
         if met == patch { distance - at.distance(point) } else { f64::NEG_INFINITY }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// Of balls, whose distance is known: what is remembered is never more than it.
+    #[test]
+    fn a_patch_is_no_nearer_than_remembered() {
+        let random = &mut fastrand::Rng::with_seed(5);
+        let mut met = Met::new();
+        let mut remembered = 0;
+        for _ in 0..5000 {
+            // Two of them share a place in the list.
+            let ball = random.u32(0..3) * MOST_MET as u32 / 2;
+            let center = DVec3::splat(f64::from(ball));
+            let mut point = || DVec3::from_array([0; 3].map(|_| 10.0 * random.f64()));
+            let (before, now) = (point(), point());
+            if ball.is_multiple_of(2) {
+                met.add(ball, before, before.distance(center) - 1.0);
+            }
+            let least = met.least(ball, now);
+            assert!(least <= now.distance(center) - 1.0 + 1e-12);
+            remembered += usize::from(least > f64::NEG_INFINITY);
+        }
+        assert!(remembered > 1000);
+    }
+}
