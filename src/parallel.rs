@@ -12,7 +12,7 @@ pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T
 }
 
 /// Items of some microseconds that are not worth waking another thread for.
-const FEW: usize = 8;
+const FEW: usize = 4;
 
 /// Whether so many items, which take microseconds, are done on this thread.
 pub(crate) fn is_few(count: usize) -> bool {
