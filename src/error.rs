@@ -1,6 +1,5 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
-use crate::shown::Shown;
 use thiserror::Error as ThisError;
 
 /// What a function of this crate returns when its input or machine may fail it.
@@ -37,7 +36,7 @@ impl From<usize> for Direction {
 #[derive(Debug, Clone, PartialEq, ThisError)]
 pub enum Error {
     /// A coordinate, weight or knot is infinite or not a number.
-    #[error("surface {surface}: {what} {index} is {}, expected a finite number", Shown(*.found))]
+    #[error("surface {surface}: {what} {index} is {found:?}, expected a finite number")]
     NonFinite {
         /// Index of the surface in its model.
         surface: usize,
@@ -49,7 +48,7 @@ pub enum Error {
         found: f64,
     },
     /// A coordinate, weight or knot is so large that its square would overflow.
-    #[error("surface {surface}: {what} {index} is {}, expected at most 1e100 in size", Shown(*.found))]
+    #[error("surface {surface}: {what} {index} is {found:?}, expected at most 1e100 in size")]
     NumberTooLarge {
         /// Index of the surface in its model.
         surface: usize,
@@ -61,10 +60,7 @@ pub enum Error {
         found: f64,
     },
     /// A weight is negative, zero or less than 1e-100.
-    #[error(
-        "surface {surface}: weight of control point {index} is {}, expected at least 1e-100",
-        Shown(*.found)
-    )]
+    #[error("surface {surface}: weight of control point {index} is {found:?}, expected at least 1e-100")]
     WeightNotPositive {
         /// Index of the surface in its model.
         surface: usize,
@@ -74,11 +70,7 @@ pub enum Error {
         found: f64,
     },
     /// A knot is smaller than the one before it.
-    #[error(
-        "surface {surface}: knot {index} in {direction} is {}, expected at least {}",
-        Shown(*.found),
-        Shown(*.expected)
-    )]
+    #[error("surface {surface}: knot {index} in {direction} is {found:?}, expected at least {expected:?}")]
     KnotsDecreasing {
         /// Index of the surface in its model.
         surface: usize,
@@ -123,9 +115,7 @@ pub enum Error {
     },
     /// The knots `[degree]` and `[count]`, which bound the domain, are equal.
     #[error(
-        "surface {surface}: the domain in {direction} is [{}, {}], expected a positive length",
-        Shown(*.start),
-        Shown(*.end)
+        "surface {surface}: the domain in {direction} is [{start:?}, {end:?}], expected a positive length"
     )]
     KnotsEmptyDomain {
         /// Index of the surface in its model.
@@ -267,7 +257,7 @@ pub enum Error {
 
 impl Error {
     pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
-        Self::OptionOutOfRange { option, found: Shown(found).to_string(), expected }
+        Self::OptionOutOfRange { option, found: format!("{found:?}"), expected }
     }
 
     /// The stable code, the same in Rust, on the command line and in JavaScript.

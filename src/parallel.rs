@@ -67,12 +67,6 @@ pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send
 
 /// `work` on 0 to `count`, results in order.
 #[cfg(target_arch = "wasm32")]
-#[inline(always)]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    // A loop, as `collect` is compiled to three functions for every caller.
-    let mut results = Vec::with_capacity(count);
-    for index in 0..count {
-        results.push(work(index));
-    }
-    results
+    (0..count).map(work).collect()
 }

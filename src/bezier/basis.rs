@@ -14,7 +14,7 @@ pub(super) type Basis<const N: usize> = [[f64; N]; 3];
 /// in the last place; derivatives as differences of the lower degrees (Farin,
 /// *Curves and Surfaces for CAGD*, section 5.3). O(degree^2), written out where
 /// the degree is known.
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
     let scale = degree as f64;
     let mut values = [0.0; N];
@@ -35,7 +35,7 @@ pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) 
 }
 
 /// Bernstein polynomials of degree `degree` into those of `degree + 1`.
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 fn raise(values: &mut [f64], degree: usize, t: f64) {
     let complement = 1.0 - t;
     for index in (1..=degree + 1).rev() {
@@ -46,7 +46,7 @@ fn raise(values: &mut [f64], degree: usize, t: f64) {
 
 /// Values of degree `degree - 1` into derivatives of degree `degree`:
 /// `B_i' = degree (B_(i-1) - B_i)`.
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 fn differentiate(values: &mut [f64], degree: usize, scale: f64) {
     for index in (1..=degree).rev() {
         values[index] = scale * (values[index - 1] - values[index]);

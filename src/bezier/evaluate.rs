@@ -44,13 +44,9 @@ impl Patch<'_> {
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
         let sum = match self.degree {
-            #[cfg(not(target_arch = "wasm32"))]
             [2, 2] => self.sum_of::<3, 3>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [2, 3] => self.sum_of::<3, 4>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [3, 2] => self.sum_of::<4, 3>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [3, 3] => self.sum_of::<4, 4>(parameters),
             _ => self.sum(parameters),
         };
@@ -69,7 +65,6 @@ impl Patch<'_> {
     }
 
     /// The same of degrees N - 1 and M - 1.
-    #[cfg(not(target_arch = "wasm32"))]
     #[inline(always)]
     fn sum_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> DVec4 {
         let mut values = [DVec4::ZERO; N];
@@ -83,23 +78,18 @@ impl Patch<'_> {
     /// quotient rule (Piegl and Tiller, *The NURBS Book*, eq. 4.20). O(p q).
     #[must_use]
     pub fn jet(&self, parameters: [f64; 2]) -> Jet {
-        // The commonest degrees are written out, but not for the browser's small module.
+        // The most common degrees are unrolled: they are most of the evaluations.
         match self.degree {
-            #[cfg(not(target_arch = "wasm32"))]
             [2, 2] => self.jet_of::<3, 3>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [2, 3] => self.jet_of::<3, 4>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [3, 2] => self.jet_of::<4, 3>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [3, 3] => self.jet_of::<4, 4>(parameters),
-            #[cfg(not(target_arch = "wasm32"))]
             [0..8, 0..8] => self.jet_by::<8>(self.degree, parameters),
             degree => self.jet_by::<MAX_ORDER>(degree, parameters),
         }
     }
 
-    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[inline(always)]
     fn jet_by<const N: usize>(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
         let basis = bases::<N>(degree, parameters);
         let columns = degree[1] + 1;
@@ -118,7 +108,6 @@ impl Patch<'_> {
     }
 
     /// The jet of degrees N - 1 in s and M - 1 in t, row by row and then across.
-    #[cfg(not(target_arch = "wasm32"))]
     #[inline(always)]
     fn jet_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> Jet {
         let [mut value, mut first, mut second] = [[DVec4::ZERO; N]; 3];
@@ -133,7 +122,7 @@ impl Patch<'_> {
     }
 
     /// The jet of the quotient of a homogeneous point and its derivatives.
-    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[inline(always)]
     fn quotient(&self, [h, s, t, ss, st, tt]: [DVec4; 6]) -> Jet {
         let inverse = 1.0 / h.w;
         let local = h.xyz() * inverse;
@@ -152,7 +141,6 @@ impl Patch<'_> {
 
 /// The value at t, the first derivative over the degree N - 1 and the second
 /// over (N - 1)(N - 2), by de Casteljau's algorithm.
-#[cfg(not(target_arch = "wasm32"))]
 #[inline(always)]
 fn casteljau<const N: usize>(mut controls: [DVec4; N], t: f64) -> [DVec4; 3] {
     let between = |a: DVec4, b: DVec4| (1.0 - t) * a + t * b;
@@ -166,7 +154,7 @@ fn casteljau<const N: usize>(mut controls: [DVec4; N], t: f64) -> [DVec4; 3] {
     [between(low, high), high - low, (a - b) + (c - b)]
 }
 
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>; 2] {
     let mut bases = [[[0.0; N]; 3]; 2];
     fill(&mut bases[0], degree[0], parameters[0]);
@@ -174,7 +162,7 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
     bases
 }
 
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 pub(super) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
 }

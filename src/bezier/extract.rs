@@ -1,8 +1,6 @@
 //! Bézier extraction: one patch for every non-empty knot rectangle.
 
 use super::{MAX_ORDER, Patch, PatchSet};
-use crate::both::both;
-use crate::gather::Gather;
 use crate::model::{Model, NurbsSurface};
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4};
@@ -77,7 +75,7 @@ pub fn extract(model: &Model) -> BezierModel {
     let diagonal = model.bounding_box().diagonal();
     let mut patches = PatchSet::default();
     let extract = |(index, surface)| extract_surface(index, surface, center_grid(diagonal), &mut patches);
-    let grids = model.surfaces().iter().enumerate().map(extract).gather();
+    let grids = model.surfaces().iter().enumerate().map(extract).collect();
     BezierModel { patches, grids }
 }
 
@@ -102,7 +100,7 @@ pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3
 fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
     let first = patches.len();
     let degree = surface.degree();
-    let [in_u, in_v] = both(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+    let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
     let (rows, columns) = (degree[0] + 1, degree[1] + 1);
     let mut net = vec![DVec4::ZERO; rows * columns];
     let mut partial = vec![DVec4::ZERO; rows * columns];
@@ -158,7 +156,7 @@ fn combined(weights: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
 /// The ends of the spans, each once.
 fn breaks(spans: &[Span]) -> Vec<f64> {
     let starts = spans.iter().map(|span| span.ends[0]);
-    starts.chain(spans.last().map(|span| span.ends[1])).gather()
+    starts.chain(spans.last().map(|span| span.ends[1])).collect()
 }
 
 fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
@@ -167,9 +165,9 @@ fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
         .map(|index| Span {
             first_control: index - degree,
             ends: [knots[index], knots[index + 1]],
-            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).gather(),
+            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
         })
-        .gather()
+        .collect()
 }
 
 /// The weights of the span's control points in the blossom at the span's

@@ -1,7 +1,6 @@
 //! Bounds of a patch's derivatives over parts of it.
 
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
-use crate::both::both;
 use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
@@ -84,7 +83,7 @@ impl LocalBounds {
         }
         let radius = self.whole(patch).radius;
         let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.room));
-        let touched = both(|axis| {
+        let touched = [0, 1].map(|axis| {
             let lines = &lines[axis];
             let first = lines.partition_point(|&line| line <= low[axis]).clamp(1, lines.len() - 1) - 1;
             first..lines.partition_point(|&line| line < high[axis]).clamp(first + 1, lines.len() - 1)
@@ -104,9 +103,10 @@ impl LocalBounds {
 
 impl Parts {
     fn new(patch: &Patch<'_>, radius: f64, room: [[f64; 2]; 2]) -> Self {
-        let lines = both(|axis| {
+        let lines = [0, 1].map(|axis| {
             let [low, high] = room[axis];
-            let grades = both(|end| if is_degenerate(patch, axis, end == 1, radius) { GRADES } else { 0 });
+            let grades =
+                [0, 1].map(|end| if is_degenerate(patch, axis, end == 1, radius) { GRADES } else { 0 });
             let mut lines = vec![0.0];
             if low < 0.0 {
                 lines.insert(0, low);
@@ -157,7 +157,7 @@ impl Patch<'_> {
         let mut lost = [0.0_f64; 2];
         for control in self.controls {
             let size = [control.xyz().length(), control.w];
-            lost = both(|kind| lost[kind].max(ROUNDING * size[kind]));
+            lost = [0, 1].map(|kind| lost[kind].max(ROUNDING * size[kind]));
         }
         centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]])
     }

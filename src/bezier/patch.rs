@@ -1,7 +1,5 @@
 //! Storage of many Bézier patches.
 
-use crate::both::each;
-use crate::gather::Gather;
 use crate::tree::Aabb;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -49,7 +47,7 @@ impl Patch<'_> {
 
 /// Homogeneous controls relative to `point` of what they were relative to.
 pub(crate) fn relative(controls: &[DVec4], point: DVec3) -> Vec<DVec4> {
-    controls.iter().map(|control| (control.xyz() - control.w * point).extend(control.w)).gather()
+    controls.iter().map(|control| (control.xyz() - control.w * point).extend(control.w)).collect()
 }
 
 #[derive(Debug, Clone)]
@@ -86,7 +84,7 @@ impl PatchSet {
     #[must_use]
     pub fn patch(&self, index: usize) -> Patch<'_> {
         let entry = &self.entries[index];
-        let degree = each(entry.degree, usize::from);
+        let degree = entry.degree.map(usize::from);
         let size = (degree[0] + 1) * (degree[1] + 1);
         Patch {
             surface: entry.surface as usize,
@@ -107,7 +105,7 @@ impl PatchSet {
     pub fn push(&mut self, patch: Patch<'_>) {
         self.entries.push(Entry {
             surface: patch.surface as u32,
-            degree: each(patch.degree, |degree| degree as u8),
+            degree: patch.degree.map(|degree| degree as u8),
             rational: patch.rational,
             first: self.controls.len(),
             domain: patch.domain,
@@ -120,7 +118,7 @@ impl PatchSet {
     pub fn append(&mut self, other: &Self) {
         let before = self.controls.len();
         let moved = |entry: &Entry| Entry { first: entry.first + before, ..entry.clone() };
-        other.entries.iter().map(moved).gather_into(&mut self.entries);
+        self.entries.extend(other.entries.iter().map(moved));
         self.controls.extend_from_slice(&other.controls);
     }
 

@@ -1,7 +1,6 @@
 //! Scaled Bernstein form, in which products are sums of products.
 
 use super::MAX_ORDER;
-use crate::both::each;
 use glam::DVec4;
 use std::sync::OnceLock;
 
@@ -24,7 +23,7 @@ fn binomials(n: usize) -> &'static [f64] {
 /// of k and i - k (Farouki and Rajan, *Algorithms for polynomials in Bernstein
 /// form*, section 4). O(p q).
 pub(crate) fn scaled(degree: [usize; 2], controls: &[DVec4]) -> Vec<DVec4> {
-    let [of_s, of_t] = each(degree, binomials);
+    let [of_s, of_t] = degree.map(binomials);
     let mut scaled = Vec::with_capacity(controls.len());
     for (row, s) in controls.chunks_exact(of_t.len()).zip(of_s) {
         for (&control, t) in row.iter().zip(of_t) {
@@ -36,7 +35,7 @@ pub(crate) fn scaled(degree: [usize; 2], controls: &[DVec4]) -> Vec<DVec4> {
 
 /// The controls that were scaled. O(p q).
 pub(crate) fn unscale(degree: [usize; 2], controls: &mut [DVec4]) {
-    let [of_s, of_t] = each(degree, binomials);
+    let [of_s, of_t] = degree.map(binomials);
     for (row, s) in controls.chunks_exact_mut(of_t.len()).zip(of_s) {
         for (control, t) in row.iter_mut().zip(of_t) {
             *control *= 1.0 / (s * t);

@@ -1,8 +1,6 @@
 //! Squares of rational functions in Bernstein form.
 
 use super::{scaled, unscale};
-use crate::both::each;
-use crate::gather::Gather;
 use glam::{DVec4, Vec4Swizzles};
 
 /// The Bernstein coefficients, of twice the degrees, of `|n|²` and `d²` of the
@@ -13,22 +11,20 @@ use glam::{DVec4, Vec4Swizzles};
 /// the function takes. O(p^2 q^2).
 pub(crate) fn squares(degree: [usize; 2], controls: &[DVec4]) -> Vec<(f64, f64)> {
     let scaled = scaled(degree, controls);
-    let doubled = each(degree, |degree| 2 * degree);
+    let doubled = degree.map(|degree| 2 * degree);
     let mut sums = vec![DVec4::ZERO; (doubled[0] + 1) * (doubled[1] + 1)];
     match degree[1] {
-        // The commonest are written out, but not for the browser's small module.
-        #[cfg(not(target_arch = "wasm32"))]
+        // The most common degrees are unrolled.
         2 => add_products(scaled.as_chunks::<3>().0, &mut sums),
-        #[cfg(not(target_arch = "wasm32"))]
         3 => add_products(scaled.as_chunks::<4>().0, &mut sums),
-        q => add_products(&scaled.chunks_exact(q + 1).gather(), &mut sums),
+        q => add_products(&scaled.chunks_exact(q + 1).collect::<Vec<_>>(), &mut sums),
     }
     unscale(doubled, &mut sums);
-    sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).gather()
+    sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).collect()
 }
 
 /// Adds the products of the rows' coordinates.
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+#[inline(always)]
 fn add_products<R: AsRef<[DVec4]>>(rows: &[R], sums: &mut [DVec4]) {
     // Every pair of rows once, as its product counts twice.
     for (i, one) in rows.iter().enumerate() {

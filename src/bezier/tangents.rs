@@ -3,7 +3,6 @@
 use super::basis::{Basis, fill};
 use super::evaluate::contract;
 use super::{MAX_ORDER, Patch};
-use crate::both::both;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The Bernstein polynomials in s and t at N parameters.
@@ -44,7 +43,7 @@ impl Patch<'_> {
                 let derivatives = [contract(points, &in_s[1]), contract(derivatives, &in_s[0])];
                 let local = point.xyz() / point.w;
                 tangents[i * N + j] =
-                    both(|axis| (derivatives[axis].xyz() - derivatives[axis].w * local) / point.w);
+                    [0, 1].map(|axis| (derivatives[axis].xyz() - derivatives[axis].w * local) / point.w);
             }
         }
         tangents

@@ -2,7 +2,6 @@
 //! which they balance there.
 
 use crate::bezier::Jet;
-use crate::both::both;
 use glam::DVec3;
 
 /// `(v, s, t)`: `v + σ s + τ t` over (σ, τ) in [-1, 1]^2.
@@ -97,7 +96,7 @@ fn of_few(planes: &[Plane], few: &[usize]) -> Balance {
                 let weight = -two[along] / apart[along];
                 let side = (weight * one[across] + (1.0 - weight) * two[across]).signum();
                 let even = -(apart.x + apart[across] * side) / apart[along];
-                let place = both(|a| if a == axis { even } else { FREE });
+                let place = [0, 1].map(|a| if a == axis { even } else { FREE });
                 best.offer(planes, [(i, weight), (j, 1.0 - weight), (i, 0.0)], place);
             }
             for &l in few.iter().skip(next + 1) {
@@ -127,7 +126,8 @@ impl Balance {
         let height = mean.x + mean.y.abs() + mean.z.abs();
         if valid && height < self.height {
             let slope = [mean.y, mean.z];
-            let place = both(|axis| if place[axis].is_nan() { slope[axis].signum() } else { place[axis] });
+            let place =
+                [0, 1].map(|axis| if place[axis].is_nan() { slope[axis].signum() } else { place[axis] });
             *self = Self { weights, place, height };
         }
     }

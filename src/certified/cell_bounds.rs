@@ -3,7 +3,6 @@
 use super::Side;
 use super::region::Cell;
 use crate::bezier::DerivativeBounds;
-use crate::both::both;
 use std::cell::OnceCell;
 
 /// Bounds over the cell's patch, and closer ones once they may decide.
@@ -27,7 +26,7 @@ impl<'a> CellBounds<'a> {
     /// Over the parts of the patch that the cell touches.
     pub(super) fn close(&self) -> &DerivativeBounds {
         self.close.get_or_init(|| {
-            let [low, high] = both(|end| self.cell.at([2.0 * end as f64 - 1.0; 2]));
+            let [low, high] = [0, 1].map(|end| self.cell.at([2.0 * end as f64 - 1.0; 2]));
             self.a.bounds(self.cell.patch, low, high)
         })
     }

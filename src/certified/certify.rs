@@ -7,7 +7,6 @@ use super::foot_map::FootMap;
 use super::quadratic::Quadratic;
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Jet};
-use crate::both::both;
 use glam::{DVec2, DVec3};
 
 /// Distance, in radii of the cell, up to which A lies on B as far as a cell of
@@ -93,7 +92,7 @@ impl<'a> Facing<'a> {
         let jet = b.patch(foot.patch).jet(foot.parameters);
         let residual = jet.point - a.point;
         let room = b.room(foot.patch);
-        let frozen = both(|axis| {
+        let frozen = [0, 1].map(|axis| {
             let [low, high] = room[axis];
             let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
             let parameter = foot.parameters[axis];

@@ -6,7 +6,6 @@ use super::met::Met;
 use super::nearest::{foot_on, nearest_feet};
 use super::side::moved;
 use super::step::step;
-use crate::both::both;
 use crate::model::RigidTransform;
 
 /// Steps, at most: from a sample one cell away, Newton's method takes a few.
@@ -45,7 +44,7 @@ pub(super) fn climb(
         if promised <= 2.0 * best.distance() * least {
             break;
         }
-        let next = both(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0));
+        let next = [0, 1].map(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0));
         let point = transform.apply(surface.point(next));
         let mut again = |foot: &Foot| {
             let foot = foot_on(b, point, foot.patch, foot.parameters);

@@ -6,7 +6,6 @@ use super::foot_map::FootMap;
 use super::region::Cell;
 use super::side::Side;
 use crate::bezier::{Jet, Patch, relative, scaled, squares, unscale};
-use crate::both::both;
 use crate::model::RigidTransform;
 use glam::{DVec2, DVec4, Vec4Swizzles};
 
@@ -76,7 +75,7 @@ pub(super) fn compare(
     }
     // `along` by A's axes; the image by B's.
     let reach = if swapped { [along[1], along[0]] } else { along };
-    let image = both(|axis| {
+    let image = [0, 1].map(|axis| {
         let [middle, reach] = [foot.parameters[axis], reach[axis].abs()];
         [middle - reach, middle + reach]
     });
@@ -87,7 +86,7 @@ pub(super) fn compare(
         degree: if swapped { [target.degree[1], target.degree[0]] } else { target.degree },
         controls: relative(&controls, origin - target.center),
     };
-    let range = both(|axis| [cell.center[axis] - cell.half[axis], cell.center[axis] + cell.half[axis]]);
+    let range = [0, 1].map(|axis| [cell.center[axis] - cell.half[axis], cell.center[axis] + cell.half[axis]]);
     let mut controls = patch.restricted(range[0], range[1]);
     for control in &mut controls {
         *control = transform.rotate(control.xyz()).extend(control.w);

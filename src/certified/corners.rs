@@ -20,7 +20,6 @@ use super::feet::{Foot, Sample};
 use super::nearest::{foot_on, nearest_within};
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Patch};
-use crate::both::{both, each};
 use crate::model::RigidTransform;
 use glam::DVec3;
 
@@ -131,7 +130,7 @@ impl Corners<'_> {
     /// with feet on both that are about equally far: a safeguarded secant on
     /// the difference.
     fn crossing(&self, from: Vertex, to: Vertex) -> Vertex {
-        let at = |x: f64| both(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
+        let at = |x: f64| [0, 1].map(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
         // Of distances, not squares: on overlapping sheets these grow linearly from the join.
         let difference = |[own, other]: &[Foot; 2]| own.distance() - other.distance();
         let (mut low, mut high) = (0.0, 1.0);
@@ -173,13 +172,13 @@ impl Corners<'_> {
                 high[axis] = high[axis].max(foot.parameters[axis]);
             }
         }
-        let extent = both(|axis| (high[axis] - low[axis]).max(0.0));
+        let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
         farthest.sqrt() + self.of_cell() + interpolation_error(&self.b.bounds(patch, low, high), extent)
     }
 
     /// δ_A.
     fn of_cell(&self) -> f64 {
-        interpolation_error(self.bounds, each(self.cell.half, |half| 2.0 * half))
+        interpolation_error(self.bounds, self.cell.half.map(|half| 2.0 * half))
     }
 }
 

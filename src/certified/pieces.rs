@@ -3,8 +3,6 @@
 use super::Side;
 use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
-use crate::both::{both, each};
-use crate::gather::Gather;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
@@ -65,7 +63,7 @@ impl Pieces {
         for (index, patch) in set.iter().enumerate() {
             let first = pieces.places.len();
             let rotate = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
-            let controls: Vec<DVec4> = patch.controls.iter().map(rotate).gather();
+            let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
             let place = Place { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
             if !pieces.cut(&moved, place, grid, fits, MOST_HALVINGS, most) {
@@ -108,7 +106,7 @@ impl Pieces {
         let (center, half) = (cell.center, cell.half);
         self.of_patch[cell.patch as usize].clone().filter_map(move |piece| {
             let place = &self.places[piece];
-            let ends = both(|axis| {
+            let ends = [0, 1].map(|axis| {
                 let low = place.local(axis, center[axis] - half[axis]).max(-1.0);
                 let high = place.local(axis, center[axis] + half[axis]).min(1.0);
                 [low, high]
@@ -117,8 +115,8 @@ impl Pieces {
             inside.then(|| {
                 (
                     piece,
-                    each(ends, |[low, high]| 0.5 * (low + high)),
-                    each(ends, |[low, high]| 0.5 * (high - low)),
+                    ends.map(|[low, high]| 0.5 * (low + high)),
+                    ends.map(|[low, high]| 0.5 * (high - low)),
                 )
             })
         })
@@ -127,7 +125,7 @@ impl Pieces {
     /// The cell of a rectangle in a piece's parameters.
     pub(crate) fn cell(&self, piece: usize, center: [f64; 2], half: [f64; 2]) -> Cell {
         let place = &self.places[piece];
-        let half = both(|axis| 0.5 * half[axis] * place.width[axis]);
+        let half = [0, 1].map(|axis| 0.5 * half[axis] * place.width[axis]);
         Cell { patch: place.patch, center: place.at(center), half }
     }
 }
@@ -135,7 +133,7 @@ impl Pieces {
 /// How long a net is along an axis: the sum of its longest steps.
 fn extent(patch: &Patch<'_>, axis: usize) -> f64 {
     let columns = patch.degree[1] + 1;
-    let points: Vec<_> = patch.local_points().gather();
+    let points: Vec<_> = patch.local_points().collect();
     let (steps, lines, along, across) = if axis == 0 {
         (patch.degree[0], columns, columns, 1)
     } else {

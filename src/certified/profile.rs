@@ -2,7 +2,6 @@
 
 use super::Side;
 use super::region::Cell;
-use crate::both::both;
 use crate::model::RigidTransform;
 use crate::symmetry::Revolution;
 
@@ -46,8 +45,8 @@ impl Profiles {
         let patch = a.patch(index);
         let Some(&Some((round, start))) = self.round.get(patch.surface) else { return Some(whole) };
         let edge = Cell {
-            center: both(|axis| if axis == round { 0.0 } else { whole.center[axis] }),
-            half: both(|axis| if axis == round { 0.0 } else { whole.half[axis] }),
+            center: [0, 1].map(|axis| if axis == round { 0.0 } else { whole.center[axis] }),
+            half: [0, 1].map(|axis| if axis == round { 0.0 } else { whole.half[axis] }),
             ..whole
         };
         (patch.domain[round][0] == start).then_some(edge)

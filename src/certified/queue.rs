@@ -1,8 +1,6 @@
 //! The regions that wait to be bounded.
 
 use super::region::{Part, Region};
-use crate::gather::Gather;
-use crate::order::select;
 use std::collections::VecDeque;
 
 /// Regions kept, at most, before those of the largest bounds are taken first,
@@ -58,10 +56,7 @@ impl Queue {
     }
 
     pub(super) fn extend(&mut self, regions: Vec<Region>) {
-        // A loop, as `Gather::gather_into` is one.
-        for region in regions {
-            self.regions.push_back(region);
-        }
+        self.regions.extend(regions);
     }
 
     pub(super) fn extend_undecided(&mut self, regions: Vec<Region>) {
@@ -72,7 +67,7 @@ impl Queue {
     pub(super) fn next(&mut self, most: usize) -> Vec<Region> {
         if !self.undecided.is_empty() {
             let keep = self.undecided.len().saturating_sub(most);
-            return self.undecided.drain(keep..).gather();
+            return self.undecided.drain(keep..).collect();
         }
         let mut next = Vec::with_capacity(most.min(self.regions.len()));
         while next.len() < most
@@ -118,9 +113,11 @@ impl Queue {
     fn choose(&mut self) {
         self.chosen = self.capacity / CHOSEN_PART;
         let regions = &self.regions;
-        let mut order: Vec<u32> = (0..regions.len() as u32).gather();
+        let mut order: Vec<u32> = (0..regions.len() as u32).collect();
         let first = regions.len() - self.chosen;
-        select(&mut order, first, &|index| regions[index as usize].upper);
+        order.select_nth_unstable_by(first, |&a, &b| {
+            regions[a as usize].upper.total_cmp(&regions[b as usize].upper)
+        });
         self.regions = order.iter().map(|&index| regions[index as usize]).collect();
     }
 }

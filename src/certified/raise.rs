@@ -8,7 +8,6 @@ use super::feet::{Foot, Sample};
 use super::met::Met;
 use super::nearest::{foot_on, nearest_within};
 use super::{Search, Side};
-use crate::gather::Gather;
 use crate::project::closest_above;
 use glam::DVec3;
 
@@ -46,7 +45,7 @@ impl Search<'_> {
     /// Climbs from the chunk's farthest samples while they exceed the best by more
     /// than a certificate's width.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
-        let mut samples: Vec<&Bounded> = bounded.iter().flatten().gather();
+        let mut samples: Vec<&Bounded> = bounded.iter().flatten().collect();
         for _ in 0..MOST_CLIMBED.min(samples.len()) {
             let mut farthest = (0, -1.0);
             for (index, bounded) in samples.iter().enumerate() {

@@ -3,7 +3,6 @@
 use super::Side;
 use super::feet::Foot;
 use super::profile::Profiles;
-use crate::both::both;
 
 /// A rectangle of a patch of A.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,13 +27,13 @@ impl Cell {
 
     /// The (s, t) of a place in [-1, 1]^2.
     pub(crate) fn at(&self, place: [f64; 2]) -> [f64; 2] {
-        both(|axis| (self.center[axis] + place[axis] * self.half[axis]).clamp(0.0, 1.0))
+        [0, 1].map(|axis| (self.center[axis] + place[axis] * self.half[axis]).clamp(0.0, 1.0))
     }
 
     /// The cell halved along the chosen axes.
     pub(super) fn split(&self, axes: [bool; 2]) -> impl Iterator<Item = Self> + use<> {
         let cell = *self;
-        let half = both(|axis| if axes[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
+        let half = [0, 1].map(|axis| if axes[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
         let sides = axes.map(|split| if split { &[-1.0, 1.0][..] } else { &[0.0][..] });
         sides[0].iter().flat_map(move |&s| {
             sides[1].iter().map(move |&t| Self {

@@ -5,7 +5,6 @@ use super::balance::{Balance, balance, plane_of_distance};
 use super::feet::Feet;
 use super::foot_map::FootMap;
 use crate::bezier::Jet;
-use crate::both::both;
 use glam::{DMat2, DVec2};
 
 /// A step from parameters of A, in each of at most `reach`, and by how much it
@@ -17,8 +16,8 @@ use glam::{DMat2, DVec2};
 /// two carry the place, their curvature tells more: Newton's step to the
 /// highest place of the one, or of the ridge where both are equally far.
 pub(super) fn step(b: &Side<'_>, at: [f64; 2], jet: &Jet, feet: &Feet, reach: f64) -> Option<(DVec2, f64)> {
-    let low = both(|axis| (-at[axis]).max(-reach));
-    let high = both(|axis| (1.0 - at[axis]).min(reach));
+    let low = [0, 1].map(|axis| (-at[axis]).max(-reach));
+    let high = [0, 1].map(|axis| (1.0 - at[axis]).min(reach));
     let mut planes = Vec::with_capacity(feet.all().len());
     for foot in feet.all() {
         planes.push(plane_of_distance(jet, b.patch(foot.patch).point(foot.parameters), low, high));
@@ -78,7 +77,7 @@ impl Hill {
     /// ends, else one uphill that goes as far as `reach`.
     fn ascent(&self, at: [f64; 2], reach: f64, a: &Jet) -> Option<DVec2> {
         let Self { gradient, hessian, .. } = *self;
-        let free = both(|axis| {
+        let free = [0, 1].map(|axis| {
             !((at[axis] <= 0.0 && gradient[axis] < 0.0) || (at[axis] >= 1.0 && gradient[axis] > 0.0))
         });
         let step = match free {
@@ -89,7 +88,7 @@ impl Hill {
             [true, false] if hessian.x_axis.x < 0.0 => DVec2::new(-gradient.x / hessian.x_axis.x, 0.0),
             [false, true] if hessian.y_axis.y < 0.0 => DVec2::new(0.0, -gradient.y / hessian.y_axis.y),
             _ => {
-                let uphill = DVec2::from_array(both(|axis| {
+                let uphill = DVec2::from_array([0, 1].map(|axis| {
                     let along = if axis == 0 { a.s } else { a.t };
                     let slope = gradient[axis] / along.length_squared().max(f64::MIN_POSITIVE);
                     if free[axis] { slope } else { 0.0 }
@@ -187,7 +186,8 @@ mod tests {
             let patch = a.patch(random.usize(..a.len()));
             let at = [0.1 + 0.8 * random.f64(), 0.1 + 0.8 * random.f64()];
             let nearest = |step: [f64; 2]| {
-                let Some(found) = closest(&b, patch.point(both(|axis| at[axis] + step[axis])), 1e-13) else {
+                let Some(found) = closest(&b, patch.point([0, 1].map(|axis| at[axis] + step[axis])), 1e-13)
+                else {
                     unreachable!()
                 };
                 found

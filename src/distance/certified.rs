@@ -3,7 +3,6 @@
 use super::directed::{Directed, surface_point};
 use super::{Backend, CertifiedDetails, Options, Progress, Stop, now};
 use crate::certified::{Interval, Search, Side};
-use crate::elementary::ln;
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
@@ -88,8 +87,8 @@ pub(super) async fn certified(
 /// of magnitude, as each takes about as long as the one before or longer.
 fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
-    let orders = ln(width(first) / tolerance);
-    if orders > 0.0 { (ln(width(first) / width(now)) / orders).clamp(0.0, 1.0) } else { 1.0 }
+    let orders = (width(first) / tolerance).ln();
+    if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }
 }
 
 /// Cells waiting from which on a GPU is worth its set-up, which takes tenths of

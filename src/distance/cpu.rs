@@ -3,7 +3,6 @@
 use super::{Candidate, Progress, StatusCounts};
 use crate::bezier::BezierModel;
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::iteration::{Projected, Rule, Sampling, project, reduce, sample};
 use crate::model::RigidTransform;
 use crate::parallel::map;
@@ -51,7 +50,7 @@ impl<'a> CpuStages<'a> {
 
     pub(super) fn reduce(&self) -> Vec<Candidate> {
         let candidate = |index| Candidate { sample: self.first + index, projected: self.projected[index] };
-        reduce(&self.projected).into_iter().map(candidate).gather()
+        reduce(&self.projected).into_iter().map(candidate).collect()
     }
 
     pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {

@@ -3,7 +3,6 @@
 use super::cpu_descent::descend;
 use super::directed::{Directed, surface_point};
 use super::{HierarchyDetails, Options, PreparedModel, Progress};
-use crate::both::both;
 use crate::error::{Error, Result};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuDescent;
@@ -116,7 +115,7 @@ impl Descent<'_> {
         }
         let farthest = stages.farthest(progress).await?;
         let [(a_parameters, a), (b_parameters, b)] =
-            both(|side| self.trees[side].middle(self.models[side].bezier(), farthest[side]));
+            [0, 1].map(|side| self.trees[side].middle(self.models[side].bezier(), farthest[side]));
         let a = self.transform.apply(a);
         let surface = |side: usize| self.trees[side].cells[farthest[side]].surface as usize;
         let tolerance = if options.absolute { options.tolerance } else { options.tolerance * self.diagonal };

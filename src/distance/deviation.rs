@@ -3,10 +3,7 @@
 use super::Field;
 use super::directed::Direction;
 use crate::bezier::Jet;
-use crate::both::each;
-use crate::gather::Gather;
 use crate::iteration::{Projected, SampleGrid};
-use crate::order::rising;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -53,8 +50,7 @@ impl Statistics {
         if area <= 0.0 || !area.is_finite() {
             return None;
         }
-        let distances: Vec<f64> = samples.iter().map(|(distance, _)| *distance).gather();
-        let samples: Vec<_> = rising(&distances).into_iter().map(|index| samples[index]).gather();
+        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
         let quantile = |part: f64| {
             let mut below = 0.0;
             let reached = samples.iter().find(|(_, weight)| {
@@ -80,7 +76,7 @@ impl Direction<'_> {
     /// One field a surface, distances recomputed in float64 from the feet.
     pub(super) fn field(&self, projected: &[Projected]) -> Vec<Field> {
         let grids = self.sampling.sampling.grids.iter().enumerate();
-        grids.map(|(surface, grid)| self.field_of_surface(surface, grid, projected)).gather()
+        grids.map(|(surface, grid)| self.field_of_surface(surface, grid, projected)).collect()
     }
 
     fn field_of_surface(&self, surface: usize, grid: &SampleGrid, projected: &[Projected]) -> Field {
@@ -94,7 +90,7 @@ impl Direction<'_> {
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
             let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
-            let [u, v] = each(patch.domain, |[start, end]| end - start);
+            let [u, v] = patch.domain.map(|[start, end]| end - start);
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
             field.points.extend_from_slice(&point.to_array());
             field.feet.extend_from_slice(&foot.point.to_array());

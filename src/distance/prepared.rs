@@ -4,7 +4,6 @@ use crate::bezier::{BezierModel, LocalBounds, extract};
 use crate::certified::Side;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten, rooms};
-use crate::gather::Gather;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuCells;
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
@@ -45,7 +44,7 @@ impl PreparedTarget {
     pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Side<'a> {
         let bounds = || {
             let rooms = rooms(&model.bezier.patches, &self.target.patches);
-            rooms.into_iter().map(LocalBounds::new).gather()
+            rooms.into_iter().map(LocalBounds::new).collect()
         };
         Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
     }

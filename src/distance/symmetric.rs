@@ -1,7 +1,6 @@
 //! Two directed results into the symmetric one.
 
 use super::{Bounds, CertifiedDetails, DistanceResult, HierarchyDetails, IterationDetails, Stop};
-use crate::gather::Gather;
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
@@ -22,9 +21,13 @@ impl DistanceResult {
             upper: forward.upper.max(reverse.upper),
             converged: forward.converged && reverse.converged,
             witness,
-            iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::both),
-            certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::both),
-            hierarchy: forward.hierarchy.as_ref().zip(reverse.hierarchy.as_ref()).map(HierarchyDetails::both),
+            iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::combined),
+            certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::combined),
+            hierarchy: forward
+                .hierarchy
+                .as_ref()
+                .zip(reverse.hierarchy.as_ref())
+                .map(HierarchyDetails::combined),
             patches,
             seconds,
             notice,
@@ -37,7 +40,7 @@ impl DistanceResult {
 }
 
 impl IterationDetails {
-    fn both((forward, reverse): (Self, Self)) -> Self {
+    fn combined((forward, reverse): (Self, Self)) -> Self {
         let mut statuses = forward.statuses;
         statuses += reverse.statuses;
         Self {
@@ -58,14 +61,14 @@ impl IterationDetails {
 
 impl HierarchyDetails {
     /// The trees are the same two, so both directions have as many levels.
-    fn both((forward, reverse): (&Self, &Self)) -> Self {
+    fn combined((forward, reverse): (&Self, &Self)) -> Self {
         let pairs = forward.pairs.iter().zip(&reverse.pairs).map(|(forward, reverse)| forward + reverse);
-        Self { pairs: pairs.gather(), ..forward.clone() }
+        Self { pairs: pairs.collect(), ..forward.clone() }
     }
 }
 
 impl CertifiedDetails {
-    fn both((forward, reverse): (Self, Self)) -> Self {
+    fn combined((forward, reverse): (Self, Self)) -> Self {
         Self {
             tolerance: forward.tolerance,
             cells: forward.cells + reverse.cells,

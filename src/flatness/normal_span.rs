@@ -2,9 +2,6 @@
 
 use super::SAMPLES;
 use crate::bezier::{GridBasis, Patch, normal};
-use crate::both::both;
-use crate::elementary::{acos, cos};
-use crate::gather::Gather;
 use glam::DVec3;
 
 /// A tangent this much shorter than the patch's longest is that of a
@@ -18,18 +15,18 @@ const DEGENERATE_RATIO: f64 = 1e-6;
 /// the sample parameters.
 pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f64) -> Option<[f64; 2]> {
     let tangents = patch.tangents(basis);
-    let longest = both(|axis| {
+    let longest = [0, 1].map(|axis| {
         let lengths = tangents.iter().map(|tangents| tangents[axis].length_squared());
         DEGENERATE_RATIO * DEGENERATE_RATIO * lengths.fold(0.0, f64::max)
     });
-    let normals = tangents
+    let normals: Vec<_> = tangents
         .iter()
         .map(|&[s, t]| {
             let regular = s.length_squared() > longest[0] && t.length_squared() > longest[1];
             if regular { normal(s, t) } else { None }
         })
-        .gather();
-    if least_cosine(&normals, 1) >= cos(tolerance) {
+        .collect();
+    if least_cosine(&normals, 1) >= tolerance.cos() {
         return None;
     }
     let (mut along_s, mut along_t) = (1.0_f64, 1.0_f64);
@@ -37,7 +34,7 @@ pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f
         along_s = along_s.min(least_cosine(&normals[line..], SAMPLES));
         along_t = along_t.min(least_cosine(&normals[line * SAMPLES..][..SAMPLES], 1));
     }
-    Some([acos(along_s), acos(along_t)])
+    Some([along_s.acos(), along_t.acos()])
 }
 
 /// The least cosine between two of the normals that there are, of every `step`th.

@@ -1,7 +1,6 @@
 //! How far the controls of a flat piece tell points of the patch it was cut from.
 
 use crate::bezier::{BEYOND, MOST_DEGREES, Patch, PatchSet};
-use crate::both::both;
 
 /// For every piece of `flat`, which [`flatten`](super::flatten) made of
 /// `patches`, the parameters at which its controls tell points of `patches`:
@@ -20,7 +19,7 @@ pub fn rooms(patches: &PatchSet, flat: &PatchSet) -> Vec<[[f64; 2]; 2]> {
         }
         let patch = patches.patch(whole);
         let follows = is_part(&piece, &patch) && piece.degree[0] + piece.degree[1] <= MOST_DEGREES;
-        rooms.push(both(|axis| {
+        rooms.push([0, 1].map(|axis| {
             let beyond = |cut: bool| if follows && cut { BEYOND } else { 0.0 };
             let ([start, end], [first, last]) = (piece.domain[axis], patch.domain[axis]);
             [-beyond(start > first), 1.0 + beyond(end < last)]

@@ -4,13 +4,13 @@ use super::box_layouts::{BoxesParams, StepParams};
 use super::patch_text::patch_text;
 use super::pipelines::{JET, PATCH};
 
-const BOX: &str = include_str!(concat!(env!("OUT_DIR"), "/box.wgsl"));
-const BOXES: &str = include_str!(concat!(env!("OUT_DIR"), "/boxes.wgsl"));
-const PYRAMID: &str = include_str!(concat!(env!("OUT_DIR"), "/pyramid.wgsl"));
-const BOUND: &str = include_str!(concat!(env!("OUT_DIR"), "/bound.wgsl"));
-const EXTREMES: &str = include_str!(concat!(env!("OUT_DIR"), "/extremes.wgsl"));
-const CULL: &str = include_str!(concat!(env!("OUT_DIR"), "/cull.wgsl"));
-const FARTHEST: &str = include_str!(concat!(env!("OUT_DIR"), "/farthest.wgsl"));
+const BOX: &str = include_str!("../../shaders/box.wgsl");
+const BOXES: &str = include_str!("../../shaders/boxes.wgsl");
+const PYRAMID: &str = include_str!("../../shaders/pyramid.wgsl");
+const BOUND: &str = include_str!("../../shaders/bound.wgsl");
+const EXTREMES: &str = include_str!("../../shaders/extremes.wgsl");
+const CULL: &str = include_str!("../../shaders/cull.wgsl");
+const FARTHEST: &str = include_str!("../../shaders/farthest.wgsl");
 
 /// A stage and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,6 @@ use super::Gpu;
 use super::buffers::MOST_BINDING_BYTES;
 use super::rounding::{power_of_two_to_one, rounded};
 use crate::bezier::PatchSet;
-use crate::gather::Gather;
 use glam::{DVec3, DVec4};
 
 /// Patches of one pair of degrees on the GPU.
@@ -55,7 +54,7 @@ impl Gpu {
             let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
             let lighter = power_of_two_to_one(heaviest);
             let scaled = |&control: &DVec4| rounded(lighter * control * DVec3::splat(scale).extend(1.0));
-            patch.controls.iter().map(scaled).gather_into(&mut controls);
+            controls.extend(patch.controls.iter().map(scaled));
             centers.push(rounded((scale * (patch.center - origin)).extend(0.0)));
         }
         Controls { controls: self.upload("controls", &controls), centers: self.upload("centers", &centers) }

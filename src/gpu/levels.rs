@@ -12,11 +12,9 @@ use super::upload_pieces::{GpuPieces, PieceFrame, Reach};
 use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
-use crate::both::{both, each};
 use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
 use crate::distance::now;
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::iteration::Culling;
 use crate::model::RigidTransform;
 use crate::project::{Projection, Target};
@@ -122,7 +120,7 @@ impl Levels {
             .groups
             .iter()
             .map(|group| (group.degree, of_group(group.patches_before, group.count)))
-            .gather();
+            .collect();
         let uploaded = [
             gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame),
             gpu.upload_pieces(&to, &to_groups, Reach::Beyond(b), &frame),
@@ -207,7 +205,7 @@ impl Levels {
         returned.cells = tally.cells as usize;
         returned.levels = lent.iter().map(|region| region.level).max().unwrap_or(0) + tally.levels;
         if tally.farthest > 0 {
-            let center = each([tally.farthest_s, tally.farthest_t], f32::from_bits);
+            let center = [tally.farthest_s, tally.farthest_t].map(f32::from_bits);
             let cell = self.place(tally.farthest_piece, center, [0.0; 2])?;
             returned.farthest = Some((cell.patch, cell.center));
         }
@@ -288,8 +286,8 @@ impl Levels {
     fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &Region) -> Cell {
         Cell {
             // Dyadic numbers of few digits, so exact.
-            center: each(center, |x| x as f32),
-            half: each(half, |x| x as f32),
+            center: center.map(|x| x as f32),
+            half: half.map(|x| x as f32),
             piece: self.uploaded[0].index_of(piece),
             foot: 0,
             foot_at: [0.5; 2],
@@ -302,14 +300,14 @@ impl Levels {
 
     fn place(&self, piece: u32, center: [f32; 2], half: [f32; 2]) -> Result<crate::certified::Cell> {
         let piece = self.uploaded[0].piece(piece)?;
-        let center = each(center, |x| f64::from(x).clamp(-1.0, 1.0));
-        Ok(self.pieces[0].cell(piece, center, each(half, f64::from)))
+        let center = center.map(|x| f64::from(x).clamp(-1.0, 1.0));
+        Ok(self.pieces[0].cell(piece, center, half.map(f64::from)))
     }
 
     fn region(&self, cell: &Cell) -> Result<Region> {
         let foot = self.uploaded[1].piece(cell.foot)?;
         let place = &self.pieces[1].places[foot];
-        let at = place.at(each(cell.foot_at, |x| 2.0 * f64::from(x) - 1.0));
+        let at = place.at(cell.foot_at.map(|x| 2.0 * f64::from(x) - 1.0));
         Ok(Region {
             part: Part::Cell(self.place(cell.piece, cell.center, cell.half)?),
             upper: f64::from(cell.upper) / self.frame.scale,
@@ -342,7 +340,7 @@ fn steps(
     let jets = gpu.storage("jets", room * JET_BYTES);
     let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64);
     let Buffers { params, batch, best, left, tally, .. } = buffers;
-    both(|parity| {
+    [0, 1].map(|parity| {
         let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
         let mut steps = Vec::new();
         let mut push = |kernel, storage: &[&wgpu::Buffer], about| {

@@ -14,26 +14,26 @@ use std::rc::Rc;
 /// that a kernel with many registers still fits.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
 
-pub(super) const JET: &str = include_str!(concat!(env!("OUT_DIR"), "/jet.wgsl"));
-pub(super) const PATCH: &str = include_str!(concat!(env!("OUT_DIR"), "/patch.wgsl"));
-const BEST: &str = include_str!(concat!(env!("OUT_DIR"), "/best.wgsl"));
-const FOOT: &str = include_str!(concat!(env!("OUT_DIR"), "/foot.wgsl"));
-const NEWTON: &str = include_str!(concat!(env!("OUT_DIR"), "/newton.wgsl"));
-const TANGENT_PLANE: &str = include_str!(concat!(env!("OUT_DIR"), "/tangent_plane.wgsl"));
-const SAMPLE: &str = include_str!(concat!(env!("OUT_DIR"), "/sample.wgsl"));
-const PROJECT: &str = include_str!(concat!(env!("OUT_DIR"), "/project.wgsl"));
-const PROJECT_TREE: &str = include_str!(concat!(env!("OUT_DIR"), "/project_tree.wgsl"));
+pub(super) const JET: &str = include_str!("../../shaders/jet.wgsl");
+pub(super) const PATCH: &str = include_str!("../../shaders/patch.wgsl");
+const BEST: &str = include_str!("../../shaders/best.wgsl");
+const FOOT: &str = include_str!("../../shaders/foot.wgsl");
+const NEWTON: &str = include_str!("../../shaders/newton.wgsl");
+const TANGENT_PLANE: &str = include_str!("../../shaders/tangent_plane.wgsl");
+const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
+const PROJECT: &str = include_str!("../../shaders/project.wgsl");
+const PROJECT_TREE: &str = include_str!("../../shaders/project_tree.wgsl");
 #[cfg(not(target_arch = "wasm32"))]
-const PROJECT_PACKET: &str = include_str!(concat!(env!("OUT_DIR"), "/project_packet.wgsl"));
-const REDUCE: &str = include_str!(concat!(env!("OUT_DIR"), "/reduce.wgsl"));
-const CELLS: &str = include_str!(concat!(env!("OUT_DIR"), "/cells.wgsl"));
-const PIECE: &str = include_str!(concat!(env!("OUT_DIR"), "/piece.wgsl"));
-const HORNER: &str = include_str!(concat!(env!("OUT_DIR"), "/horner.wgsl"));
-const TALLY: &str = include_str!(concat!(env!("OUT_DIR"), "/tally.wgsl"));
-const CELL: &str = include_str!(concat!(env!("OUT_DIR"), "/cell.wgsl"));
-const CERTIFY: &str = include_str!(concat!(env!("OUT_DIR"), "/certify.wgsl"));
-const SPLIT: &str = include_str!(concat!(env!("OUT_DIR"), "/split.wgsl"));
-const LEVEL: &str = include_str!(concat!(env!("OUT_DIR"), "/level.wgsl"));
+const PROJECT_PACKET: &str = include_str!("../../shaders/project_packet.wgsl");
+const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
+const CELLS: &str = include_str!("../../shaders/cells.wgsl");
+const PIECE: &str = include_str!("../../shaders/piece.wgsl");
+const HORNER: &str = include_str!("../../shaders/horner.wgsl");
+const TALLY: &str = include_str!("../../shaders/tally.wgsl");
+const CELL: &str = include_str!("../../shaders/cell.wgsl");
+const CERTIFY: &str = include_str!("../../shaders/certify.wgsl");
+const SPLIT: &str = include_str!("../../shaders/split.wgsl");
+const LEVEL: &str = include_str!("../../shaders/level.wgsl");
 
 /// A kernel and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

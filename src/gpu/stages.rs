@@ -8,13 +8,10 @@ use super::rounding::{ROUNDING, rounded, rounded_down};
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
-use crate::both::each;
 use crate::distance::{Candidate, Progress, StatusCounts, now};
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::iteration::{Culling, Projected, Rule};
 use crate::model::RigidTransform;
-use crate::order::by_falling;
 use crate::project::Status;
 use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
@@ -243,7 +240,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| best.s).gather())
+        Ok(best.iter().map(|best| best.s).collect())
     }
 
     fn projected(&self, best: &Best) -> Projected {
@@ -258,7 +255,7 @@ impl GpuStages {
                 f64::INFINITY
             },
             patch: self.target.patches.get(place as usize).map_or(0, |&patch| patch as usize),
-            parameters: each([best.s, best.t], |parameter| f64::from(parameter).clamp(0.0, 1.0)),
+            parameters: [best.s, best.t].map(|parameter| f64::from(parameter).clamp(0.0, 1.0)),
             status: Status::from_code(best.patch_and_status >> STATUS_SHIFT),
         }
     }
@@ -318,7 +315,8 @@ impl GpuStages {
             let sample = self.page.start + (block.sample as usize).min(self.page.len() - 1);
             candidates.push(Candidate { sample, projected: self.projected(&block.best) });
         }
-        Ok(by_falling(&candidates, |candidate| candidate.projected.distance_squared))
+        candidates.sort_by(|a, b| b.projected.distance_squared.total_cmp(&a.projected.distance_squared));
+        Ok(candidates)
     }
 
     pub(crate) fn settle(&mut self, sample: usize, distance_squared: f64) {
@@ -338,7 +336,7 @@ impl GpuStages {
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;
         let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        Ok(best.iter().map(|best| self.projected(best)).gather())
+        Ok(best.iter().map(|best| self.projected(best)).collect())
     }
 }
 

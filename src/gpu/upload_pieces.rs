@@ -5,7 +5,6 @@ use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
 use super::rounding::{rounded, rounded_up};
 use crate::bezier::{BEYOND, Patch};
-use crate::both::{both, each};
 use crate::certified::{Pieces, Place, Side};
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -109,13 +108,13 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
         Reach::Piece => (own, [0.5; 2], [-1.0; 2], [1.0; 2]),
         Reach::Beyond(side) => {
             let room = side.room(place.patch);
-            let low = both(|axis| (place.low[axis] - BEYOND).max(room[axis][0]));
-            let high = both(|axis| (place.low[axis] + place.width[axis] + BEYOND).min(room[axis][1]));
+            let low = [0, 1].map(|axis| (place.low[axis] - BEYOND).max(room[axis][0]));
+            let high = [0, 1].map(|axis| (place.low[axis] + place.width[axis] + BEYOND).min(room[axis][1]));
             (
                 side.bounds(place.patch, low, high),
-                each(place.width, |width| 0.5 * width),
-                both(|axis| place.local(axis, low[axis])),
-                both(|axis| place.local(axis, high[axis])),
+                place.width.map(|width| 0.5 * width),
+                [0, 1].map(|axis| place.local(axis, low[axis])),
+                [0, 1].map(|axis| place.local(axis, high[axis])),
             )
         }
     };
@@ -126,7 +125,7 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
     Piece {
         center: center.to_array().map(|x| x.round() as i32),
         value_error: rounded_up(error.value),
-        first_error: each(error.first, rounded_up),
+        first_error: error.first.map(rounded_up),
         first: [up(h * bounds.first[0]), up(k * bounds.first[1])],
         second_error: error.second.map(rounded_up),
         radius: up(own.radius),
@@ -134,7 +133,7 @@ fn record(patch: &Patch<'_>, place: &Place, reach: Reach<'_>, frame: &PieceFrame
         padding: 0.0,
         third: [up(h * h * h * sss), up(h * h * k * sst), up(h * k * k * stt), up(k * k * k * ttt)],
         // Dyadic numbers of few digits, so exact.
-        low: each(low, |x| x as f32),
-        high: each(high, |x| x as f32),
+        low: low.map(|x| x as f32),
+        high: high.map(|x| x as f32),
     }
 }

@@ -6,7 +6,6 @@ use super::layouts::{Place, Row};
 use super::rounding::OwnFrame;
 use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, Patch};
-use crate::gather::Gather;
 use crate::iteration::{SampleGrid, Sampling};
 use glam::DVec3;
 use std::ops::Range;
@@ -72,7 +71,7 @@ impl Gpu {
             .pages()
             .iter()
             .map(|page| self.upload_page(model, sampling, page, origin, scale))
-            .gather();
+            .collect();
         GpuSampling {
             origin,
             scale,
@@ -108,7 +107,7 @@ impl Gpu {
             rows: self.upload("rows", &draft.rows),
             places: self.upload("places", &draft.places),
         };
-        drafts.iter().map(group).gather()
+        drafts.iter().map(group).collect()
     }
 }
 
@@ -138,7 +137,7 @@ fn add_row(
         _ => {
             let first = draft.patches.len() as u32;
             let start = patches.first + patch_row * in_v;
-            (start as u32..(start + in_v) as u32).gather_into(&mut draft.patches);
+            draft.patches.extend(start as u32..(start + in_v) as u32);
             draft.last = Some(((surface, patch_row), first));
             first
         }
@@ -148,7 +147,7 @@ fn add_row(
         _ => {
             let first = draft.places.len() as u32;
             let place = |&(column, t): &(usize, f64)| Place { patch_column: column as u32, t: t as f32 };
-            grid.places[1].iter().map(place).gather_into(&mut draft.places);
+            draft.places.extend(grid.places[1].iter().map(place));
             draft.last_places = Some((surface, first));
             first
         }

@@ -6,7 +6,6 @@ use super::layouts::Node;
 #[cfg(not(target_arch = "wasm32"))]
 use super::packet_tree::packet_nodes;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
-use crate::gather::Gather;
 use crate::project::Target;
 use crate::tree::{Aabb, BoxTree};
 use glam::DVec3;
@@ -62,7 +61,7 @@ impl Gpu {
             let tree = BoxTree::new(&boxes);
             let nodes = self.nodes(&tree, &|of, place| node(of, place, origin, scale));
             let patches_before = patches.len();
-            tree.order().iter().map(|&place| members[place as usize]).gather_into(&mut patches);
+            patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
                 degree,
                 count: members.len(),
@@ -83,7 +82,7 @@ impl Gpu {
         let place = |index: usize, of: &crate::tree::Node| {
             if of.is_leaf() { leaf_place(of) } else { 2 * index as u32 }
         };
-        tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).gather()
+        tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).collect()
     }
 }
 

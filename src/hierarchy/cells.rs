@@ -2,9 +2,7 @@
 
 use super::Part;
 use crate::bezier::BezierModel;
-use crate::both::both;
 use crate::error::{Error, Result};
-use crate::gather::Gather;
 use crate::iteration::{cell_pieces, uniform};
 use crate::parallel::map;
 use crate::tree::{Aabb, BoxTree};
@@ -94,7 +92,7 @@ impl CellTree {
             (1.0 - fraction) * breaks[0] + fraction * breaks[breaks.len() - 1]
         };
         let parameters = [at(0, row), at(1, column)];
-        let [(i, s), (j, t)] = both(|axis| grid.locate(axis, parameters[axis]));
+        let [(i, s), (j, t)] = [0, 1].map(|axis| grid.locate(axis, parameters[axis]));
         let patch = model.patches.patch(grid.first + i * grid.counts()[1] + j);
         (parameters, patch.point([s, t]))
     }
@@ -106,13 +104,13 @@ impl CellTree {
             aabbs[patch.surface] = aabbs[patch.surface].union(patch.bounding_box());
         }
         let order = BoxTree::new(&aabbs);
-        self.cells = order.order().iter().map(|&surface| Cell { surface, row: 0, column: 0 }).gather();
+        self.cells = order.order().iter().map(|&surface| Cell { surface, row: 0, column: 0 }).collect();
         let mut count = self.cells.len();
         while count > 1 {
             let starts = (0..count).step_by(BRANCHING);
             let children =
                 |first| Children { first: first as u32, count: BRANCHING.min(count - first) as u32 };
-            self.levels.insert(0, starts.map(children).gather());
+            self.levels.insert(0, starts.map(children).collect());
             count = count.div_ceil(BRANCHING);
         }
     }
@@ -145,9 +143,9 @@ impl CellTree {
         let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
         let of_surface = |surface: usize| {
             let grid = &model.grids[surface];
-            both(|axis| {
+            [0, 1].map(|axis| {
                 let parameters = uniform(&grid.breaks[axis], self.grid + 1);
-                let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).gather();
+                let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
                 cell_pieces(&places)
             })
         };

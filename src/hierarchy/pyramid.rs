@@ -1,7 +1,6 @@
 //! Stage `pyramid`: the box of every node, from those of its children.
 
 use super::Children;
-use crate::gather::Gather;
 use crate::tree::Aabb;
 
 /// The boxes of every level above `parts`, the root's level first. O(nodes).
@@ -12,7 +11,7 @@ pub fn pyramid(levels: &[Vec<Children>], parts: Vec<Aabb>) -> Vec<Vec<Aabb>> {
         let below = &boxes[boxes.len() - 1];
         let union =
             |children: &Children| below[children.range()].iter().copied().fold(Aabb::EMPTY, Aabb::union);
-        boxes.push(level.iter().map(union).gather());
+        boxes.push(level.iter().map(union).collect());
     }
     boxes.reverse();
     boxes.truncate(levels.len());

@@ -2,8 +2,6 @@
 //! `extremes` and `cull`.
 
 use super::{CellTree, Distances};
-use crate::both::both;
-use crate::gather::Gather;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use std::ops::Range;
@@ -126,7 +124,7 @@ impl<'a> Traversal<'a> {
         let of_place = |offset: usize| {
             let place = places.start + offset;
             let children = self.children(0, self.pairs.nodes[place]);
-            children.map(|node| self.bound_child(place, node)).gather()
+            children.map(|node| self.bound_child(place, node)).collect::<Vec<_>>()
         };
         map(places.len(), of_place).concat()
     }
@@ -158,7 +156,7 @@ impl<'a> Traversal<'a> {
         let partners = self.pairs.partners(bound.parent as usize).iter();
         let children = partners.flat_map(|&partner| self.children(1, partner));
         let near = |other: &usize| Distances::of(aabb, &others[*other]).near <= bound.distances.far;
-        children.filter(near).map(|other| other as u32).gather()
+        children.filter(near).map(|other| other as u32).collect()
     }
 
     /// Goes to the level below, whose pairs these are.
@@ -171,7 +169,7 @@ impl<'a> Traversal<'a> {
     /// bound from below, and of its partners the one that bounds it from above.
     #[must_use]
     pub fn farthest(&self) -> [usize; 2] {
-        let [a, b] = both(|side| &self.boxes[side][self.trees[side].finest]);
+        let [a, b] = [0, 1].map(|side| &self.boxes[side][self.trees[side].finest]);
         let of_pair = |place: usize, partner: u32| {
             Distances::of(&a[self.pairs.nodes[place] as usize], &b[partner as usize])
         };

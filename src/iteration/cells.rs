@@ -2,8 +2,6 @@
 
 use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
-use crate::both::both;
-use crate::gather::Gather;
 use crate::parallel::map;
 use crate::tree::Aabb;
 use glam::DVec3;
@@ -42,7 +40,7 @@ impl CellRadius {
 
     fn of_surface(model: &BezierModel, surface: usize, grid: &SampleGrid) -> Self {
         let patches = &model.grids[surface];
-        let pieces = both(|axis| cell_pieces(&grid.places[axis]));
+        let pieces = [0, 1].map(|axis| cell_pieces(&grid.places[axis]));
         let columns = grid.counts()[1] - 1;
         let mut boxes = vec![Aabb::EMPTY; columns];
         let mut radius = Self::default();
@@ -87,9 +85,9 @@ pub(crate) fn cell_pieces(places: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2])>
                 (patch, [if patch == first { start } else { 0.0 }, if patch == last { end } else { 1.0 }])
             })
             .filter(|(_, [start, end])| start < end || first == last)
-            .gather()
+            .collect()
     };
-    places.windows(2).map(between).gather()
+    places.windows(2).map(between).collect()
 }
 
 /// The box of the control net of the piece s x t of `patch`.

@@ -2,7 +2,6 @@
 
 use super::{Projected, Rule};
 use crate::bezier::Patch;
-use crate::both::each;
 use crate::project::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
 
@@ -74,7 +73,7 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
         }
         let node = &nodes[index];
         if !node.is_leaf() {
-            let mut children = each([index + 1, node.second as usize], |child| (least(child), child));
+            let mut children = [index + 1, node.second as usize].map(|child| (least(child), child));
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
             }

@@ -1,8 +1,6 @@
 //! Stage `reduce`: the largest of the least distances, and where it is.
 
 use super::Projected;
-use crate::gather::Gather;
-use crate::order::by_falling;
 
 /// Samples of a block.
 const BLOCK_SIZE: usize = 1024;
@@ -20,6 +18,7 @@ pub fn reduce(projected: &[Projected]) -> Vec<usize> {
         }
         block * BLOCK_SIZE + largest
     };
-    let blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).gather();
-    by_falling(&blocks, |&sample| projected[sample].distance_squared)
+    let mut blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
+    blocks.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
+    blocks
 }

@@ -1,8 +1,6 @@
 //! Where a model is sampled.
 
 use crate::bezier::{BezierModel, PatchGrid};
-use crate::both::{both, each};
-use crate::gather::Gather;
 use std::ops::Range;
 
 use super::CellRadius;
@@ -55,12 +53,12 @@ impl Sampling {
     pub fn new(model: &BezierModel, samples: usize, rule: SamplingRule) -> Self {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
         for grid in &model.grids {
-            let parameters = both(|axis| match rule {
+            let parameters = [0, 1].map(|axis| match rule {
                 SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });
-            let places =
-                both(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).gather());
+            let places = [0, 1]
+                .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
             grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
         }
         let radius = CellRadius::of_all(model, &grids);
@@ -147,7 +145,7 @@ pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
             let fraction = index as f64 / (samples - 1) as f64;
             (1.0 - fraction) * start + fraction * end
         })
-        .gather()
+        .collect()
 }
 
 /// Parameters that cut the summed length of a few lines along `axis` evenly.
@@ -156,17 +154,17 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
     let mut knots = vec![breaks[0]];
     let mut lengths = vec![0.0];
     let across = uniform(&grid.breaks[1 - axis], ARC_LENGTH_LINES);
-    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).gather();
+    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).collect();
     for span in 0..breaks.len() - 1 {
         for chord in 1..=ARC_LENGTH_CHORDS {
-            let ends = each([chord - 1, chord], |end| end as f64 / ARC_LENGTH_CHORDS as f64);
+            let ends = [chord - 1, chord].map(|end| end as f64 / ARC_LENGTH_CHORDS as f64);
             let length: f64 = across
                 .iter()
                 .map(|&(other_span, other)| {
                     let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == 0 {
-                        ([span, other_span], each(ends, |end| [end, other]))
+                        ([span, other_span], ends.map(|end| [end, other]))
                     } else {
-                        ([other_span, span], each(ends, |end| [other, end]))
+                        ([other_span, span], ends.map(|end| [other, end]))
                     };
                     let patch = model.patches.patch(grid.first + spans[0] * grid.counts()[1] + spans[1]);
                     patch.point(at[0]).distance(patch.point(at[1]))
@@ -188,7 +186,7 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
             let fraction = if high > low { ((wanted - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
             (1.0 - fraction) * knots[next - 1] + fraction * knots[next]
         })
-        .gather();
+        .collect();
     // Lines that stand still at an end of the domain say nothing of what is between the lines.
     parameters[0] = breaks[0];
     parameters[samples - 1] = breaks[breaks.len() - 1];

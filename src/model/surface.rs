@@ -2,7 +2,6 @@
 
 use super::knots;
 use super::range::{LEAST_WEIGHT, is_in_range, out_of_range};
-use crate::both::both;
 use crate::error::{Direction, Error, Result};
 
 /// A surface as plain arrays, not yet validated.
@@ -93,7 +92,7 @@ impl NurbsSurface {
     /// The parameter ranges `[[u0, u1], [v0, v1]]`, each of positive length.
     #[must_use]
     pub fn domain(&self) -> [[f64; 2]; 2] {
-        both(|axis| {
+        [0, 1].map(|axis| {
             let knots = &self.arrays.knots[axis];
             [knots[self.arrays.degree[axis]], knots[self.arrays.counts[axis]]]
         })

@@ -2,7 +2,6 @@
 
 use super::range::is_in_range;
 use crate::error::{Error, Result};
-use crate::shown::Shown;
 use glam::{DQuat, DVec3};
 
 /// How far the length of a rotation quaternion may be from 1 before it is
@@ -27,12 +26,12 @@ impl RigidTransform {
     /// more than 1e100 along an axis, or the quaternion's length is not 1 to about single precision.
     pub fn new(rotation: DQuat, translation: DVec3) -> Result<Self> {
         if !translation.to_array().into_iter().all(is_in_range) {
-            let [x, y, z] = translation.to_array().map(Shown);
-            return Err(Error::TransformNotRigid { found: format!("translation is [{x}, {y}, {z}]") });
+            let found = format!("translation is {:?}", translation.to_array());
+            return Err(Error::TransformNotRigid { found });
         }
         let length = rotation.length();
         if !length.is_finite() || (length - 1.0).abs() > UNIT_LENGTH_TOLERANCE {
-            return Err(Error::TransformNotRigid { found: format!("rotation has length {}", Shown(length)) });
+            return Err(Error::TransformNotRigid { found: format!("rotation has length {length:?}") });
         }
         Ok(Self { rotation: rotation.normalize(), translation })
     }

@@ -1,7 +1,6 @@
 //! The patches that can be nearest to points about one point.
 
 use super::{Target, nearest_control, newton};
-use crate::order::by_falling;
 use crate::tree::Aabb;
 use glam::DVec3;
 
@@ -70,7 +69,8 @@ impl Candidates {
                 list.push(Candidate { patch: index, parameters, point, least: least.sqrt(), aabb });
             }
         }
-        Self { center, reach, list: by_falling(&list, |candidate| -candidate.least) }
+        list.sort_by(|a, b| a.least.total_cmp(&b.least));
+        Self { center, reach, list }
     }
 }
 

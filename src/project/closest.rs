@@ -2,7 +2,6 @@
 
 use super::{Candidates, DistanceForm, Foot, Stationary, Target, nearest_control, newton};
 use crate::bezier::Patch;
-use crate::both::{both, each};
 use crate::rounding::coordinate_rounding;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
@@ -203,7 +202,7 @@ impl<'a> Search<'a> {
     fn open_piece(&mut self, piece: &Piece) {
         let &Piece { patch: index, ref controls, range, foot: known } = piece;
         let patch = self.patch(index);
-        let middle = each(range, |[start, end]| 0.5 * (start + end));
+        let middle = range.map(|[start, end]| 0.5 * (start + end));
         let mut foot = known;
         if patch.point(middle).distance_squared(self.point) < self.best_squared() {
             let found = self.foot(index, newton(&patch, self.point, middle, ITERATIONS));
@@ -227,10 +226,10 @@ impl<'a> Search<'a> {
 
     fn push_piece(&mut self, piece: Piece, form: &DistanceForm) {
         let Piece { range, foot, .. } = &piece;
-        let width = both(|axis| range[axis][1] - range[axis][0]);
+        let width = [0, 1].map(|axis| range[axis][1] - range[axis][0]);
         let local = Stationary {
-            parameters: both(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),
-            gradient: both(|axis| width[axis] * foot.gradient[axis]),
+            parameters: [0, 1].map(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),
+            gradient: [0, 1].map(|axis| width[axis] * foot.gradient[axis]),
             ..*foot
         };
         let mut least = form.least();

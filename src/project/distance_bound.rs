@@ -2,7 +2,6 @@
 
 use super::Foot;
 use crate::bezier::{Patch, relative, squares};
-use crate::both::each;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
@@ -111,7 +110,7 @@ impl DistanceForm {
             (lightest, heaviest) = (lightest.min(denominator), heaviest.max(denominator));
         }
         let lost = self.unit * (self.largest + known.distance_squared * heaviest);
-        let [p, q] = each(self.degree, |degree| degree as f64);
+        let [p, q] = self.degree.map(|degree| degree as f64);
         let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * lost), q * (q - 1.0) * (tt - 4.0 * lost));
         let st = p * q * (st + 4.0 * lost);
         let bent = 0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - (ss.max(0.0) * tt.max(0.0)).sqrt()).max(0.0);

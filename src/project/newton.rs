@@ -2,7 +2,6 @@
 
 use super::{Foot, Status};
 use crate::bezier::{Jet, Patch};
-use crate::both::both;
 use glam::DVec3;
 
 /// The cosine between the residual and a tangent below which a point is
@@ -62,7 +61,7 @@ pub(crate) fn newton_below(
     for _ in 0..iterations {
         let residual = jet.point - target;
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
-        let free = both(|axis| !pushes_out(at[axis], gradient[axis]));
+        let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
         if is_stationary(&jet, residual, gradient, free) {
             return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
         }
@@ -78,7 +77,7 @@ pub(crate) fn newton_below(
         let mut scale = 1.0;
         let mut halvings = 0;
         loop {
-            let next = both(|axis| (at[axis] + scale * full[axis]).clamp(0.0, 1.0));
+            let next = [0, 1].map(|axis| (at[axis] + scale * full[axis]).clamp(0.0, 1.0));
             let next_jet = patch.jet(next);
             let next_value = next_jet.point.distance_squared(target);
             if next_value < value {

@@ -2,7 +2,6 @@
 
 use super::{Foot, Status};
 use crate::bezier::{Jet, Patch};
-use crate::both::each;
 use glam::DVec3;
 
 /// Sine squared between the tangents below which a point has no tangent plane.
@@ -82,6 +81,6 @@ fn step(jet: &Jet, target: DVec3, at: [f64; 2]) -> ([f64; 2], bool) {
         return (at, false);
     }
     let free = [at[0] + (tt * gs - st * gt) / determinant, at[1] + (ss * gt - st * gs) / determinant];
-    let inside = each(free, |parameter| parameter.clamp(0.0, 1.0));
+    let inside = free.map(|parameter| parameter.clamp(0.0, 1.0));
     (inside, inside != free)
 }

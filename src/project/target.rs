@@ -1,7 +1,6 @@
 //! What points are projected on.
 
 use crate::bezier::{OrientedBox, PatchSet};
-use crate::gather::Gather;
 use crate::tree::BoxTree;
 
 /// Flat patches with the tree over their boxes.
@@ -19,8 +18,8 @@ impl Target {
     /// Builds the boxes and the tree. O(n log n).
     #[must_use]
     pub fn new(patches: PatchSet) -> Self {
-        let boxes = patches.iter().map(|patch| patch.bounding_box()).gather();
-        let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).gather();
+        let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
+        let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).collect();
         Self { tree: BoxTree::new(&boxes), boxes: oriented, patches }
     }
 }

@@ -2,7 +2,6 @@
 
 use super::{PlaneCurve, positive};
 use crate::error::Result;
-use crate::gather::Gather;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Control points `[x, y, w]` of the unit circle in four quadratic quarters,
@@ -40,7 +39,7 @@ pub fn circle(center: [f64; 2], radius: f64) -> Result<PlaneCurve> {
     Ok(PlaneCurve {
         degree: 2,
         knots: UNIT_CIRCLE_KNOTS.to_vec(),
-        control_points: UNIT_CIRCLE.iter().map(place).gather(),
+        control_points: UNIT_CIRCLE.iter().map(place).collect(),
     })
 }
 
@@ -53,6 +52,6 @@ pub fn half_circle(radius: f64) -> Result<PlaneCurve> {
     Ok(PlaneCurve {
         degree: 2,
         knots: HALF_CIRCLE_KNOTS.to_vec(),
-        control_points: HALF_CIRCLE.iter().map(|&[x, y, w]| [radius * x, radius * y, w]).gather(),
+        control_points: HALF_CIRCLE.iter().map(|&[x, y, w]| [radius * x, radius * y, w]).collect(),
     })
 }

@@ -2,7 +2,6 @@
 
 use super::PlaneCurve;
 use super::plane_curve::clamped_knots;
-use crate::gather::Gather;
 use glam::DVec2;
 
 const DEGREE: usize = 3;
@@ -19,10 +18,10 @@ pub(super) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> Plan
     for (inner, knot) in knots[DEGREE + 1..count].iter_mut().enumerate() {
         *knot = parameter(inner + 2);
     }
-    let rows = (0..count).map(|index| basis(&knots, count, parameter(index))).gather();
-    let points = (0..count).map(|index| DVec2::from(point(parameter(index)))).gather();
+    let rows = (0..count).map(|index| basis(&knots, count, parameter(index))).collect();
+    let points = (0..count).map(|index| DVec2::from(point(parameter(index)))).collect();
     let solution = solve(rows, points);
-    let control_points = solution.into_iter().map(|DVec2 { x, y }| [x, y, 1.0]).gather();
+    let control_points = solution.into_iter().map(|DVec2 { x, y }| [x, y, 1.0]).collect();
     PlaneCurve { degree: DEGREE, knots, control_points }
 }
 

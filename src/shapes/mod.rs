@@ -38,7 +38,6 @@ pub use wavy_sheet::{WavySheet, wavy_sheet};
 pub use wigley::wigley_hull;
 pub use wing::{Wing, wing};
 
-use crate::both::each;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 
@@ -60,10 +59,7 @@ fn net_surface(
             control_points.push(point(i, j));
         }
     }
-    NurbsSurface::new(
-        0,
-        SurfaceArrays { degree, knots: each(knots, <[f64]>::to_vec), counts, control_points },
-    )
+    NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
 }
 
 /// `value` if it is finite and more than 0.

@@ -1,6 +1,5 @@
 //! NACA wing sections of four digits.
 
-use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
 
 /// A section of the NACA four-digit series, in fractions of the chord.
@@ -26,11 +25,11 @@ impl Naca4 {
     /// trailing edge is blunt, as published: 0.0021 thickness/0.2 of the chord.
     #[must_use]
     pub fn point(&self, angle: f64) -> [f64; 2] {
-        let x = 0.5 * (1.0 - cos(angle));
+        let x = 0.5 * (1.0 - angle.cos());
         let polynomial = x * (-0.1260 + x * (-0.3516 + x * (0.2843 - x * 0.1015)));
         // sqrt(x) = |sin(angle/2)|; the sign of the angle is the side.
         let side = if angle < 0.0 { -1.0 } else { 1.0 };
-        let half_thickness = 5.0 * self.thickness * (0.2969 * sin(0.5 * angle) + side * polynomial);
+        let half_thickness = 5.0 * self.thickness * (0.2969 * (0.5 * angle).sin() + side * polynomial);
         let (mean, slope) = self.mean_line(x);
         let cosine = 1.0 / (1.0 + slope * slope).sqrt();
         [x - half_thickness * slope * cosine, mean + half_thickness * cosine]

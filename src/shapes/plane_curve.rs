@@ -1,6 +1,5 @@
 //! NURBS curves in a plane: profiles and sections.
 
-use crate::gather::Gather;
 /// A NURBS curve in a plane, as plain arrays.
 ///
 /// Not validated: the surface made of it is, by
@@ -30,7 +29,7 @@ impl PlaneCurve {
         Self {
             degree,
             knots: clamped_knots(degree, points.len()),
-            control_points: points.iter().map(|&[x, y]| [x, y, 1.0]).gather(),
+            control_points: points.iter().map(|&[x, y]| [x, y, 1.0]).collect(),
         }
     }
 }
@@ -40,5 +39,5 @@ pub(super) fn clamped_knots(degree: usize, count: usize) -> Vec<f64> {
     let spans = count.saturating_sub(degree).max(1);
     (0..count + degree + 1)
         .map(|index| index.saturating_sub(degree).min(spans) as f64 / spans as f64)
-        .gather()
+        .collect()
 }

@@ -2,7 +2,6 @@
 
 use super::operations::{part, transformed};
 use super::{named, sphere};
-use crate::both::both;
 use crate::error::Result;
 use crate::model::{Model, RigidTransform};
 use glam::{DQuat, DVec3};
@@ -28,7 +27,7 @@ const ANGLE: f64 = 0.3;
 /// # Errors
 /// As [`sphere`].
 pub fn sphere_parts(radii: [f64; 2]) -> Result<[Model; 2]> {
-    let [a, b] = both(|index| {
+    let [a, b] = [0, 1].map(|index| {
         let whole = sphere(DVec3::ZERO, radii[index])?;
         named("part of a sphere", vec![part(&whole.surfaces()[0], [OF_A, OF_B][index])?])
     });

@@ -2,7 +2,6 @@
 
 use super::{PlaneCurve, named, positive, revolve};
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::model::Model;
 
 /// Degree of the profiles: curvature without jumps.
@@ -70,6 +69,6 @@ pub fn bottle(height: f64) -> Result<Model> {
 
 fn vessel(name: &str, profile: &[[f64; 2]], height: f64) -> Result<Model> {
     let height = positive("height", height)?;
-    let points: Vec<[f64; 2]> = profile.iter().map(|point| point.map(|x| height * x)).gather();
+    let points: Vec<[f64; 2]> = profile.iter().map(|point| point.map(|x| height * x)).collect();
     named(name, vec![revolve(&PlaneCurve::clamped(PROFILE_DEGREE, &points))?])
 }

@@ -2,8 +2,6 @@
 
 use super::plane_curve::clamped_knots;
 use super::{named, net_surface, positive};
-use crate::both::each;
-use crate::elementary::{cos, sin};
 use crate::error::{Error, Result};
 use crate::model::Model;
 use std::f64::consts::TAU;
@@ -43,7 +41,7 @@ impl WavySheet {
     pub fn of_counts(counts: [usize; 2], variant: u8) -> Self {
         let variant = f64::from(variant);
         let stretch = 1.0 + 0.3 * variant;
-        let waves = each(counts, |count| (count as f64 / POINTS_A_WAVE).min(MOST_WAVES) / stretch);
+        let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).min(MOST_WAVES) / stretch);
         let amplitude = SIDE / (8.0 * waves[0].max(waves[1]));
         Self { counts, size: [SIDE; 2], amplitude, waves, phase: 0.7 * variant }
     }
@@ -68,10 +66,10 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
         }
     }
     let fraction = |index: usize, axis: usize| index as f64 / (counts[axis].max(2) - 1) as f64;
-    let [along_x, along_y] = each(counts, |count| clamped_knots(DEGREE, count));
+    let [along_x, along_y] = counts.map(|count| clamped_knots(DEGREE, count));
     let sheet = net_surface([DEGREE; 2], [&along_x, &along_y], counts, &|i, j| {
         let (x, y) = (fraction(i, 0), fraction(j, 1));
-        let height = amplitude * sin(TAU * waves[0] * x + phase) * cos(TAU * waves[1] * y);
+        let height = amplitude * (TAU * waves[0] * x + phase).sin() * (TAU * waves[1] * y).cos();
         [size[0] * (x - 0.5), size[1] * (y - 0.5), height, 1.0]
     })?;
     named("wavy sheet", vec![sheet])

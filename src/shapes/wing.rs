@@ -3,7 +3,6 @@
 use super::interpolation::interpolate;
 use super::operations::cut_surface;
 use super::{Naca4, PlaneCurve, named, net_surface, positive};
-use crate::elementary::tan;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -48,7 +47,7 @@ pub fn wing(wing: &Wing) -> Result<Model> {
         return Err(Error::out_of_range("sweep", wing.sweep, "an angle within 90 degrees"));
     }
     let section = interpolate(SECTION_POINTS, |fraction| wing.section.point(PI * (2.0 * fraction - 1.0)));
-    let back = 0.25 * (root - tip) + half_span * tan(wing.sweep);
+    let back = 0.25 * (root - tip) + half_span * wing.sweep.tan();
     let ribs = [(-half_span, tip, back), (0.0, root, 0.0), (half_span, tip, back)];
     let skin = skin(&section, &ribs)?;
     let (right, left) = (rib_cap(&skin, 2, true)?, rib_cap(&skin, 0, false)?);

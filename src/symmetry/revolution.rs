@@ -4,8 +4,6 @@ use super::Sphere;
 use super::line::Line;
 use super::winding::winding;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, lengths};
-use crate::both::both;
-use crate::gather::Gather;
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// How far points may be from a surface of revolution for it to count as one,
@@ -42,7 +40,7 @@ pub(crate) fn revolutions(model: &BezierModel) -> Vec<Option<Revolution>> {
         let strips = |round| Strips { patches: &model.patches, grid, round };
         strips(0).revolution().or_else(|| strips(1).revolution())
     };
-    model.grids.iter().map(of).gather()
+    model.grids.iter().map(of).collect()
 }
 
 /// The patches of a surface, by a parameter that may go round.
@@ -104,8 +102,9 @@ impl<'a> Strips<'a> {
         for along in 0..strips {
             let patch = self.patch(along, 0);
             for across in [0.5, 1.0] {
-                let points = [0.0, 0.5, 1.0]
-                    .map(|s| patch.point(both(|parameter| if parameter == self.round { s } else { across })));
+                let points = [0.0, 0.5, 1.0].map(|s| {
+                    patch.point([0, 1].map(|parameter| if parameter == self.round { s } else { across }))
+                });
                 let width = points[0].distance_squared(points[2]);
                 if width > widest {
                     (widest, of_widest) = (width, Some(points));
@@ -197,7 +196,7 @@ impl Arc {
 
     /// Where the profile begins and ends at the first e.
     fn edges(&self, axis: &Line) -> [DVec3; 2] {
-        both(|end| {
+        [0, 1].map(|end| {
             let [radius, height, _] = self.profile[end * (self.profile.len() - 1)].to_array();
             axis.origin + height * axis.direction + radius * self.from
         })

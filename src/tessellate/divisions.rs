@@ -1,8 +1,6 @@
 //! How finely each knot span is divided.
 
 use crate::bezier::{BezierModel, Patch, PatchGrid};
-use crate::both::{both, each};
-use crate::gather::Gather;
 
 /// Triangles of a model, about and at most, unless it has more patches: what
 /// an integrated GPU still turns smoothly.
@@ -30,7 +28,7 @@ pub(super) struct Divisions {
 impl Divisions {
     /// For every surface of `model`. O(patches p q).
     pub(super) fn of_model(model: &BezierModel, tolerance: f64) -> Vec<Self> {
-        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).gather();
+        let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).collect();
         loop {
             let triangles: f64 = all.iter().map(Self::triangles).sum();
             if triangles <= MOST_TRIANGLES || all.iter().all(Self::is_coarsest) {
@@ -59,7 +57,7 @@ impl Divisions {
     }
 
     fn triangles(&self) -> f64 {
-        let [rows, columns] = both(|axis| self.parts[axis].iter().sum::<usize>() as f64);
+        let [rows, columns] = [0, 1].map(|axis| self.parts[axis].iter().sum::<usize>() as f64);
         2.0 * rows * columns
     }
 
@@ -85,15 +83,15 @@ fn parts_of(patch: &Patch<'_>, tolerance: f64, halvings: u32) -> [f64; 2] {
     let of = |second: f64| (second / (4.0 * tolerance)).sqrt();
     let parts = [of(ss + ratio * st), of(tt + st / ratio)];
     if halvings == 0 || parts.iter().all(|&parts| parts <= ENOUGH) {
-        return each(parts, f64::ceil);
+        return parts.map(f64::ceil);
     }
     let axis = usize::from(parts[1] > parts[0]);
     let mut of_halves = [0.0_f64; 2];
     for controls in patch.halves(axis) {
         let half = Patch { controls: &controls, ..*patch };
         let of_half = parts_of(&half, tolerance, halvings - 1);
-        of_halves = both(|axis| of_halves[axis].max(of_half[axis]));
+        of_halves = [0, 1].map(|axis| of_halves[axis].max(of_half[axis]));
     }
     of_halves[axis] *= 2.0;
-    both(|axis| parts[axis].ceil().min(of_halves[axis]))
+    [0, 1].map(|axis| parts[axis].ceil().min(of_halves[axis]))
 }

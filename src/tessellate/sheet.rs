@@ -2,9 +2,6 @@
 
 use super::divisions::Divisions;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
-use crate::both::{both, each};
-use crate::elementary::cos;
-use crate::gather::Gather;
 use glam::DVec3;
 
 /// Angle between the normals of the two sides of a knot line from which it is
@@ -47,7 +44,7 @@ impl Sheet {
     /// The vertices of a surface; gaps up to `tolerance` are closed.
     /// O(vertices p q).
     pub(super) fn new(patches: &PatchSet, grid: &PatchGrid, divisions: &Divisions, tolerance: f64) -> Self {
-        let [rows, columns] = both(|axis| lines(&divisions.parts[axis]));
+        let [rows, columns] = [0, 1].map(|axis| lines(&divisions.parts[axis]));
         let mut vertices = Vec::with_capacity(rows.len() * columns.len());
         for row in &rows {
             for column in &columns {
@@ -55,9 +52,9 @@ impl Sheet {
                 vertices.push(vertex(&patch, [row.local, column.local]));
             }
         }
-        let joined = each([rows, columns], |lines| {
+        let joined = [rows, columns].map(|lines| {
             let next = |line: usize| lines.get(line + 1).map(|line| line.span);
-            (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).gather()
+            (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).collect()
         });
         let mut sheet = Self { vertices, columns: joined_len(&joined, 1), joined };
         sheet.close(0, tolerance);
@@ -82,7 +79,7 @@ impl Sheet {
             if pairs().any(|pair| gap(pair) > tolerance) {
                 continue;
             }
-            let cosine = cos(CREASE_DEGREES.to_radians());
+            let cosine = CREASE_DEGREES.to_radians().cos();
             let turn = |(a, b): (usize, usize)| self.vertices[a].normal.dot(self.vertices[b].normal);
             if pairs().all(|pair| turn(pair) >= cosine) {
                 // The line before goes on where the dropped one went on.

@@ -1,8 +1,6 @@
 //! A binary tree of boxes over patches.
 
 use super::Aabb;
-use crate::gather::Gather;
-use crate::order::select;
 use glam::DVec3;
 
 /// A node: an inner one has two children, a leaf one box.
@@ -39,7 +37,7 @@ impl BoxTree {
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut tree =
-            Self { nodes: Vec::with_capacity(2 * boxes.len()), order: (0..boxes.len() as u32).gather() };
+            Self { nodes: Vec::with_capacity(2 * boxes.len()), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
             let mut order = std::mem::take(&mut tree.order);
             tree.build(boxes, &mut order, 0);
@@ -59,7 +57,9 @@ impl BoxTree {
         let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(of(index).center()));
         let axis = longest_axis(centers.extent());
         let middle = order.len() / 2;
-        select(order, middle, &|index| boxes[index as usize].center()[axis]);
+        order.select_nth_unstable_by(middle, |&a, &b| {
+            boxes[a as usize].center()[axis].total_cmp(&boxes[b as usize].center()[axis])
+        });
         let (low, high) = order.split_at_mut(middle);
         self.build(boxes, low, first);
         self.nodes[node].second = self.nodes.len() as u32;

@@ -2,7 +2,6 @@
 
 use super::object::object;
 use super::plain::Plain;
-use crate::both::each;
 use crate::distance::{DistanceResult, Field};
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;
@@ -32,7 +31,7 @@ fn add_field(object: &JsValue, result: &DistanceResult) -> Result<(), JsValue> {
 }
 
 fn field(field: &Field) -> JsValue {
-    let [rows, columns] = each(field.counts, |count| JsValue::from(count as u32));
+    let [rows, columns] = field.counts.map(|count| JsValue::from(count as u32));
     object(&[
         ("surface", JsValue::from(field.surface as u32)),
         ("counts", Array::of2(&rows, &columns).into()),

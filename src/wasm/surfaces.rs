@@ -1,6 +1,5 @@
 //! Surfaces on their way in, as typed arrays.
 
-use crate::gather::Gather;
 use crate::model::SurfaceArrays;
 use wasm_bindgen::prelude::*;
 
@@ -36,7 +35,7 @@ impl Surfaces {
             degree: [degree_u, degree_v],
             knots: [knots_u, knots_v],
             counts: [count_u, count_v],
-            control_points: control_points.chunks_exact(POINT_LENGTH).map(point).gather(),
+            control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         });
     }
 }

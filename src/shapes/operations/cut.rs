@@ -3,7 +3,6 @@
 use super::insert_knot;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
-use crate::order::rising;
 use crate::shapes::net_surface;
 
 /// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
@@ -64,12 +63,12 @@ pub fn part(surface: &NurbsSurface, fractions: [[f64; 2]; 2]) -> Result<NurbsSur
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
     let mut pieces = model.surfaces().to_vec();
     for (axis, fractions) in fractions.into_iter().enumerate() {
-        let order = rising(fractions);
+        let mut fractions = fractions.to_vec();
+        fractions.sort_by(f64::total_cmp);
         let mut cut = Vec::new();
         for mut rest in pieces {
             let [start, end] = rest.domain()[axis];
-            for &index in &order {
-                let fraction = fractions[index];
+            for &fraction in &fractions {
                 let [below, above] = cut_surface(&rest, axis, (1.0 - fraction) * start + fraction * end)?;
                 cut.push(below);
                 rest = above;

@@ -2,7 +2,6 @@
 
 use super::net::map_lines;
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::model::NurbsSurface;
 use glam::DVec4;
 
@@ -30,7 +29,7 @@ pub fn elevate_degree(surface: &NurbsSurface, axis: usize) -> Result<NurbsSurfac
                     .sum();
                 sum / (degree + 1) as f64
             })
-            .gather()
+            .collect()
     })
 }
 

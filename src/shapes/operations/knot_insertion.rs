@@ -2,7 +2,6 @@
 
 use super::net::map_lines;
 use crate::error::{Error, Result};
-use crate::gather::Gather;
 use crate::model::NurbsSurface;
 use glam::DVec4;
 
@@ -59,5 +58,5 @@ fn insert_once(knots: &[f64], degree: usize, knot: f64, multiplicity: usize, lin
                 (1.0 - fraction) * line[index - 1] + fraction * line[index]
             }
         })
-        .gather()
+        .collect()
 }

@@ -1,7 +1,6 @@
 //! Linear maps of a surface's net along one direction.
 
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::model::NurbsSurface;
 use crate::shapes::net_surface;
 use glam::{DVec4, Vec4Swizzles};
@@ -34,10 +33,10 @@ pub(super) fn map_lines(
     let mapped: Vec<Vec<DVec4>> = (0..lines)
         .map(|line| {
             let line: Vec<DVec4> =
-                (0..along).map(|index| lift(&points[line * across + index * step])).gather();
+                (0..along).map(|index| lift(&points[line * across + index * step])).collect();
             map(&line)
         })
-        .gather();
+        .collect();
     let mut counts = surface.counts();
     let mut degrees = surface.degree();
     let mut all: [&[f64]; 2] = [surface.knots(0), surface.knots(1)];

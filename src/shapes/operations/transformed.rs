@@ -1,7 +1,6 @@
 //! Moving a model.
 
 use crate::error::Result;
-use crate::gather::Gather;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use glam::DVec3;
 
@@ -21,8 +20,8 @@ pub fn transformed(model: &Model, transform: &RigidTransform) -> Result<Model> {
             degree: surface.degree(),
             knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
             counts: surface.counts(),
-            control_points: surface.control_points().iter().map(move_point).gather(),
+            control_points: surface.control_points().iter().map(move_point).collect(),
         })
-        .gather();
+        .collect();
     Model::from_arrays(model.name().map(str::to_owned), surfaces)
 }
