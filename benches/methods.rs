@@ -10,9 +10,10 @@ mod shared;
 
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
-use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes;
 use shared::Reference;
 
@@ -20,7 +21,7 @@ use shared::Reference;
 const ROUNDS: usize = 5;
 
 /// Projections of samples on patches beyond which the published schedule is left out.
-const MOST_PROJECTIONS: usize = 400_000_000;
+const MAX_PROJECTIONS: usize = 400_000_000;
 
 struct Pair {
     name: String,
@@ -53,11 +54,11 @@ fn measure(engine: &Engine, pair: &Pair) {
     let published =
         Options { projection: Projection::TangentPlane, culling: Culling::None, ..iteration.clone() };
     let run = |options: &Options| {
-        pollster::block_on(engine.distance(&pair.a, &pair.b, options, &mut Silent)).expect("a distance")
+        pollster::block_on(engine.distance(&pair.a, &pair.b, options, &mut NoMonitor)).expect("a distance")
     };
     let first = run(&certified);
     let samples = run(&iteration).iteration.expect("an iteration").samples;
-    let all = samples * first.patches.b <= MOST_PROJECTIONS;
+    let all = samples * first.patches.b <= MAX_PROJECTIONS;
     let helped = run(&on_gpu).certified.map_or(0, |details| details.cells - details.cpu_cells);
     let mut times = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
     for round in 0..ROUNDS {

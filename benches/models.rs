@@ -12,7 +12,8 @@ mod shared;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use shared::Reference;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -116,7 +117,7 @@ impl Bench<'_> {
         }
         let options = Options { tolerance, transform, backend: Backend::Cpu, ..Options::default() };
         let run =
-            || pollster::block_on(self.engine.distance(a, b, &options, &mut Silent)).expect("a distance");
+            || pollster::block_on(self.engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
         let fastest = (1..ROUNDS).fold(run(), |fastest, _| {
             let again = run();
             if again.seconds.solve < fastest.seconds.solve { again } else { fastest }

@@ -8,7 +8,8 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{Backend, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -45,7 +46,8 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
     let options = Options { backend, transform: pair.transform, ..Options::default() };
     let (mut fastest, mut cells) = (f64::INFINITY, 0);
     for _ in 0..ROUNDS {
-        let result = pollster::block_on(engine.distance(&a, &b, &options, &mut Silent)).expect("a distance");
+        let result =
+            pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
         assert!(result.converged, "{}", pair.name);
         fastest = fastest.min(result.seconds.solve);
         cells = result.certified.map_or(0, |details| details.cells);

@@ -16,12 +16,13 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
-use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::bvh::Bvh;
+use nurbs_hausdorff::closest::{Projection, Target};
+use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
 use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
-use nurbs_hausdorff::project::{Projection, Target};
-use nurbs_hausdorff::tree::BoxTree;
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
 use rayon::prelude::*;
 use std::hint::black_box;
@@ -101,7 +102,7 @@ fn tree(c: &mut Criterion) {
     let patches = extract(&models::rough([3, 3], [100, 100], 1.0, 1)).patches;
     let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
     let mut group = group(c, "tree", boxes.len());
-    group.bench_function("cpu", |b| b.iter(|| BoxTree::new(black_box(&boxes))));
+    group.bench_function("cpu", |b| b.iter(|| Bvh::new(black_box(&boxes))));
     group.finish();
 }
 
@@ -167,7 +168,7 @@ fn certify(c: &mut Criterion) {
             ..Options::default()
         };
         let run = || {
-            pollster::block_on(engine.distance(&model, &model, &options, &mut Silent)).expect("a distance")
+            pollster::block_on(engine.distance(&model, &model, &options, &mut NoMonitor)).expect("a distance")
         };
         let cells = run().certified.expect("cells").cells;
         let mut group = group(c, "certify", cells);

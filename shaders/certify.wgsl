@@ -28,9 +28,9 @@ const ABSURD: f32 = 1e15;
 // Bits of infinity.
 const INFINITE: u32 = 0x7f800000u;
 // Half-widths of a cell that is not halved further in float32.
-const SMALLEST_HALF: f32 = 1e-3;
+const MIN_HALF: f32 = 1e-3;
 // How much longer one side may be before only the longer is halved.
-const LONGEST_ASPECT: f32 = 2.0;
+const MAX_ASPECT: f32 = 2.0;
 // A squared length changes little over a cell if by less than this part.
 const LITTLE: f32 = 0.125;
 // Distance, in radii of the cell, up to which A lies on B and a bent map helps.
@@ -219,7 +219,7 @@ fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
     own.foot = foot;
     own.foot_at = foot_at;
     own.reach = (distance + at_foot + of_difference) * ROOM;
-    let small = max(own.half.x, own.half.y) < SMALLEST_HALF;
+    let small = max(own.half.x, own.half.y) < MIN_HALF;
     if sane {
         own.upper = min(own.upper, upper);
     } else {
@@ -232,8 +232,8 @@ fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
         // Only a seam of B is in the way, or float32 is at its end.
         own.verdict = UNDECIDED;
     } else {
-        own.verdict = select(0u, SPLIT_S, sides.x * LONGEST_ASPECT >= sides.y)
-            | select(0u, SPLIT_T, sides.y * LONGEST_ASPECT >= sides.x);
+        own.verdict = select(0u, SPLIT_S, sides.x * MAX_ASPECT >= sides.y)
+            | select(0u, SPLIT_T, sides.y * MAX_ASPECT >= sides.x);
     }
     cells[id.x] = own;
 }

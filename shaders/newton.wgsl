@@ -6,7 +6,7 @@ const STATIONARY_COSINE: f32 = 1e-4;
 const RESIDUAL_ROUNDING: f32 = 1e-6;
 // A decrease predicted below this part of the squared distance is lost in its rounding.
 const STALLED_DECREASE: f32 = 1e-6;
-const MOST_HALVINGS: u32 = 8u;
+const MAX_HALVINGS: u32 = 8u;
 
 // Whether the cosines between the residual and the free tangents are small, rounding taken off.
 fn is_stationary(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<bool>) -> bool {
@@ -68,7 +68,7 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
             halvings++;
             // No shorter step decreases it beyond rounding either.
             let stalled = decrease <= STALLED_DECREASE * value;
-            if stalled || halvings > MOST_HALVINGS {
+            if stalled || halvings > MAX_HALVINGS {
                 status = select(ITERATION_LIMIT, settled(free), stalled);
                 break;
             }

@@ -12,7 +12,7 @@ const STACK_SIZE: u32 = 32u;
 
 // Turns of all loops that a subgroup may take, a projection's as often as its
 // slowest thread does: llvmpipe ends every loop after 65,535.
-const MOST_TURNS: u32 = 60000u;
+const MAX_TURNS: u32 = 60000u;
 
 // Two a child: the box's corners as bits, and of the first a place: of a leaf,
 // twice its patch and one, else twice its own index.
@@ -49,7 +49,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         // On until a thread wants a second patch.
         loop {
             search.turns++;
-            if search.turns > MOST_TURNS {
+            if search.turns > MAX_TURNS {
                 // Not tried on everything: the distance may be too large, never too small.
                 search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
                     | (ITERATION_LIMIT << STATUS_SHIFT);

@@ -17,7 +17,7 @@ const STACK_SIZE: u32 = 32u;
 
 // Turns of all loops that one thread may take: llvmpipe ends every loop after
 // 65,535, counted over the up to 16 threads that it runs together.
-const MOST_TURNS: u32 = 4000u;
+const MAX_TURNS: u32 = 4000u;
 
 @group(0) @binding(5) var<storage, read> nodes: array<Node>;
 
@@ -42,7 +42,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         // Down to the nearest leaf; even places are those of inner nodes.
         while (place & 1u) == 0u || (place == NOWHERE && height > 0u) {
             search.turns++;
-            if search.turns > MOST_TURNS {
+            if search.turns > MAX_TURNS {
                 // Not tried on everything: the distance may be too large, never too small.
                 search.known.patch_and_status = (search.known.patch_and_status & PATCH_MASK)
                     | (ITERATION_LIMIT << STATUS_SHIFT);

@@ -154,7 +154,7 @@ pub enum Error {
         expected: usize,
     },
     /// A degree outside 1 to 15.
-    #[error("surface {surface}: degree {found} in {direction}, expected 1 to {}", crate::model::MAX_DEGREE)]
+    #[error("surface {surface}: degree {found} in {direction}, expected 1 to {}", crate::limits::MAX_DEGREE)]
     DegreeOutOfRange {
         /// Index of the surface in its model.
         surface: usize,

@@ -1,21 +1,23 @@
 //! How far apart are two NURBS models?
 
 pub mod bezier;
+pub mod bvh;
 pub mod certified;
-pub mod distance;
+pub mod closest;
+pub mod engine;
 pub mod error;
 pub mod flatness;
 pub mod gpu;
 pub mod hierarchy;
 pub mod iteration;
+mod limits;
 pub mod model;
 mod parallel;
-pub mod project;
+pub mod progress;
 mod rounding;
 pub mod shapes;
 mod symmetry;
 pub mod tessellate;
-pub mod tree;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 

@@ -4,9 +4,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{
-    Backend, CertifiedDetails, DistanceResult, Engine, Monitor, Options, PreparedModel, Silent, Stop,
+use nurbs_hausdorff::engine::{
+    Backend, CertifiedDetails, DistanceResult, Engine, Options, PreparedModel, Stop,
 };
+use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -27,7 +28,7 @@ fn details(result: &DistanceResult) -> CertifiedDetails {
 /// Converges, is as narrow as asked, and contains the truth.
 fn contains(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
     let options = Options { tolerance, transform, ..Options::default() };
-    let result = measure(a, b, &options, &mut Silent);
+    let result = measure(a, b, &options, &mut NoMonitor);
     let DistanceResult { lower, upper, .. } = result;
     println!(
         "{name}: [{lower:.9}, {upper:.9}], {} cells, {:.3} s",
@@ -120,7 +121,7 @@ fn far_from_the_origin_and_tiny() {
         let center = DVec3::new(shift, -shift, 0.5 * shift);
         let [one, larger] = [1.0, 1.5].map(|radius| sphere(center, scale * radius).unwrap());
         let options = Options { tolerance: 1e-3, ..Options::default() };
-        let result = measure(&one, &larger, &options, &mut Silent);
+        let result = measure(&one, &larger, &options, &mut NoMonitor);
         // The control points themselves are rounded.
         let rounding = 4.0 * f64::EPSILON * shift;
         assert!(result.converged && result.upper - result.lower <= 2e-3 * result.diagonal);
@@ -136,7 +137,7 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
         (Options { max_seconds: Some(0.02), tolerance: 1e-9, ..Options::default() }, Stop::Time),
     ];
     for (options, stop) in budgets {
-        let result = measure(&one, &larger, &options, &mut Silent);
+        let result = measure(&one, &larger, &options, &mut NoMonitor);
         assert!(!result.converged);
         assert_eq!(details(&result).stop, stop);
         assert!(result.lower <= 0.1 + ROUNDING && 0.1 - ROUNDING <= result.upper);
@@ -149,7 +150,7 @@ fn a_limit_is_decided_sooner_than_the_distance() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let ask = |limit: Option<f64>| {
         let options = Options { limit, tolerance: 1e-5, ..Options::default() };
-        details(&measure(&one, &larger, &options, &mut Silent))
+        details(&measure(&one, &larger, &options, &mut NoMonitor))
     };
     let whole = ask(None);
     assert_eq!(whole.within, None);
@@ -160,7 +161,7 @@ fn a_limit_is_decided_sooner_than_the_distance() {
     }
     // A limit inside the final interval cannot be decided.
     let options = Options { limit: Some(0.1), tolerance: 1e-3, ..Options::default() };
-    let result = measure(&one, &larger, &options, &mut Silent);
+    let result = measure(&one, &larger, &options, &mut NoMonitor);
     assert_eq!((details(&result).within, result.converged), (None, false));
 }
 
@@ -211,7 +212,7 @@ fn the_symmetric_interval_is_that_of_the_larger_direction() {
     let square = Model::from_arrays(None, vec![square]).unwrap();
     let ball = sphere(DVec3::ZERO, 10.0).unwrap();
     let options = Options { symmetric: true, ..Options::default() };
-    let result = measure(&square, &ball, &options, &mut Silent);
+    let result = measure(&square, &ball, &options, &mut NoMonitor);
     let (forward, reverse) = (result.forward.unwrap(), result.reverse.unwrap());
     // From the square's corner; from the ball's poles, its middle being on the square.
     let corner = 20.0 * 2.0_f64.sqrt() - 10.0;
@@ -225,7 +226,7 @@ fn the_symmetric_interval_is_that_of_the_larger_direction() {
 fn statistics_of_a_constant_deviation_are_that_constant() {
     let [one, larger] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
     let options = Options { field: true, tolerance: 1e-3, ..Options::default() };
-    let result = measure(&one, &larger, &options, &mut Silent);
+    let result = measure(&one, &larger, &options, &mut NoMonitor);
     let statistics = result.statistics.unwrap();
     for value in [statistics.mean, statistics.rms, statistics.median, statistics.percentile_95] {
         assert!((value - 0.5).abs() < 1e-9, "{value}");

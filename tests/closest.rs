@@ -6,9 +6,9 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::closest::Target;
+use nurbs_hausdorff::closest::{Closest, CriticalPoint, SquaredDistance, closest, newton};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::project::Target;
-use nurbs_hausdorff::project::{Closest, DistanceForm, Stationary, closest, newton};
 use nurbs_hausdorff::shapes::{shape, sphere, torus};
 use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;
@@ -158,12 +158,12 @@ proptest! {
     ) {
         let patches = extract(&model).patches;
         for patch in patches.iter() {
-            let form = DistanceForm::new(patch.degree, patch.controls, point - patch.center);
+            let form = SquaredDistance::new(patch.degree, patch.controls, point - patch.center);
             let known = |parameters: [f64; 2]| {
                 let jet = patch.jet(parameters);
                 let residual = jet.point - point;
                 let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
-                Stationary { parameters, distance_squared: residual.length_squared(), gradient }
+                CriticalPoint { parameters, distance_squared: residual.length_squared(), gradient }
             };
             let foot = newton(&patch, point, about, 32).parameters;
             let least = [about, foot].iter().fold(form.least(), |least, &at| least.max(form.least_about(&known(at))));

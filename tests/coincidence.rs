@@ -6,7 +6,7 @@
 mod support;
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{DistanceResult, Options};
+use nurbs_hausdorff::engine::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, NurbsSurface, RigidTransform, SurfaceArrays};

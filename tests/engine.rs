@@ -5,8 +5,9 @@
 mod support;
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Monitor, Options, PreparedModel};
-use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::{elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{FIGURE5_SAMPLES, figure5_cylinder, figure5_plane, shape, sphere};
 use nurbs_hausdorff::{Error, Model, RigidTransform, SurfaceArrays};

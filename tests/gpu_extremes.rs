@@ -6,10 +6,10 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::Culling;
-use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::{shape, sphere};
 use nurbs_hausdorff::{Model, SurfaceArrays};

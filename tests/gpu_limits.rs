@@ -12,7 +12,7 @@ use std::time::Duration;
 use support::models::folder;
 
 /// Bytes of the process, at most, for 99,000 patches against themselves.
-const MOST_BYTES: u64 = 1 << 30;
+const MAX_BYTES: u64 = 1 << 30;
 
 /// How often the system is asked for the process' peak so far.
 const INTERVAL: Duration = Duration::from_millis(5);
@@ -59,5 +59,5 @@ fn a_terrain_of_99_000_patches_fits_a_gibibyte() {
     let rounding = 1e-12 * number("diagonal");
     assert!(number("lower") <= moved + rounding && moved - rounding <= number("upper"), "{result}");
     assert!(number("computed") <= moved + rounding, "{result}");
-    assert!(peak > 0 && peak < MOST_BYTES, "{peak} bytes");
+    assert!(peak > 0 && peak < MAX_BYTES, "{peak} bytes");
 }

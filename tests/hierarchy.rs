@@ -6,15 +6,16 @@ mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::{BezierModel, extract};
-use nurbs_hausdorff::distance::{
-    Backend, DistanceResult, Engine, HierarchyDetails, Method, Monitor, Options, PreparedModel, Silent,
+use nurbs_hausdorff::bvh::Aabb;
+use nurbs_hausdorff::engine::{
+    Backend, DistanceResult, Engine, HierarchyDetails, Method, Options, PreparedModel,
 };
 use nurbs_hausdorff::hierarchy::{
-    Cell, CellTree, Children, Distances, MOST_CHILDREN, Pairs, Part, Traversal, boxes, extremes, pyramid,
+    Cell, Children, Distances, GridTree, MAX_CHILDREN, Pairs, Part, Traversal, boxes, extremes, pyramid,
 };
+use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::transformed;
 use nurbs_hausdorff::shapes::{WavySheet, figure5_cylinder, figure5_plane, shape, sphere, wavy_sheet};
-use nurbs_hausdorff::tree::Aabb;
 use nurbs_hausdorff::{Error, Model, RigidTransform, SurfaceArrays};
 use support::evaluator;
 use support::gpu::{engine, measure};
@@ -65,7 +66,7 @@ fn many_spans() -> Model {
     wavy_sheet(&sheet).unwrap()
 }
 
-fn boxes_of(bezier: &BezierModel, tree: &CellTree, transform: &RigidTransform) -> Vec<Vec<Aabb>> {
+fn boxes_of(bezier: &BezierModel, tree: &GridTree, transform: &RigidTransform) -> Vec<Vec<Aabb>> {
     let of_part = |part: &Part| boxes(&bezier.patches.patch(part.patch), part, transform, 0.0);
     pyramid(&tree.levels, tree.parts.iter().map(of_part).collect())
 }
@@ -93,7 +94,7 @@ fn boxes_of_cells_contain_their_points() {
     for (index, model) in models.into_iter().chain([creased(), many_spans()]).enumerate() {
         let bezier = extract(&model);
         for (grid, transform) in [(2, RigidTransform::IDENTITY), (5, turned()), (16, turned())] {
-            let tree = CellTree::new(&bezier, grid).unwrap();
+            let tree = GridTree::new(&bezier, grid).unwrap();
             let boxes = boxes_of(&bezier, &tree, &transform);
             for (cell, aabb) in tree.cells.iter().zip(&boxes[tree.finest]) {
                 let surface = &model.surfaces()[cell.surface as usize];
@@ -127,7 +128,7 @@ fn growth_of_a_parabola_is_known() {
         counts: [3, 2],
         control_points,
     }]);
-    let tree = CellTree::new(&extract(&parabola), 4).unwrap();
+    let tree = GridTree::new(&extract(&parabola), 4).unwrap();
     for part in &tree.parts {
         assert!((part.growth - 1.0 / 64.0).abs() < 1e-12, "{}", part.growth);
     }
@@ -137,7 +138,7 @@ fn growth_of_a_parabola_is_known() {
 fn every_cell_of_every_surface_is_a_leaf_once() {
     let tiles = model((0..9).map(|x| square(f64::from(x), 0.0)).collect());
     for grid in [2, 3, 5, 8, 13] {
-        let tree = CellTree::new(&extract(&tiles), grid).unwrap();
+        let tree = GridTree::new(&extract(&tiles), grid).unwrap();
         let mut found: Vec<(u32, u32, u32)> =
             tree.cells.iter().map(|&Cell { surface, row, column }| (surface, row, column)).collect();
         found.sort_unstable();
@@ -160,13 +161,13 @@ fn every_cell_of_every_surface_is_a_leaf_once() {
 #[test]
 fn cells_of_many_spans_get_levels_in_between() {
     let bezier = extract(&many_spans());
-    let tree = CellTree::new(&bezier, 2).unwrap();
+    let tree = GridTree::new(&bezier, 2).unwrap();
     // 40 x 37 spans, halved: 20 by 18 and 19, with one column cut in two.
     assert_eq!(tree.parts.len(), 40 * 38);
     assert_eq!((tree.cells.len(), tree.finest), (4, 1));
     assert_eq!(tree.levels.len(), 3);
     let most = |level: &Vec<Children>| level.iter().map(|node| node.count).max();
-    assert!(tree.levels.iter().all(|level| most(level).unwrap() as usize <= MOST_CHILDREN));
+    assert!(tree.levels.iter().all(|level| most(level).unwrap() as usize <= MAX_CHILDREN));
 }
 
 /// Descends on the CPU without a budget.
@@ -196,7 +197,7 @@ fn culling_drops_no_pair_that_matters() {
         ("cone", "naca-wing", turned()),
     ] {
         let models = [a, b].map(|name| extract(&shape(name).unwrap()));
-        let trees = [0, 1].map(|side| CellTree::new(&models[side], 8).unwrap());
+        let trees = [0, 1].map(|side| GridTree::new(&models[side], 8).unwrap());
         let moves = [transform, RigidTransform::IDENTITY];
         let boxes = [0, 1].map(|side| boxes_of(&models[side], &trees[side], &moves[side]));
         let found = descend(Traversal::new([&trees[0], &trees[1]], boxes.clone()));
@@ -416,7 +417,7 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
     let wanted = [Backend::Gpu, Backend::Cpu].map(|backend| {
         let run = |memory_budget| {
             let options = Options { backend, memory_budget, grid: 128, ..hierarchy() };
-            pollster::block_on(engine.distance(&ball, &ball, &options, &mut Silent))
+            pollster::block_on(engine.distance(&ball, &ball, &options, &mut NoMonitor))
         };
         let error = run(1).unwrap_err();
         assert_eq!(error.code(), "PAIR_BUDGET_EXCEEDED");
@@ -439,7 +440,7 @@ fn options_out_of_range_are_named() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
     let many = PreparedModel::new(&model((0..5).map(|x| square(f64::from(x), 0.0)).collect()));
     let refused =
-        |options: Options| match pollster::block_on(engine.distance(&many, &many, &options, &mut Silent))
+        |options: Options| match pollster::block_on(engine.distance(&many, &many, &options, &mut NoMonitor))
             .unwrap_err()
         {
             Error::OptionOutOfRange { option, found, .. } => (option, found),

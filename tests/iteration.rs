@@ -7,11 +7,11 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
+use nurbs_hausdorff::closest::{Projection, Status, Target};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::iteration::{
     Culling, PAGE_SAMPLES, Projected, Rule, Sampling, SamplingRule, project, reduce, sample,
 };
-use nurbs_hausdorff::project::{Projection, Status, Target};
 use nurbs_hausdorff::shapes::{shape, sphere};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use std::f64::consts::FRAC_1_SQRT_2;

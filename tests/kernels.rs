@@ -5,10 +5,11 @@
 mod support;
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
-use nurbs_hausdorff::project::Projection;
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, shape, sphere, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -213,7 +214,7 @@ fn the_farthest_sample_is_found_wherever_it_is() {
     for raised in [0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 3000, 4095] {
         let options = Options { samples: 64, field: false, ..on(Backend::Gpu, &iteration()) };
         let result =
-            pollster::block_on(engine.distance(&sheet(Some(raised)), &ground, &options, &mut Silent))
+            pollster::block_on(engine.distance(&sheet(Some(raised)), &ground, &options, &mut NoMonitor))
                 .unwrap();
         assert_eq!(result.computed, 0.5, "{raised}");
         let at = [raised / 64, raised % 64].map(|place| place as f64);
@@ -229,7 +230,7 @@ fn moving_a_model_changes_nothing_that_is_kept() {
     let run = |height: f64| {
         let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, height)).unwrap();
         let options = Options { transform, field: false, ..iteration() };
-        pollster::block_on(engine.distance(&torus, &torus, &options, &mut Silent)).unwrap()
+        pollster::block_on(engine.distance(&torus, &torus, &options, &mut NoMonitor)).unwrap()
     };
     let first = run(5.0);
     run(1.0);

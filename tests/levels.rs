@@ -4,7 +4,7 @@
 
 mod support;
 
-use nurbs_hausdorff::distance::{Backend, Options, Stop};
+use nurbs_hausdorff::engine::{Backend, Options, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
 use nurbs_hausdorff::{Model, RigidTransform};

@@ -5,7 +5,7 @@
 
 mod support;
 
-use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalBounds, Patch, PatchSet, extract};
+use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract};
 use nurbs_hausdorff::flatness::{Flatness, flatten, rooms};
 use nurbs_hausdorff::shapes::{list, shape};
 use support::models;
@@ -125,7 +125,7 @@ impl Piece<'_> {
 fn bounds_over_parts_hold() {
     let random = &mut fastrand::Rng::with_seed(5);
     for_each_piece("bounds_over_parts_hold", |piece| {
-        let bounds = LocalBounds::new(piece.room);
+        let bounds = LocalDerivativeBounds::new(piece.room);
         for _ in 0..BOXES {
             // Of all sizes, often at an edge, where there may be a pole.
             let [s, t] = piece.room.map(|[low, high]| {
@@ -149,7 +149,7 @@ fn bounds_over_parts_hold() {
 fn bounds_shrink_towards_a_pole() {
     let patches = extract(&shape("sphere").unwrap()).patches;
     let patch = patches.patch(0);
-    let bounds = LocalBounds::new([[0.0, 1.0]; 2]);
+    let bounds = LocalDerivativeBounds::new([[0.0, 1.0]; 2]);
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
     // Which axis runs along the pole, and at which end it is.

@@ -6,7 +6,7 @@
 mod support;
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::distance::{DistanceResult, Options};
+use nurbs_hausdorff::engine::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use support::cpu::measure;
@@ -44,7 +44,7 @@ fn sheet(middle: DVec3, [s, t]: [DVec3; 2], pieces: usize) -> SurfaceArrays {
 /// Cells that a tolerance a thousandth as large takes more, at most. A cell's
 /// quarters have bounds too large by a quarter, so that is five levels, of the
 /// few cells around the maximum each.
-const MOST_MORE: usize = 60;
+const MAX_MORE: usize = 60;
 
 /// A square sheet across a channel of three flat walls: the farthest point has
 /// the same distance d to all walls. With the walls' unit normals n_k away from
@@ -76,7 +76,7 @@ fn a_point_as_far_from_three_walls() {
             counts.push(cells);
         }
         println!("{pieces}: {counts:?}");
-        assert!(counts[2] - counts[1] <= MOST_MORE, "{counts:?}");
+        assert!(counts[2] - counts[1] <= MAX_MORE, "{counts:?}");
     }
 }
 
@@ -95,11 +95,11 @@ fn a_moved_copy_is_as_far_as_it_was_moved() {
             let truth = way.length();
             assert!(result.converged, "{name}");
             assert!(lower <= truth + ROUNDING * size && truth - ROUNDING * size <= upper, "{name} {way}");
-            assert!(cells <= MOST_CELLS, "{name} {way}: {cells}");
+            assert!(cells <= MAX_CELLS, "{name} {way}: {cells}");
         }
     }
 }
 
 /// Cells for a moved copy, at most: its farthest point is looked for at once,
 /// and the bound needs none.
-const MOST_CELLS: usize = 100;
+const MAX_CELLS: usize = 100;

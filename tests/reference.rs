@@ -5,7 +5,8 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Backend, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model, RigidTransform};
 use std::collections::HashMap;
 use std::path::Path;
@@ -89,7 +90,7 @@ fn samples_and_bounds_agree_with_every_reference() {
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let [gpu, cpu] = [Backend::Gpu, Backend::Cpu].map(|backend| {
             let options = Options { backend, ..reference.options(Method::Iteration) };
-            let result = pollster::block_on(engine.distance(a, b, &options, &mut Silent)).unwrap();
+            let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
             let rounding = ROUNDING * result.diagonal;
             let bounds = result.iteration.unwrap().bounds;
             assert!(result.converged, "{name}");
@@ -122,7 +123,7 @@ fn certified_intervals_overlap_every_reference() {
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let options = reference.options(Method::Certified);
-        let result = pollster::block_on(engine.distance(a, b, &options, &mut Silent)).unwrap();
+        let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
         let details = result.certified.unwrap();
         assert!(result.converged, "{name}: {:?}", details.stop);
         assert!(result.upper - result.lower <= details.tolerance + ROUNDING * result.diagonal, "{name}");
@@ -151,7 +152,7 @@ fn boxes_contain_every_reference() {
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         for backend in [Backend::Gpu, Backend::Cpu] {
             let options = Options { backend, grid: 8, ..reference.options(Method::Hierarchy) };
-            match pollster::block_on(engine.distance(a, b, &options, &mut Silent)) {
+            match pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)) {
                 Ok(result) => {
                     measured += 1;
                     let true_upper = if reference.is_impossible() {

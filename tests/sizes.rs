@@ -6,7 +6,7 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::distance::{DistanceResult, Method, Options};
+use nurbs_hausdorff::engine::{DistanceResult, Method, Options};
 use nurbs_hausdorff::shapes::{sphere, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use support::cpu::measure;

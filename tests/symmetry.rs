@@ -7,8 +7,8 @@ mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::distance::Options;
-use nurbs_hausdorff::project::{Target, closest};
+use nurbs_hausdorff::closest::{Target, closest};
+use nurbs_hausdorff::engine::Options;
 use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
 use nurbs_hausdorff::{Model, RigidTransform};

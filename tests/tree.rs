@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use glam::DVec3;
-use nurbs_hausdorff::tree::{Aabb, BoxTree};
+use nurbs_hausdorff::bvh::{Aabb, Bvh};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ fn contains(outer: &Aabb, inner: &Aabb) -> bool {
 
 /// Checks the subtree at `index` and returns its boxes in order, the index
 /// after its last node and its depth.
-fn check(tree: &BoxTree, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32) {
+fn check(tree: &Bvh, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32) {
     let node = tree.nodes()[index];
     let (members, end, depth) = if node.is_leaf() {
         (vec![tree.item(&node)], index + 1, 0)
@@ -48,14 +48,14 @@ fn check(tree: &BoxTree, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32)
 
 #[test]
 fn a_tree_over_nothing_is_empty() {
-    let tree = BoxTree::new(&[]);
+    let tree = Bvh::new(&[]);
     assert!(tree.nodes().is_empty() && tree.order().is_empty());
 }
 
 #[test]
 fn equal_boxes_make_no_deep_tree() {
     let boxes = vec![Aabb { min: DVec3::ZERO, max: DVec3::ONE }; 10_000];
-    let (members, _, depth) = check(&BoxTree::new(&boxes), &boxes, 0);
+    let (members, _, depth) = check(&Bvh::new(&boxes), &boxes, 0);
     assert_eq!(members.len(), boxes.len());
     // ceil(log2 10,000).
     assert!(depth <= 14, "{depth}");
@@ -78,7 +78,7 @@ proptest! {
 
     #[test]
     fn every_box_is_in_one_leaf(boxes in vec(any_box(), 1..200)) {
-        let tree = BoxTree::new(&boxes);
+        let tree = Bvh::new(&boxes);
         let (mut members, end, depth) = check(&tree, &boxes, 0);
         prop_assert_eq!(end, tree.nodes().len());
         prop_assert_eq!(&members, tree.order());
@@ -91,7 +91,7 @@ proptest! {
     fn leaves_within_a_reach_are_those_whose_boxes_are(
         boxes in vec(any_box(), 0..60), point in any_point(), reach in 0.0..100.0_f64,
     ) {
-        let tree = BoxTree::new(&boxes);
+        let tree = Bvh::new(&boxes);
         let mut found: Vec<u32> =
             tree.leaves_within(point, reach * reach).iter().map(|leaf| tree.item(leaf)).collect();
         found.sort_unstable();

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{RigidTransform, shapes};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -17,7 +18,7 @@ const AGREEMENT: f64 = 1e-5;
 
 async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
     let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()));
-    engine.distance(&a, &b, options, &mut Silent).await.unwrap()
+    engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
 }
 
 fn options(backend: Backend) -> Options {

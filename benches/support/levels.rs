@@ -3,7 +3,7 @@
 use crate::models;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::distance::PreparedModel;
+use nurbs_hausdorff::engine::PreparedModel;
 use nurbs_hausdorff::gpu::{Gpu, LevelBench};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use std::rc::Rc;

@@ -9,8 +9,8 @@ use super::sheet::Sheet;
 use glam::{DVec2, DVec3, Vec2Swizzles};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::closest::closest;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::project::closest;
 use std::cell::OnceCell;
 
 /// Grid points along each direction of a surface for a first look.
@@ -35,7 +35,7 @@ const STEPS: usize = 40;
 
 /// Damping of a descent: to begin with, and beyond which it ends.
 const DAMPING: f64 = 1e-3;
-const MOST_DAMPING: f64 = 1e12;
+const MAX_DAMPING: f64 = 1e12;
 
 /// Looks over a grid around the best point: from the cloud's spacing to rounding.
 const LOOKS: usize = 48;
@@ -56,7 +56,7 @@ pub(crate) struct Target<'a> {
     model: &'a Model,
     /// What the sheets are relative to.
     origin: DVec3,
-    flat: OnceCell<nurbs_hausdorff::project::Target>,
+    flat: OnceCell<nurbs_hausdorff::closest::Target>,
     sheets: &'a [Sheet],
     coarse: Vec<(usize, DVec2, DVec3)>,
 }
@@ -92,7 +92,7 @@ impl<'a> Target<'a> {
     fn hinted(&self, point: DVec3) -> f64 {
         let flat = || {
             let patches = flatten(&extract(self.model).patches, Flatness::Loose);
-            nurbs_hausdorff::project::Target::new(patches)
+            nurbs_hausdorff::closest::Target::new(patches)
         };
         let target = self.flat.get_or_init(flat);
         let diagonal = self.model.bounding_box().diagonal();
@@ -149,7 +149,7 @@ impl<'a> Target<'a> {
         let mut best = tangents.point.distance(target);
         let mut damping = DAMPING;
         for _ in 0..STEPS {
-            if best <= enough || damping > MOST_DAMPING {
+            if best <= enough || damping > MAX_DAMPING {
                 break;
             }
             let residual = tangents.point - target;

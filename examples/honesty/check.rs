@@ -6,9 +6,8 @@ use super::pairs::{Pair, pair};
 use super::sheet::{Sheet, sheets};
 use fastrand::Rng;
 use glam::{DVec2, DVec3};
-use nurbs_hausdorff::distance::{
-    Backend, DistanceResult, Engine, Options, PreparedModel, Silent, SurfacePoint,
-};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel, SurfacePoint};
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
 
 /// Samples along each direction of a surface of A, one at random in each cell
@@ -49,7 +48,7 @@ pub(crate) fn check(seed: u64) -> Outcome {
         ..Options::default()
     };
     let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
-    let measured = pollster::block_on(engine.distance(&a, &b, &options, &mut Silent));
+    let measured = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor));
     let result = measured.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
     let mut violations = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::MAX_ORDER;
 use super::Patch;
-use super::basis::{Basis, fill};
+use super::bernstein::{Basis, fill};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A point of a surface with its first and second derivatives by (s, t).
@@ -34,8 +34,8 @@ impl Jet {
 pub(crate) fn normal(s: DVec3, t: DVec3) -> Option<DVec3> {
     let normal = s.cross(t);
     // Below this sine the direction of the product is rounding noise.
-    const SMALLEST_SINE: f64 = 1e-10;
-    (normal.length() > SMALLEST_SINE * s.length() * t.length()).then(|| normal.normalize())
+    const MIN_SINE: f64 = 1e-10;
+    (normal.length() > MIN_SINE * s.length() * t.length()).then(|| normal.normalize())
 }
 
 impl Patch<'_> {

@@ -1,8 +1,8 @@
 //! Bézier extraction: one patch for every non-empty knot rectangle.
 
 use super::{MAX_ORDER, Patch, PatchSet};
+use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
-use crate::tree::Aabb;
 use glam::{DVec3, DVec4};
 
 /// Steps of the grid that patch centres lie on, along the model's diagonal

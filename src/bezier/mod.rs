@@ -1,27 +1,27 @@
 //! Bézier patches: what every later stage works on.
 
-mod basis;
+mod bernstein;
 mod derivative_bounds;
 mod evaluate;
 mod extract;
-mod local_bounds;
-mod monomials;
+mod local_derivative_bounds;
 mod oriented_box;
 mod patch;
+mod power_form;
 mod restrict;
 mod scaled;
 mod split;
 mod squares;
 mod tangents;
 
-pub use basis::MAX_ORDER;
+pub use bernstein::MAX_ORDER;
 pub use derivative_bounds::DerivativeBounds;
 pub use evaluate::Jet;
 pub(crate) use evaluate::normal;
 pub use extract::{BezierModel, PatchGrid, extract};
 pub(crate) use extract::{center_grid, power_of_two_below};
-pub use local_bounds::LocalBounds;
-pub(crate) use local_bounds::{BEYOND, MOST_DEGREES};
+pub use local_derivative_bounds::LocalDerivativeBounds;
+pub(crate) use local_derivative_bounds::{BEYOND, MAX_DEGREES};
 pub use oriented_box::OrientedBox;
 pub(crate) use patch::relative;
 pub use patch::{Patch, PatchSet};

@@ -1,6 +1,6 @@
 //! Storage of many Bézier patches.
 
-use crate::tree::Aabb;
+use crate::bvh::Aabb;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// One rational Bézier patch, borrowed from its set.

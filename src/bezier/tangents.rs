@@ -1,6 +1,6 @@
 //! Tangents of a patch on a grid.
 
-use super::basis::{Basis, fill};
+use super::bernstein::{Basis, fill};
 use super::evaluate::contract;
 use super::{MAX_ORDER, Patch};
 use glam::{DVec3, DVec4, Vec4Swizzles};

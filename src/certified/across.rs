@@ -1,7 +1,7 @@
 //! The patches of A that go on where one ends.
 
 use super::Side;
-use crate::project::{nearest_control, newton};
+use crate::closest::{nearest_control, newton};
 
 /// Distance between patches that count as joined, relative to the box around
 /// A: a guess where to go on is all that hangs on it.
@@ -37,7 +37,7 @@ pub(super) fn across(side: &Side<'_>, index: u32, parameters: [f64; 2]) -> Vec<(
 mod tests {
     use super::*;
     use crate::bezier::extract;
-    use crate::project::Target;
+    use crate::closest::Target;
     use crate::shapes::shape;
 
     /// On a closed surface every edge's point is one of another patch too, and

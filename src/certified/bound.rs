@@ -11,7 +11,7 @@ use super::nearest::{foot_on, nearest_feet, place_on};
 use super::on_sphere::on_sphere;
 use super::region::{Cell, Part, Region};
 use super::side::moved;
-use crate::project::Status;
+use crate::closest::Status;
 
 /// By how much a foot may be farther than the nearest one, in radii of the
 /// region: a bound that much larger is mostly as good, and most patches that

@@ -2,11 +2,11 @@
 
 use super::Search;
 use super::region::{Part, Region};
-use crate::project::Candidates;
+use crate::closest::Candidates;
 
 /// Patches looked at by parts of patches before a list is worth its making,
 /// which costs about as much.
-const MOST_LOOKS: usize = 64;
+const MAX_LOOKS: usize = 64;
 
 /// How much farther than the farthest point's patch others are listed, in radii
 /// of a cell: its corners are two from that point, and so move both distances.
@@ -14,7 +14,7 @@ const ROOM: f64 = 4.0;
 
 /// The same relative to the distance, at most: of a longer list, most would
 /// never be looked at.
-const LARGEST_ROOM: f64 = 0.03;
+const MAX_ROOM: f64 = 0.03;
 
 impl Search<'_> {
     /// Lists the patches near the farthest point before cells like this one are
@@ -29,14 +29,14 @@ impl Search<'_> {
                 return;
             }
         };
-        let many = *looks >= MOST_LOOKS;
+        let many = *looks >= MAX_LOOKS;
         let Some((point, distance)) = self.believed_point().filter(|_| many) else { return };
         let [s, t] = self.a.whole_bounds(cell.patch).first;
         let radius = cell.half[0] * s + cell.half[1] * t;
         let stale = |about: &Candidates| about.center.distance(point) > radius;
         if self.b.candidates.as_ref().is_none_or(stale) {
             *self.b.looks.get_mut() = 0;
-            let reach = distance + (ROOM * radius).min(LARGEST_ROOM * distance);
+            let reach = distance + (ROOM * radius).min(MAX_ROOM * distance);
             self.b.candidates = Some(Candidates::new(self.b.target, point, reach));
         }
     }

@@ -10,7 +10,7 @@ use super::Search;
 use super::feet::Sample;
 use super::region::Region;
 use super::search::Farthest;
-use crate::project::{Closest, Target, closest_above};
+use crate::closest::{Closest, Target, closest_above};
 use glam::DVec3;
 
 /// A point of A that seems to be the farthest.
@@ -119,9 +119,9 @@ mod tests {
     use super::super::feet::Foot;
     use super::super::{Interval, Side};
     use super::*;
-    use crate::bezier::{LocalBounds, PatchSet, extract};
+    use crate::bezier::{LocalDerivativeBounds, PatchSet, extract};
+    use crate::closest::closest;
     use crate::model::RigidTransform;
-    use crate::project::closest;
     use crate::shapes::shape;
 
     const TOLERANCE: f64 = 1e-5;
@@ -138,7 +138,7 @@ mod tests {
         let random = &mut fastrand::Rng::with_seed(2);
         let targets = [Target::new(patches("wavy-sheet")), Target::new(patches("torus"))];
         let bounds = targets.each_ref().map(|target| {
-            target.patches.iter().map(|_| LocalBounds::new([[0.0, 1.0]; 2])).collect::<Vec<_>>()
+            target.patches.iter().map(|_| LocalDerivativeBounds::new([[0.0, 1.0]; 2])).collect::<Vec<_>>()
         });
         let mut found_out = 0;
         for _ in 0..20 {

@@ -31,7 +31,7 @@ const SECANT_STEPS: usize = 6;
 const CLOSE: f64 = 0.05;
 
 /// Part of the bracket that a secant step takes at least, so that the bracket shrinks.
-const LEAST_STEP: f64 = 1e-3;
+const MIN_STEP: f64 = 1e-3;
 
 /// The cell's corners in [-1, 1]^2, around it.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -138,8 +138,7 @@ impl Corners<'_> {
         let mut vertex = to;
         for _ in 0..SECANT_STEPS {
             let fraction = at_low / (at_low - at_high);
-            let inside =
-                if fraction.is_finite() { fraction.clamp(LEAST_STEP, 1.0 - LEAST_STEP) } else { 0.5 };
+            let inside = if fraction.is_finite() { fraction.clamp(MIN_STEP, 1.0 - MIN_STEP) } else { 0.5 };
             let x = low + inside * (high - low);
             let place = at(x);
             vertex = (place, vertex.1.map(|foot| self.foot(place, &foot)));

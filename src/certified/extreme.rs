@@ -1,7 +1,7 @@
 //! Where A goes farthest in one direction.
 
 use super::Side;
-use crate::tree::Aabb;
+use crate::bvh::Aabb;
 use glam::{DVec3, Vec4Swizzles};
 
 /// The patch of a model whose controls go farthest along a direction, and the
@@ -50,7 +50,7 @@ fn reach(aabb: &Aabb, direction: DVec3) -> f64 {
 mod tests {
     use super::*;
     use crate::bezier::extract;
-    use crate::project::Target;
+    use crate::closest::Target;
     use crate::shapes::shape;
 
     /// No control goes farther than the one told.

@@ -1,6 +1,6 @@
 //! Points of B near a point of A.
 
-use crate::project::Status;
+use crate::closest::Status;
 
 /// A point of B near a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,19 +30,19 @@ pub(super) struct Sample {
 }
 
 /// Feet of one point, at most: enough directions to choose three from.
-const MOST_FEET: usize = 8;
+const MAX_FEET: usize = 8;
 
 /// The nearest of the feet met of one point, on different patches, by rising
 /// distance; at least one.
 #[derive(Debug, Clone)]
 pub(super) struct Feet {
-    list: [Foot; MOST_FEET],
+    list: [Foot; MAX_FEET],
     count: usize,
 }
 
 impl Feet {
     pub(super) fn of(foot: Foot) -> Self {
-        Self { list: [foot; MOST_FEET], count: 1 }
+        Self { list: [foot; MAX_FEET], count: 1 }
     }
 
     pub(super) fn nearest(&self) -> Foot {
@@ -61,7 +61,7 @@ impl Feet {
     pub(super) fn add(&mut self, foot: Foot) {
         let known = self.all().iter().position(|other| other.patch == foot.patch);
         let mut place = known.unwrap_or(self.count);
-        if place == MOST_FEET {
+        if place == MAX_FEET {
             place -= 1;
         }
         if place < self.count && self.list[place].distance_squared <= foot.distance_squared {
@@ -94,7 +94,7 @@ mod tests {
             nearest.sort_by(|a, b| a.distance_squared.total_cmp(&b.distance_squared));
             assert_eq!(feet.nearest(), nearest[0]);
             assert!(
-                feet.all().len() <= MOST_FEET && feet.all().is_sorted_by_key(|foot| foot.distance_squared)
+                feet.all().len() <= MAX_FEET && feet.all().is_sorted_by_key(|foot| foot.distance_squared)
             );
             // One that was pushed out may come back nearer, so only the first are sure.
             let of_patch = |foot: &Foot| nearest.iter().find(|other| other.patch == foot.patch).copied();

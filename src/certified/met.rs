@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// Patches remembered: more than are about equally near to most points.
-const MOST_MET: usize = 128;
+const MAX_MET: usize = 128;
 
 /// How near patches were to points about.
 ///
@@ -18,16 +18,16 @@ pub(super) struct Met {
 
 impl Met {
     pub(super) fn new() -> Self {
-        Self { list: vec![(0, DVec3::ZERO, f64::NEG_INFINITY); MOST_MET] }
+        Self { list: vec![(0, DVec3::ZERO, f64::NEG_INFINITY); MAX_MET] }
     }
 
     pub(super) fn add(&mut self, patch: u32, point: DVec3, distance: f64) {
-        self.list[patch as usize % MOST_MET] = (patch, point, distance);
+        self.list[patch as usize % MAX_MET] = (patch, point, distance);
     }
 
     /// At most the patch's distance to a point, as far as that is known.
     pub(super) fn least(&self, patch: u32, point: DVec3) -> f64 {
-        let (met, at, distance) = self.list[patch as usize % MOST_MET];
+        let (met, at, distance) = self.list[patch as usize % MAX_MET];
         if met == patch { distance - at.distance(point) } else { f64::NEG_INFINITY }
     }
 }
@@ -44,7 +44,7 @@ mod tests {
         let mut remembered = 0;
         for _ in 0..5000 {
             // Two of them share a place in the list.
-            let ball = random.u32(0..3) * MOST_MET as u32 / 2;
+            let ball = random.u32(0..3) * MAX_MET as u32 / 2;
             let center = DVec3::splat(f64::from(ball));
             let mut point = || DVec3::from_array([0; 3].map(|_| 10.0 * random.f64()));
             let (before, now) = (point(), point());

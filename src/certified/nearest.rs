@@ -3,7 +3,7 @@
 use super::Side;
 use super::feet::{Feet, Foot};
 use super::met::Met;
-use crate::project::{self, Candidate, Status, nearest_control, newton_below};
+use crate::closest::{self, Candidate, Status, nearest_control, newton_below};
 use glam::DVec3;
 use std::sync::atomic::Ordering;
 
@@ -25,7 +25,7 @@ pub(super) fn place_on(side: &Side<'_>, target: DVec3, patch: u32, parameters: [
 /// the squared distance that is expected of the patch at least.
 fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> (Foot, f64) {
     let (foot, least) = newton_below(&side.patch(patch), target, start, ITERATIONS, most);
-    let project::Foot { parameters, distance_squared, status } = foot;
+    let closest::Foot { parameters, distance_squared, status } = foot;
     (Foot { patch, parameters, distance_squared, status }, least)
 }
 

@@ -8,7 +8,7 @@ use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
 
 /// Halvings of one patch, at most: 65,536 pieces, more than are allowed in all.
-const MOST_HALVINGS: u32 = 16;
+const MAX_HALVINGS: u32 = 16;
 
 /// Where a piece lies on its patch, all numbers dyadic: its (σ, τ) in
 /// [-1, 1]^2 are the patch's `low + ½(1 + σ) width`.
@@ -66,7 +66,7 @@ impl Pieces {
             let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
             let place = Place { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
-            if !pieces.cut(&moved, place, grid, fits, MOST_HALVINGS, most) {
+            if !pieces.cut(&moved, place, grid, fits, MAX_HALVINGS, most) {
                 return None;
             }
             pieces.of_patch.push(first..pieces.places.len());

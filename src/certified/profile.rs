@@ -6,7 +6,7 @@ use crate::model::RigidTransform;
 use crate::symmetry::Revolution;
 
 /// Part of the tolerance that points of a profile's circle may differ by.
-const MOST_SLACK: f64 = 1e-2;
+const MAX_SLACK: f64 = 1e-2;
 
 /// Which surfaces of A are of revolution about an axis whose turns leave B as it is.
 ///
@@ -25,7 +25,7 @@ impl Profiles {
     pub(super) fn new(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, tolerance: f64) -> Self {
         let mut profiles = Self { round: Vec::with_capacity(a.revolutions.len()), slack: 0.0 };
         for of_a in a.revolutions {
-            let most = MOST_SLACK * tolerance;
+            let most = MAX_SLACK * tolerance;
             let slack = of_a.as_ref().map_or(f64::INFINITY, |of_a| slack(of_a, b, transform, most));
             let use_it = slack <= most;
             profiles.slack = profiles.slack.max(if use_it { slack } else { 0.0 });

@@ -8,14 +8,14 @@ use super::feet::{Foot, Sample};
 use super::met::Met;
 use super::nearest::{foot_on, nearest_within};
 use super::{Search, Side};
-use crate::project::closest_above;
+use crate::closest::closest_above;
 use glam::DVec3;
 
 /// Farthest samples of a chunk that are climbed from, at most.
-const MOST_CLIMBED: usize = 8;
+const MAX_CLIMBED: usize = 8;
 
 /// Patches that a sample climbs on to from the first, at most.
-const MOST_CROSSINGS: usize = 8;
+const MAX_CROSSINGS: usize = 8;
 
 /// Width asked of a sample's certificate, relative to the tolerance.
 const CERTIFICATE_PART: f64 = 1e-2;
@@ -46,7 +46,7 @@ impl Search<'_> {
     /// than a certificate's width.
     pub(super) fn raise(&mut self, bounded: &[Option<Bounded>]) {
         let mut samples: Vec<&Bounded> = bounded.iter().flatten().collect();
-        for _ in 0..MOST_CLIMBED.min(samples.len()) {
+        for _ in 0..MAX_CLIMBED.min(samples.len()) {
             let mut farthest = (0, -1.0);
             for (index, bounded) in samples.iter().enumerate() {
                 if bounded.sample.foot.distance_squared > farthest.1 {
@@ -88,7 +88,7 @@ impl Search<'_> {
             |patch, sample| climb(&self.a, &self.b, &self.transform, patch, sample, least, &mut met);
         let mut best = (patch, climb(patch, sample));
         let mut seen = vec![patch];
-        for _ in 0..MOST_CROSSINGS {
+        for _ in 0..MAX_CROSSINGS {
             let before = best;
             for (patch, parameters) in across(&self.a, before.0, before.1.parameters) {
                 if seen.contains(&patch) {

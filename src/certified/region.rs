@@ -68,7 +68,7 @@ pub(crate) struct Region {
 
 /// How much longer one side of a cell may be than the other before only the
 /// longer is halved.
-const LONGEST_ASPECT: f64 = 2.0;
+const MAX_ASPECT: f64 = 2.0;
 
 impl Region {
     /// Appends the parts of this region.
@@ -96,8 +96,7 @@ impl Region {
             Part::Cell(cell) => {
                 let [s, t] = side.whole_bounds(cell.patch).first;
                 let lengths = [s * cell.half[0], t * cell.half[1]];
-                let axes =
-                    [lengths[0] * LONGEST_ASPECT >= lengths[1], lengths[1] * LONGEST_ASPECT >= lengths[0]];
+                let axes = [lengths[0] * MAX_ASPECT >= lengths[1], lengths[1] * MAX_ASPECT >= lengths[0]];
                 for child in cell.split(axes) {
                     push(Part::Cell(child), foot);
                 }

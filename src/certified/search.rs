@@ -9,9 +9,9 @@ use super::profile::Profiles;
 use super::queue::Queue;
 use super::region::{Part, Region};
 use crate::bezier::Patch;
+use crate::closest::Closest;
 use crate::model::RigidTransform;
 use crate::parallel::{is_few, map_short, side_by_side, together};
-use crate::project::Closest;
 use crate::rounding::coordinate_rounding;
 use glam::DVec3;
 
@@ -20,7 +20,7 @@ use glam::DVec3;
 const CHUNK: usize = 1024;
 
 /// Half-width of a cell that float64 does not halve further with use.
-const SMALLEST_HALF: f64 = 1e-12;
+const MIN_HALF: f64 = 1e-12;
 
 /// Rounding of a bound in those of coordinates: a cell's sums take fewer than
 /// some hundred roundings of 2^-53 each, and a flat piece's controls, followed
@@ -28,7 +28,7 @@ const SMALLEST_HALF: f64 = 1e-12;
 const ROUNDING: f64 = 8.0;
 
 /// Part of the tolerance that rounding may take; of a finer one, it takes all.
-const MOST_LOST: f64 = 0.5;
+const MAX_LOST: f64 = 0.5;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
             a,
             b,
             transform,
-            tolerance: if lost < MOST_LOST * tolerance { tolerance - lost } else { tolerance },
+            tolerance: if lost < MAX_LOST * tolerance { tolerance - lost } else { tolerance },
             limit,
             rounding,
             profiles,
@@ -305,7 +305,7 @@ impl<'a> Search<'a> {
             let upper = bounded.as_ref().map_or(region.upper, |bounded| bounded.upper);
             self.cells += usize::from(bounded.is_some());
             let too_small =
-                matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < SMALLEST_HALF);
+                matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF);
             match bounded {
                 Some(bounded) if upper > enough && !too_small => {
                     let first = parts.len();

@@ -1,9 +1,9 @@
 //! One of the two models, as this method wants it.
 
-use crate::bezier::{DerivativeBounds, Jet, LocalBounds, Patch, PatchSet};
+use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
+use crate::closest::Candidates;
+use crate::closest::Target;
 use crate::model::RigidTransform;
-use crate::project::Candidates;
-use crate::project::Target;
 use crate::symmetry::{Revolution, Sphere};
 use glam::DVec3;
 use std::sync::atomic::AtomicUsize;
@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicUsize;
 #[derive(Debug)]
 pub(crate) struct Side<'a> {
     pub(super) target: &'a Target,
-    pub(super) bounds: &'a [LocalBounds],
+    pub(super) bounds: &'a [LocalDerivativeBounds],
     /// Its patches cut as the other side's are.
     pub(super) alike: &'a PatchSet,
     /// What each surface is, where that is known.
@@ -27,7 +27,7 @@ pub(crate) struct Side<'a> {
 
 impl<'a> Side<'a> {
     /// `bounds` belong to the target's patches, one each.
-    pub(crate) fn new(target: &'a Target, bounds: &'a [LocalBounds]) -> Self {
+    pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
         Self {
             target,
             bounds,

@@ -124,7 +124,7 @@ fn ridge(one: Hill, two: Hill) -> (DVec2, f64) {
 mod tests {
     use super::*;
     use crate::bezier::extract;
-    use crate::project::{Target, closest};
+    use crate::closest::{Target, closest};
     use crate::shapes::shape;
 
     /// A hill about another place.

@@ -2,10 +2,10 @@
 //! at its nearest control point.
 
 mod curvature;
-mod normal_span;
-mod rooms;
+mod extension;
+mod normal_cone;
 
-pub use rooms::rooms;
+pub use extension::rooms;
 
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
@@ -27,7 +27,7 @@ pub enum Flatness {
 
 /// Halvings of one patch along all directions together, at most: 256 pieces.
 /// Where normals jump at a point, as at a cone's apex, no cut makes a patch flat.
-const MOST_HALVINGS: u32 = 8;
+const MAX_HALVINGS: u32 = 8;
 
 /// Samples along each direction of a patch at which normals and curvatures are
 /// taken. They steer the cutting only; no bound rests on them.
@@ -38,8 +38,8 @@ impl Flatness {
     fn direction(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<usize> {
         let [s, t] = match self {
             Self::None => return None,
-            Self::Loose => normal_span::excess(patch, basis, 45_f64.to_radians())?,
-            Self::Tight => normal_span::excess(patch, basis, 25_f64.to_radians())?,
+            Self::Loose => normal_cone::excess(patch, basis, 45_f64.to_radians())?,
+            Self::Tight => normal_cone::excess(patch, basis, 25_f64.to_radians())?,
             Self::Curvature => curvature::excess(patch, 45_f64.to_radians())?,
         };
         Some(usize::from(t > s))
@@ -62,7 +62,7 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
             let patch = patches.patch(index);
             let basis = GridBasis::new(patch.degree, sample_parameter);
             let cutting = Cutting { flatness, basis, grid };
-            cutting.cut(&mut part, patch, MOST_HALVINGS);
+            cutting.cut(&mut part, patch, MAX_HALVINGS);
         }
         part
     }) {
@@ -82,7 +82,7 @@ impl Cutting {
     fn cut(&self, flat: &mut PatchSet, patch: Patch<'_>, halvings: u32) {
         let direction = if halvings > 0 { self.flatness.direction(&patch, &self.basis) } else { None };
         let Some(axis) = direction else {
-            if halvings == MOST_HALVINGS {
+            if halvings == MAX_HALVINGS {
                 flat.push(patch)
             } else {
                 flat.push_centered(patch, self.grid)

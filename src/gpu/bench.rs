@@ -2,11 +2,11 @@
 
 use super::{Gpu, GpuStages};
 use crate::bezier::BezierModel;
-use crate::distance::{Progress, Silent};
+use crate::closest::Target;
 use crate::error::Result;
 use crate::iteration::{Rule, Sampling};
 use crate::model::RigidTransform;
-use crate::project::Target;
+use crate::progress::{NoMonitor, Progress};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -49,7 +49,7 @@ impl StageBench {
     /// # Errors
     /// As [`StageBench::new`].
     pub fn project(&mut self) -> Result<()> {
-        let mut silent = Silent;
+        let mut silent = NoMonitor;
         let mut progress = Progress::new(&mut silent, false);
         for (index, page) in self.pages.iter().enumerate() {
             pollster::block_on(self.stages.project(index, page, &mut progress))?;

@@ -4,7 +4,7 @@ use super::Gpu;
 use bytemuck::Pod;
 
 /// Bytes of one binding, at most: the default limit of WebGPU.
-pub(super) const MOST_BINDING_BYTES: u64 = 128 << 20;
+pub(super) const MAX_BINDING_BYTES: u64 = 128 << 20;
 
 /// Bytes that a buffer's size is a multiple of.
 const SIZE_MULTIPLE: u64 = 16;
@@ -34,12 +34,12 @@ impl Gpu {
         self.buffer(label, bytes, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)
     }
 
-    /// Over [`MOST_BINDING_BYTES`] there is room for nothing in it, and the
+    /// Over [`MAX_BINDING_BYTES`] there is room for nothing in it, and the
     /// next [`Gpu::check`] fails, without which nothing is read back or kept.
     pub(super) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         let mut size = bytes.max(1).next_multiple_of(SIZE_MULTIPLE);
-        if size > MOST_BINDING_BYTES {
-            self.fail(format!("{label} wants {size} bytes, expected at most {MOST_BINDING_BYTES}"));
+        if size > MAX_BINDING_BYTES {
+            self.fail(format!("{label} wants {size} bytes, expected at most {MAX_BINDING_BYTES}"));
             size = SIZE_MULTIPLE;
         }
         self.device.create_buffer(&wgpu::BufferDescriptor {

@@ -7,11 +7,11 @@ use super::test_gpu::gpu;
 use super::work::Work;
 use super::{Frame, Gpu, GpuDescent};
 use crate::bezier::extract;
-use crate::distance::{Progress, Silent};
-use crate::hierarchy::{CellTree, Part, boxes, pyramid};
+use crate::bvh::Aabb;
+use crate::hierarchy::{GridTree, Part, boxes, pyramid};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
+use crate::progress::{NoMonitor, Progress};
 use crate::shapes::shape;
-use crate::tree::Aabb;
 use glam::{DQuat, DVec3};
 use std::rc::Rc;
 
@@ -52,10 +52,10 @@ fn weightless_corners() -> Model {
 /// Checks the boxes of `a`, moved, against `b`.
 fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: usize, name: &str) {
     let models = [a, b].map(extract);
-    let trees = [0, 1].map(|side| CellTree::new(&models[side], grid).unwrap());
+    let trees = [0, 1].map(|side| GridTree::new(&models[side], grid).unwrap());
     let sides = [0, 1].map(|side| Rc::new(gpu.upload_cells(&models[side], &trees[side])));
     let origin = sides[1].origin;
-    let mut silent = Silent;
+    let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);
     let coordinate = origin.length() + transform.offset().length() + a.bounding_box().max.length();
     let frame = Frame { transform, slack: 64.0 * f64::EPSILON * coordinate };

@@ -10,22 +10,24 @@ use super::rounding::{ROUNDING, power_of_two_to_one, rounded, rounded_up};
 use super::stages::ROUNDINGS;
 use super::upload_cells::{GpuCells, PartGroup};
 use super::work::{Dispatch, Extent, Work};
-use crate::distance::{Descended, Progress, now};
 use crate::error::Result;
 use crate::hierarchy::Distances;
+use crate::hierarchy::LevelBounds;
 use crate::model::RigidTransform;
+use crate::progress::Progress;
 use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
 use std::rc::Rc;
+use web_time::Instant;
 
 /// Children of a node in a descent, at most.
-const MOST_CHILDREN: usize = 4;
+const MAX_CHILDREN: usize = 4;
 
 /// Bytes of a pair of indices.
 const PAIR_BYTES: u64 = 8;
 
 /// Bytes of the largest item of a storage buffer, which one must hold.
-const LARGEST_ITEM: u64 = size_of::<Box>() as u64;
+const MAX_ITEM: u64 = size_of::<Box>() as u64;
 
 /// Squared distances from here on are beyond float32.
 const FARTHEST: f32 = super::stages::FARTHEST;
@@ -135,7 +137,7 @@ impl GpuDescent {
     /// Makes the pipelines, and runs the new ones on nothing, which makes the
     /// driver compile them.
     async fn compile(&mut self) -> Result<()> {
-        let started = now();
+        let started = Instant::now();
         let mut kernels = vec![
             Kernel::Box(BoxKernel::Pyramid),
             Kernel::Box(BoxKernel::Bound),
@@ -156,12 +158,12 @@ impl GpuDescent {
         let mut work = Work::new(&self.gpu, &self.params);
         for kernel in kernels {
             let (params_bytes, storage) = kernel.bindings();
-            let empty: Vec<_> = storage.iter().map(|_| self.gpu.storage("empty", LARGEST_ITEM)).collect();
+            let empty: Vec<_> = storage.iter().map(|_| self.gpu.storage("empty", MAX_ITEM)).collect();
             let empty: Vec<&wgpu::Buffer> = empty.iter().collect();
             self.record(&mut work, kernel, &empty, &vec![0; params_bytes], 0);
         }
         work.submit().await?;
-        self.compile_seconds = now() - started;
+        self.compile_seconds = started.elapsed().as_secs_f64();
         Ok(())
     }
 
@@ -274,13 +276,13 @@ impl GpuDescent {
         &mut self,
         most_pairs: usize,
         progress: &mut Progress<'_>,
-    ) -> Result<Descended> {
+    ) -> Result<LevelBounds> {
         let [a, b] = [0, 1].map(|side| &self.boxes[side][self.own(side, self.level + 1)]);
         let [nodes_a, nodes_b] = [0, 1].map(|side| self.nodes(side));
         let nodes = self.sides[0].counts[self.own(0, self.level + 1)];
         let bounds = self.gpu.storage("bounds", (nodes * size_of::<Bound>()) as u64);
         let totals = self.gpu.storage("totals", size_of::<Totals>() as u64);
-        let capacity = most_pairs.min(self.pair_count * MOST_CHILDREN * MOST_CHILDREN);
+        let capacity = most_pairs.min(self.pair_count * MAX_CHILDREN * MAX_CHILDREN);
         let next = self.gpu.storage("pairs", capacity as u64 * PAIR_BYTES);
         let storage = [&self.pairs, nodes_a, nodes_b, a, b, &bounds, &totals, &next];
         let params = StepParams { capacity: capacity as u32, ..Zeroable::zeroed() };
@@ -298,7 +300,7 @@ impl GpuDescent {
             (self.pairs, self.pair_count, self.bounds, self.totals) = (next, pairs as usize, bounds, totals);
             self.level += 1;
         }
-        Ok(Descended::new(u64::from(pairs), Distances { near: squared(near), far }))
+        Ok(LevelBounds::new(u64::from(pairs), Distances { near: squared(near), far }))
     }
 
     /// Stage `farthest`: on the last level, the cell of A that is the farthest

@@ -1,7 +1,7 @@
 //! Patches of equal degree that fit a binding together.
 
 use super::Gpu;
-use super::buffers::MOST_BINDING_BYTES;
+use super::buffers::MAX_BINDING_BYTES;
 use super::rounding::{power_of_two_to_one, rounded};
 use crate::bezier::PatchSet;
 use glam::{DVec3, DVec4};
@@ -18,7 +18,7 @@ pub(super) struct Controls {
 /// Patches of `degree` that a binding holds.
 pub(super) fn most_patches(degree: [usize; 2]) -> usize {
     let bytes = (degree[0] + 1) * (degree[1] + 1) * size_of::<[f32; 4]>();
-    MOST_BINDING_BYTES as usize / bytes
+    MAX_BINDING_BYTES as usize / bytes
 }
 
 /// Lists of patches of equal degree, each within a binding, in order of degree.

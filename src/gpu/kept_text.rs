@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 /// Controls of a patch that threads keep, at most: rows are then written out,
 /// which takes llvmpipe's compiler minutes for the largest patches.
-pub(super) const MOST_KEPT: usize = 36;
+pub(super) const MAX_KEPT: usize = 36;
 
 /// `join`, which all threads of a subgroup must call first, and what they find
 /// out together: broadcasts, which llvmpipe has instructions for, unlike

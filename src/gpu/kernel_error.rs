@@ -4,11 +4,11 @@
 
 use super::test_gpu::gpu;
 use super::{Gpu, GpuStages};
-use crate::distance::{Progress, Silent};
+use crate::closest::{Projection, Target, closest};
 use crate::flatness::{Flatness, flatten};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
-use crate::project::{Projection, Target, closest};
+use crate::progress::{NoMonitor, Progress};
 use glam::{DQuat, DVec3};
 use std::rc::Rc;
 
@@ -52,7 +52,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
     let on_gpu = Rc::new(gpu.upload_sampling(&a, &sampling));
     let to = Rc::new(gpu.upload_target(&target));
     let mut stages = pollster::block_on(GpuStages::new(gpu, on_gpu, to, transform, rule)).unwrap();
-    let mut silent = Silent;
+    let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);
     let error = stages.distance_error();
     let diagonal = target.patches.bounding_box().diagonal();

@@ -173,8 +173,8 @@ mod tests {
     };
     use super::super::{box_kernels::BoxKernel, pipelines::Kernel, stages::FARTHEST};
     use super::*;
+    use crate::closest::Projection;
     use crate::iteration::Culling;
-    use crate::project::Projection;
     use naga::valid::{Capabilities, SubgroupOperationSet, Validator};
     use naga::{Expression, Literal, Module, TypeInner};
     use std::mem::offset_of;
@@ -404,9 +404,9 @@ mod tests {
     fn statuses_are_numbered_as_in_the_kernels() {
         let module = &parsed(Kernel::Reduce, 0);
         for (name, status) in [
-            ("CONVERGED", crate::project::Status::Converged),
-            ("ITERATION_LIMIT", crate::project::Status::IterationLimit),
-            ("ON_EDGE", crate::project::Status::OnEdge),
+            ("CONVERGED", crate::closest::Status::Converged),
+            ("ITERATION_LIMIT", crate::closest::Status::IterationLimit),
+            ("ON_EDGE", crate::closest::Status::OnEdge),
         ] {
             assert_eq!(constant(module, name), status as u32);
         }

@@ -6,7 +6,7 @@ use super::pipelines::Kernel;
 use super::work::Work;
 use super::{Gpu, Levels};
 use crate::certified::Search;
-use crate::distance::PreparedModel;
+use crate::engine::PreparedModel;
 use crate::error::Result;
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;

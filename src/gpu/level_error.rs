@@ -9,11 +9,11 @@ use super::test_gpu::gpu;
 use super::upload_pieces::{PieceFrame, Reach};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
-use crate::bezier::{LocalBounds, PatchSet};
+use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Part, Pieces, Search, Side};
+use crate::closest::Target;
+use crate::closest::closest;
 use crate::model::RigidTransform;
-use crate::project::Target;
-use crate::project::closest;
 use bytemuck::{Zeroable, bytes_of};
 use glam::{DQuat, DVec3, DVec4};
 
@@ -47,8 +47,8 @@ fn set(patches: &[Vec<DVec4>], degree: [usize; 2]) -> PatchSet {
     set
 }
 
-fn bounds(set: &PatchSet) -> Vec<LocalBounds> {
-    set.iter().map(|_| LocalBounds::new([[0.0, 1.0]; 2])).collect()
+fn bounds(set: &PatchSet) -> Vec<LocalDerivativeBounds> {
+    set.iter().map(|_| LocalDerivativeBounds::new([[0.0, 1.0]; 2])).collect()
 }
 
 /// The jets at the cells' centres as the kernel `cell` computes them, in (σ, τ).

@@ -13,13 +13,13 @@ use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
 use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
-use crate::distance::now;
+use crate::closest::{Projection, Target};
 use crate::error::Result;
 use crate::iteration::Culling;
 use crate::model::RigidTransform;
-use crate::project::{Projection, Target};
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
 use std::rc::Rc;
+use web_time::Instant;
 
 /// Cells that a level has room for.
 const CAPACITY: usize = 1 << 15;
@@ -29,18 +29,18 @@ const LEVELS: usize = 4;
 
 /// Cells that a submission may leave over: those of every level, and parts
 /// that found no room in the next.
-const MOST_LEFT: usize = 4 * LEVELS * CAPACITY;
+const MAX_LEFT: usize = 4 * LEVELS * CAPACITY;
 
 /// Cells that a submission begins with: first, and at least.
 const FIRST_CHUNK: usize = 2048;
-const LEAST_CHUNK: usize = 256;
+const MIN_CHUNK: usize = 256;
 
 /// Seconds that a submission should take: browsers kill work of seconds, and
 /// this is also the grain of progress and cancelling.
 const SECONDS: f64 = 0.2;
 
 /// Pieces of a model, at most.
-const MOST_PIECES: usize = 1 << 15;
+const MAX_PIECES: usize = 1 << 15;
 
 /// Part of the tolerance that float32 may lose in the pieces of either model,
 /// and in the length of a distance.
@@ -110,8 +110,8 @@ impl Levels {
         }
         let (a, b, transform) = search.sides();
         let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
-        let Some(from) = Pieces::new(a, transform, &fits, MOST_PIECES) else { return Ok(None) };
-        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, &fits, MOST_PIECES) else { return Ok(None) };
+        let Some(from) = Pieces::new(a, transform, &fits, MAX_PIECES) else { return Ok(None) };
+        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, &fits, MAX_PIECES) else { return Ok(None) };
         let target = gpu.upload_target(&Target::new(to.patches.clone()));
         let frame = frame(&target, [&from, &to]);
         let from_groups = by_degree(&from.patches);
@@ -133,7 +133,7 @@ impl Levels {
             batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages),
             cells: [cells("cells"), cells("next cells")],
             best: gpu.storage("best", (CAPACITY * size_of::<Best>()) as u64),
-            left: gpu.storage("left cells", (MOST_LEFT * size_of::<Cell>()) as u64),
+            left: gpu.storage("left cells", (MAX_LEFT * size_of::<Cell>()) as u64),
             tally: gpu.storage("tally", size_of::<Tally>() as u64),
         };
         let steps = steps(gpu, &buffers, &uploaded, &target);
@@ -154,7 +154,7 @@ impl Levels {
     /// # Errors
     /// [`Error::GpuFailed`], [`Error::DeviceLost`]; the search has its cells back.
     pub(crate) async fn advance(&mut self, search: &mut Search<'_>) -> Result<()> {
-        let started = now();
+        let started = Instant::now();
         let lent = search.lend(self.chunk);
         match self.bound(&lent, search.enough()).await {
             Ok(returned) => search.settle(returned),
@@ -163,9 +163,9 @@ impl Levels {
                 return Err(error);
             }
         }
-        let seconds = now() - started;
+        let seconds = started.elapsed().as_secs_f64();
         if seconds > SECONDS {
-            self.chunk = (self.chunk / 2).max(LEAST_CHUNK);
+            self.chunk = (self.chunk / 2).max(MIN_CHUNK);
         } else if 2.0 * seconds < SECONDS {
             self.chunk = (2 * self.chunk).min(CAPACITY / 4);
         }

@@ -2,7 +2,7 @@
 
 use super::layouts::Node;
 use super::upload_target::leaf_place;
-use crate::tree::BoxTree;
+use crate::bvh::Bvh;
 
 /// No box: farther from everything than any distance.
 const EMPTY: Node = Node { box_min: [f32::MAX; 3], place: 0, box_max: [f32::MIN; 3], second: 0 };
@@ -12,9 +12,9 @@ const EMPTY: Node = Node { box_min: [f32::MAX; 3], place: 0, box_max: [f32::MIN;
 /// there are as many as `lanes`. `pack` is given a node and its place, as
 /// `project_packet.wgsl` reads it. O(n lanes^2).
 pub(super) fn packet_nodes(
-    tree: &BoxTree,
+    tree: &Bvh,
     lanes: usize,
-    pack: &dyn Fn(&crate::tree::Node, u32) -> Node,
+    pack: &dyn Fn(&crate::bvh::Node, u32) -> Node,
 ) -> Vec<Node> {
     let nodes = tree.nodes();
     let of = |index: u32| &nodes[index as usize];
@@ -51,7 +51,7 @@ pub(super) fn packet_nodes(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tree::Aabb;
+    use crate::bvh::Aabb;
     use glam::DVec3;
 
     /// Bounds of a node of the kernel's tree, and the patches below.
@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn every_patch_is_below_the_root_once_in_boxes_around_those_below() {
         let mut random = fastrand::Rng::with_seed(1);
-        let pack = |of: &crate::tree::Node, place| Node {
+        let pack = |of: &crate::bvh::Node, place| Node {
             box_min: of.aabb.min.to_array().map(|x| x as f32),
             place,
             box_max: of.aabb.max.to_array().map(|x| x as f32),
@@ -86,7 +86,7 @@ mod tests {
         for (count, lanes) in [(1, 8), (2, 4), (8, 8), (9, 8), (100, 4), (1000, 8), (333, 16)] {
             let mut point = || DVec3::new(random.f64(), random.f64(), random.f64());
             let boxes: Vec<Aabb> = (0..count).map(|_| Aabb::EMPTY.with(point()).with(point())).collect();
-            let nodes = packet_nodes(&BoxTree::new(&boxes), lanes, &pack);
+            let nodes = packet_nodes(&Bvh::new(&boxes), lanes, &pack);
             let mut seen = Vec::new();
             below(&nodes, lanes, 0, &mut seen);
             seen.sort_unstable();

@@ -26,7 +26,7 @@ fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Resul
     #[cfg(not(target_arch = "wasm32"))]
     if lanes > 0 {
         super::kept_text::write_together(text, lanes)?;
-        if (p + 1) * (q + 1) <= super::kept_text::MOST_KEPT {
+        if (p + 1) * (q + 1) <= super::kept_text::MAX_KEPT {
             return super::kept_text::write_kept(text, [p, q], lanes);
         }
     }

@@ -4,8 +4,8 @@
 use super::box_kernels::BoxKernel;
 use super::layouts::{LevelParams, ProjectParams, ReduceParams, SampleParams};
 use super::patch_text::patch_text;
+use crate::closest::Projection;
 use crate::iteration::Culling;
-use crate::project::Projection;
 use std::cell::RefCell;
 use std::num::NonZeroU64;
 use std::rc::Rc;

@@ -7,7 +7,7 @@ use bytemuck::Zeroable;
 
 /// Turns of all loops of one invocation, at most: llvmpipe ends every loop
 /// after 65,535, in the middle of whatever it sums.
-const MOST_TURNS: usize = 60_000;
+const MAX_TURNS: usize = 60_000;
 
 /// Evaluations a step of the projection takes, at most: the step and its halvings.
 const EVALUATIONS_PER_STEP: usize = 10;
@@ -49,7 +49,7 @@ impl Plan {
             threads: columns.next_multiple_of(TILE[0]) * rows.next_multiple_of(TILE[1]),
             patches,
             culling: rule.culling,
-            most_patches: (MOST_TURNS / turns).max(1),
+            most_patches: (MAX_TURNS / turns).max(1),
             thread: 0,
             thread_count: 0,
             patch: 0,
@@ -100,7 +100,7 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::project::Projection;
+    use crate::closest::Projection;
 
     #[test]
     fn every_sample_meets_every_patch_once_whatever_the_pace() {

@@ -1,7 +1,7 @@
 //! From float64 into the kernels' float32.
 
 use crate::bezier::{center_grid, power_of_two_below};
-use crate::tree::Aabb;
+use crate::bvh::Aabb;
 use glam::{DVec3, DVec4};
 
 /// A rounding of WGSL, which promises no mode: a whole unit in the last place.

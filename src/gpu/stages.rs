@@ -8,15 +8,17 @@ use super::rounding::{ROUNDING, rounded, rounded_down};
 use super::upload_sampling::{GpuSampling, SampleGroup};
 use super::upload_target::{GpuTarget, TargetGroup};
 use super::work::{Dispatch, Extent, Work};
-use crate::distance::{Candidate, Progress, StatusCounts, now};
+use crate::closest::Status;
 use crate::error::Result;
+use crate::iteration::{Candidate, StatusCounts};
 use crate::iteration::{Culling, Projected, Rule};
 use crate::model::RigidTransform;
-use crate::project::Status;
+use crate::progress::Progress;
 use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
 use std::ops::Range;
 use std::rc::Rc;
+use web_time::Instant;
 
 /// Samples of which `reduce` finds the farthest: some sixteen a thread.
 const BLOCK_SIZE: u32 = 1024;
@@ -75,7 +77,7 @@ impl GpuStages {
             blocks: gpu.storage("blocks", block_bytes),
             readable: gpu.readable("readable", best_bytes.max(block_bytes)),
         };
-        let started = now();
+        let started = Instant::now();
         let (pipeline, mut new) = gpu.pipelines.get(Kernel::Reduce);
         let bind_group = gpu.bind(&pipeline, &buffers.params, &[&buffers.best, &buffers.blocks]);
         let mut stages = Self {
@@ -110,7 +112,7 @@ impl GpuStages {
         if new {
             stages.record_reduce(&mut work, 0);
             work.submit().await?;
-            stages.compile_seconds = now() - started;
+            stages.compile_seconds = started.elapsed().as_secs_f64();
         }
         Ok(stages)
     }

@@ -6,7 +6,7 @@ use super::groups::{Controls, by_degree};
 use super::rounding::{OwnFrame, rounded_up};
 use super::upload_target::patch_error;
 use crate::bezier::BezierModel;
-use crate::hierarchy::{self, CellTree};
+use crate::hierarchy::{self, GridTree};
 use glam::DVec3;
 
 /// A tree of cells on the GPU, without boxes, which depend on where the model is.
@@ -39,7 +39,7 @@ pub(super) struct PartGroup {
 
 impl Gpu {
     /// Uploads the tree and the patches of its model.
-    pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &CellTree) -> GpuCells {
+    pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &GridTree) -> GpuCells {
         let OwnFrame { origin, scale, radius } = OwnFrame::of(model.patches.bounding_box());
         let mut groups = Vec::new();
         for (degree, members) in by_degree(&model.patches) {

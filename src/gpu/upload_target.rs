@@ -6,8 +6,8 @@ use super::layouts::Node;
 #[cfg(not(target_arch = "wasm32"))]
 use super::packet_tree::packet_nodes;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
-use crate::project::Target;
-use crate::tree::{Aabb, BoxTree};
+use crate::bvh::{Aabb, Bvh};
+use crate::closest::Target;
 use glam::DVec3;
 
 /// A target on the GPU.
@@ -58,7 +58,7 @@ impl Gpu {
                 boxes.push(patch.bounding_box());
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
-            let tree = BoxTree::new(&boxes);
+            let tree = Bvh::new(&boxes);
             let nodes = self.nodes(&tree, &|of, place| node(of, place, origin, scale));
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
@@ -74,12 +74,12 @@ impl Gpu {
     }
 
     /// The tree as stage `project` goes through it.
-    fn nodes(&self, tree: &BoxTree, pack: &dyn Fn(&crate::tree::Node, u32) -> Node) -> Vec<Node> {
+    fn nodes(&self, tree: &Bvh, pack: &dyn Fn(&crate::bvh::Node, u32) -> Node) -> Vec<Node> {
         #[cfg(not(target_arch = "wasm32"))]
         if self.pipelines.lanes > 0 {
             return packet_nodes(tree, self.pipelines.lanes as usize, pack);
         }
-        let place = |index: usize, of: &crate::tree::Node| {
+        let place = |index: usize, of: &crate::bvh::Node| {
             if of.is_leaf() { leaf_place(of) } else { 2 * index as u32 }
         };
         tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).collect()
@@ -87,7 +87,7 @@ impl Gpu {
 }
 
 /// What tells the kernels a leaf's patch: odd, where an inner node's place is even.
-pub(super) fn leaf_place(leaf: &crate::tree::Node) -> u32 {
+pub(super) fn leaf_place(leaf: &crate::bvh::Node) -> u32 {
     2 * leaf.first + 1
 }
 
@@ -104,7 +104,7 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
 }
 
 /// A node with its box rounded outwards.
-fn node(node: &crate::tree::Node, place: u32, origin: DVec3, scale: f64) -> Node {
+fn node(node: &crate::bvh::Node, place: u32, origin: DVec3, scale: f64) -> Node {
     Node {
         box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
         place,

@@ -2,30 +2,30 @@
 
 use super::Gpu;
 use super::pipelines::{Kernel, Pipeline};
-use crate::distance::now;
 use crate::error::Result;
 use std::cell::RefCell;
 use std::rc::Rc;
+use web_time::Instant;
 
 /// Seconds that a submission may be expected to take: browsers kill work of
 /// seconds, and this is also the grain of progress and cancelling.
-const MOST_SECONDS: f64 = 0.2;
+const MAX_SECONDS: f64 = 0.2;
 
 /// Units a second assumed of a kernel never run: slow enough that the first
 /// dispatch stays short on a software adapter.
 const FIRST_RATE: f64 = 2e4;
 
 /// A rate changes by at most this factor at a time, in case a measurement is odd.
-const MOST_RATE_CHANGE: f64 = 8.0;
+const MAX_RATE_CHANGE: f64 = 8.0;
 
 /// Params in one submission, at most.
-const MOST_DISPATCHES: usize = 256;
+const MAX_DISPATCHES: usize = 256;
 
 /// Bytes between params: the offset alignment that every device accepts.
 const PARAMS_STRIDE: usize = 256;
 
 /// Workgroups along one dimension, at most: the default limit of WebGPU.
-const MOST_WORKGROUPS: u32 = 65_535;
+const MAX_WORKGROUPS: u32 = 65_535;
 
 /// How fast each kernel was seen to run, in units of work a second.
 #[derive(Debug, Default)]
@@ -38,7 +38,7 @@ impl Pace {
 
     /// Units of work of this kernel that fill a submission; at least 1.
     pub(super) fn chunk(&self, kernel: Kernel) -> usize {
-        (self.rate(kernel) * MOST_SECONDS).max(1.0) as usize
+        (self.rate(kernel) * MAX_SECONDS).max(1.0) as usize
     }
 }
 
@@ -75,7 +75,7 @@ impl Gpu {
     /// A buffer for the params of a submission.
     pub(super) fn params(&self) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
-        self.buffer("params", (MOST_DISPATCHES * PARAMS_STRIDE) as u64, usage)
+        self.buffer("params", (MAX_DISPATCHES * PARAMS_STRIDE) as u64, usage)
     }
 
     /// The bind group of a pipeline: params, then the storage buffers in order.
@@ -110,7 +110,7 @@ impl<'a> Work<'a> {
 
     /// Whether the submission is long enough, in time or in dispatches.
     fn is_full(&self) -> bool {
-        self.expected >= MOST_SECONDS || self.bytes.len() >= MOST_DISPATCHES * PARAMS_STRIDE
+        self.expected >= MAX_SECONDS || self.bytes.len() >= MAX_DISPATCHES * PARAMS_STRIDE
     }
 
     /// Records a dispatch; the submission must not be full.
@@ -127,7 +127,7 @@ impl<'a> Work<'a> {
         pass.set_bind_group(0, dispatch.bind_group, &[offset as u32]);
         match dispatch.extent {
             Extent::Workgroups(count) => {
-                let rows = count.div_ceil(MOST_WORKGROUPS).max(1);
+                let rows = count.div_ceil(MAX_WORKGROUPS).max(1);
                 pass.dispatch_workgroups(count.div_ceil(rows).max(1), rows, 1);
             }
             Extent::Indirect(buffer) => pass.dispatch_workgroups_indirect(buffer, 0),
@@ -159,11 +159,12 @@ impl<'a> Work<'a> {
     /// Submits, waits, and learns how fast the kernels are.
     pub(super) async fn submit(self) -> Result<()> {
         let Self { gpu, params, encoder, bytes, expected, kernels } = self;
-        let started = now();
+        let started = Instant::now();
         gpu.queue.write_buffer(params, 0, &bytes);
         gpu.queue.submit([encoder.finish()]);
         gpu.finish().await?;
-        let factor = (expected / (now() - started)).clamp(1.0 / MOST_RATE_CHANGE, MOST_RATE_CHANGE);
+        let factor =
+            (expected / started.elapsed().as_secs_f64()).clamp(1.0 / MAX_RATE_CHANGE, MAX_RATE_CHANGE);
         let mut rates = gpu.pace.0.borrow_mut();
         for kernel in kernels {
             match rates.iter_mut().find(|(of, _)| *of == kernel) {

@@ -1,8 +1,8 @@
 //! Stage `boxes`: a box around every part of a cell.
 
 use crate::bezier::{DerivativeBounds, Patch};
+use crate::bvh::Aabb;
 use crate::model::RigidTransform;
-use crate::tree::Aabb;
 
 /// The part of a cell on one Bézier patch: where second derivatives exist,
 /// which at a knot line they need not.

@@ -11,15 +11,16 @@
 //! Every bound holds for what is inside the boxes, so the interval is certain
 //! wherever the descent ends.
 
+mod box_distance;
 mod boxes;
-mod cells;
-mod distances;
+mod grid_tree;
+mod level_bounds;
 mod pyramid;
-
 mod traversal;
 
+pub use box_distance::Distances;
 pub use boxes::{Part, boxes};
-pub use cells::{Cell, CellTree, Children, MOST_CELLS, MOST_CHILDREN};
-pub use distances::Distances;
+pub use grid_tree::{Cell, Children, GridTree, MAX_CELLS, MAX_CHILDREN};
+pub(crate) use level_bounds::LevelBounds;
 pub use pyramid::pyramid;
 pub use traversal::{Bound, Pairs, Traversal, extremes};

@@ -1,7 +1,7 @@
 //! Stage `pyramid`: the box of every node, from those of its children.
 
 use super::Children;
-use crate::tree::Aabb;
+use crate::bvh::Aabb;
 
 /// The boxes of every level above `parts`, the root's level first. O(nodes).
 #[must_use]

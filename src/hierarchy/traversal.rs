@@ -1,9 +1,9 @@
 //! The descent through pairs of boxes, level by level: stages `bound`,
 //! `extremes` and `cull`.
 
-use super::{CellTree, Distances};
+use super::{Distances, GridTree};
+use crate::bvh::Aabb;
 use crate::parallel::map;
-use crate::tree::Aabb;
 use std::ops::Range;
 
 /// Boxes of A in work on a level, each with the boxes of B that may contain
@@ -31,7 +31,7 @@ pub struct Bound {
 /// A level of the descent.
 #[derive(Debug)]
 pub struct Traversal<'a> {
-    trees: [&'a CellTree; 2],
+    trees: [&'a GridTree; 2],
     boxes: [Vec<Vec<Aabb>>; 2],
     /// The level of the pairs.
     pub level: usize,
@@ -78,7 +78,7 @@ impl Pairs {
 impl<'a> Traversal<'a> {
     /// At the pair of roots. `boxes` are the trees' own, of [`super::pyramid`].
     #[must_use]
-    pub fn new(trees: [&'a CellTree; 2], boxes: [Vec<Vec<Aabb>>; 2]) -> Self {
+    pub fn new(trees: [&'a GridTree; 2], boxes: [Vec<Vec<Aabb>>; 2]) -> Self {
         let pairs = Pairs { nodes: vec![0], starts: vec![0, 1], partners: vec![0] };
         Self { trees, boxes, level: 0, pairs }
     }

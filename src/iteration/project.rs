@@ -2,7 +2,7 @@
 
 use super::{Projected, Rule};
 use crate::bezier::Patch;
-use crate::project::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
+use crate::closest::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
 
 /// Which patches a sample is projected on. The distances are the same: a

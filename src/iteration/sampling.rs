@@ -3,7 +3,7 @@
 use crate::bezier::{BezierModel, PatchGrid};
 use std::ops::Range;
 
-use super::CellRadius;
+use super::CoveringRadius;
 
 /// How the n parameters of a direction are spread over the domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -32,7 +32,7 @@ pub struct Sampling {
     /// One grid a surface.
     pub grids: Vec<SampleGrid>,
     /// The largest cell radii over all surfaces.
-    pub radius: CellRadius,
+    pub radius: CoveringRadius,
 }
 
 /// Samples of a page, at most: buffers of a few MiB on the GPU, and grids of
@@ -61,7 +61,7 @@ impl Sampling {
                 .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
             grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
         }
-        let radius = CellRadius::of_all(model, &grids);
+        let radius = CoveringRadius::of_all(model, &grids);
         Self { grids, radius }
     }
 

@@ -1,8 +1,8 @@
 //! Validation of one knot vector.
 
 use super::MAX_DEGREE;
-use super::range::{is_in_range, out_of_range};
 use crate::error::{Direction, Error, Result};
+use crate::limits::{is_in_range, out_of_range};
 
 /// Checks degree, number of control points and knots of one direction.
 ///

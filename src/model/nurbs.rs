@@ -1,8 +1,8 @@
 //! A model: one or more surfaces measured as one set of points.
 
 use super::{NurbsSurface, SurfaceArrays};
+use crate::bvh::Aabb;
 use crate::error::{Error, Result};
-use crate::tree::Aabb;
 use glam::DVec3;
 
 /// A set of NURBS surfaces, not empty.

@@ -1,8 +1,8 @@
 //! One validated NURBS surface.
 
 use super::knots;
-use super::range::{LEAST_WEIGHT, is_in_range, out_of_range};
 use crate::error::{Direction, Error, Result};
+use crate::limits::{MIN_WEIGHT, is_in_range, out_of_range};
 
 /// A surface as plain arrays, not yet validated.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +58,7 @@ impl NurbsSurface {
             if let Some(found) = [x, y, z, w].into_iter().find(|&value| !is_in_range(value)) {
                 return Err(out_of_range(index, "control point", point, found));
             }
-            if w < LEAST_WEIGHT {
+            if w < MIN_WEIGHT {
                 return Err(Error::WeightNotPositive { surface: index, index: point, found: w });
             }
         }

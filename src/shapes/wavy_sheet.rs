@@ -31,7 +31,7 @@ const SIDE: f64 = 5.0;
 const POINTS_A_WAVE: f64 = 5.0;
 
 /// Waves along a side, few enough to be seen.
-const MOST_WAVES: f64 = 4.0;
+const MAX_WAVES: f64 = 4.0;
 
 impl WavySheet {
     /// A square sheet of side 5 with as many waves as `counts` control points
@@ -41,7 +41,7 @@ impl WavySheet {
     pub fn of_counts(counts: [usize; 2], variant: u8) -> Self {
         let variant = f64::from(variant);
         let stretch = 1.0 + 0.3 * variant;
-        let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).min(MOST_WAVES) / stretch);
+        let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).min(MAX_WAVES) / stretch);
         let amplitude = SIDE / (8.0 * waves[0].max(waves[1]));
         Self { counts, size: [SIDE; 2], amplitude, waves, phase: 0.7 * variant }
     }

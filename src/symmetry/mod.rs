@@ -1,9 +1,9 @@
 //! Surfaces that a turn about an axis leaves as they are.
 
-mod line;
+mod axis;
 mod revolution;
 mod sphere;
-mod winding;
+mod winding_number;
 
 pub(crate) use revolution::{Revolution, revolutions};
 pub(crate) use sphere::Sphere;

@@ -1,14 +1,14 @@
 //! Surfaces of revolution, told from their Bézier patches.
 
 use super::Sphere;
-use super::line::Line;
-use super::winding::winding;
+use super::axis::Line;
+use super::winding_number::winding;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, lengths};
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// How far points may be from a surface of revolution for it to count as one,
 /// relative to its size: nets written with seven digits.
-const MOST_OFF: f64 = 1e-6;
+const MAX_OFF: f64 = 1e-6;
 
 /// How far points move, relative to their largest coordinate, for the relative
 /// error of their weights: less than four times that of the extent, twice as large.
@@ -74,11 +74,11 @@ impl<'a> Strips<'a> {
             for (index, arc) in arcs.iter().enumerate() {
                 reach = reach.max(arc.reach);
                 let mut joint = arc.widest * arc.to.distance(arcs[(index + 1) % rounds].from);
-                if index + 1 == rounds && joint > MOST_OFF * reach {
+                if index + 1 == rounds && joint > MAX_OFF * reach {
                     (full, joint) = (false, 0.0);
                 }
                 off = off.max(arc.off + arc.apart(first) + joint);
-                if off > MOST_OFF * reach {
+                if off > MAX_OFF * reach {
                     return None;
                 }
                 full &= arc.is_short;
@@ -91,7 +91,7 @@ impl<'a> Strips<'a> {
         }
         let profile = (0..strips).map(|along| self.patch(along, 0));
         let sphere = ends.filter(|_| full).map(|ends| Sphere::swept(&axis, ends, profile, off + gap));
-        let sphere = sphere.filter(|sphere| sphere.off <= MOST_OFF * reach);
+        let sphere = sphere.filter(|sphere| sphere.off <= MAX_OFF * reach);
         let start = self.grid.breaks[self.round][0];
         Some(Revolution { round: self.round, start, axis, off, reach, full, sphere })
     }

@@ -1,6 +1,6 @@
 //! Spheres.
 
-use super::line::Line;
+use super::axis::Line;
 use crate::bezier::{Patch, lengths, relative};
 use glam::DVec3;
 

@@ -4,19 +4,19 @@ use crate::bezier::{BezierModel, Patch, PatchGrid};
 
 /// Triangles of a model, about and at most, unless it has more patches: what
 /// an integrated GPU still turns smoothly.
-const MOST_TRIANGLES: f64 = (1 << 20) as f64;
+const MAX_TRIANGLES: f64 = (1 << 20) as f64;
 
 /// Parts of one span, at most, so that their number fits any integer.
-const MOST_PARTS: f64 = 4096.0;
+const MAX_PARTS: f64 = 4096.0;
 
 /// Halvings of a patch, at most, to bound it more closely.
-const MOST_HALVINGS: u32 = 6;
+const MAX_HALVINGS: u32 = 6;
 
 /// Parts in both directions up to which a closer bound is not worth its time.
 const ENOUGH: f64 = 3.0;
 
 /// Each round of coarsening takes away at least a tenth.
-const SLOWEST_COARSENING: f64 = 0.9;
+const MIN_COARSENING: f64 = 0.9;
 
 /// Numbers of equal parts of the spans of one surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,10 +31,10 @@ impl Divisions {
         let mut all: Vec<Self> = model.grids.iter().map(|grid| Self::new(model, grid, tolerance)).collect();
         loop {
             let triangles: f64 = all.iter().map(Self::triangles).sum();
-            if triangles <= MOST_TRIANGLES || all.iter().all(Self::is_coarsest) {
+            if triangles <= MAX_TRIANGLES || all.iter().all(Self::is_coarsest) {
                 return all;
             }
-            let factor = (MOST_TRIANGLES / triangles).sqrt().min(SLOWEST_COARSENING);
+            let factor = (MAX_TRIANGLES / triangles).sqrt().min(MIN_COARSENING);
             for parts in all.iter_mut().flat_map(|divisions| &mut divisions.parts).flatten() {
                 *parts = ((*parts as f64 * factor) as usize).max(1);
             }
@@ -47,10 +47,10 @@ impl Divisions {
         for row in 0..rows {
             for column in 0..columns {
                 let patch = model.patches.patch(grid.first + row * columns + column);
-                let [s, t] = parts_of(&patch, tolerance, MOST_HALVINGS);
+                let [s, t] = parts_of(&patch, tolerance, MAX_HALVINGS);
                 // No number, of a model that is one point, becomes 0 and loses to 1.
-                parts[0][row] = parts[0][row].max(s.min(MOST_PARTS) as usize);
-                parts[1][column] = parts[1][column].max(t.min(MOST_PARTS) as usize);
+                parts[0][row] = parts[0][row].max(s.min(MAX_PARTS) as usize);
+                parts[1][column] = parts[1][column].max(t.min(MAX_PARTS) as usize);
             }
         }
         Self { parts }

@@ -1,15 +1,15 @@
 //! Triangles to show a model by. Nothing is measured on them.
 
 mod divisions;
-mod sheet;
 mod triangles;
+mod vertex_grid;
 
 use crate::bezier::BezierModel;
 use crate::error::{Error, Result};
 use divisions::Divisions;
 use glam::DVec3;
-use sheet::Sheet;
 use std::ops::Range;
+use vertex_grid::Sheet;
 
 /// Default tolerance relative to the model's diagonal: a fifth of a pixel of
 /// a model that fills a thousand pixels.

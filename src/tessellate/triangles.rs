@@ -1,7 +1,7 @@
 //! The triangles between the vertices of a grid.
 
 use super::Tessellation;
-use super::sheet::{Sheet, Vertex};
+use super::vertex_grid::{Sheet, Vertex};
 
 impl Tessellation {
     /// Appends a surface. Cells are cut along their shorter diagonal, and

@@ -3,8 +3,9 @@
 use super::model::PreparedModel;
 use super::monitor::Watch;
 use super::{options, result};
-use crate::distance::{self, Monitor};
+use crate::engine;
 use crate::error::Error;
+use crate::progress::Monitor;
 use js_sys::{Function, Promise};
 use std::pin::Pin;
 use std::rc::Rc;

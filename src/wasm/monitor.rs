@@ -1,6 +1,6 @@
 //! Progress to a JavaScript function, cancelling from an `AbortSignal`.
 
-use crate::distance::Monitor;
+use crate::progress::Monitor;
 use js_sys::{Array, Function};
 use wasm_bindgen::JsValue;
 use web_sys::AbortSignal;

@@ -1,7 +1,7 @@
 //! Options from plain JavaScript objects.
 
 use super::value::{BACKENDS, Place, mismatch, named, take};
-use crate::distance::{Backend, Options};
+use crate::engine::{Backend, Options};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use glam::{DQuat, DVec3};

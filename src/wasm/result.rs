@@ -2,7 +2,7 @@
 
 use super::object::object;
 use super::plain::Plain;
-use crate::distance::{DistanceResult, Field};
+use crate::engine::{DistanceResult, Field};
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::{JsError, JsValue};

@@ -3,10 +3,10 @@
 //! Unlike serde's derived code, which is large for every field, one loop goes
 //! through a list of places, and it sees unknown names.
 
-use crate::distance::{Backend, Method};
+use crate::closest::Projection;
+use crate::engine::{Backend, Method};
 use crate::flatness::Flatness;
 use crate::iteration::{Culling, SamplingRule};
-use crate::project::Projection;
 use js_sys::{Array, ArrayBuffer, Object};
 use wasm_bindgen::{JsCast, JsValue};
 

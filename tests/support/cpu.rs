@@ -2,7 +2,7 @@
 
 use super::gpu;
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options};
 
 /// The distance of two models without a GPU, prepared for this once.
 pub fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {

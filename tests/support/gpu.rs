@@ -1,6 +1,7 @@
 //! The engine that tests of the kernels run on.
 
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model};
 use std::io::Write;
 
@@ -24,5 +25,5 @@ pub fn engine(test: &str) -> Option<Engine> {
 /// The distance of two models, prepared for this once.
 pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
     let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
-    pollster::block_on(engine.distance(&a, &b, options, &mut Silent)).unwrap()
+    pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor)).unwrap()
 }

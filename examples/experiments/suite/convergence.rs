@@ -6,8 +6,8 @@ use super::{Anyhow, Setup, Table};
 use fastrand::Rng;
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet, extract};
+use nurbs_hausdorff::closest::{Foot, nearest_control, newton, tangent_plane};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::project::{Foot, nearest_control, newton, tangent_plane};
 use nurbs_hausdorff::shapes::shape;
 
 /// Intervals of d times kappa, from the first one's start.
@@ -20,7 +20,7 @@ const INSIDE: f64 = 0.2;
 
 /// A foot counts as one only if the distance has a clear minimum there: the
 /// smaller eigenvalue of its Hessian in the metric of the surface.
-const LEAST_EIGENVALUE: f64 = 0.1;
+const MIN_EIGENVALUE: f64 = 0.1;
 
 /// A foot is missed if the distance found exceeds its own by this part of the patch's diagonal.
 const MISSED: f64 = 1e-4;
@@ -128,7 +128,7 @@ fn draw(patch: &Patch<'_>, d_kappa: f64, rng: &mut Rng) -> Option<(DVec3, f64)> 
     let distance = -d_kappa / largest;
     let least =
         curvatures.map(|curvature| 1.0 - distance * curvature).into_iter().fold(f64::INFINITY, f64::min);
-    (distance > 0.0 && distance.is_finite() && least > LEAST_EIGENVALUE)
+    (distance > 0.0 && distance.is_finite() && least > MIN_EIGENVALUE)
         .then(|| (jet.point + distance * normal, distance))
 }
 

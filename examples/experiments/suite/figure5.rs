@@ -3,9 +3,9 @@
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
-use nurbs_hausdorff::distance::{Method, Options, PreparedModel};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
-use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::shapes::{FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
 
 /// Samples along each direction; the paper's spacing of 16 is among them.

@@ -1,9 +1,9 @@
 //! The methods that are compared.
 
-use nurbs_hausdorff::distance::{Backend, Method, Options};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, Method, Options};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::Culling;
-use nurbs_hausdorff::project::Projection;
 
 /// A method with its settings.
 #[derive(Debug, Clone)]

@@ -16,7 +16,8 @@ mod sweep;
 mod sweep_figure;
 mod table;
 
-use nurbs_hausdorff::distance::{Backend, DistanceResult, Engine, Options, PreparedModel, Silent};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -54,7 +55,7 @@ impl Setup {
         b: &PreparedModel,
         options: &Options,
     ) -> nurbs_hausdorff::Result<DistanceResult> {
-        pollster::block_on(self.engine.distance(a, b, options, &mut Silent))
+        pollster::block_on(self.engine.distance(a, b, options, &mut NoMonitor))
     }
 
     /// `full`, or `quick` in a quick run.

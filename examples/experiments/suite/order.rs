@@ -5,7 +5,7 @@ use super::methods::certified;
 use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Options, PreparedModel};
+use nurbs_hausdorff::engine::{Options, PreparedModel};
 use nurbs_hausdorff::shapes::{shape, sphere_parts};
 use nurbs_hausdorff::{Model, RigidTransform};
 
@@ -15,7 +15,7 @@ const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCES: usize = 11;
 
 /// Cells after which a pair is left at its last tolerance: some ten seconds.
-const MOST_CELLS: usize = 3_000_000;
+const MAX_CELLS: usize = 3_000_000;
 
 /// The exponent to expect on exact offsets: halving cells there makes four of
 /// one and bounds eight times as narrow.
@@ -87,7 +87,7 @@ fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[
         let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_A_DECADE);
         let options = Options {
             tolerance,
-            max_cells: Some(MOST_CELLS),
+            max_cells: Some(MAX_CELLS),
             transform: RigidTransform::translation(case.translation)?,
             ..certified()
         };

@@ -5,7 +5,7 @@ use super::methods::certified;
 use super::models::shared;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Options, PreparedModel};
+use nurbs_hausdorff::engine::{Options, PreparedModel};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};

@@ -6,7 +6,7 @@ use super::methods::certified;
 use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::distance::{Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::SamplingRule;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};

@@ -5,7 +5,7 @@ use super::pairs::Pair;
 use super::plan::Plan;
 use super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
-use nurbs_hausdorff::distance::{DistanceResult, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceResult, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
 use std::time::Instant;
 

@@ -5,7 +5,7 @@ use super::pairs::{Pair, pairs};
 use super::plan::Plan;
 use super::sweep::{Curve, sweep, table};
 use super::{Anyhow, Setup};
-use nurbs_hausdorff::distance::{DistanceResult, Method};
+use nurbs_hausdorff::engine::{DistanceResult, Method};
 
 /// Every pair: `sweep-NAME`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {

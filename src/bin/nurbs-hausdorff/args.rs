@@ -3,10 +3,10 @@
 use crate::motion::{Rotation, Translation};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use nurbs_hausdorff::distance::{Backend, Method, Options};
+use nurbs_hausdorff::closest::Projection;
+use nurbs_hausdorff::engine::{Backend, Method, Options};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, SamplingRule};
-use nurbs_hausdorff::project::Projection;
 use nurbs_hausdorff::{Result, RigidTransform};
 use std::path::PathBuf;
 

@@ -4,7 +4,7 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::distance::PreparedModel;
+use nurbs_hausdorff::engine::PreparedModel;
 use nurbs_hausdorff::{Model, NurbsSurface};
 use serde::Serialize;
 use std::fmt::Write;

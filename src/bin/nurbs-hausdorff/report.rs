@@ -1,6 +1,6 @@
 //! A result as text for people.
 
-use nurbs_hausdorff::distance::{DistanceResult, Stop, SurfacePoint};
+use nurbs_hausdorff::engine::{DistanceResult, Stop, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Some lines, the distance first. Distances, bounds and points are printed to

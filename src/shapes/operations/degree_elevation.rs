@@ -1,6 +1,6 @@
 //! Degree elevation.
 
-use super::net::map_lines;
+use super::control_net::map_lines;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use glam::DVec4;

@@ -1,6 +1,6 @@
 //! Knot insertion.
 
-use super::net::map_lines;
+use super::control_net::map_lines;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
 use glam::DVec4;

@@ -1,9 +1,9 @@
 //! Operations that change a surface's net or place, not its shape.
 
+mod control_net;
 mod cut;
 mod degree_elevation;
 mod knot_insertion;
-mod net;
 mod transformed;
 
 pub use cut::{cut_model, cut_surface, part};

@@ -7,10 +7,10 @@ use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
 const SAMPLES: usize = 9;
 
 /// Cuts of one patch along all directions together, at most.
-const MOST_CUTS: u32 = 8;
+const MAX_CUTS: u32 = 8;
 
 /// The nearest that a cut comes to an end of the patch, so that pieces shrink.
-const LEAST_PART: f64 = 0.15;
+const MIN_PART: f64 = 0.15;
 
 /// A tangent this much shorter than the patch's longest is that of a
 /// degenerate edge, whose direction is rounding.
@@ -27,7 +27,7 @@ pub(super) const CUTS: [(&str, Cut); 2] =
 pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
     let mut pieces = PatchSet::default();
     for patch in patches.iter() {
-        cut_one(&mut pieces, patch, degrees.to_radians(), cut, MOST_CUTS);
+        cut_one(&mut pieces, patch, degrees.to_radians(), cut, MAX_CUTS);
     }
     pieces
 }
@@ -43,7 +43,7 @@ fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: 
         (0..SAMPLES).map(across).fold(0.0, f64::max)
     });
     let axis = usize::from(spans[1] > spans[0]);
-    let place = cut(&normals, axis).clamp(LEAST_PART, 1.0 - LEAST_PART);
+    let place = cut(&normals, axis).clamp(MIN_PART, 1.0 - MIN_PART);
     for range in [[0.0, place], [place, 1.0]] {
         let ranges = if axis == 0 { [range, [0.0, 1.0]] } else { [[0.0, 1.0], range] };
         let controls = patch.restricted(ranges[0], ranges[1]);

@@ -1,0 +1,155 @@
+//! One direction of method `certified`, within its budgets.
+
+use super::iteration::{Directed, surface_point};
+use super::{Backend, CertifiedDetails, Options, Stop};
+use crate::certified::{Interval, Search, Side};
+use crate::error::{Error, Result};
+use crate::gpu::{Gpu, Levels};
+use crate::model::RigidTransform;
+use crate::progress::Progress;
+use std::rc::Rc;
+use web_time::Instant;
+
+/// Searches until the interval is as narrow as asked or a budget ends it, and
+/// tells if the GPU failed on the way; `None` for a model without patches,
+/// which validation rules out.
+///
+/// Cancelling is a budget too: the interval so far is returned.
+pub(super) async fn certified(
+    a: Side<'_>,
+    b: Side<'_>,
+    transform: RigidTransform,
+    diagonal: f64,
+    options: &Options,
+    gpu: Option<&Rc<Gpu>>,
+    progress: &mut Progress<'_>,
+) -> Result<Option<(Directed, Option<String>)>> {
+    let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+    let started = Instant::now();
+    let mut search = Search::new(a, b, transform, tolerance, options.limit);
+    progress.section(0.0, 1.0);
+    let first = search.interval();
+    let needed = options.backend == Backend::Gpu;
+    let mut kernels = Kernels { gpu, needed, levels: None, failure: None, slowest: f64::INFINITY };
+    let stop = loop {
+        if let Some(stop) = kernels.advance(&mut search).await? {
+            break stop;
+        }
+        if options.max_cells.is_some_and(|most| search.cells >= most) {
+            break Stop::Cells;
+        }
+        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+            break Stop::Time;
+        }
+        if progress.is_due() {
+            let interval = search.interval();
+            progress.interval(interval.lower, interval.upper);
+            match progress.checkpoint(fraction(first, interval, tolerance)).await {
+                Err(Error::Cancelled) => break Stop::Cancelled,
+                other => other?,
+            }
+        }
+    };
+    search.finish();
+    let Interval { lower, upper } = search.interval();
+    progress.interval(lower, upper);
+    let Some(farthest) = search.farthest() else { return Ok(None) };
+    let within = search.within();
+    let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
+    let stop = if stop == Stop::Converged && !is_decided { Stop::Precision } else { stop };
+    let [from, to] = search.witness_patches(farthest);
+    let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
+    let directed = Directed {
+        computed: farthest.closest.upper,
+        lower,
+        upper,
+        converged: stop == Stop::Converged,
+        from: surface_point(from.surface, from.surface_parameters(farthest.parameters), farthest.point),
+        to: surface_point(
+            to.surface,
+            to.surface_parameters(farthest.closest.parameters),
+            farthest.closest.point,
+        ),
+        iteration: None,
+        certified: Some(CertifiedDetails {
+            tolerance,
+            cells: search.cells,
+            cpu_cells: search.cells - search.kernel_cells,
+            levels: search.levels,
+            stop,
+            within,
+        }),
+        hierarchy: None,
+        field: Vec::new(),
+    };
+    Ok(Some((directed, notice)))
+}
+
+/// How far the width has come from the first to the one asked for, in orders
+/// of magnitude, as each takes about as long as the one before or longer.
+fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
+    let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
+    let orders = (width(first) / tolerance).ln();
+    if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }
+}
+
+/// Cells waiting from which on a GPU is worth its set-up, which takes tenths of
+/// a second: float64 came here in less.
+const WORTH_SETUP: usize = 8192;
+
+/// Cells waiting from which on a submission is worth its latency.
+const WORTH_SUBMISSION: usize = 512;
+
+/// The GPU's part in a search.
+struct Kernels<'a> {
+    gpu: Option<&'a Rc<Gpu>>,
+    /// Whether an error of the GPU ends the search; else float64 does the rest.
+    needed: bool,
+    levels: Option<Levels>,
+    /// What ended the GPU's part early.
+    failure: Option<Error>,
+    /// Seconds a cell that the GPU may take: a software adapter can be slower
+    /// than float64.
+    slowest: f64,
+}
+
+impl Kernels<'_> {
+    /// Bounds the next cells, on the GPU where they are many; `Some` when there
+    /// is nothing left to do. Where float32 is not exact enough, float64 does
+    /// the rest.
+    async fn advance(&mut self, search: &mut Search<'_>) -> Result<Option<Stop>> {
+        let (started, before) = (Instant::now(), search.cells);
+        let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
+        let many = search.waiting() >= worth && !search.has_undecided() && !search.has_edges();
+        let Some(gpu) = self.gpu.filter(|_| many) else {
+            let stop = search.advance();
+            if search.cells > before {
+                self.slowest = started.elapsed().as_secs_f64() / (search.cells - before) as f64;
+            }
+            return Ok(stop);
+        };
+        let first = self.levels.is_none();
+        let step = self.step(gpu, search).await;
+        let per_cell = started.elapsed().as_secs_f64() / (search.cells - before).max(1) as f64;
+        // The first submission waits for the driver's compiler.
+        let too_slow = !first && !self.needed && per_cell > self.slowest;
+        if too_slow || !matches!(step, Ok(true)) {
+            (self.gpu, self.levels) = (None, None);
+        }
+        match step {
+            Err(error) if self.needed => return Err(error),
+            Err(error) => self.failure = Some(error),
+            Ok(_) => {}
+        }
+        Ok(None)
+    }
+
+    async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut Search<'_>) -> Result<bool> {
+        if self.levels.is_none() {
+            self.levels = Levels::new(gpu, search)?;
+        }
+        let Some(levels) = &mut self.levels else { return Ok(false) };
+        levels.advance(search).await?;
+        Ok(true)
+    }
+}

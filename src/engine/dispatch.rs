@@ -1,0 +1,246 @@
+//! Where a distance is asked for, and the backend chosen.
+
+use super::direction::{Ends, Run};
+use super::{Backend, DistanceResult, Method, Options, PreparedModel};
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use crate::progress::Monitor;
+use crate::progress::Progress;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// Devices that may be lost before the CPU takes over: a second loss is no accident.
+const MAX_LOSSES: u32 = 2;
+
+/// Measures distances on one GPU, or on the CPU.
+#[derive(Debug)]
+pub struct Engine {
+    gpu: RefCell<Option<Rc<Gpu>>>,
+    losses: Cell<u32>,
+    /// Why there is no GPU, if one was wanted: there is none, or it was lost.
+    missing: RefCell<Option<Error>>,
+}
+
+impl Engine {
+    /// Looks for a GPU unless `backend` is [`Backend::Cpu`].
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is none.
+    pub async fn new(backend: Backend) -> Result<Self> {
+        let engine = Self { gpu: RefCell::default(), losses: Cell::default(), missing: RefCell::default() };
+        if backend != Backend::Cpu {
+            match Gpu::new().await {
+                Ok(gpu) => drop(engine.gpu.replace(Some(Rc::new(gpu)))),
+                Err(error) if backend == Backend::Gpu => return Err(error),
+                Err(error) => drop(engine.missing.replace(Some(error))),
+            }
+        }
+        Ok(engine)
+    }
+
+    /// The GPU's name, if there is a GPU and it has one.
+    #[must_use]
+    pub fn adapter(&self) -> Option<String> {
+        self.gpu.borrow().as_ref().and_then(|gpu| gpu.adapter())
+    }
+
+    /// Whether distances are computed on a GPU by default.
+    #[must_use]
+    pub fn has_gpu(&self) -> bool {
+        self.gpu.borrow().is_some()
+    }
+
+    /// Why there is no GPU, if one was wanted.
+    #[must_use]
+    pub fn notice(&self) -> Option<String> {
+        self.missing.borrow().as_ref().map(|error| format!("{error}; computed on the CPU"))
+    }
+
+    /// The directed distance from A, moved by the options' transform, to B, or
+    /// with `symmetric` the larger of both directions.
+    ///
+    /// Guarantee: `lower <= distance <= upper`. If the device is lost, the
+    /// work starts again on a new one, and the second time on the CPU.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]; [`Error::NoAdapter`] or
+    /// [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
+    /// [`Error::PairBudgetExceeded`] with [`Method::Hierarchy`];
+    /// [`Error::Cancelled`].
+    pub async fn distance(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &Options,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DistanceResult> {
+        options.validate()?;
+        let mut progress = Progress::new(monitor, options.symmetric);
+        let forward = Ends { from: a, to: b, transform: options.transform };
+        let forward = self.directed(&forward, options, &mut progress).await?.into_forward(options);
+        if !options.symmetric {
+            progress.finish();
+            return Ok(forward);
+        }
+        let reverse = Ends { from: b, to: a, transform: options.transform.inverse() };
+        progress.second_half();
+        let reverse = self.directed(&reverse, options, &mut progress).await?.into_reverse(options);
+        progress.finish();
+        Ok(DistanceResult::symmetric(forward, reverse))
+    }
+
+    /// One direction, with the samples that the options ask for besides.
+    async fn directed(
+        &self,
+        direction: &Ends<'_>,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        let run = self.run(direction, options.method, options, progress).await?;
+        if !options.field || options.method == Method::Iteration || run.is_cancelled() {
+            return Ok(run);
+        }
+        // The samples follow the interval, on the GPU if there is one.
+        let sampled = self.run(direction, Method::Iteration, options, progress).await?;
+        Ok(run.with_field_of(sampled))
+    }
+
+    /// The GPU that a backend asks for, or none.
+    fn gpu_for(&self, backend: Backend) -> Result<Option<Rc<Gpu>>> {
+        let gpu = self.gpu.borrow().clone().filter(|_| backend != Backend::Cpu);
+        if gpu.is_none() && backend == Backend::Gpu {
+            return Err(match &*self.missing.borrow() {
+                Some(Error::DeviceLost { found }) => Error::DeviceLost { found: found.clone() },
+                Some(Error::NoAdapter { found }) => Error::NoAdapter { found: found.clone() },
+                _ => Error::NoAdapter { found: "the engine was made without one".to_owned() },
+            });
+        }
+        Ok(gpu)
+    }
+
+    /// One direction by one method on the backend at hand, again after a lost device.
+    async fn run(
+        &self,
+        direction: &Ends<'_>,
+        method: Method,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<Run> {
+        loop {
+            let gpu = self.gpu_for(options.backend)?;
+            let run = if method == Method::Certified {
+                // On the processor float64 is about as fast, and ready at once.
+                let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                direction.certified(gpu.as_ref().filter(helps), options, progress).await
+            } else {
+                let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
+                let notice = if fell_back { self.notice() } else { None };
+                direction.staged(gpu.as_ref(), method, options, notice, progress).await
+            };
+            match run {
+                Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
+                other => return other,
+            }
+        }
+    }
+
+    /// A new device for the lost one, or none if it was not the first.
+    async fn replace(&self, found: &str, backend: Backend) -> Result<()> {
+        self.gpu.replace(None);
+        self.losses.set(self.losses.get() + 1);
+        let error = if self.losses.get() < MAX_LOSSES {
+            match Gpu::new().await {
+                Ok(gpu) => {
+                    self.gpu.replace(Some(Rc::new(gpu)));
+                    return Ok(());
+                }
+                Err(error) => error,
+            }
+        } else {
+            Error::DeviceLost { found: format!("{MAX_LOSSES} times, the last time: {found}") }
+        };
+        self.missing.replace(Some(error));
+        self.gpu_for(backend).map(drop)
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::progress::NoMonitor;
+    use crate::shapes::{shape, sphere_parts};
+
+    /// An engine on a GPU, or `None` and a visible line if the environment allows it.
+    fn engine(test: &str) -> Option<Engine> {
+        let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
+        if engine.has_gpu() {
+            return Some(engine);
+        }
+        assert!(std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some(), "{:?}", engine.notice());
+        // Past libtest, which hides what a passing test prints by macro.
+        let line = format!("\nSKIPPED {test}: no adapter\n");
+        std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes()).unwrap();
+        None
+    }
+
+    #[test]
+    fn a_lost_device_is_replaced_once_and_then_the_cpu_takes_over() {
+        let test = "a_lost_device_is_replaced_once_and_then_the_cpu_takes_over";
+        let Some(engine) = engine(test) else { return };
+        let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()));
+        let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
+        let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let lose = || engine.gpu.borrow().as_ref().unwrap().destroy();
+        assert_eq!(run().backend, "gpu");
+        lose();
+        let second = run();
+        assert_eq!((second.backend, second.notice), ("gpu", None));
+        lose();
+        let third = run();
+        assert_eq!(third.backend, "cpu");
+        assert!(third.notice.unwrap().contains("lost: 2 times"));
+        assert!((third.computed - second.computed).abs() < 1e-9);
+        assert!(!engine.has_gpu());
+    }
+
+    /// Rounding of a distance between models of size 1.
+    const ROUNDING: f64 = 1e-12;
+
+    #[test]
+    fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
+        let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
+        // As if it were no processor, as `auto` has no use for one's kernels.
+        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().taken_for_hardware();
+        engine.gpu.replace(Some(Rc::new(gpu)));
+        // All of A is equally far from B, and nothing tells that at once: many cells.
+        let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model));
+        let run = |backend| {
+            let options = Options { backend, ..Options::default() };
+            pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
+        };
+        let offend = || engine.gpu.borrow().as_ref().unwrap().offend();
+        let sound = run(Backend::Gpu).unwrap();
+        let details = sound.certified.unwrap();
+        assert!(details.cpu_cells < details.cells, "nothing to fail at");
+        assert_eq!(sound.notice, None);
+
+        offend();
+        let failed = run(Backend::Auto).unwrap();
+        let details = failed.certified.unwrap();
+        assert_eq!((failed.backend, failed.adapter), ("cpu", None));
+        assert_eq!(details.cpu_cells, details.cells);
+        assert!(failed.converged && failed.lower < 0.1 + ROUNDING && 0.1 - ROUNDING < failed.upper);
+        let notice = failed.notice.unwrap();
+        assert!(
+            notice.contains("offence") && notice.ends_with("; the rest was computed on the CPU"),
+            "{notice}"
+        );
+
+        // Who asks for the GPU alone is told by an error.
+        offend();
+        assert_eq!(run(Backend::Gpu).unwrap_err().code(), "GPU_FAILED");
+        // The failure was told once, and the device is still there.
+        assert_eq!(run(Backend::Gpu).unwrap().notice, None);
+    }
+}

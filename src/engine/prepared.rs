@@ -1,0 +1,151 @@
+//! A model with everything computed from it once.
+
+use crate::bezier::{BezierModel, LocalDerivativeBounds, extract};
+use crate::bvh::Aabb;
+use crate::certified::Side;
+use crate::closest::Target;
+use crate::error::Result;
+use crate::flatness::{Flatness, flatten, rooms};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::gpu::GpuCells;
+use crate::gpu::{GpuSampling, GpuTarget, Resident};
+use crate::hierarchy::GridTree;
+use crate::iteration::{Sampling, SamplingRule};
+use crate::model::Model;
+use crate::symmetry::{Revolution, revolutions};
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
+
+/// A model ready to be measured: its Bézier patches, and, made at first use
+/// and kept, its flat patches, samples and what the GPU holds of them.
+#[derive(Debug)]
+pub struct PreparedModel {
+    name: Option<String>,
+    bezier: BezierModel,
+    revolutions: Vec<Option<Revolution>>,
+    bounding_box: Aabb,
+    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
+    samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
+    cells: RefCell<Option<Rc<PreparedCells>>>,
+}
+
+type SamplingKey = (usize, SamplingRule);
+
+/// Flat patches with their place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedTarget {
+    pub(crate) target: Target,
+    bounds: OnceCell<Vec<LocalDerivativeBounds>>,
+    pub(crate) resident: Resident<GpuTarget>,
+}
+
+impl PreparedTarget {
+    /// The patches as method `certified` wants them, which were cut from those of `model`.
+    pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Side<'a> {
+        let bounds = || {
+            let rooms = rooms(&model.bezier.patches, &self.target.patches);
+            rooms.into_iter().map(LocalDerivativeBounds::new).collect()
+        };
+        Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
+    }
+}
+
+/// Samples with their place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedSampling {
+    pub(crate) sampling: Sampling,
+    pub(crate) resident: Resident<GpuSampling>,
+}
+
+/// A tree of cells with its place on the GPU.
+#[derive(Debug)]
+pub(crate) struct PreparedCells {
+    pub(crate) tree: GridTree,
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) resident: Resident<GpuCells>,
+}
+
+/// Samplings kept at most: the one in use and, for a slider moved back and
+/// forth, its neighbours.
+const SAMPLINGS_KEPT: usize = 4;
+
+impl PreparedModel {
+    /// Extracts the Bézier patches. O(patches p q (p + q)).
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        let bezier = extract(model);
+        Self {
+            name: model.name().map(str::to_owned),
+            revolutions: revolutions(&bezier),
+            bezier,
+            bounding_box: model.bounding_box(),
+            targets: RefCell::default(),
+            samplings: RefCell::default(),
+            cells: RefCell::default(),
+        }
+    }
+
+    /// The model's name.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    /// The model's Bézier patches.
+    #[must_use]
+    pub fn bezier(&self) -> &BezierModel {
+        &self.bezier
+    }
+
+    /// The box of the model's control points.
+    #[must_use]
+    pub fn bounding_box(&self) -> Aabb {
+        self.bounding_box
+    }
+
+    pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
+        let mut targets = self.targets.borrow_mut();
+        if let Some((_, target)) = targets.iter().find(|(of, _)| *of == flatness) {
+            return Rc::clone(target);
+        }
+        let target = Target::new(flatten(&self.bezier.patches, flatness));
+        let prepared =
+            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
+        targets.push((flatness, Rc::clone(&prepared)));
+        prepared
+    }
+
+    /// The tree over `grid` x `grid` cells a surface; the last one is kept.
+    ///
+    /// # Errors
+    /// As [`GridTree::new`].
+    pub(crate) fn cells(&self, grid: usize) -> Result<Rc<PreparedCells>> {
+        let mut cells = self.cells.borrow_mut();
+        if let Some(kept) = cells.as_ref()
+            && kept.tree.grid == grid
+        {
+            return Ok(Rc::clone(kept));
+        }
+        let made = Rc::new(PreparedCells {
+            tree: GridTree::new(&self.bezier, grid)?,
+            #[cfg(not(target_arch = "wasm32"))]
+            resident: Resident::default(),
+        });
+        *cells = Some(Rc::clone(&made));
+        Ok(made)
+    }
+
+    pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Rc<PreparedSampling> {
+        let mut samplings = self.samplings.borrow_mut();
+        if let Some((_, sampling)) = samplings.iter().find(|(of, _)| *of == (samples, rule)) {
+            return Rc::clone(sampling);
+        }
+        let sampling = Sampling::new(&self.bezier, samples, rule);
+        let prepared = Rc::new(PreparedSampling { sampling, resident: Resident::default() });
+        if samplings.len() == SAMPLINGS_KEPT {
+            samplings.remove(0);
+        }
+        samplings.push(((samples, rule), Rc::clone(&prepared)));
+        prepared
+    }
+}
