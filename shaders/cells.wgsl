@@ -32,7 +32,7 @@ struct Batch {
 
 struct LevelParams {
     // A bound of at most this ends a cell.
-    enough: f32,
+    prune_threshold: f32,
     // The unit of the pieces' centres.
     grid: f32,
     // Error of a difference of two centres.

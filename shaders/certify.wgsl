@@ -210,7 +210,7 @@ fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
         if all(at - extent >= target_piece.low) && all(at + extent <= target_piece.high) {
             upper = min(upper, bound);
         }
-        if bitcast<u32>(upper) <= bitcast<u32>(params.enough) || distance > ON_B * (sides.x + sides.y) {
+        if bitcast<u32>(upper) <= bitcast<u32>(params.prune_threshold) || distance > ON_B * (sides.x + sides.y) {
             break;
         }
     }
@@ -226,9 +226,9 @@ fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
         own.reach = FARTHEST;
         anywhere = ABSURD;
     }
-    if bitcast<u32>(own.upper) <= bitcast<u32>(params.enough) {
+    if bitcast<u32>(own.upper) <= bitcast<u32>(params.prune_threshold) {
         own.verdict = DROPPED;
-    } else if anywhere <= params.enough || small {
+    } else if anywhere <= params.prune_threshold || small {
         // Only a seam of B is in the way, or float32 is at its end.
         own.verdict = UNDECIDED;
     } else {

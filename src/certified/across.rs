@@ -1,6 +1,6 @@
 //! The patches of A that go on where one ends.
 
-use super::Side;
+use super::Operand;
 use crate::closest::{nearest_control, newton};
 
 /// Distance between patches that count as joined, relative to the box around
@@ -12,7 +12,7 @@ const ITERATIONS: u32 = 16;
 
 /// Other patches that have a patch's point at these parameters, if it is on an
 /// edge, with its parameters there. O(log patches).
-pub(super) fn across(side: &Side<'_>, index: u32, parameters: [f64; 2]) -> Vec<(u32, [f64; 2])> {
+pub(super) fn across(side: &Operand<'_>, index: u32, parameters: [f64; 2]) -> Vec<(u32, [f64; 2])> {
     let mut joined = Vec::new();
     let tree = &side.target.tree;
     let is_inside = parameters.iter().all(|&parameter| parameter > 0.0 && parameter < 1.0);
@@ -46,7 +46,7 @@ mod tests {
     fn a_torus_goes_on_across_every_edge() {
         let Ok(model) = shape("torus") else { unreachable!() };
         let target = Target::new(extract(&model).patches);
-        let side = Side::new(&target, &[]);
+        let side = Operand::new(&target, &[]);
         for index in 0..target.patches.len() as u32 {
             assert!(across(&side, index, [0.5, 0.3]).is_empty());
             for parameters in [[0.0, 0.3], [1.0, 0.7], [0.2, 0.0], [0.9, 1.0], [1.0, 1.0]] {

@@ -1,6 +1,6 @@
 //! Bounds that are known before anything is searched.
 
-use super::Side;
+use super::Operand;
 use super::correspond::correspond;
 use super::on_sphere::on_sphere;
 use super::region::Cell;
@@ -9,13 +9,13 @@ use glam::DVec3;
 
 /// At least the distance to B of every point of a patch of A, if its like on B
 /// or a sphere tells it.
-pub(super) fn at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
+pub(super) fn at_once(a: &Operand<'_>, b: &Operand<'_>, transform: &RigidTransform, index: u32) -> f64 {
     let beside = |sphere| on_sphere(&Cell::whole(index), &a.patch(index), transform, &sphere);
     correspond(a, b, transform, index).min(b.sphere.map_or(f64::INFINITY, beside))
 }
 
 /// The largest of all A's patches, infinite once one has none.
-pub(super) fn farthest_at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+pub(super) fn farthest_at_once(a: &Operand<'_>, b: &Operand<'_>, transform: &RigidTransform) -> f64 {
     let mut largest = 0.0_f64;
     for index in 0..a.target.patches.len() {
         if largest == f64::INFINITY {
@@ -28,7 +28,7 @@ pub(super) fn farthest_at_once(a: &Side<'_>, b: &Side<'_>, transform: &RigidTran
 
 /// The largest distance between points of the two models' boxes: a convex
 /// function's largest value over A's box is at a corner.
-pub(super) fn farthest_corners(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform) -> f64 {
+pub(super) fn farthest_corners(a: &Operand<'_>, b: &Operand<'_>, transform: &RigidTransform) -> f64 {
     let (Some(a), Some(b)) = (a.target.tree.nodes().first(), b.target.tree.nodes().first()) else {
         return 0.0;
     };

@@ -11,7 +11,7 @@
 //! that of every single patch is of first. Two parameters need three patches at
 //! most (Carathéodory).
 
-use super::Side;
+use super::Operand;
 use super::balance::{Plane, balance, plane_of_distance};
 use super::cell_bounds::CellBounds;
 use super::certify::{Facing, Followed};
@@ -30,9 +30,9 @@ pub(super) fn blend(
     cell: &Cell,
     a: &Jet,
     a_bounds: &CellBounds<'_>,
-    b: &Side<'_>,
+    b: &Operand<'_>,
     feet: &Feet,
-    enough: f64,
+    prune_threshold: f64,
 ) -> f64 {
     let feet = feet.all();
     if feet.len() == 1 {
@@ -70,13 +70,13 @@ pub(super) fn blend(
         largest(&mean).sqrt()
     };
     let whole = bound(|followed| followed.rest(false));
-    let close_may_suffice = || bound(|_| 0.0) <= enough;
-    if whole > enough && close_may_suffice() { bound(|followed| followed.rest(true)) } else { whole }
+    let close_may_suffice = || bound(|_| 0.0) <= prune_threshold;
+    if whole > prune_threshold && close_may_suffice() { bound(|followed| followed.rest(true)) } else { whole }
 }
 
 /// The centre's feet on those of the listed patches that carry the balance over
 /// the cell, and the one known.
-pub(super) fn carrying_feet(cell: &Cell, a: &Jet, b: &Side<'_>, known: Foot) -> Feet {
+pub(super) fn carrying_feet(cell: &Cell, a: &Jet, b: &Operand<'_>, known: Foot) -> Feet {
     let mut feet = Feet::of(known);
     let Some(about) = b.candidates.as_ref().filter(|about| about.center.distance(a.point) < about.room())
     else {

@@ -1,7 +1,7 @@
 //! Patches of B listed about the farthest point, around which the last cells lie.
 
-use super::Search;
-use super::region::{Part, Region};
+use super::BranchAndBound;
+use super::region::{Domain, SearchNode};
 use crate::closest::Candidates;
 
 /// Patches looked at by parts of patches before a list is worth its making,
@@ -16,14 +16,14 @@ const ROOM: f64 = 4.0;
 /// never be looked at.
 const MAX_ROOM: f64 = 0.03;
 
-impl Search<'_> {
+impl BranchAndBound<'_> {
     /// Lists the patches near the farthest point before cells like this one are
     /// bounded, if so many were looked at that it pays, and unless the point is
     /// within a cell's radius of the last list's.
-    pub(super) fn list_candidates(&mut self, region: &Region) {
+    pub(super) fn list_candidates(&mut self, region: &SearchNode) {
         let looks = self.b.looks.get_mut();
-        let cell = match &region.part {
-            Part::Cell(cell) if !cell.is_whole() => cell,
+        let cell = match &region.domain {
+            Domain::Cell(cell) if !cell.is_whole() => cell,
             _ => {
                 *looks = 0;
                 return;

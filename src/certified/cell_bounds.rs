@@ -1,20 +1,20 @@
 //! Bounds of A's derivatives over a cell.
 
-use super::Side;
+use super::Operand;
 use super::region::Cell;
 use crate::bezier::DerivativeBounds;
 use std::cell::OnceCell;
 
 /// Bounds over the cell's patch, and closer ones once they may decide.
 pub(super) struct CellBounds<'a> {
-    a: &'a Side<'a>,
+    a: &'a Operand<'a>,
     cell: Cell,
     close: OnceCell<DerivativeBounds>,
 }
 
 impl<'a> CellBounds<'a> {
     /// Of a cell of A.
-    pub(super) fn new(a: &'a Side<'_>, cell: Cell) -> Self {
+    pub(super) fn new(a: &'a Operand<'_>, cell: Cell) -> Self {
         Self { a, cell, close: OnceCell::new() }
     }
 

@@ -1,6 +1,6 @@
 //! Stage `certify`: an upper bound of the distance from a cell of A to B.
 
-use super::Side;
+use super::Operand;
 use super::cell_bounds::CellBounds;
 use super::feet::Foot;
 use super::foot_map::FootMap;
@@ -24,7 +24,7 @@ const ON_B: f64 = 0.01;
 /// `D = A - B∘φ` at the centre, `|D - Q| <= R_A + R_B`, the remainders of third
 /// order, and `|Q|` is bounded by [`Quadratic::largest_length_squared`]. φ is
 /// the foot's linearisation, constant where there is none, and where A lies on
-/// B that bent; the first bound of at most `enough` ends it, else the least is
+/// B that bent; the first bound of at most `prune_threshold` ends it, else the least is
 /// taken.
 ///
 /// Linear maps give a bound of third order where the distance is positive:
@@ -34,16 +34,16 @@ pub(super) fn certify(
     cell: &Cell,
     a: &Jet,
     a_bounds: &CellBounds<'_>,
-    b: &Side<'_>,
+    b: &Operand<'_>,
     foot: &Foot,
-    enough: f64,
+    prune_threshold: f64,
 ) -> f64 {
     let distance = foot.distance();
     let [h, k] = cell.half;
     let [s, t] = a_bounds.of_patch().first;
     let radius = h * s + k * t;
     let mut best = distance + radius;
-    if best <= enough {
+    if best <= prune_threshold {
         return best;
     }
     let facing = Facing::new(cell, a, a_bounds, b, foot);
@@ -51,14 +51,14 @@ pub(super) fn certify(
         let followed = facing.follow(map);
         let length = followed.quadratic.largest_length_squared().sqrt();
         let mut bound = length + followed.rest(false);
-        if length <= enough && bound > enough {
+        if length <= prune_threshold && bound > prune_threshold {
             bound = length + followed.rest(true);
         }
         best = best.min(bound);
         best
     };
     let Some(linear) = facing.linear() else { return try_map(&FootMap::CONSTANT) };
-    if try_map(&linear) <= enough || distance > ON_B * radius {
+    if try_map(&linear) <= prune_threshold || distance > ON_B * radius {
         return best;
     }
     let Quadratic { ss, st, tt, .. } = difference(a, &facing.jet, cell.half, &linear);
@@ -73,7 +73,7 @@ pub(super) struct Facing<'a> {
     cell: &'a Cell,
     a: &'a Jet,
     a_bounds: &'a CellBounds<'a>,
-    b: &'a Side<'a>,
+    b: &'a Operand<'a>,
     foot: &'a Foot,
     jet: Jet,
     room: [[f64; 2]; 2],
@@ -86,7 +86,7 @@ impl<'a> Facing<'a> {
         cell: &'a Cell,
         a: &'a Jet,
         a_bounds: &'a CellBounds<'_>,
-        b: &'a Side<'_>,
+        b: &'a Operand<'_>,
         foot: &'a Foot,
     ) -> Self {
         let jet = b.patch(foot.patch).jet(foot.parameters);

@@ -6,9 +6,9 @@
 //! taken on trust at first, and what is dropped only because of it is held:
 //! should the certificate say less, all of that waits again.
 
-use super::Search;
+use super::BranchAndBound;
 use super::feet::Sample;
-use super::region::Region;
+use super::region::SearchNode;
 use super::search::Farthest;
 use crate::closest::{Closest, Target, closest_above};
 use glam::DVec3;
@@ -43,7 +43,7 @@ impl Proof<'_> {
     }
 }
 
-impl<'a> Search<'a> {
+impl<'a> BranchAndBound<'a> {
     /// The largest distance found, certified or claimed.
     pub(super) fn believed(&self) -> f64 {
         self.claim.map_or(0.0, |claim| claim.lower).max(self.lower())
@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
     }
 
     /// Ends a region with its bound, for good only if no claim was needed.
-    pub(super) fn drop_region(&mut self, region: Region) {
+    pub(super) fn drop_region(&mut self, region: SearchNode) {
         if self.claim.is_some() && region.upper > self.lower() + self.tolerance {
             self.held.push(region);
         } else {
@@ -117,7 +117,7 @@ impl<'a> Search<'a> {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::super::feet::Foot;
-    use super::super::{Interval, Side};
+    use super::super::{Interval, Operand};
     use super::*;
     use crate::bezier::{LocalDerivativeBounds, PatchSet, extract};
     use crate::closest::closest;
@@ -142,8 +142,8 @@ mod tests {
         });
         let mut found_out = 0;
         for _ in 0..20 {
-            let [a, b] = [0, 1].map(|side| Side::new(&targets[side], &bounds[side]));
-            let mut search = Search::new(a, b, RigidTransform::IDENTITY, TOLERANCE, None);
+            let [a, b] = [0, 1].map(|side| Operand::new(&targets[side], &bounds[side]));
+            let mut search = BranchAndBound::new(a, b, RigidTransform::IDENTITY, TOLERANCE, None);
             let claimed_at = random.usize(1..5);
             let mut rounds = 0;
             while search.advance().is_none() {

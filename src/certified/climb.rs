@@ -1,6 +1,6 @@
 //! Stage `climb`: a sample moved to where the distance is locally largest.
 
-use super::Side;
+use super::Operand;
 use super::feet::{Feet, Foot, Sample};
 use super::met::Met;
 use super::nearest::{foot_on, nearest_feet};
@@ -25,8 +25,8 @@ const SHORTER: f64 = 0.25;
 /// is nearer than where it began, that one counts too from then on; where that
 /// is no news, the next step is shorter.
 pub(super) fn climb(
-    a: &Side<'_>,
-    b: &Side<'_>,
+    a: &Operand<'_>,
+    b: &Operand<'_>,
     transform: &RigidTransform,
     patch: u32,
     start: Sample,

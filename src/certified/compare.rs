@@ -4,7 +4,7 @@
 use super::feet::Foot;
 use super::foot_map::FootMap;
 use super::region::Cell;
-use super::side::Side;
+use super::side::Operand;
 use crate::bezier::{Jet, Patch, relative, scaled, squares, unscale};
 use crate::model::RigidTransform;
 use glam::{DVec2, DVec4, Vec4Swizzles};
@@ -19,7 +19,7 @@ const ROUNDINGS_BESIDES: f64 = 64.0;
 
 /// At least the distance to B of every point of the cell, infinite where the
 /// feet's linearisation does not go along B's parameter lines or a corner of
-/// the cell tells that the bound is above `enough`.
+/// the cell tells that the bound is above `prune_threshold`.
 ///
 /// For such a map φ, `B∘φ` has the controls of B restricted to the image of
 /// the cell, as A has those of the cell. With `A = X/w` and `B∘φ = Y/v`,
@@ -35,11 +35,11 @@ pub(super) fn compare(
     patch: &Patch<'_>,
     transform: &RigidTransform,
     jet: &Jet,
-    b: &Side<'_>,
+    b: &Operand<'_>,
     foot: &Foot,
-    enough: f64,
+    prune_threshold: f64,
 ) -> f64 {
-    if foot.distance_squared > enough * enough {
+    if foot.distance_squared > prune_threshold * prune_threshold {
         return f64::INFINITY;
     }
     let target = b.patch(foot.patch);
@@ -67,7 +67,7 @@ pub(super) fn compare(
     let is_too_far = |corner: DVec2| {
         let from = transform.apply(patch.point(cell.at(corner.to_array())));
         let image = DVec2::from_array(foot.parameters) + corner.x * p + corner.y * q;
-        from.distance_squared(target.point(image.to_array())) > enough * enough
+        from.distance_squared(target.point(image.to_array())) > prune_threshold * prune_threshold
     };
     if [DVec2::ONE, DVec2::new(1.0, -1.0)].into_iter().any(|corner| is_too_far(corner) || is_too_far(-corner))
     {

@@ -15,7 +15,7 @@
 //! are about equally near. That is second order for any kind of join, with no
 //! knowledge of how the patches meet.
 
-use super::Side;
+use super::Operand;
 use super::feet::{Foot, Sample};
 use super::nearest::{foot_on, nearest_within};
 use super::region::Cell;
@@ -45,32 +45,32 @@ pub(super) struct Corners<'a> {
     pub(super) patch: Patch<'a>,
     pub(super) bounds: &'a DerivativeBounds,
     pub(super) transform: &'a RigidTransform,
-    pub(super) b: &'a Side<'a>,
+    pub(super) b: &'a Operand<'a>,
 }
 
 impl Corners<'_> {
-    /// Whether the bound can be expected to be at most `enough`, given the
+    /// Whether the bound can be expected to be at most `prune_threshold`, given the
     /// foot of a corner, than which it is at least δ_A more, or that of the
     /// centre, than which the farthest corner is seldom much nearer.
-    pub(super) fn may_suffice(&self, foot: &Foot, enough: f64) -> bool {
-        foot.distance() + self.of_cell() <= enough
+    pub(super) fn may_suffice(&self, foot: &Foot, prune_threshold: f64) -> bool {
+        foot.distance() + self.of_cell() <= prune_threshold
     }
 
     /// The lemma's bound, or infinity where feet are taken on more than two
-    /// patches or a corner is too far for `enough`; the farthest point met goes
+    /// patches or a corner is too far for `prune_threshold`; the farthest point met goes
     /// to `farthest`.
     ///
     /// Feet are valid on any patch, so none is looked for while one is near enough.
-    pub(super) fn bound(&self, center: &Foot, enough: f64, farthest: &mut Sample) -> f64 {
+    pub(super) fn bound(&self, center: &Foot, prune_threshold: f64, farthest: &mut Sample) -> f64 {
         let mut own = CORNERS.map(|corner| self.foot(corner, center));
         let mut other: Option<Foot> = None;
         for (&corner, own) in CORNERS.iter().zip(&mut own) {
             let mut foot = other.map_or(*own, |other| nearer(*own, self.foot(corner, &other)));
-            if !self.may_suffice(&foot, enough) {
+            if !self.may_suffice(&foot, prune_threshold) {
                 foot = nearest_within(self.b, self.point(corner), foot, 0.0);
             }
             self.offer(corner, foot, farthest);
-            if !self.may_suffice(&foot, enough) {
+            if !self.may_suffice(&foot, prune_threshold) {
                 return f64::INFINITY;
             }
             if foot.patch == own.patch {
@@ -96,7 +96,7 @@ impl Corners<'_> {
                 let (place, feet) = self.crossing(here, next);
                 let near = nearer(feet[0], feet[1]);
                 self.offer(place, near, farthest);
-                if !self.may_suffice(&near, enough) {
+                if !self.may_suffice(&near, prune_threshold) {
                     return f64::INFINITY;
                 }
                 for (polygon, foot) in polygons.iter_mut().zip(feet) {

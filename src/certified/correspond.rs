@@ -1,7 +1,7 @@
 //! A bound for patches of the same parameters and weights: moved and edited
 //! copies.
 
-use super::Side;
+use super::Operand;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -12,7 +12,7 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 ///
 /// Then `A - B` has those weights too and the differences of the control
 /// points for its own, whose hull contains it. O(p q).
-pub(super) fn correspond(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, index: u32) -> f64 {
+pub(super) fn correspond(a: &Operand<'_>, b: &Operand<'_>, transform: &RigidTransform, index: u32) -> f64 {
     if index as usize >= b.alike.len() {
         return f64::INFINITY;
     }

@@ -1,6 +1,6 @@
 //! Where A goes farthest in one direction.
 
-use super::Side;
+use super::Operand;
 use crate::bvh::Aabb;
 use glam::{DVec3, Vec4Swizzles};
 
@@ -11,7 +11,7 @@ use glam::{DVec3, Vec4Swizzles};
 /// Of a model and its copy moved by t, no point of the copy is farther from the
 /// model than |t|, and the one farthest along t is that far, as the model
 /// lies on one side of a plane through it.
-pub(super) fn extreme(side: &Side<'_>, direction: DVec3) -> Option<(u32, [f64; 2])> {
+pub(super) fn extreme(side: &Operand<'_>, direction: DVec3) -> Option<(u32, [f64; 2])> {
     let tree = &side.target.tree;
     let mut best = (f64::NEG_INFINITY, None);
     let mut waiting = vec![0];
@@ -60,7 +60,7 @@ mod tests {
         for name in ["bottle", "torus", "wavy-sheet", "naca-wing"] {
             let Ok(model) = shape(name) else { unreachable!() };
             let target = Target::new(extract(&model).patches);
-            let side = Side::new(&target, &[]);
+            let side = Operand::new(&target, &[]);
             for _ in 0..20 {
                 let direction = DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0));
                 let Some((index, [s, t])) = extreme(&side, direction) else { unreachable!() };

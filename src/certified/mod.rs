@@ -43,9 +43,9 @@ mod step;
 
 pub(crate) use feet::Foot;
 pub(crate) use pieces::{Pieces, Place};
-pub(crate) use region::{Cell, Part, Region};
-pub(crate) use search::{Interval, Returned, Search};
-pub(crate) use side::Side;
+pub(crate) use region::{Cell, Domain, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Interval};
+pub(crate) use side::Operand;
 
 pub use quadratic::Quadratic;
 pub use search::Stop;

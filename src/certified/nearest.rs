@@ -1,6 +1,6 @@
 //! A near foot on B, found fast and certified by nobody.
 
-use super::Side;
+use super::Operand;
 use super::feet::{Feet, Foot};
 use super::met::Met;
 use crate::closest::{self, Candidate, Status, nearest_control, newton_below};
@@ -11,29 +11,29 @@ use std::sync::atomic::Ordering;
 const ITERATIONS: u32 = 16;
 
 /// The foot on one patch from a start near it.
-pub(super) fn foot_on(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
+pub(super) fn foot_on(side: &Operand<'_>, target: DVec3, patch: u32, start: [f64; 2]) -> Foot {
     foot_below(side, target, patch, start, f64::INFINITY).0
 }
 
 /// A place on B as a foot.
-pub(super) fn place_on(side: &Side<'_>, target: DVec3, patch: u32, parameters: [f64; 2]) -> Foot {
+pub(super) fn place_on(side: &Operand<'_>, target: DVec3, patch: u32, parameters: [f64; 2]) -> Foot {
     let distance_squared = side.patch(patch).point(parameters).distance_squared(target);
     Foot { distance_squared, ..Foot::start(patch, parameters) }
 }
 
 /// The same, given up where it will not be nearer than `most`, squared; with
 /// the squared distance that is expected of the patch at least.
-fn foot_below(side: &Side<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> (Foot, f64) {
+fn foot_below(side: &Operand<'_>, target: DVec3, patch: u32, start: [f64; 2], most: f64) -> (Foot, f64) {
     let (foot, least) = newton_below(&side.patch(patch), target, start, ITERATIONS, most);
     let closest::Foot { parameters, distance_squared, status } = foot;
     (Foot { patch, parameters, distance_squared, status }, least)
 }
 
 /// The nearest foot over all patches that the tree does not rule out, given
-/// one to beat, ended by the first that is at most `enough` away. O(log patches)
+/// one to beat, ended by the first that is at most `prune_threshold` away. O(log patches)
 /// in general position.
-pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough: f64) -> Foot {
-    nearest_feet(side, target, known, enough, 0.0, None).nearest()
+pub(super) fn nearest_within(side: &Operand<'_>, target: DVec3, known: Foot, prune_threshold: f64) -> Foot {
+    nearest_feet(side, target, known, prune_threshold, 0.0, None).nearest()
 }
 
 /// The same with the feet met on the way, patches ruled out that cannot be
@@ -43,14 +43,14 @@ pub(super) fn nearest_within(side: &Side<'_>, target: DVec3, known: Foot, enough
 /// from where they were near it, in the order of their bounds. Those met before
 /// are looked at again only where they may have come nearer.
 pub(super) fn nearest_feet(
-    side: &Side<'_>,
+    side: &Operand<'_>,
     target: DVec3,
     known: Foot,
-    enough: f64,
+    prune_threshold: f64,
     slack: f64,
     met: Option<&mut Met>,
 ) -> Feet {
-    let until = enough.max(0.0) * enough;
+    let until = prune_threshold.max(0.0) * prune_threshold;
     let mut looking = Looking { side, target, known, slack, met, feet: Feet::of(known), most: 0.0 };
     looking.tighten();
     if let Some(about) = &side.candidates {
@@ -107,7 +107,7 @@ pub(super) fn nearest_feet(
 
 /// A search for the nearest foot.
 struct Looking<'a> {
-    side: &'a Side<'a>,
+    side: &'a Operand<'a>,
     target: DVec3,
     known: Foot,
     slack: f64,

@@ -1,6 +1,6 @@
 //! Patches cut into pieces that a kernel's float32 is exact enough for.
 
-use super::Side;
+use super::Operand;
 use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::model::RigidTransform;
@@ -52,7 +52,7 @@ impl Pieces {
     /// Halves every patch until `fits` says so of all its pieces; `None` if
     /// that takes more than `most` pieces or a patch too many halvings.
     pub(crate) fn new(
-        side: &Side<'_>,
+        side: &Operand<'_>,
         transform: &RigidTransform,
         fits: &dyn Fn(&Patch<'_>) -> bool,
         most: usize,

@@ -1,6 +1,6 @@
 //! Surfaces of A that need be searched along one profile only.
 
-use super::Side;
+use super::Operand;
 use super::region::Cell;
 use crate::model::RigidTransform;
 use crate::symmetry::Revolution;
@@ -22,7 +22,7 @@ pub(super) struct Profiles {
 }
 
 impl Profiles {
-    pub(super) fn new(a: &Side<'_>, b: &Side<'_>, transform: &RigidTransform, tolerance: f64) -> Self {
+    pub(super) fn new(a: &Operand<'_>, b: &Operand<'_>, transform: &RigidTransform, tolerance: f64) -> Self {
         let mut profiles = Self { round: Vec::with_capacity(a.revolutions.len()), slack: 0.0 };
         for of_a in a.revolutions {
             let most = MAX_SLACK * tolerance;
@@ -40,7 +40,7 @@ impl Profiles {
     }
 
     /// What of a patch need be searched: all, its edge on the profile, or nothing.
-    pub(super) fn cell(&self, a: &Side<'_>, index: u32) -> Option<Cell> {
+    pub(super) fn cell(&self, a: &Operand<'_>, index: u32) -> Option<Cell> {
         let whole = Cell::whole(index);
         let patch = a.patch(index);
         let Some(&Some((round, start))) = self.round.get(patch.surface) else { return Some(whole) };
@@ -56,8 +56,8 @@ impl Profiles {
 /// By how much the points of a circle of A may differ in their distance to B:
 /// twice how far A's surface, and B's, are from surfaces of revolution, and
 /// what turns about the two axes differ by; infinite if B has others, and
-/// not looked at further once it is above `enough`.
-fn slack(of_a: &Revolution, b: &Side<'_>, transform: &RigidTransform, enough: f64) -> f64 {
+/// not looked at further once it is above `prune_threshold`.
+fn slack(of_a: &Revolution, b: &Operand<'_>, transform: &RigidTransform, prune_threshold: f64) -> f64 {
     let axis = of_a.axis.moved(transform);
     let mut most = if b.revolutions.is_empty() { f64::INFINITY } else { 0.0_f64 };
     for of_b in b.revolutions {
@@ -69,7 +69,7 @@ fn slack(of_a: &Revolution, b: &Side<'_>, transform: &RigidTransform, enough: f6
             _ => f64::INFINITY,
         };
         most = most.max(slack);
-        if most > enough {
+        if most > prune_threshold {
             break;
         }
     }

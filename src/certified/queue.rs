@@ -1,6 +1,6 @@
 //! The regions that wait to be bounded.
 
-use super::region::{Part, Region};
+use super::region::{Domain, SearchNode};
 use std::collections::VecDeque;
 
 /// Regions kept, at most, before those of the largest bounds are taken first,
@@ -18,16 +18,16 @@ const ENDING: usize = 16;
 /// bounds first.
 #[derive(Debug)]
 pub(super) struct Queue {
-    regions: VecDeque<Region>,
+    regions: VecDeque<SearchNode>,
     /// Regions that only float64 can bound; they come first.
-    undecided: Vec<Region>,
+    undecided: Vec<SearchNode>,
     capacity: usize,
     /// Regions still to be taken from the end before others are chosen.
     chosen: usize,
 }
 
 impl Queue {
-    pub(super) fn new(first: Region) -> Self {
+    pub(super) fn new(first: SearchNode) -> Self {
         Self { regions: VecDeque::from([first]), undecided: Vec::new(), capacity: CAPACITY, chosen: 0 }
     }
 
@@ -47,7 +47,7 @@ impl Queue {
     /// which leave a thread to spare.
     pub(super) fn is_ending(&self) -> bool {
         self.len() <= ENDING
-            && self.regions.front().is_some_and(|region| matches!(region.part, Part::Cell(_)))
+            && self.regions.front().is_some_and(|region| matches!(region.domain, Domain::Cell(_)))
     }
 
     /// The largest bound of all that waits.
@@ -55,16 +55,16 @@ impl Queue {
         self.regions.iter().chain(&self.undecided).fold(0.0, |upper, region| upper.max(region.upper))
     }
 
-    pub(super) fn extend(&mut self, regions: Vec<Region>) {
+    pub(super) fn extend(&mut self, regions: Vec<SearchNode>) {
         self.regions.extend(regions);
     }
 
-    pub(super) fn extend_undecided(&mut self, regions: Vec<Region>) {
+    pub(super) fn extend_undecided(&mut self, regions: Vec<SearchNode>) {
         self.undecided.extend(regions);
     }
 
     /// Takes out the next regions, up to `most`.
-    pub(super) fn next(&mut self, most: usize) -> Vec<Region> {
+    pub(super) fn next(&mut self, most: usize) -> Vec<SearchNode> {
         if !self.undecided.is_empty() {
             let keep = self.undecided.len().saturating_sub(most);
             return self.undecided.drain(keep..).collect();
@@ -79,15 +79,15 @@ impl Queue {
     }
 
     /// Takes out the next cells, up to `most`, and how large the bounds were of
-    /// the regions before them that were at most `enough`.
-    pub(super) fn next_cells(&mut self, most: usize, enough: f64) -> (Vec<Region>, f64) {
+    /// the regions before them that were at most `prune_threshold`.
+    pub(super) fn next_cells(&mut self, most: usize, prune_threshold: f64) -> (Vec<SearchNode>, f64) {
         let (mut cells, mut nodes, mut dropped) = (Vec::new(), Vec::new(), 0.0_f64);
         while cells.len() < most
             && let Some(region) = self.pop()
         {
-            if region.upper <= enough {
+            if region.upper <= prune_threshold {
                 dropped = dropped.max(region.upper);
-            } else if matches!(region.part, Part::Cell(_)) {
+            } else if matches!(region.domain, Domain::Cell(_)) {
                 cells.push(region);
             } else {
                 nodes.push(region);
@@ -98,7 +98,7 @@ impl Queue {
     }
 
     /// The oldest region, or one of the largest bounds if there are too many.
-    fn pop(&mut self) -> Option<Region> {
+    fn pop(&mut self) -> Option<SearchNode> {
         if self.regions.len() <= self.capacity {
             return self.regions.pop_front();
         }
@@ -128,11 +128,11 @@ mod tests {
     use super::super::region::Cell;
     use super::*;
 
-    fn region(upper: f64) -> Region {
-        Region { part: Part::Node(0), upper, foot: Foot::start(0, [0.5; 2]), level: 0 }
+    fn region(upper: f64) -> SearchNode {
+        SearchNode { domain: Domain::Node(0), upper, foot: Foot::start(0, [0.5; 2]), level: 0 }
     }
 
-    fn uppers(regions: &[Region]) -> Vec<f64> {
+    fn uppers(regions: &[SearchNode]) -> Vec<f64> {
         regions.iter().map(|region| region.upper).collect()
     }
 
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn cells_are_lent_by_the_same_rule() {
-        let cell = |upper: f64| Region { part: Part::Cell(Cell::whole(0)), ..region(upper) };
+        let cell = |upper: f64| SearchNode { domain: Domain::Cell(Cell::whole(0)), ..region(upper) };
         let mut queue = Queue { capacity: 64, ..Queue::new(region(0.0)) };
         queue.extend((1..=100).map(|k| cell(f64::from(k % 50))).collect());
         let (cells, dropped) = queue.next_cells(2, 0.0);

@@ -7,7 +7,7 @@ use super::extreme::extreme;
 use super::feet::{Foot, Sample};
 use super::met::Met;
 use super::nearest::{foot_on, nearest_within};
-use super::{Search, Side};
+use super::{BranchAndBound, Operand};
 use crate::closest::closest_above;
 use glam::DVec3;
 
@@ -29,11 +29,11 @@ const BEGIN_PART: f64 = 2e-3;
 /// for, which is doubted from half the tolerance on.
 const FOOT_PART: f64 = 0.25;
 
-impl Search<'_> {
+impl BranchAndBound<'_> {
     /// The nearest foot by the search that certifies, unless the known one is nearer.
     pub(super) fn surest(&self, point: DVec3, known: Foot) -> Foot {
         let start = Some((known.patch, known.parameters));
-        let Side { target, candidates, .. } = &self.b;
+        let Operand { target, candidates, .. } = &self.b;
         match closest_above(target, point, FOOT_PART * self.tolerance, start, 0.0, candidates.as_ref()) {
             Some(found) if found.upper * found.upper < known.distance_squared => {
                 foot_on(&self.b, point, found.patch as u32, found.parameters)
@@ -108,10 +108,10 @@ impl Search<'_> {
         best
     }
 
-    /// The sample with the nearest foot, or one at most `enough` away.
-    fn with_nearest(&self, patch: u32, sample: Sample, enough: f64) -> Sample {
+    /// The sample with the nearest foot, or one at most `prune_threshold` away.
+    fn with_nearest(&self, patch: u32, sample: Sample, prune_threshold: f64) -> Sample {
         let point = self.transform.apply(self.a.patch(patch).point(sample.parameters));
-        Sample { foot: nearest_within(&self.b, point, sample.foot, enough), ..sample }
+        Sample { foot: nearest_within(&self.b, point, sample.foot, prune_threshold), ..sample }
     }
 
     /// Begins with the point that goes farthest away from B, from its centre to

@@ -1,6 +1,6 @@
 //! The parts of A that are worked on.
 
-use super::Side;
+use super::Operand;
 use super::feet::Foot;
 use super::profile::Profiles;
 
@@ -47,7 +47,7 @@ impl Cell {
 
 /// What is still to be bounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Part {
+pub(crate) enum Domain {
     /// All patches below a node of A's tree.
     Node(u32),
     /// A rectangle of a patch.
@@ -56,8 +56,8 @@ pub(crate) enum Part {
 
 /// A part with the bound and the foot it inherits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Region {
-    pub(crate) part: Part,
+pub(crate) struct SearchNode {
+    pub(crate) domain: Domain,
     /// At least the distance of all its points to B.
     pub(crate) upper: f64,
     /// The parent's foot, where the iteration starts.
@@ -70,35 +70,35 @@ pub(crate) struct Region {
 /// longer is halved.
 const MAX_ASPECT: f64 = 2.0;
 
-impl Region {
+impl SearchNode {
     /// Appends the parts of this region.
     pub(super) fn split_into(
         &self,
-        side: &Side<'_>,
+        side: &Operand<'_>,
         profiles: &Profiles,
         upper: f64,
         foot: Foot,
         parts: &mut Vec<Self>,
     ) {
-        let mut push = |part, foot| parts.push(Self { part, upper, foot, level: self.level + 1 });
-        match &self.part {
-            Part::Node(index) => {
+        let mut push = |domain, foot| parts.push(Self { domain, upper, foot, level: self.level + 1 });
+        match &self.domain {
+            Domain::Node(index) => {
                 let tree = &side.target.tree;
                 let node = &tree.nodes()[*index as usize];
                 if !node.is_leaf() {
                     // The first one's point is this one's, whose foot is known.
-                    push(Part::Node(*index + 1), foot);
-                    push(Part::Node(node.second), Foot::start(foot.patch, foot.parameters));
+                    push(Domain::Node(*index + 1), foot);
+                    push(Domain::Node(node.second), Foot::start(foot.patch, foot.parameters));
                 } else if let Some(cell) = profiles.cell(side, tree.item(node)) {
-                    push(Part::Cell(cell), foot);
+                    push(Domain::Cell(cell), foot);
                 }
             }
-            Part::Cell(cell) => {
+            Domain::Cell(cell) => {
                 let [s, t] = side.whole_bounds(cell.patch).first;
                 let lengths = [s * cell.half[0], t * cell.half[1]];
                 let axes = [lengths[0] * MAX_ASPECT >= lengths[1], lengths[1] * MAX_ASPECT >= lengths[0]];
                 for child in cell.split(axes) {
-                    push(Part::Cell(child), foot);
+                    push(Domain::Cell(child), foot);
                 }
             }
         }

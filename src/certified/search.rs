@@ -1,13 +1,13 @@
 //! Stage `search`: halving cells until the interval is as narrow as asked.
 
-use super::Side;
+use super::Operand;
 use super::at_once::{at_once, farthest_at_once, farthest_corners};
 use super::claim::Claim;
 use super::feet::{Foot, Sample};
 use super::nearest::nearest_within;
 use super::profile::Profiles;
 use super::queue::Queue;
-use super::region::{Part, Region};
+use super::region::{Domain, SearchNode};
 use crate::bezier::Patch;
 use crate::closest::Closest;
 use crate::model::RigidTransform;
@@ -63,9 +63,9 @@ pub(crate) struct Farthest {
 }
 
 /// A branch and bound over A.
-pub(crate) struct Search<'a> {
-    pub(super) a: Side<'a>,
-    pub(super) b: Side<'a>,
+pub(crate) struct BranchAndBound<'a> {
+    pub(super) a: Operand<'a>,
+    pub(super) b: Operand<'a>,
     pub(super) transform: RigidTransform,
     /// What the bounds may differ by, so that the interval is as narrow as asked.
     pub(super) tolerance: f64,
@@ -78,7 +78,7 @@ pub(crate) struct Search<'a> {
     pub(super) farthest: Option<Farthest>,
     /// What is taken on trust, and the regions that were dropped because of it.
     pub(super) claim: Option<Claim>,
-    pub(super) held: Vec<Region>,
+    pub(super) held: Vec<SearchNode>,
     pub(super) trusting: bool,
     exhausted: bool,
     /// Cells bounded.
@@ -90,31 +90,31 @@ pub(crate) struct Search<'a> {
 
 /// What a kernel made of the cells lent to it.
 #[derive(Debug, Default)]
-pub(crate) struct Returned {
+pub(crate) struct BatchResult {
     /// The largest bound of the cells that it decided.
     pub(crate) dropped: f64,
     /// Cells that it bounded, and levels that it went down.
     pub(crate) cells: usize,
     pub(crate) levels: u32,
     /// Cells still to be bounded, by whomever.
-    pub(crate) waiting: Vec<Region>,
+    pub(crate) waiting: Vec<SearchNode>,
     /// Cells that are for float64.
-    pub(crate) undecided: Vec<Region>,
+    pub(crate) undecided: Vec<SearchNode>,
     /// A far point of A: patch and parameters.
     pub(crate) farthest: Option<(u32, [f64; 2])>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> BranchAndBound<'a> {
     /// Over all of A, moved by `transform`, down to a width of `tolerance`, or
     /// only as far as tells whether the distance exceeds `limit`.
     pub(crate) fn new(
-        a: Side<'a>,
-        b: Side<'a>,
+        a: Operand<'a>,
+        b: Operand<'a>,
         transform: RigidTransform,
         tolerance: f64,
         limit: Option<f64>,
     ) -> Self {
-        let coordinate = |side: &Side<'_>| {
+        let coordinate = |side: &Operand<'_>| {
             side.target
                 .tree
                 .nodes()
@@ -122,8 +122,8 @@ impl<'a> Search<'a> {
                 .map_or(0.0, |root| root.aabb.min.abs().max(root.aabb.max.abs()).max_element())
         };
         let largest = coordinate(&a) + transform.offset().abs().max_element() + coordinate(&b);
-        let root = Region {
-            part: Part::Node(0),
+        let root = SearchNode {
+            domain: Domain::Node(0),
             upper: farthest_corners(&a, &b, &transform).min(farthest_at_once(&a, &b, &transform)),
             foot: Foot::start(0, [0.5; 2]),
             level: 0,
@@ -175,7 +175,7 @@ impl<'a> Search<'a> {
     }
 
     /// The two models and the transform of the first.
-    pub(crate) fn sides(&self) -> (&Side<'a>, &Side<'a>, &RigidTransform) {
+    pub(crate) fn sides(&self) -> (&Operand<'a>, &Operand<'a>, &RigidTransform) {
         (&self.a, &self.b, &self.transform)
     }
 
@@ -200,16 +200,16 @@ impl<'a> Search<'a> {
     }
 
     /// Takes the next cells out, up to `most`; they must come back by
-    /// [`Search::settle`], for until then nothing here knows of them.
-    pub(crate) fn lend(&mut self, most: usize) -> Vec<Region> {
+    /// [`BranchAndBound::return_batch`], for until then nothing here knows of them.
+    pub(crate) fn take_batch(&mut self, most: usize) -> Vec<SearchNode> {
         self.prove();
-        let (cells, dropped) = self.queue.next_cells(most, self.enough());
+        let (cells, dropped) = self.queue.next_cells(most, self.prune_threshold());
         self.dropped = self.dropped.max(dropped);
         cells
     }
 
     /// Takes back what was lent.
-    pub(crate) fn settle(&mut self, returned: Returned) {
+    pub(crate) fn return_batch(&mut self, returned: BatchResult) {
         self.dropped = self.dropped.max(returned.dropped);
         self.cells += returned.cells;
         self.kernel_cells += returned.cells;
@@ -227,7 +227,7 @@ impl<'a> Search<'a> {
     }
 
     /// A bound of at most this ends a cell.
-    pub(crate) fn enough(&self) -> f64 {
+    pub(crate) fn prune_threshold(&self) -> f64 {
         let within = self.believed() + self.tolerance;
         self.limit.map_or(within, |limit| within.max(limit - self.rounding))
     }
@@ -292,31 +292,31 @@ impl<'a> Search<'a> {
         }
         let regions = self.queue.next(CHUNK);
         self.list_candidates(&regions[0]);
-        let enough = self.enough();
+        let prune_threshold = self.prune_threshold();
         let bounded = map_short(regions.len(), |index| {
             let region = &regions[index];
-            (region.upper > enough).then(|| self.bound(region, enough))
+            (region.upper > prune_threshold).then(|| self.bound(region, prune_threshold))
         });
         self.raise(&bounded);
-        let enough = self.enough();
+        let prune_threshold = self.prune_threshold();
         let mut parts = Vec::new();
         for (region, bounded) in regions.iter().zip(&bounded) {
             self.levels = self.levels.max(region.level);
             let upper = bounded.as_ref().map_or(region.upper, |bounded| bounded.upper);
             self.cells += usize::from(bounded.is_some());
             let too_small =
-                matches!(&region.part, Part::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF);
+                matches!(&region.domain, Domain::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF);
             match bounded {
-                Some(bounded) if upper > enough && !too_small => {
+                Some(bounded) if upper > prune_threshold && !too_small => {
                     let first = parts.len();
                     region.split_into(&self.a, &self.profiles, upper, bounded.foot, &mut parts);
-                    if matches!(region.part, Part::Node(_)) {
+                    if matches!(region.domain, Domain::Node(_)) {
                         self.limit_at_once(&mut parts[first..]);
                     }
                 }
                 _ => {
-                    self.exhausted |= upper > enough;
-                    self.drop_region(Region { upper, ..*region });
+                    self.exhausted |= upper > prune_threshold;
+                    self.drop_region(SearchNode { upper, ..*region });
                 }
             }
         }
@@ -325,9 +325,9 @@ impl<'a> Search<'a> {
     }
 
     /// Bounds whole patches at once where that can be.
-    fn limit_at_once(&self, parts: &mut [Region]) {
+    fn limit_at_once(&self, parts: &mut [SearchNode]) {
         for part in parts {
-            if let Part::Cell(cell) = &part.part {
+            if let Domain::Cell(cell) = &part.domain {
                 part.upper = part.upper.min(at_once(&self.a, &self.b, &self.transform, cell.patch));
             }
         }

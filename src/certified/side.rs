@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicUsize;
 
 /// Patches with their tree and derivative bounds.
 #[derive(Debug)]
-pub(crate) struct Side<'a> {
+pub(crate) struct Operand<'a> {
     pub(super) target: &'a Target,
     pub(super) bounds: &'a [LocalDerivativeBounds],
     /// Its patches cut as the other side's are.
@@ -25,7 +25,7 @@ pub(crate) struct Side<'a> {
     pub(super) looks: AtomicUsize,
 }
 
-impl<'a> Side<'a> {
+impl<'a> Operand<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
         Self {

@@ -1,6 +1,6 @@
 //! Stage `step`: where a climb goes next.
 
-use super::Side;
+use super::Operand;
 use super::balance::{Balance, balance, plane_of_distance};
 use super::feet::Feet;
 use super::foot_map::FootMap;
@@ -15,7 +15,13 @@ use glam::{DMat2, DVec2};
 /// patches are equally near, that is Newton's method for it. Where one patch or
 /// two carry the place, their curvature tells more: Newton's step to the
 /// highest place of the one, or of the ridge where both are equally far.
-pub(super) fn step(b: &Side<'_>, at: [f64; 2], jet: &Jet, feet: &Feet, reach: f64) -> Option<(DVec2, f64)> {
+pub(super) fn step(
+    b: &Operand<'_>,
+    at: [f64; 2],
+    jet: &Jet,
+    feet: &Feet,
+    reach: f64,
+) -> Option<(DVec2, f64)> {
     let low = [0, 1].map(|axis| (-at[axis]).max(-reach));
     let high = [0, 1].map(|axis| (1.0 - at[axis]).min(reach));
     let mut planes = Vec::with_capacity(feet.all().len());
@@ -180,7 +186,7 @@ mod tests {
         let random = &mut fastrand::Rng::with_seed(8);
         let (Ok(a), Ok(b)) = (shape("wavy-sheet"), shape("torus")) else { unreachable!() };
         let (a, b) = (extract(&a).patches, Target::new(extract(&b).patches));
-        let side = Side::new(&b, &[]);
+        let side = Operand::new(&b, &[]);
         let mut compared = 0;
         for _ in 0..60 {
             let patch = a.patch(random.usize(..a.len()));

@@ -2,7 +2,7 @@
 
 use super::iteration::{Directed, surface_point};
 use super::{Backend, CertifiedDetails, Options, Stop};
-use crate::certified::{Interval, Search, Side};
+use crate::certified::{BranchAndBound, Interval, Operand};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
@@ -16,8 +16,8 @@ use web_time::Instant;
 ///
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
-    a: Side<'_>,
-    b: Side<'_>,
+    a: Operand<'_>,
+    b: Operand<'_>,
     transform: RigidTransform,
     diagonal: f64,
     options: &Options,
@@ -26,7 +26,7 @@ pub(super) async fn certified(
 ) -> Result<Option<(Directed, Option<String>)>> {
     let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
     let started = Instant::now();
-    let mut search = Search::new(a, b, transform, tolerance, options.limit);
+    let mut search = BranchAndBound::new(a, b, transform, tolerance, options.limit);
     progress.section(0.0, 1.0);
     let first = search.interval();
     let needed = options.backend == Backend::Gpu;
@@ -117,7 +117,7 @@ impl Kernels<'_> {
     /// Bounds the next cells, on the GPU where they are many; `Some` when there
     /// is nothing left to do. Where float32 is not exact enough, float64 does
     /// the rest.
-    async fn advance(&mut self, search: &mut Search<'_>) -> Result<Option<Stop>> {
+    async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<Option<Stop>> {
         let (started, before) = (Instant::now(), search.cells);
         let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
         let many = search.waiting() >= worth && !search.has_undecided() && !search.has_edges();
@@ -144,7 +144,7 @@ impl Kernels<'_> {
         Ok(None)
     }
 
-    async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut Search<'_>) -> Result<bool> {
+    async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut BranchAndBound<'_>) -> Result<bool> {
         if self.levels.is_none() {
             self.levels = Levels::new(gpu, search)?;
         }

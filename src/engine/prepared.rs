@@ -2,7 +2,7 @@
 
 use crate::bezier::{BezierModel, LocalDerivativeBounds, extract};
 use crate::bvh::Aabb;
-use crate::certified::Side;
+use crate::certified::Operand;
 use crate::closest::Target;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten, rooms};
@@ -41,12 +41,12 @@ pub(crate) struct PreparedTarget {
 
 impl PreparedTarget {
     /// The patches as method `certified` wants them, which were cut from those of `model`.
-    pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Side<'a> {
+    pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || {
             let rooms = rooms(&model.bezier.patches, &self.target.patches);
             rooms.into_iter().map(LocalDerivativeBounds::new).collect()
         };
-        Side::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
+        Operand::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
     }
 }
 

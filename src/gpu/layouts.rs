@@ -94,7 +94,7 @@ pub(super) struct Block {
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(super) struct LevelParams {
-    pub(super) enough: f32,
+    pub(super) prune_threshold: f32,
     pub(super) grid: f32,
     pub(super) slack: f32,
     pub(super) capacity: u32,
@@ -269,7 +269,7 @@ mod tests {
     }
 
     fn same_level(module: &Module) {
-        same_layout!(module, LevelParams, enough, grid, slack, capacity, first_piece, piece_count);
+        same_layout!(module, LevelParams, prune_threshold, grid, slack, capacity, first_piece, piece_count);
         same_layout!(module, Batch, workgroups, count);
         same_layout!(module, Cell, center, half, piece, foot, foot_at, upper, reach, level, verdict);
     }

@@ -5,7 +5,7 @@ use super::layouts::{Best, Cell, LevelParams};
 use super::pipelines::Kernel;
 use super::work::Work;
 use super::{Gpu, Levels};
-use crate::certified::Search;
+use crate::certified::BranchAndBound;
 use crate::engine::PreparedModel;
 use crate::error::Result;
 use crate::flatness::Flatness;
@@ -63,15 +63,15 @@ impl LevelBench {
     ) -> Result<Option<Self>> {
         let (from, to) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
         let (a, b) = (from.side(a), to.side(b));
-        let mut search = Search::new(a, b, transform, tolerance, None);
+        let mut search = BranchAndBound::new(a, b, transform, tolerance, None);
         while search.waiting() < cells {
             if search.advance().is_some() {
                 return Ok(None);
             }
         }
         let Some(levels) = Levels::new(gpu, &search)? else { return Ok(None) };
-        let cells = levels.cells(&search.lend(cells), &mut Vec::new());
-        let params = levels.params(search.enough());
+        let cells = levels.cells(&search.take_batch(cells), &mut Vec::new());
+        let params = levels.params(search.prune_threshold());
         Ok(Some(Self { gpu: Rc::clone(gpu), levels, cells, params }))
     }
 

@@ -10,7 +10,7 @@ use super::upload_pieces::{PieceFrame, Reach};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
-use crate::certified::{Part, Pieces, Search, Side};
+use crate::certified::{BranchAndBound, Domain, Operand, Pieces};
 use crate::closest::Target;
 use crate::closest::closest;
 use crate::model::RigidTransform;
@@ -113,7 +113,7 @@ fn a_million_jets_are_off_by_no_more_than_is_said() {
         let patches: Vec<_> = (0..PATCHES).map(|_| rough(random, degree, roughness, ratio)).collect();
         let target = Target::new(set(&patches, degree));
         let bounds = bounds(&target.patches);
-        let side = Side::new(&target, &bounds);
+        let side = Operand::new(&target, &bounds);
         // Pieces as they are, and small ones as the search wants them.
         for depth in [1, 8] {
             let width = 1.0 / f64::from(depth);
@@ -122,7 +122,7 @@ fn a_million_jets_are_off_by_no_more_than_is_said() {
             let other = [corner[1], corner[1] + width];
             let small: Vec<_> = target.patches.iter().map(|patch| patch.restricted(part, other)).collect();
             let smaller = Target::new(set(&small, degree));
-            let side = if depth == 1 { &side } else { &Side::new(&smaller, &bounds) };
+            let side = if depth == 1 { &side } else { &Operand::new(&smaller, &bounds) };
             let pieces = Pieces::new(side, &RigidTransform::IDENTITY, &|_| true, PATCHES).unwrap();
             let cells: Vec<Cell> = (0..PATCHES * DRAWS / 2)
                 .map(|index| Cell {
@@ -201,18 +201,19 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
         let (of_a, of_b) = (bounds(&a.patches), bounds(&b.patches));
         let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), shift);
         let transform = RigidTransform::new(turn, DVec3::splat(0.1 * shift)).unwrap();
-        let mut search = Search::new(Side::new(&a, &of_a), Side::new(&b, &of_b), transform, 1e-5, None);
+        let mut search =
+            BranchAndBound::new(Operand::new(&a, &of_a), Operand::new(&b, &of_b), transform, 1e-5, None);
         // Down to cells, by float64.
         while search.waiting() < CELLS {
             assert!(search.advance_once().is_none(), "{degree:?}: decided too soon");
         }
         let levels = Levels::new(&gpu, &search).unwrap().unwrap();
-        let lent = search.lend(CELLS);
+        let lent = search.take_batch(CELLS);
         // A bound of nothing is enough, so that every cell comes back with its own.
         let returned = pollster::block_on(levels.bound(&lent, 0.0)).unwrap();
         assert!(returned.cells > CELLS && returned.dropped == 0.0);
         for region in returned.waiting.iter().chain(&returned.undecided).step_by(STEP) {
-            let Part::Cell(cell) = region.part else { panic!("lent a node") };
+            let Domain::Cell(cell) = region.domain else { panic!("lent a node") };
             let place = [0, 1].map(|_| [-1.0, 1.0, 2.0 * random.f64() - 1.0][random.usize(0..3)]);
             let point = transform.apply(a.patches.patch(cell.patch as usize).point(cell.at(place)));
             let truth = closest(&b, point, 1e-9).unwrap();

@@ -12,7 +12,7 @@ use super::upload_pieces::{GpuPieces, PieceFrame, Reach};
 use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
-use crate::certified::{Foot, Part, Pieces, Region, Returned, Search};
+use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, Pieces, SearchNode};
 use crate::closest::{Projection, Target};
 use crate::error::Result;
 use crate::iteration::Culling;
@@ -102,7 +102,7 @@ impl Levels {
     ///
     /// # Errors
     /// [`Error::GpuFailed`], [`Error::DeviceLost`].
-    pub(crate) fn new(gpu: &Rc<Gpu>, search: &Search<'_>) -> Result<Option<Self>> {
+    pub(crate) fn new(gpu: &Rc<Gpu>, search: &BranchAndBound<'_>) -> Result<Option<Self>> {
         gpu.check()?;
         let tolerance = search.tolerance();
         if DISTANCE_ROUNDINGS * search.interval().upper > LENGTH_PART * tolerance {
@@ -153,13 +153,13 @@ impl Levels {
     ///
     /// # Errors
     /// [`Error::GpuFailed`], [`Error::DeviceLost`]; the search has its cells back.
-    pub(crate) async fn advance(&mut self, search: &mut Search<'_>) -> Result<()> {
+    pub(crate) async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<()> {
         let started = Instant::now();
-        let lent = search.lend(self.chunk);
-        match self.bound(&lent, search.enough()).await {
-            Ok(returned) => search.settle(returned),
+        let lent = search.take_batch(self.chunk);
+        match self.bound(&lent, search.prune_threshold()).await {
+            Ok(returned) => search.return_batch(returned),
             Err(error) => {
-                search.settle(Returned { waiting: lent, ..Returned::default() });
+                search.return_batch(BatchResult { waiting: lent, ..BatchResult::default() });
                 return Err(error);
             }
         }
@@ -172,13 +172,13 @@ impl Levels {
         Ok(())
     }
 
-    pub(super) async fn bound(&self, lent: &[Region], enough: f64) -> Result<Returned> {
-        let mut returned = Returned::default();
+    pub(super) async fn bound(&self, lent: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
+        let mut returned = BatchResult::default();
         let cells = self.cells(lent, &mut returned.waiting);
         let Buffers { params, cells: buffers, left, tally, .. } = &self.buffers;
         self.begin(&cells);
         let mut work = Work::new(&self.gpu, params);
-        let level = self.params(enough);
+        let level = self.params(prune_threshold);
         for index in 0..LEVELS {
             for step in &self.steps[index % 2] {
                 self.record(&mut work, step, &level);
@@ -213,11 +213,11 @@ impl Levels {
     }
 
     /// The cells of the regions; those that found no room are left waiting.
-    pub(super) fn cells(&self, lent: &[Region], waiting: &mut Vec<Region>) -> Vec<Cell> {
+    pub(super) fn cells(&self, lent: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<Cell> {
         let mut cells = Vec::new();
         for region in lent {
             let before = cells.len();
-            if let Part::Cell(cell) = &region.part {
+            if let Domain::Cell(cell) = &region.domain {
                 for part in self.pieces[0].parts(cell) {
                     cells.push(self.cell(part, region));
                 }
@@ -241,10 +241,10 @@ impl Levels {
         queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
     }
 
-    /// What all stages are told where a bound of `enough` ends a cell.
-    pub(super) fn params(&self, enough: f64) -> LevelParams {
+    /// What all stages are told where a bound of `prune_threshold` ends a cell.
+    pub(super) fn params(&self, prune_threshold: f64) -> LevelParams {
         LevelParams {
-            enough: rounded_down(self.frame.scale * enough),
+            prune_threshold: rounded_down(self.frame.scale * prune_threshold),
             grid: self.frame.grid as f32,
             // Half a unit in each coordinate of either centre, and a little for float64.
             slack: 2.0 * self.frame.grid as f32,
@@ -283,7 +283,7 @@ impl Levels {
         work.read(from, &readable, bytes as u64).await
     }
 
-    fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &Region) -> Cell {
+    fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &SearchNode) -> Cell {
         Cell {
             // Dyadic numbers of few digits, so exact.
             center: center.map(|x| x as f32),
@@ -304,12 +304,12 @@ impl Levels {
         Ok(self.pieces[0].cell(piece, center, half.map(f64::from)))
     }
 
-    fn region(&self, cell: &Cell) -> Result<Region> {
+    fn region(&self, cell: &Cell) -> Result<SearchNode> {
         let foot = self.uploaded[1].piece(cell.foot)?;
         let place = &self.pieces[1].places[foot];
         let at = place.at(cell.foot_at.map(|x| 2.0 * f64::from(x) - 1.0));
-        Ok(Region {
-            part: Part::Cell(self.place(cell.piece, cell.center, cell.half)?),
+        Ok(SearchNode {
+            domain: Domain::Cell(self.place(cell.piece, cell.center, cell.half)?),
             upper: f64::from(cell.upper) / self.frame.scale,
             foot: Foot::start(place.patch, at),
             level: cell.level,

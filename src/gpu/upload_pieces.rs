@@ -5,7 +5,7 @@ use super::layouts::Piece;
 use super::piece_error::{PieceError, normal_weight, scaled};
 use super::rounding::{rounded, rounded_up};
 use crate::bezier::{BEYOND, Patch};
-use crate::certified::{Pieces, Place, Side};
+use crate::certified::{Operand, Pieces, Place};
 use crate::error::{Error, Result};
 use glam::DVec3;
 
@@ -59,7 +59,7 @@ pub(super) struct PieceGroup {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reach<'a> {
     Piece,
-    Beyond(&'a Side<'a>),
+    Beyond(&'a Operand<'a>),
 }
 
 impl Gpu {
