@@ -167,7 +167,7 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
     let Some(engine) = engine("progress") else { return };
     let [a, b] = ["bottle", "glass"].map(|name| PreparedModel::new(&shape(name).unwrap()));
     for backend in [Backend::Gpu, Backend::Cpu] {
-        let options = Options { backend, samples: 512, symmetric: true, ..iteration() };
+        let options = Options { backend, samples: 192, symmetric: true, ..iteration() };
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
         let whole = pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
         assert!(watch.seen.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.seen);

@@ -84,7 +84,7 @@ fn tori_of_any_size_are_measured() {
 
 #[test]
 fn squares_of_any_weights_are_measured() {
-    for weight in [1e-100, 1e-60, 1e-20, 1e-6, 1e6, 1e20, 1e60, 1e100] {
+    for weight in [1e-100, 1e-20, 1e-6, 1e6, 1e20, 1e100] {
         for (on_a, on_b) in [([weight; 4], [1.0; 4]), ([weight, 1.0, 2.0, 1.0], [1.0, 1.0, 1.0, weight])] {
             let [a, b] = [square([0.0, 1.0], 1.0, on_a), square([-1.0, 2.0], 0.0, on_b)];
             for method in METHODS {
