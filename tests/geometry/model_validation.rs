@@ -106,7 +106,7 @@ fn numbers_whose_squares_may_overflow_are_refused() {
 
 #[test]
 fn weights_that_are_not_positive_are_refused() {
-    for (weight, said) in [(0.0, "is 0,"), (-2.5, "is -2.5,"), (-0.0, "is -0,"), (1e-101, "is 1e-101,")] {
+    for (weight, said) in [(0.0, "is 0.0,"), (-2.5, "is -2.5,"), (-0.0, "is -0.0,"), (1e-101, "is 1e-101,")] {
         refused("WEIGHT_NOT_POSITIVE", &["control point 11", said, "expected at least 1e-100"], |arrays| {
             arrays.control_points[11][3] = weight;
         });
@@ -147,7 +147,7 @@ fn domains_without_length_are_refused() {
     refused("KNOTS_EMPTY_DOMAIN", &["domain in u is [0.5, 0.5]", "expected a positive length"], |arrays| {
         arrays.knots[0] = vec![0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0];
     });
-    refused("KNOTS_EMPTY_DOMAIN", &["domain in v is [2, 2]"], |arrays| arrays.knots[1] = vec![2.0; 5]);
+    refused("KNOTS_EMPTY_DOMAIN", &["domain in v is [2.0, 2.0]"], |arrays| arrays.knots[1] = vec![2.0; 5]);
 }
 
 #[test]
