@@ -47,5 +47,6 @@ pub(crate) use region::{Cell, Domain, SearchNode};
 pub(crate) use search::{BatchResult, BranchAndBound, Interval};
 pub(crate) use side::Operand;
 
+#[cfg(feature = "internals")]
 pub use quadratic::Quadratic;
 pub use search::Stop;

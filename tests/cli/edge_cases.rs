@@ -1,6 +1,6 @@
 //! The command line where users and machines are not as hoped.
 
-use nurbs_hausdorff::model::MAX_JSON_BYTES;
+use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -74,8 +74,8 @@ fn errors_name_the_file() {
 fn files_over_the_limit_are_not_read() {
     // All holes: it takes no room on the disk.
     let path = file("large", b"");
-    std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(MAX_JSON_BYTES + 1).unwrap();
-    assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &MAX_JSON_BYTES.to_string()]);
+    std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(Model::MAX_JSON_BYTES + 1).unwrap();
+    assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &Model::MAX_JSON_BYTES.to_string()]);
 }
 
 /// A device tells no length.

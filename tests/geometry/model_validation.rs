@@ -283,7 +283,7 @@ fn shared_models_parse_and_survive_writing() {
 
 #[test]
 fn texts_over_the_limit_are_refused() {
-    let text = " ".repeat(nurbs_hausdorff::model::MAX_JSON_BYTES as usize + 1);
+    let text = " ".repeat(Model::MAX_JSON_BYTES as usize + 1);
     let error = Model::from_json(&text).unwrap_err();
     assert_eq!(error.code(), "FILE_TOO_LARGE");
     assert_eq!(error.to_string(), "the model is 268435457 bytes, expected at most 268435456");

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::shapes::{self, shape};
 use nurbs_hausdorff::tessellate::{Tessellation, tessellate};
 use std::collections::HashMap;
@@ -28,7 +27,7 @@ fn triangles(tessellation: &Tessellation) -> impl Iterator<Item = [usize; 3]> {
 }
 
 fn of(model: &Model, tolerance: Option<f64>) -> Tessellation {
-    tessellate(&extract(model), tolerance).unwrap()
+    tessellate(model, tolerance).unwrap()
 }
 
 #[test]
@@ -158,9 +157,9 @@ fn the_number_of_triangles_is_limited() {
 
 #[test]
 fn a_tolerance_that_is_none_is_refused() {
-    let bezier = extract(&shape("sphere").unwrap());
+    let sphere = shape("sphere").unwrap();
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(tessellate(&bezier, Some(tolerance)).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+        assert_eq!(tessellate(&sphere, Some(tolerance)).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
 }
 
