@@ -13,8 +13,6 @@ pub(crate) struct Candidate {
     pub(crate) patch: u32,
     /// A point of it near the centre, (s, t).
     pub(crate) parameters: [f64; 2],
-    /// That point.
-    pub(crate) point: DVec3,
     /// At most the patch's distance to the centre.
     pub(crate) least: f64,
     /// A box around the patch.
@@ -65,8 +63,8 @@ impl Candidates {
             if least < reach_squared {
                 let patch = patches.patch(index as usize);
                 let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
-                let (parameters, point) = (foot.parameters, patch.point(foot.parameters));
-                list.push(Candidate { patch: index, parameters, point, least: least.sqrt(), aabb });
+                let parameters = foot.parameters;
+                list.push(Candidate { patch: index, parameters, least: least.sqrt(), aabb });
             }
         }
         list.sort_by(|a, b| a.least.total_cmp(&b.least));
