@@ -5,8 +5,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
-#[path = "support/shared.rs"]
-mod shared;
+mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
@@ -15,7 +14,7 @@ use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes;
-use shared::Reference;
+use support::shared::{self, Reference};
 
 /// Rounds of which the median is told.
 const ROUNDS: usize = 5;

@@ -7,10 +7,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "support/levels.rs"]
-mod levels;
-#[path = "support/models.rs"]
-mod models;
+mod support;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -28,6 +25,7 @@ use rayon::prelude::*;
 use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Duration;
+use support::{levels, models};
 
 /// Degrees that `project` is measured for.
 const DEGREES: [[usize; 2]; 5] = [[1, 1], [2, 2], [3, 3], [2, 5], [5, 5]];

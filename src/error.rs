@@ -257,7 +257,10 @@ pub enum Error {
 
 impl Error {
     pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
-        Self::OptionOutOfRange { option, found: format!("{found:?}"), expected }
+        // As options are written: integers without a fraction.
+        let text = format!("{found:?}");
+        let found = text.strip_suffix(".0").unwrap_or(&text).to_owned();
+        Self::OptionOutOfRange { option, found, expected }
     }
 
     /// The stable code, the same in Rust, on the command line and in JavaScript.

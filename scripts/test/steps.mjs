@@ -35,8 +35,11 @@ export const steps = [
   },
   {
     name: "clippy",
-    what: "Rust lints, native",
-    run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
+    what: "Rust lints, native: with the feature `internals`, and as users build it",
+    run: async () => {
+      await cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]);
+      await cargo(["clippy", "--release", "--locked", "--lib", "--bins", ...denyWarnings]);
+    },
   },
   {
     name: "clippy-wasm",

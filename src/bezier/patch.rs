@@ -75,6 +75,7 @@ impl PatchSet {
     }
 
     /// Whether there is none.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()

@@ -59,9 +59,9 @@ pub struct Foot {
 /// The two rules by which a step is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub enum Projection {
-    /// Damped Newton with an active set at the patch's edges ([`newton`]).
+    /// Damped Newton with an active set at the patch's edges.
     #[default]
     Newton,
-    /// The 2012 paper's tangent-plane step ([`tangent_plane`]).
+    /// The 2012 paper's tangent-plane step.
     TangentPlane,
 }

@@ -185,6 +185,6 @@ pub struct Field {
     pub signed: Vec<f64>,
     /// The area of the surface that each sample stands for.
     pub areas: Vec<f64>,
-    /// How the projections ended: [`crate::closest::Status`] as a number.
+    /// How the projections ended: [`crate::result::Status`] as a number.
     pub statuses: Vec<u8>,
 }

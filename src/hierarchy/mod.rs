@@ -20,7 +20,11 @@ mod traversal;
 
 pub use box_distance::Distances;
 pub use boxes::{Part, boxes};
-pub use grid_tree::{Cell, Children, GridTree, MAX_CELLS, MAX_CHILDREN};
+#[cfg(feature = "internals")]
+pub use grid_tree::{Cell, MAX_CELLS, MAX_CHILDREN};
+pub use grid_tree::{Children, GridTree};
 pub(crate) use level_bounds::LevelBounds;
 pub use pyramid::pyramid;
-pub use traversal::{Bound, Pairs, Traversal, extremes};
+#[cfg(feature = "internals")]
+pub use traversal::Bound;
+pub use traversal::{Pairs, Traversal, extremes};

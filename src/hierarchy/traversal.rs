@@ -58,18 +58,6 @@ impl Pairs {
         self.nodes.len()
     }
 
-    /// Number of pairs.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.partners.len()
-    }
-
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.partners.is_empty()
-    }
-
     fn partners(&self, place: usize) -> &[u32] {
         &self.partners[self.starts[place]..self.starts[place + 1]]
     }

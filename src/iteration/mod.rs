@@ -15,8 +15,10 @@ pub(crate) use covering_radius::cell_pieces;
 pub use project::{Culling, project};
 pub use reduce::reduce;
 pub use sample::sample;
+#[cfg(feature = "internals")]
+pub use sampling::PAGE_SAMPLES;
 pub(crate) use sampling::uniform;
-pub use sampling::{PAGE_SAMPLES, SampleGrid, Sampling, SamplingRule};
+pub use sampling::{SampleGrid, Sampling, SamplingRule};
 
 use crate::closest::{Projection, Status};
 use serde::Serialize;

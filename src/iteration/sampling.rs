@@ -72,6 +72,7 @@ impl Sampling {
     }
 
     /// Whether there is none.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -124,6 +125,7 @@ impl SampleGrid {
     }
 
     /// Whether there is none.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

@@ -4,11 +4,6 @@ use super::{Model, NurbsSurface, SurfaceArrays};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
-/// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million
-/// control points, beyond which a 32-bit wasm memory could not hold text and
-/// model together.
-pub const MAX_JSON_BYTES: u64 = 256 << 20;
-
 #[derive(Serialize, Deserialize)]
 struct InterchangeModel {
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -49,17 +44,22 @@ impl InterchangeSurface {
 }
 
 impl Model {
+    /// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million
+    /// control points, beyond which a 32-bit wasm memory could not hold text and
+    /// model together.
+    pub const MAX_JSON_BYTES: u64 = 256 << 20;
+
     /// Parses `{"name"?, "surfaces": [{"degree": [pu, pv], "knots_u", "knots_v",
     /// "ctrl": [[[x, y, z, w], …], …]}]}` with `ctrl[i][j]`, i along u, points
     /// not multiplied by w. Other keys are ignored.
     ///
     /// # Errors
-    /// [`Error::FileTooLarge`] over [`MAX_JSON_BYTES`], [`Error::JsonShape`]
+    /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::JsonShape`]
     /// for anything that is not of this shape, else as [`NurbsSurface::new`].
     pub fn from_json(text: &str) -> Result<Self> {
         let found = text.len() as u64;
-        if found > MAX_JSON_BYTES {
-            return Err(Error::FileTooLarge { found, expected: MAX_JSON_BYTES });
+        if found > Self::MAX_JSON_BYTES {
+            return Err(Error::FileTooLarge { found, expected: Self::MAX_JSON_BYTES });
         }
         let parsed: InterchangeModel =
             serde_json::from_str(text).map_err(|error| Error::JsonShape { found: error.to_string() })?;

@@ -7,7 +7,7 @@ use crate::distance;
 use crate::error::Result;
 use crate::model::Model;
 use crate::shapes::{ShapeInfo, list, shape};
-use crate::tessellate::tessellate;
+use crate::tessellate::tessellate_patches;
 use js_sys::Array;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -47,7 +47,7 @@ impl PreparedModel {
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> Result<JsValue> {
-        Ok(plain(&tessellate(self.0.bezier(), tolerance)?))
+        Ok(plain(&tessellate_patches(self.0.bezier(), tolerance)?))
     }
 }
 

@@ -64,7 +64,8 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
 /// Projections that a method takes which tries every patch that extraction
 /// gives; flatter patches are more.
 fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize {
-    a.bezier().grids.len() * options.samples * options.samples * b.bezier().patches.len()
+    let patches: usize = b.patch_counts().map(|[rows, columns]| rows * columns).sum();
+    a.patch_counts().len() * options.samples * options.samples * patches
 }
 
 /// The result with the shortest of the times, as other work on the machine

@@ -3,11 +3,8 @@
 use crate::motion::{Rotation, Translation};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, Method, Options};
-use nurbs_hausdorff::flatness::Flatness;
-use nurbs_hausdorff::iteration::{Culling, SamplingRule};
-use nurbs_hausdorff::{Result, RigidTransform};
+use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
+use nurbs_hausdorff::{Backend, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are interchange JSON files.

@@ -6,7 +6,7 @@ use crate::files::read;
 use crate::output::{print, print_json};
 use crate::progress::Bar;
 use crate::report;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, PreparedModel};
+use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method, PreparedModel};
 
 /// Exit statuses with `--max`.
 const WITHIN: u8 = 0;

@@ -4,8 +4,7 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::engine::PreparedModel;
-use nurbs_hausdorff::{Model, NurbsSurface};
+use nurbs_hausdorff::{Model, NurbsSurface, PreparedModel};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -64,9 +63,8 @@ fn lines(out: &mut String, info: &Info) -> std::fmt::Result {
 fn info(model: &Model) -> Info {
     let prepared = PreparedModel::new(model);
     let bounding_box = model.bounding_box();
-    let surface = |(index, surface): (usize, &NurbsSurface)| {
+    let surface = |(surface, [rows, columns]): (&NurbsSurface, [usize; 2])| {
         let weight = surface.control_points()[0][3];
-        let [rows, columns] = prepared.bezier().grids[index].counts();
         SurfaceInfo {
             degree: surface.degree(),
             counts: surface.counts(),
@@ -78,8 +76,8 @@ fn info(model: &Model) -> Info {
     };
     Info {
         name: model.name().map(str::to_owned),
-        surfaces: model.surfaces().iter().enumerate().map(surface).collect(),
-        patches: prepared.bezier().patches.len(),
+        surfaces: model.surfaces().iter().zip(prepared.patch_counts()).map(surface).collect(),
+        patches: prepared.patch_counts().map(|[rows, columns]| rows * columns).sum(),
         bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
         diagonal: bounding_box.diagonal(),
     }

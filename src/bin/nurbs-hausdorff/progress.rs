@@ -1,7 +1,7 @@
 //! The progress bar.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use nurbs_hausdorff::progress::Monitor;
+use nurbs_hausdorff::Monitor;
 
 /// Steps of the bar.
 const STEPS: u64 = 1000;

@@ -1,6 +1,7 @@
 //! A result as text for people.
 
-use nurbs_hausdorff::engine::{DistanceResult, Stop, SurfacePoint};
+use nurbs_hausdorff::result::Stop;
+use nurbs_hausdorff::{DistanceResult, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Some lines, the distance first. Distances, bounds and points are printed to
