@@ -1,5 +1,6 @@
 //! How far apart are two NURBS models?
 
+mod axis;
 pub mod bezier;
 pub mod bvh;
 pub mod certified;
@@ -13,6 +14,7 @@ pub mod iteration;
 mod limits;
 pub mod model;
 mod parallel;
+mod param_box;
 pub mod progress;
 mod rounding;
 pub mod shapes;
@@ -21,5 +23,7 @@ pub mod tessellate;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use axis::Axis;
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use param_box::ParamBox;

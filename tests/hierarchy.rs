@@ -98,7 +98,7 @@ fn boxes_of_cells_contain_their_points() {
             let boxes = boxes_of(&bezier, &tree, &transform);
             for (cell, aabb) in tree.cells.iter().zip(&boxes[tree.finest]) {
                 let surface = &model.surfaces()[cell.surface as usize];
-                let [u, v] = surface.domain();
+                let [u, v] = surface.domain().intervals();
                 let (u, v) = (ends(u, cell.row, grid), ends(v, cell.column, grid));
                 for step in 0..49 {
                     let at = |[start, end]: [f64; 2], k: usize| start + (end - start) * k as f64 / 6.0;

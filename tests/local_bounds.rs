@@ -5,6 +5,7 @@
 
 mod support;
 
+use nurbs_hausdorff::ParamBox;
 use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract};
 use nurbs_hausdorff::flatness::{Flatness, flatten, rooms};
 use nurbs_hausdorff::shapes::{list, shape};
@@ -22,7 +23,7 @@ const BOXES: usize = 24;
 struct Piece<'a> {
     piece: Patch<'a>,
     patch: Patch<'a>,
-    room: [[f64; 2]; 2],
+    room: ParamBox,
     name: &'a str,
     diagonal: f64,
 }
@@ -128,7 +129,7 @@ fn bounds_over_parts_hold() {
         let bounds = LocalDerivativeBounds::new(piece.room);
         for _ in 0..BOXES {
             // Of all sizes, often at an edge, where there may be a pole.
-            let [s, t] = piece.room.map(|[low, high]| {
+            let [s, t] = piece.room.intervals().map(|[low, high]| {
                 let width = 0.5_f64.powi(random.i32(1..15)).min(high - low);
                 let start = match random.u8(0..4) {
                     0 => low,
@@ -149,7 +150,7 @@ fn bounds_over_parts_hold() {
 fn bounds_shrink_towards_a_pole() {
     let patches = extract(&shape("sphere").unwrap()).patches;
     let patch = patches.patch(0);
-    let bounds = LocalDerivativeBounds::new([[0.0, 1.0]; 2]);
+    let bounds = LocalDerivativeBounds::new(ParamBox::UNIT);
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
     // Which axis runs along the pole, and at which end it is.

@@ -1,8 +1,10 @@
 //! Bézier extraction: one patch for every non-empty knot rectangle.
 
 use super::{MAX_ORDER, Patch, PatchSet};
+use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
+use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4};
 
 /// Steps of the grid that patch centres lie on, along the model's diagonal
@@ -45,8 +47,8 @@ impl PatchGrid {
     /// Which patch along `axis` (0: u, else v) the parameter lies on, and
     /// where on it in [0, 1]. Parameters outside the domain go to its ends.
     #[must_use]
-    pub fn locate(&self, axis: usize, parameter: f64) -> (usize, f64) {
-        let breaks = &self.breaks[usize::from(axis != 0)];
+    pub fn locate(&self, axis: Axis, parameter: f64) -> (usize, f64) {
+        let breaks = &self.breaks[axis];
         let span = breaks.partition_point(|&knot| knot <= parameter).clamp(1, breaks.len() - 1) - 1;
         let local = (parameter - breaks[span]) / (breaks[span + 1] - breaks[span]);
         (span, local.clamp(0.0, 1.0))
@@ -100,7 +102,8 @@ pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3
 fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
     let first = patches.len();
     let degree = surface.degree();
-    let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+    let [in_u, in_v] =
+        Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
     let (rows, columns) = (degree[0] + 1, degree[1] + 1);
     let mut net = vec![DVec4::ZERO; rows * columns];
     let mut partial = vec![DVec4::ZERO; rows * columns];
@@ -134,7 +137,7 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
             patches.push(Patch {
                 surface: index,
                 degree,
-                domain: [u.ends, v.ends],
+                domain: ParamBox::new(u.ends, v.ends),
                 center,
                 controls: &controls,
                 rational: net.iter().any(|control| control.w != weight),

@@ -1,6 +1,7 @@
 //! Bounds of a patch's derivatives over parts of it.
 
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
+use crate::param_box::ParamBox;
 use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
@@ -41,7 +42,7 @@ pub struct LocalDerivativeBounds {
     roomy: OnceLock<DerivativeBounds>,
     /// The parameters, by axis, at which the patch's controls tell points of
     /// the model: [0, 1], and a little more where it was cut.
-    pub room: [[f64; 2]; 2],
+    pub room: ParamBox,
     parts: OnceLock<Parts>,
 }
 
@@ -55,7 +56,7 @@ struct Parts {
 impl LocalDerivativeBounds {
     /// Of a patch for which `room` holds.
     #[must_use]
-    pub fn new(room: [[f64; 2]; 2]) -> Self {
+    pub fn new(room: ParamBox) -> Self {
         Self { whole: OnceLock::new(), roomy: OnceLock::new(), room, parts: OnceLock::new() }
     }
 
@@ -102,7 +103,7 @@ impl LocalDerivativeBounds {
 }
 
 impl Parts {
-    fn new(patch: &Patch<'_>, radius: f64, room: [[f64; 2]; 2]) -> Self {
+    fn new(patch: &Patch<'_>, radius: f64, room: ParamBox) -> Self {
         let lines = [0, 1].map(|axis| {
             let [low, high] = room[axis];
             let grades =

@@ -63,6 +63,7 @@ fn along(axes: &[DVec3; 3], way: DVec3) -> DVec3 {
 mod tests {
     use super::OrientedBox;
     use crate::bezier::{Patch, extract};
+    use crate::param_box::ParamBox;
     use crate::shapes::shape;
     use glam::{DVec3, DVec4};
 
@@ -107,7 +108,7 @@ mod tests {
             let patch = Patch {
                 surface: 0,
                 degree: [1, 1],
-                domain: [[0.0, 1.0]; 2],
+                domain: ParamBox::UNIT,
                 center: DVec3::ZERO,
                 controls: &controls,
                 rational: false,

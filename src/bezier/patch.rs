@@ -1,6 +1,7 @@
 //! Storage of many Bézier patches.
 
 use crate::bvh::Aabb;
+use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// One rational Bézier patch, borrowed from its set.
@@ -14,7 +15,7 @@ pub struct Patch<'a> {
     /// Degrees in s and t.
     pub degree: [usize; 2],
     /// The part of the surface's domain that (s, t) in [0, 1]^2 covers.
-    pub domain: [[f64; 2]; 2],
+    pub domain: ParamBox,
     /// The point that the controls are relative to.
     pub center: DVec3,
     /// Homogeneous controls `(w (p - center), w)`, t fastest, w > 0.
@@ -26,9 +27,8 @@ pub struct Patch<'a> {
 impl Patch<'_> {
     /// The surface parameters (u, v) of the patch parameters (s, t).
     #[must_use]
-    pub fn surface_parameters(&self, [s, t]: [f64; 2]) -> [f64; 2] {
-        let at = |[start, end]: [f64; 2], x: f64| (1.0 - x) * start + x * end;
-        [at(self.domain[0], s), at(self.domain[1], t)]
+    pub fn surface_parameters(&self, parameters: [f64; 2]) -> [f64; 2] {
+        self.domain.at(parameters)
     }
 
     /// The control points' positions relative to `center`.
@@ -56,7 +56,7 @@ struct Entry {
     degree: [u8; 2],
     rational: bool,
     first: usize,
-    domain: [[f64; 2]; 2],
+    domain: ParamBox,
     center: DVec3,
 }
 

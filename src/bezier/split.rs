@@ -3,15 +3,16 @@
 use super::extract::center_of;
 use super::patch::relative;
 use super::{Patch, PatchSet};
+use crate::axis::Axis;
 use glam::{DVec3, DVec4};
 
 impl Patch<'_> {
     /// The controls of the two halves of the patch along `axis` (0: s, else t),
     /// by de Casteljau at 1/2: averages only, so exact up to rounding.
     #[must_use]
-    pub fn halves(&self, axis: usize) -> [Vec<DVec4>; 2] {
+    pub fn halves(&self, axis: Axis) -> [Vec<DVec4>; 2] {
         let columns = self.degree[1] + 1;
-        let (lines, length, step, stride) = if axis == 0 {
+        let (lines, length, step, stride) = if axis == Axis::U {
             (columns, self.degree[0] + 1, columns, 1)
         } else {
             (self.degree[0] + 1, columns, 1, columns)
@@ -28,18 +29,6 @@ impl Patch<'_> {
             }
         }
         [low, high]
-    }
-
-    /// The parameter ranges of the two halves along `axis`.
-    #[must_use]
-    pub fn half_domains(&self, axis: usize) -> [[[f64; 2]; 2]; 2] {
-        let axis = usize::from(axis != 0);
-        let [start, end] = self.domain[axis];
-        let middle = 0.5 * (start + end);
-        let mut halves = [self.domain; 2];
-        halves[0][axis][1] = middle;
-        halves[1][axis][0] = middle;
-        halves
     }
 }
 

@@ -7,6 +7,7 @@ use super::foot_map::FootMap;
 use super::quadratic::Quadratic;
 use super::region::Cell;
 use crate::bezier::{DerivativeBounds, Jet};
+use crate::param_box::ParamBox;
 use glam::{DVec2, DVec3};
 
 /// Distance, in radii of the cell, up to which A lies on B as far as a cell of
@@ -76,7 +77,7 @@ pub(super) struct Facing<'a> {
     b: &'a Operand<'a>,
     foot: &'a Foot,
     jet: Jet,
-    room: [[f64; 2]; 2],
+    room: ParamBox,
     frozen: [bool; 2],
 }
 

@@ -122,6 +122,7 @@ mod tests {
     use crate::bezier::{LocalDerivativeBounds, PatchSet, extract};
     use crate::closest::closest;
     use crate::model::RigidTransform;
+    use crate::param_box::ParamBox;
     use crate::shapes::shape;
 
     const TOLERANCE: f64 = 1e-5;
@@ -138,7 +139,7 @@ mod tests {
         let random = &mut fastrand::Rng::with_seed(2);
         let targets = [Target::new(patches("wavy-sheet")), Target::new(patches("torus"))];
         let bounds = targets.each_ref().map(|target| {
-            target.patches.iter().map(|_| LocalDerivativeBounds::new([[0.0, 1.0]; 2])).collect::<Vec<_>>()
+            target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect::<Vec<_>>()
         });
         let mut found_out = 0;
         for _ in 0..20 {

@@ -1,6 +1,7 @@
 //! Maps from a cell into B's parameters.
 
 use crate::bezier::Jet;
+use crate::param_box::ParamBox;
 use glam::{DVec2, DVec3};
 
 /// `φ(σ, τ) = β + σ p + τ q + ½σ² m_0 + στ m_1 + ½τ² m_2`: where the cell's
@@ -41,7 +42,7 @@ impl FootMap {
     }
 
     /// Shrunk, each parameter by itself, until φ([-1, 1]^2) lies in the room.
-    pub(super) fn fitted(self, foot: [f64; 2], room: [[f64; 2]; 2]) -> Self {
+    pub(super) fn fitted(self, foot: [f64; 2], room: ParamBox) -> Self {
         let room = DVec2::from_array(
             [0, 1].map(|axis| (foot[axis] - room[axis][0]).min(room[axis][1] - foot[axis]).max(0.0)),
         );

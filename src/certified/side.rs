@@ -4,6 +4,7 @@ use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSe
 use crate::closest::Candidates;
 use crate::closest::Target;
 use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
 use crate::symmetry::{Revolution, Sphere};
 use glam::DVec3;
 use std::sync::atomic::AtomicUsize;
@@ -75,7 +76,7 @@ impl<'a> Operand<'a> {
     }
 
     /// The parameters at which the patch's controls tell points of the model.
-    pub(crate) fn room(&self, index: u32) -> [[f64; 2]; 2] {
+    pub(crate) fn room(&self, index: u32) -> ParamBox {
         self.bounds[index as usize].room
     }
 }

@@ -1,7 +1,9 @@
 //! The closest point of a whole model, with a certificate.
 
 use super::{Candidates, CriticalPoint, Foot, SquaredDistance, Target, nearest_control, newton};
+use crate::axis::Axis;
 use crate::bezier::Patch;
+use crate::param_box::ParamBox;
 use crate::rounding::coordinate_rounding;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
@@ -42,7 +44,7 @@ enum Item {
 struct Piece {
     patch: u32,
     controls: Vec<DVec4>,
-    range: [[f64; 2]; 2],
+    range: ParamBox,
     foot: CriticalPoint,
 }
 
@@ -196,13 +198,13 @@ impl<'a> Search<'a> {
         let start = nearest_control(&patch, self.point);
         let foot = self.foot(index, newton(&patch, self.point, start, ITERATIONS));
         let controls = patch.controls.to_vec();
-        self.push_piece(Piece { patch: index, controls, range: [[0.0, 1.0]; 2], foot }, form);
+        self.push_piece(Piece { patch: index, controls, range: ParamBox::UNIT, foot }, form);
     }
 
     fn open_piece(&mut self, piece: &Piece) {
         let &Piece { patch: index, ref controls, range, foot: known } = piece;
         let patch = self.patch(index);
-        let middle = range.map(|[start, end]| 0.5 * (start + end));
+        let middle = range.middle();
         let mut foot = known;
         if patch.point(middle).distance_squared(self.point) < self.best_squared() {
             let found = self.foot(index, newton(&patch, self.point, middle, ITERATIONS));
@@ -212,7 +214,7 @@ impl<'a> Search<'a> {
         }
         let piece = Patch { controls, domain: range, ..patch };
         let axis = longer_axis(&piece);
-        for (controls, range) in piece.halves(axis).into_iter().zip(piece.half_domains(axis)) {
+        for (controls, range) in piece.halves(axis).into_iter().zip(range.halves(axis)) {
             let form = SquaredDistance::new(patch.degree, &controls, self.point - patch.center);
             self.push_piece(Piece { patch: index, controls, range, foot }, &form);
         }
@@ -226,7 +228,7 @@ impl<'a> Search<'a> {
 
     fn push_piece(&mut self, piece: Piece, form: &SquaredDistance) {
         let Piece { range, foot, .. } = &piece;
-        let width = [0, 1].map(|axis| range[axis][1] - range[axis][0]);
+        let width = range.lengths();
         let local = CriticalPoint {
             parameters: [0, 1].map(|axis| (foot.parameters[axis] - range[axis][0]) / width[axis]),
             gradient: [0, 1].map(|axis| width[axis] * foot.gradient[axis]),
@@ -241,7 +243,7 @@ impl<'a> Search<'a> {
 }
 
 /// The direction in which the net is longer, by its largest single leg.
-fn longer_axis(piece: &Patch<'_>) -> usize {
+fn longer_axis(piece: &Patch<'_>) -> Axis {
     let columns = piece.degree[1] + 1;
     let point = |index: usize| piece.controls[index].xyz() / piece.controls[index].w;
     let mut leg = [0.0_f64; 2];
@@ -257,5 +259,5 @@ fn longer_axis(piece: &Patch<'_>) -> usize {
         leg[0] * (piece.degree[0] * piece.degree[0]) as f64,
         leg[1] * (piece.degree[1] * piece.degree[1]) as f64,
     ];
-    usize::from(legs[1] > legs[0])
+    Axis::of_larger(legs)
 }

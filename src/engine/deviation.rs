@@ -90,7 +90,7 @@ impl Direction<'_> {
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
             let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
-            let [u, v] = patch.domain.map(|[start, end]| end - start);
+            let [u, v] = patch.domain.lengths();
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
             field.points.extend_from_slice(&point.to_array());
             field.feet.extend_from_slice(&foot.point.to_array());

@@ -7,6 +7,7 @@ mod normal_cone;
 
 pub use extension::rooms;
 
+use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
 
@@ -35,14 +36,14 @@ const SAMPLES: usize = 4;
 
 impl Flatness {
     /// The direction to halve `patch` along, or `None` if it is flat.
-    fn direction(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<usize> {
-        let [s, t] = match self {
+    fn direction(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<Axis> {
+        let excess = match self {
             Self::None => return None,
             Self::Loose => normal_cone::excess(patch, basis, 45_f64.to_radians())?,
             Self::Tight => normal_cone::excess(patch, basis, 25_f64.to_radians())?,
             Self::Curvature => curvature::excess(patch, 45_f64.to_radians())?,
         };
-        Some(usize::from(t > s))
+        Some(Axis::of_larger(excess))
     }
 }
 
@@ -89,7 +90,7 @@ impl Cutting {
             }
             return;
         };
-        for (controls, domain) in patch.halves(axis).iter().zip(patch.half_domains(axis)) {
+        for (controls, domain) in patch.halves(axis).iter().zip(patch.domain.halves(axis)) {
             self.cut(flat, Patch { controls, domain, ..patch }, halvings - 1);
         }
     }

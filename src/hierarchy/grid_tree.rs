@@ -1,6 +1,7 @@
 //! The cells of a regular grid on every surface, and the tree above them.
 
 use super::Part;
+use crate::axis::Axis;
 use crate::bezier::BezierModel;
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
@@ -86,13 +87,13 @@ impl GridTree {
     pub fn middle(&self, model: &BezierModel, cell: usize) -> ([f64; 2], DVec3) {
         let Cell { surface, row, column } = self.cells[cell];
         let grid = &model.grids[surface as usize];
-        let at = |axis: usize, place: u32| {
+        let at = |axis: Axis, place: u32| {
             let breaks = &grid.breaks[axis];
             let fraction = (f64::from(place) + 0.5) / self.grid as f64;
             (1.0 - fraction) * breaks[0] + fraction * breaks[breaks.len() - 1]
         };
-        let parameters = [at(0, row), at(1, column)];
-        let [(i, s), (j, t)] = [0, 1].map(|axis| grid.locate(axis, parameters[axis]));
+        let parameters = [at(Axis::U, row), at(Axis::V, column)];
+        let [(i, s), (j, t)] = Axis::BOTH.map(|axis| grid.locate(axis, parameters[axis]));
         let patch = model.patches.patch(grid.first + i * grid.counts()[1] + j);
         (parameters, patch.point([s, t]))
     }
@@ -143,7 +144,7 @@ impl GridTree {
         let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
         let of_surface = |surface: usize| {
             let grid = &model.grids[surface];
-            [0, 1].map(|axis| {
+            Axis::BOTH.map(|axis| {
                 let parameters = uniform(&grid.breaks[axis], self.grid + 1);
                 let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
                 cell_pieces(&places)

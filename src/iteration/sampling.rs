@@ -1,5 +1,6 @@
 //! Where a model is sampled.
 
+use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchGrid};
 use std::ops::Range;
 
@@ -53,11 +54,11 @@ impl Sampling {
     pub fn new(model: &BezierModel, samples: usize, rule: SamplingRule) -> Self {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
         for grid in &model.grids {
-            let parameters = [0, 1].map(|axis| match rule {
+            let parameters = Axis::BOTH.map(|axis| match rule {
                 SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });
-            let places = [0, 1]
+            let places = Axis::BOTH
                 .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
             grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
         }
@@ -149,19 +150,19 @@ pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
 }
 
 /// Parameters that cut the summed length of a few lines along `axis` evenly.
-fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize) -> Vec<f64> {
+fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: Axis, samples: usize) -> Vec<f64> {
     let breaks = &grid.breaks[axis];
     let mut knots = vec![breaks[0]];
     let mut lengths = vec![0.0];
-    let across = uniform(&grid.breaks[1 - axis], ARC_LENGTH_LINES);
-    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).collect();
+    let across = uniform(&grid.breaks[axis.other()], ARC_LENGTH_LINES);
+    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(axis.other(), parameter)).collect();
     for span in 0..breaks.len() - 1 {
         for chord in 1..=ARC_LENGTH_CHORDS {
             let ends = [chord - 1, chord].map(|end| end as f64 / ARC_LENGTH_CHORDS as f64);
             let length: f64 = across
                 .iter()
                 .map(|&(other_span, other)| {
-                    let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == 0 {
+                    let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == Axis::U {
                         ([span, other_span], ends.map(|end| [end, other]))
                     } else {
                         ([other_span, span], ends.map(|end| [other, end]))

@@ -12,6 +12,7 @@ pub(crate) use sphere::Sphere;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::revolutions;
+    use crate::axis::Axis;
     use crate::bezier::extract;
     use crate::model::{Model, RigidTransform};
     use crate::shapes::operations::{cut_surface, transformed};
@@ -50,7 +51,7 @@ mod tests {
         }
         // Parts go round, but not all the way.
         for fraction in [0.2, 0.5, 0.75, 0.9] {
-            let part = cut_surface(&shape("torus").unwrap().surfaces()[0], 0, fraction).unwrap();
+            let part = cut_surface(&shape("torus").unwrap().surfaces()[0], Axis::U, fraction).unwrap();
             for part in part {
                 let part = Model::new(None, vec![part]).unwrap();
                 let [Some(found)] = revolutions(&extract(&part))[..] else { panic!("{fraction}") };
