@@ -77,7 +77,7 @@ impl<'a> Operand<'a> {
 
     /// The parameters at which the patch's controls tell points of the model.
     pub(crate) fn room(&self, index: u32) -> ParamBox {
-        self.bounds[index as usize].room
+        self.bounds[index as usize].extension
     }
 }
 

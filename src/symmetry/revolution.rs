@@ -3,7 +3,7 @@
 use super::Sphere;
 use super::axis::Line;
 use super::winding_number::winding;
-use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, lengths};
+use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, length_bounds};
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// How far points may be from a surface of revolution for it to count as one,
@@ -179,7 +179,7 @@ impl Arc {
             bent = bent.max((weight / (arc[i].w * start.z) - 1.0).abs());
             is_short &= unit(i).dot(from + to) > 0.0;
         }
-        let [least, largest] = lengths([orders[0] - 1, 0], &arc);
+        let [least, largest] = length_bounds([orders[0] - 1, 0], &arc);
         off += WEIGHTS * bent * reach + (largest - 1.0).max(1.0 - least) * widest;
         Some(Self { off, reach, widest, from, to, is_short, profile })
     }

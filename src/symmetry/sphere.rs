@@ -1,7 +1,7 @@
 //! Spheres.
 
 use super::axis::Line;
-use crate::bezier::{Patch, lengths, relative};
+use crate::bezier::{Patch, length_bounds, relative};
 use glam::DVec3;
 
 /// A sphere that lies on a surface whole.
@@ -32,7 +32,8 @@ impl Sphere {
     /// `| |a - c| - r |`, with `|a - c|` between the lengths that the controls
     /// relative to the centre allow. O(p^2 q^2).
     pub(crate) fn farthest(&self, patch: &Patch<'_>) -> f64 {
-        let [least, largest] = lengths(patch.degree, &relative(patch.controls, self.center - patch.center));
+        let [least, largest] =
+            length_bounds(patch.degree, &relative(patch.controls, self.center - patch.center));
         (largest - self.radius).max(self.radius - least) + self.off
     }
 }
