@@ -20,7 +20,7 @@ pub(super) fn across(side: &Operand<'_>, index: u32, parameters: [f64; 2]) -> Ve
     let most = JOINED * JOINED * root.aabb.diagonal() * root.aabb.diagonal();
     let point = side.patch(index).point(parameters);
     for leaf in tree.leaves_within(point, most) {
-        let other = tree.item(&leaf);
+        let other = tree.primitive(&leaf);
         if other == index {
             continue;
         }

@@ -78,7 +78,7 @@ pub(super) fn blend(
 /// the cell, and the one known.
 pub(super) fn carrying_feet(cell: &Cell, a: &Jet, b: &Operand<'_>, known: Foot) -> Feet {
     let mut feet = Feet::of(known);
-    let Some(about) = b.candidates.as_ref().filter(|about| about.center.distance(a.point) < about.room())
+    let Some(about) = b.candidates.as_ref().filter(|about| about.center.distance(a.point) < about.margin())
     else {
         return feet;
     };

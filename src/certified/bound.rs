@@ -47,7 +47,7 @@ impl BranchAndBound<'_> {
     fn bound_node(&self, index: u32, region: &SearchNode, prune_threshold: f64) -> Bounded {
         let tree = &self.a.target.tree;
         let node = &tree.nodes()[index as usize];
-        let patch = tree.item(node);
+        let patch = tree.primitive(node);
         let parameters = [0.5; 2];
         let local = self.a.patch(patch).point(parameters);
         let point = self.transform.apply(local);

@@ -2,7 +2,7 @@
 
 use super::BranchAndBound;
 use super::region::{Domain, SearchNode};
-use crate::closest::Candidates;
+use crate::closest::NearbyPatches;
 
 /// Patches looked at by parts of patches before a list is worth its making,
 /// which costs about as much.
@@ -33,11 +33,11 @@ impl BranchAndBound<'_> {
         let Some((point, distance)) = self.believed_point().filter(|_| many) else { return };
         let [s, t] = self.a.whole_bounds(cell.patch).first;
         let radius = cell.half[0] * s + cell.half[1] * t;
-        let stale = |about: &Candidates| about.center.distance(point) > radius;
+        let stale = |about: &NearbyPatches| about.center.distance(point) > radius;
         if self.b.candidates.as_ref().is_none_or(stale) {
             *self.b.looks.get_mut() = 0;
             let reach = distance + (ROOM * radius).min(MAX_ROOM * distance);
-            self.b.candidates = Some(Candidates::new(self.b.target, point, reach));
+            self.b.candidates = Some(NearbyPatches::new(self.b.target, point, reach));
         }
     }
 }

@@ -21,20 +21,20 @@ pub(super) fn extreme(side: &Operand<'_>, direction: DVec3) -> Option<(u32, [f64
             continue;
         }
         if !node.is_leaf() {
-            let [first, second] = [place + 1, node.second as usize];
+            let [first, second] = [place + 1, node.right_child as usize];
             let [of_first, of_second] =
                 [first, second].map(|child| reach(&tree.nodes()[child].aabb, direction));
             waiting.extend_from_slice(&if of_first > of_second { [second, first] } else { [first, second] });
             continue;
         }
-        let patch = side.patch(tree.item(node));
+        let patch = side.patch(tree.primitive(node));
         let [p, q] = patch.degree;
         for (place, control) in patch.controls.iter().enumerate() {
             let along = (patch.center + control.xyz() / control.w).dot(direction);
             if along > best.0 {
                 let (i, j) = (place / (q + 1), place % (q + 1));
                 let parameters = [i as f64 / p as f64, j as f64 / q as f64];
-                best = (along, Some((tree.item(node), parameters)));
+                best = (along, Some((tree.primitive(node), parameters)));
             }
         }
     }

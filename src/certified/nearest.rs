@@ -3,7 +3,7 @@
 use super::Operand;
 use super::feet::{Feet, Foot};
 use super::met::Met;
-use crate::closest::{self, Candidate, Status, nearest_control, newton_below};
+use crate::closest::{self, NearbyPatch, Status, nearest_control, newton_below};
 use glam::DVec3;
 use std::sync::atomic::Ordering;
 
@@ -55,18 +55,18 @@ pub(super) fn nearest_feet(
     looking.tighten();
     if let Some(about) = &side.candidates {
         let moved = about.center.distance(target);
-        if moved < about.room() {
+        if moved < about.margin() {
             for candidate in &about.list {
-                let Candidate { patch, parameters, least, .. } = *candidate;
+                let NearbyPatch { patch, parameters, lower_bound: least, .. } = *candidate;
                 let least = (least - moved).max(0.0);
                 if least * least >= looking.most || looking.nearest() <= until {
                     break;
                 }
-                if about.least_squared(candidate, target) < looking.most {
+                if about.lower_bound_squared(candidate, target) < looking.most {
                     looking.look(patch, parameters);
                 }
             }
-            if looking.most.sqrt() <= about.reach - moved {
+            if looking.most.sqrt() <= about.radius - moved {
                 return looking.feet;
             }
         }
@@ -83,7 +83,7 @@ pub(super) fn nearest_feet(
         }
         let node = &nodes[index];
         if !node.is_leaf() {
-            let (first, second) = (index + 1, node.second as usize);
+            let (first, second) = (index + 1, node.right_child as usize);
             let (near, far) = (least(first), least(second));
             let pair =
                 if near <= far { [(far, second), (near, first)] } else { [(near, first), (far, second)] };
@@ -95,7 +95,7 @@ pub(super) fn nearest_feet(
             }
             continue;
         }
-        let patch = side.target.tree.item(node);
+        let patch = side.target.tree.primitive(node);
         if !looking.is_known_far(patch)
             && side.target.boxes[patch as usize].min_distance_squared(target) < looking.most
         {

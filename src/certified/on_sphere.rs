@@ -12,5 +12,5 @@ pub(super) fn on_sphere(cell: &Cell, patch: &Patch<'_>, transform: &RigidTransfo
     let controls = patch.restricted(range[0], range[1]);
     // The sphere is moved against the patch, as its centre is one point.
     let sphere = Sphere { center: transform.apply_inverse(sphere.center), ..*sphere };
-    sphere.farthest(&Patch { controls: &controls, ..*patch })
+    sphere.distance_bound(&Patch { controls: &controls, ..*patch })
 }

@@ -29,7 +29,9 @@ impl Profiles {
             let slack = of_a.as_ref().map_or(f64::INFINITY, |of_a| slack(of_a, b, transform, most));
             let use_it = slack <= most;
             profiles.slack = profiles.slack.max(if use_it { slack } else { 0.0 });
-            profiles.round.push(of_a.as_ref().filter(|_| use_it).map(|of_a| (of_a.round, of_a.start)));
+            profiles
+                .round
+                .push(of_a.as_ref().filter(|_| use_it).map(|of_a| (of_a.round.index(), of_a.start)));
         }
         profiles
     }
@@ -63,9 +65,11 @@ fn slack(of_a: &Revolution, b: &Operand<'_>, transform: &RigidTransform, prune_t
     for of_b in b.revolutions {
         let slack = match of_b {
             Some(Revolution { sphere: Some(sphere), .. }) => {
-                2.0 * (sphere.off + axis.way_to(sphere.center).length())
+                2.0 * (sphere.deviation + axis.radial(sphere.center).length())
             }
-            Some(of_b) if of_b.full => 2.0 * of_b.off + axis.apart(&of_b.axis, of_a.reach),
+            Some(of_b) if of_b.full => {
+                2.0 * of_b.deviation + axis.rotation_difference(&of_b.axis, of_a.radius)
+            }
             _ => f64::INFINITY,
         };
         most = most.max(slack);
@@ -73,5 +77,5 @@ fn slack(of_a: &Revolution, b: &Operand<'_>, transform: &RigidTransform, prune_t
             break;
         }
     }
-    2.0 * of_a.off + most
+    2.0 * of_a.deviation + most
 }

@@ -127,7 +127,7 @@ impl BranchAndBound<'_> {
             let start = Sample { parameters, foot: Foot::start(0, [0.5; 2]) };
             (patch, self.with_nearest(patch, start, 0.0))
         };
-        let middle = start((self.a.target.tree.item(of_a), [0.5; 2]));
+        let middle = start((self.a.target.tree.primitive(of_a), [0.5; 2]));
         let (patch, sample) = start(extreme(&self.a, away).unwrap_or((0, [0.5; 2])));
         let left = self.interval().upper - sample.foot.distance();
         let climbed = self.climbed(patch, sample, self.width().max(BEGIN_PART * left));

@@ -88,8 +88,8 @@ impl SearchNode {
                 if !node.is_leaf() {
                     // The first one's point is this one's, whose foot is known.
                     push(Domain::Node(*index + 1), foot);
-                    push(Domain::Node(node.second), Foot::start(foot.patch, foot.parameters));
-                } else if let Some(cell) = profiles.cell(side, tree.item(node)) {
+                    push(Domain::Node(node.right_child), Foot::start(foot.patch, foot.parameters));
+                } else if let Some(cell) = profiles.cell(side, tree.primitive(node)) {
                     push(Domain::Cell(cell), foot);
                 }
             }

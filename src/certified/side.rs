@@ -1,7 +1,7 @@
 //! One of the two models, as this method wants it.
 
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
-use crate::closest::Candidates;
+use crate::closest::NearbyPatches;
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
@@ -21,7 +21,7 @@ pub(crate) struct Operand<'a> {
     /// A sphere among them.
     pub(super) sphere: Option<Sphere>,
     /// The patches near a point about which many others are looked at.
-    pub(super) candidates: Option<Candidates>,
+    pub(super) candidates: Option<NearbyPatches>,
     /// Patches looked at since those were listed.
     pub(super) looks: AtomicUsize,
 }

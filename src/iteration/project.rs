@@ -73,14 +73,14 @@ fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
         }
         let node = &nodes[index];
         if !node.is_leaf() {
-            let mut children = [index + 1, node.second as usize].map(|child| (least(child), child));
+            let mut children = [index + 1, node.right_child as usize].map(|child| (least(child), child));
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
             }
             stack.extend_from_slice(&children);
             continue;
         }
-        let patch = target.tree.item(node) as usize;
+        let patch = target.tree.primitive(node) as usize;
         offer(best, patch, project_on(&target.patches.patch(patch), sample, rule));
     }
 }
