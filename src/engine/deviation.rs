@@ -85,7 +85,7 @@ impl Direction<'_> {
         let patches = &bezier.grids[surface];
         for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
             let (i, j) = grid.row_and_column(index);
-            let ((row, s), (column, t)) = (grid.places[0][i], grid.places[1][j]);
+            let ((row, s), (column, t)) = (grid.locations[0][i], grid.locations[1][j]);
             let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
