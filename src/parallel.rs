@@ -40,21 +40,6 @@ pub(crate) fn together<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Two pieces of work, on two threads where there are.
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) fn side_by_side<S: Send, T: Send>(
-    one: impl FnOnce() -> S + Send,
-    other: impl FnOnce() -> T + Send,
-) -> (S, T) {
-    rayon::join(one, other)
-}
-
-/// One after the other.
-#[cfg(target_arch = "wasm32")]
-pub(crate) fn side_by_side<S, T>(one: impl FnOnce() -> S, other: impl FnOnce() -> T) -> (S, T) {
-    (one(), other())
-}
-
 /// `work` on 0 to `count`, results in order.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {

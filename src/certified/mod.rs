@@ -1,51 +1,35 @@
-//! Method `certified`: an interval to the tolerance that the user asks for.
+//! Method `certified`: an interval of the requested width.
 //!
-//! Whole patches are bounded `at_once` where their likes on B or a sphere tell
-//! it, and of surfaces of revolution about one axis only a `profile` is taken.
-//! The rest of A is cut into cells. `certify` bounds the distance to B from
-//! above over a whole cell, from the foot of its centre alone, `blend` by weighted
-//! means where several patches are about equally near, `compare` by the
-//! polynomials of both, `corners` where the nearest patch changes close to A;
-//! `bound` takes the least. `search` halves the cells whose bound is not yet
-//! within the tolerance of the largest distance found, to which `climb` leads
-//! from the samples that `raise` chooses; `claim` certifies that distance. Every cell ends with a bound, so the
-//! largest bound of all is an upper bound of the directed distance whatever
-//! an iteration did: one that fails can only loosen.
+//! Theorem. Let nodes cover A, each with an upper bound on the distance of its
+//! points to B, and let `lower` be a lower bound on the distance to B of one
+//! point of A, the witness. Then the directed distance lies between `lower` and
+//! the largest of the upper bounds.
+//!
+//! A branch and bound ([`search`]) narrows that interval. It bounds nodes
+//! ([`bounds`]), prunes those whose upper bound is within the tolerance of
+//! `lower`, and branches the others; far points that it comes across ascend to
+//! local maxima ([`ascent`]), whose distances are certified and raise `lower`.
+//! Both need nearest points on B ([`nearest`]). Every node ends with an upper
+//! bound, so an iteration that fails can loosen the interval and not falsify
+//! it. `docs/method.md` has the proofs.
 
-mod across;
-mod at_once;
-mod balance;
-mod blend;
-mod bound;
-mod candidates;
-mod cell_bounds;
-mod certify;
-mod claim;
-mod climb;
-mod compare;
-mod corners;
-mod correspond;
-mod extreme;
-mod feet;
-mod foot_map;
-mod met;
+mod ascent;
+mod bounds;
+mod cell;
+mod generatrix;
+mod maximin;
 mod nearest;
-mod on_sphere;
+mod operand;
 mod pieces;
-mod profile;
-mod quadratic;
-mod queue;
-mod raise;
-mod region;
+mod reparametrization;
 mod search;
-mod side;
-mod step;
 
-pub(crate) use feet::Foot;
+pub(crate) use cell::Cell;
+pub(crate) use generatrix::Generatrix;
+pub(crate) use nearest::Foot;
+pub(crate) use operand::{Operand, Pair};
 pub(crate) use pieces::{Pieces, Place};
-pub(crate) use region::{Cell, Domain, SearchNode};
-pub(crate) use search::{BatchResult, BranchAndBound, Interval};
-pub(crate) use side::Operand;
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
 
-pub use quadratic::Quadratic;
+pub use bounds::Quadratic;
 pub use search::Stop;

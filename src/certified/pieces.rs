@@ -1,7 +1,8 @@
 //! Patches cut into pieces that a kernel's float32 is exact enough for.
 
+use super::Cell;
 use super::Operand;
-use super::region::Cell;
+
 use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::model::RigidTransform;

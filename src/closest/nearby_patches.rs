@@ -14,8 +14,6 @@ pub(crate) struct NearbyPatch {
     pub(crate) patch: u32,
     /// The parameters (s, t) of a point of the patch near the centre.
     pub(crate) parameters: [f64; 2],
-    /// That point.
-    pub(crate) point: DVec3,
     /// A lower bound on the distance from the centre to the patch.
     pub(crate) lower_bound: f64,
     /// A box around the patch.
@@ -51,9 +49,8 @@ impl NearbyPatches {
             if lower_squared < radius_squared {
                 let patch = patches.patch(index as usize);
                 let foot = newton(&patch, center, nearest_control(&patch, center), MAX_ITERATIONS);
-                let (parameters, point) = (foot.parameters, patch.point(foot.parameters));
                 let lower_bound = lower_squared.sqrt();
-                list.push(NearbyPatch { patch: index, parameters, point, lower_bound, aabb });
+                list.push(NearbyPatch { patch: index, parameters: foot.parameters, lower_bound, aabb });
             }
         }
         list.sort_by(|a, b| a.lower_bound.total_cmp(&b.lower_bound));

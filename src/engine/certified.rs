@@ -2,23 +2,20 @@
 
 use super::iteration::{Directed, surface_point};
 use super::{Backend, CertifiedDetails, Options, Stop};
-use crate::certified::{BranchAndBound, Interval, Operand};
+use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, Levels};
-use crate::model::RigidTransform;
 use crate::progress::Progress;
 use std::rc::Rc;
 use web_time::Instant;
 
-/// Searches until the interval is as narrow as asked or a budget ends it, and
-/// tells if the GPU failed on the way; `None` for a model without patches,
-/// which validation rules out.
+/// Searches until the interval is as narrow as requested or a budget ends the
+/// search, and returns a notice if the GPU failed; `None` for a model without
+/// patches, which validation rules out.
 ///
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
-    a: Operand<'_>,
-    b: Operand<'_>,
-    transform: RigidTransform,
+    mut pair: Pair<'_>,
     diagonal: f64,
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
@@ -26,7 +23,12 @@ pub(super) async fn certified(
 ) -> Result<Option<(Directed, Option<String>)>> {
     let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
     let started = Instant::now();
-    let mut search = BranchAndBound::new(a, b, transform, tolerance, options.limit);
+    let generatrix = Generatrix::new(&pair, tolerance);
+    let slack = generatrix.as_ref().map_or(0.0, |generatrix| generatrix.slack);
+    if let Some(generatrix) = &generatrix {
+        pair.a = generatrix.operand();
+    }
+    let mut search = BranchAndBound::new(pair, tolerance, options.limit, slack);
     progress.section(0.0, 1.0);
     let first = search.interval();
     let needed = options.backend == Backend::Gpu;
@@ -35,7 +37,7 @@ pub(super) async fn certified(
         if let Some(stop) = kernels.advance(&mut search).await? {
             break stop;
         }
-        if options.max_cells.is_some_and(|most| search.cells >= most) {
+        if options.max_cells.is_some_and(|most| search.work().cells >= most) {
             break Stop::Cells;
         }
         if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
@@ -53,29 +55,29 @@ pub(super) async fn certified(
     search.finish();
     let Interval { lower, upper } = search.interval();
     progress.interval(lower, upper);
-    let Some(farthest) = search.farthest() else { return Ok(None) };
-    let within = search.within();
+    let Some(witness) = search.witness() else { return Ok(None) };
+    let (within, work) = (search.within(), search.work());
     let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
     let stop = if stop == Stop::Converged && !is_decided { Stop::Precision } else { stop };
-    let [from, to] = search.witness_patches(farthest);
+    let [from, to] = search.witness_patches(witness);
     let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
     let directed = Directed {
-        computed: farthest.closest.upper,
+        computed: witness.closest.upper,
         lower,
         upper,
         converged: stop == Stop::Converged,
-        from: surface_point(from.surface, from.surface_parameters(farthest.parameters), farthest.point),
+        from: surface_point(from.surface, from.surface_parameters(witness.parameters), witness.point),
         to: surface_point(
             to.surface,
-            to.surface_parameters(farthest.closest.parameters),
-            farthest.closest.point,
+            to.surface_parameters(witness.closest.parameters),
+            witness.closest.point,
         ),
         iteration: None,
         certified: Some(CertifiedDetails {
             tolerance,
-            cells: search.cells,
-            cpu_cells: search.cells - search.kernel_cells,
-            levels: search.levels,
+            cells: work.cells,
+            cpu_cells: work.cells - work.kernel_cells,
+            levels: work.levels,
             stop,
             within,
         }),
@@ -118,19 +120,19 @@ impl Kernels<'_> {
     /// is nothing left to do. Where float32 is not exact enough, float64 does
     /// the rest.
     async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<Option<Stop>> {
-        let (started, before) = (Instant::now(), search.cells);
+        let (started, before) = (Instant::now(), search.work().cells);
         let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
-        let many = search.waiting() >= worth && !search.has_undecided() && !search.has_edges();
+        let many = search.waiting() >= worth && !search.has_undecided();
         let Some(gpu) = self.gpu.filter(|_| many) else {
             let stop = search.advance();
-            if search.cells > before {
-                self.slowest = started.elapsed().as_secs_f64() / (search.cells - before) as f64;
+            if search.work().cells > before {
+                self.slowest = started.elapsed().as_secs_f64() / (search.work().cells - before) as f64;
             }
             return Ok(stop);
         };
         let first = self.levels.is_none();
         let step = self.step(gpu, search).await;
-        let per_cell = started.elapsed().as_secs_f64() / (search.cells - before).max(1) as f64;
+        let per_cell = started.elapsed().as_secs_f64() / (search.work().cells - before).max(1) as f64;
         // The first submission waits for the driver's compiler.
         let too_slow = !first && !self.needed && per_cell > self.slowest;
         if too_slow || !matches!(step, Ok(true)) {

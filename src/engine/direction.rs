@@ -8,6 +8,7 @@ use super::{
     DistanceResult, Method, Options, PatchCounts, PreparedModel, Seconds, Statistics, Stop, SurfacePoint,
     Witness,
 };
+use crate::certified::Pair;
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::gpu::{Gpu, GpuStages};
@@ -111,13 +112,14 @@ impl Ends<'_> {
         let fine = self.from.bezier().patches.len() >= FINE;
         let of_cells = if fine { Flatness::None } else { Flatness::Loose };
         let (from, to) = (self.from.target(of_cells), self.to.target(Flatness::Loose));
-        let (a, mut b) = (from.side(self.from), to.side(self.to));
+        let (a, mut b) = (from.operand(self.from), to.operand(self.to));
         if fine {
-            b = b.beside(&self.to.bezier().patches);
+            b = b.with_uncut(&self.to.bezier().patches);
         }
         let prepare = started.elapsed().as_secs_f64();
         let diagonal = self.diagonal();
-        let directed = certified(a, b, self.transform, diagonal, options, gpu, progress).await?;
+        let directed =
+            certified(Pair { a, b, transform: self.transform }, diagonal, options, gpu, progress).await?;
         let (directed, notice) = directed.ok_or(Error::EmptyModel)?;
         let helped = directed.certified.is_some_and(|details| details.cpu_cells < details.cells);
         Ok(Run {

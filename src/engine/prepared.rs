@@ -41,12 +41,12 @@ pub(crate) struct PreparedTarget {
 
 impl PreparedTarget {
     /// The patches as method `certified` wants them, which were cut from those of `model`.
-    pub(crate) fn side<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
+    pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || {
             let extensions = extensions(&model.bezier.patches, &self.target.patches);
             extensions.into_iter().map(LocalDerivativeBounds::new).collect()
         };
-        Operand::new(&self.target, self.bounds.get_or_init(bounds)).with(&model.revolutions)
+        Operand::new(&self.target, self.bounds.get_or_init(bounds)).with_revolutions(&model.revolutions)
     }
 }
 

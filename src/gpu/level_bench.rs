@@ -5,7 +5,7 @@ use super::layouts::{Best, Cell, LevelParams};
 use super::pipelines::Kernel;
 use super::work::Work;
 use super::{Gpu, Levels};
-use crate::certified::BranchAndBound;
+use crate::certified::{BranchAndBound, Pair};
 use crate::engine::PreparedModel;
 use crate::error::Result;
 use crate::flatness::Flatness;
@@ -62,8 +62,8 @@ impl LevelBench {
         cells: usize,
     ) -> Result<Option<Self>> {
         let (from, to) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
-        let (a, b) = (from.side(a), to.side(b));
-        let mut search = BranchAndBound::new(a, b, transform, tolerance, None);
+        let (a, b) = (from.operand(a), to.operand(b));
+        let mut search = BranchAndBound::new(Pair { a, b, transform }, tolerance, None, 0.0);
         while search.waiting() < cells {
             if search.advance().is_some() {
                 return Ok(None);

@@ -10,7 +10,7 @@ use super::upload_pieces::{PieceFrame, Reach};
 use super::work::{Dispatch, Extent, Work};
 use super::{Gpu, Levels};
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
-use crate::certified::{BranchAndBound, Domain, Operand, Pieces};
+use crate::certified::{BranchAndBound, Domain, Operand, Pair, Pieces};
 use crate::closest::Target;
 use crate::closest::closest;
 use crate::model::RigidTransform;
@@ -202,8 +202,12 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
         let (of_a, of_b) = (bounds(&a.patches), bounds(&b.patches));
         let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), shift);
         let transform = RigidTransform::new(turn, DVec3::splat(0.1 * shift)).unwrap();
-        let mut search =
-            BranchAndBound::new(Operand::new(&a, &of_a), Operand::new(&b, &of_b), transform, 1e-5, None);
+        let mut search = BranchAndBound::new(
+            Pair { a: Operand::new(&a, &of_a), b: Operand::new(&b, &of_b), transform },
+            1e-5,
+            None,
+            0.0,
+        );
         // Down to cells, by float64.
         while search.waiting() < CELLS {
             assert!(search.advance_once().is_none(), "{degree:?}: decided too soon");

@@ -12,7 +12,7 @@ use super::upload_pieces::{GpuPieces, PieceFrame, Reach};
 use super::upload_target::GpuTarget;
 use super::work::{Dispatch, Extent, Work};
 use crate::bezier::{Patch, power_of_two_below};
-use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, Pieces, SearchNode};
+use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, Pair, Pieces, SearchNode};
 use crate::closest::{Projection, Target};
 use crate::error::Result;
 use crate::iteration::Culling;
@@ -108,7 +108,7 @@ impl Levels {
         if DISTANCE_ROUNDINGS * search.interval().upper > LENGTH_PART * tolerance {
             return Ok(None);
         }
-        let (a, b, transform) = search.sides();
+        let Pair { a, b, transform } = search.pair();
         let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
         let Some(from) = Pieces::new(a, transform, &fits, MAX_PIECES) else { return Ok(None) };
         let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, &fits, MAX_PIECES) else { return Ok(None) };

@@ -2,9 +2,9 @@
 
 use super::PlaneCurve;
 use super::plane_curve::clamped_knots;
-use glam::DVec2;
+use glam::DVec3;
 
-const DEGREE: usize = 3;
+pub(super) const DEGREE: usize = 3;
 
 /// The cubic B-spline curve that passes `point(i / (count - 1))` at the
 /// parameters i / (count - 1), i = 0 .. count - 1; `count` is at least 4.
@@ -13,22 +13,47 @@ const DEGREE: usize = 3;
 /// For even parameters the knots that averaging (eq. 9.8) gives are the
 /// parameters themselves without the two next to the ends. O(count^3).
 pub(super) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> PlaneCurve {
-    let parameter = |index: usize| index as f64 / (count - 1) as f64;
-    let mut knots = clamped_knots(DEGREE, count);
-    for (inner, knot) in knots[DEGREE + 1..count].iter_mut().enumerate() {
-        *knot = parameter(inner + 2);
+    let spline = UniformSpline::new(count);
+    let sites = (0..count).map(|index| {
+        let [x, y] = point(index as f64 / (count - 1) as f64);
+        DVec3::new(x, y, 0.0)
+    });
+    let solution = spline.through(sites.collect());
+    let control_points = solution.into_iter().map(|DVec3 { x, y, .. }| [x, y, 1.0]).collect();
+    PlaneCurve { degree: DEGREE, knots: spline.knots, control_points }
+}
+
+/// The cubic splines over [0, 1] that are determined by their values at
+/// i / (count - 1), i = 0 .. count - 1.
+pub(super) struct UniformSpline {
+    /// The clamped knots.
+    pub(super) knots: Vec<f64>,
+    /// The value of every basis function (columns) at every site (rows).
+    rows: Vec<Vec<f64>>,
+}
+
+impl UniformSpline {
+    /// Builds the interpolation matrix; `count` is at least 4. O(count^2).
+    pub(super) fn new(count: usize) -> Self {
+        let parameter = |index: usize| index as f64 / (count - 1) as f64;
+        let mut knots = clamped_knots(DEGREE, count);
+        for (inner, knot) in knots[DEGREE + 1..count].iter_mut().enumerate() {
+            *knot = parameter(inner + 2);
+        }
+        let rows = (0..count).map(|index| basis(&knots, DEGREE, count, parameter(index))).collect();
+        Self { knots, rows }
     }
-    let rows = (0..count).map(|index| basis(&knots, count, parameter(index))).collect();
-    let points = (0..count).map(|index| DVec2::from(point(parameter(index)))).collect();
-    let solution = solve(rows, points);
-    let control_points = solution.into_iter().map(|DVec2 { x, y }| [x, y, 1.0]).collect();
-    PlaneCurve { degree: DEGREE, knots, control_points }
+
+    /// The control points of the spline that has these values at the sites. O(count^2).
+    pub(super) fn through(&self, values: Vec<DVec3>) -> Vec<DVec3> {
+        solve(self.rows.clone(), values)
+    }
 }
 
 /// Gaussian elimination; the matrix of values of B-splines is totally positive,
 /// so it needs no pivoting (de Boor and Pinkus 1977), and has fewer than
 /// [`DEGREE`] diagonals on either side.
-fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec2>) -> Vec<DVec2> {
+fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec3>) -> Vec<DVec3> {
     let count = points.len();
     for pivot in 0..count {
         let (done, below) = rows.split_at_mut(pivot + 1);
@@ -42,27 +67,27 @@ fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec2>) -> Vec<DVec2> {
         }
     }
     for index in (0..count).rev() {
-        let known: DVec2 = (index + 1..count).map(|column| rows[index][column] * points[column]).sum();
+        let known: DVec3 = (index + 1..count).map(|column| rows[index][column] * points[column]).sum();
         points[index] = (points[index] - known) / rows[index][index];
     }
     points
 }
 
-/// The values of all `count` basis functions (algorithm A2.2).
-fn basis(knots: &[f64], count: usize, parameter: f64) -> Vec<f64> {
-    let span = knots.partition_point(|&knot| knot <= parameter).clamp(DEGREE + 1, count) - 1;
+/// The values of all `count` basis functions of one degree (algorithm A2.2).
+pub(super) fn basis(knots: &[f64], degree: usize, count: usize, parameter: f64) -> Vec<f64> {
+    let span = knots.partition_point(|&knot| knot <= parameter).clamp(degree + 1, count) - 1;
     let mut values = vec![0.0; count];
     values[span] = 1.0;
-    for degree in 1..=DEGREE {
-        for index in span - degree..=span {
-            let rising = if index > span - degree {
-                let (start, end) = (knots[index], knots[index + degree]);
+    for current in 1..=degree {
+        for index in span - current..=span {
+            let rising = if index > span - current {
+                let (start, end) = (knots[index], knots[index + current]);
                 (parameter - start) / (end - start) * values[index]
             } else {
                 0.0
             };
             let falling = if index < span {
-                let (start, end) = (knots[index + 1], knots[index + degree + 1]);
+                let (start, end) = (knots[index + 1], knots[index + current + 1]);
                 (end - parameter) / (end - start) * values[index + 1]
             } else {
                 0.0

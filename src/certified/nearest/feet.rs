@@ -1,64 +1,67 @@
-//! Points of B near a point of A.
+//! Feet: points of B near a point of A.
 
 use crate::closest::Status;
 
-/// A point of B near a target.
+/// A point of B near a target point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Foot {
     pub(crate) patch: u32,
     pub(crate) parameters: [f64; 2],
+    /// Squared distance to the target.
     pub(crate) distance_squared: f64,
     pub(crate) status: Status,
 }
 
 impl Foot {
-    /// A place on B where an iteration may start, however far.
+    /// A start for an iteration, at no known distance.
     pub(crate) fn start(patch: u32, parameters: [f64; 2]) -> Self {
         Self { patch, parameters, distance_squared: f64::INFINITY, status: Status::IterationLimit }
     }
 
-    pub(super) fn distance(&self) -> f64 {
+    pub(in crate::certified) fn distance(&self) -> f64 {
         self.distance_squared.sqrt()
     }
 }
 
 /// A point of a patch of A, with a foot.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sample {
-    pub(super) parameters: [f64; 2],
-    pub(super) foot: Foot,
+pub(in crate::certified) struct Sample {
+    pub(in crate::certified) patch: u32,
+    pub(in crate::certified) parameters: [f64; 2],
+    pub(in crate::certified) foot: Foot,
 }
 
-/// Feet of one point, at most: enough directions to choose three from.
+/// Capacity for the feet of one point: enough directions to choose three from.
 const MAX_FEET: usize = 8;
 
-/// The nearest of the feet met of one point, on different patches, by rising
-/// distance; at least one.
+/// The nearest known feet of one point on different patches, nearest first; at
+/// least one.
 #[derive(Debug, Clone)]
-pub(super) struct Feet {
+pub(in crate::certified) struct Feet {
     list: [Foot; MAX_FEET],
     count: usize,
 }
 
 impl Feet {
-    pub(super) fn of(foot: Foot) -> Self {
+    pub(in crate::certified) fn new(foot: Foot) -> Self {
         Self { list: [foot; MAX_FEET], count: 1 }
     }
 
-    pub(super) fn nearest(&self) -> Foot {
+    pub(in crate::certified) fn nearest(&self) -> Foot {
         self.list[0]
     }
 
-    pub(super) fn all(&self) -> &[Foot] {
+    pub(in crate::certified) fn all(&self) -> &[Foot] {
         &self.list[..self.count]
     }
 
-    pub(super) fn has(&self, patch: u32) -> bool {
+    pub(in crate::certified) fn has(&self, patch: u32) -> bool {
         self.all().iter().any(|foot| foot.patch == patch)
     }
 
-    /// Takes a foot in, instead of a farther one on its patch or the farthest if there are too many.
-    pub(super) fn add(&mut self, foot: Foot) {
+    /// Adds a foot; it replaces a farther one on its patch, or the farthest of
+    /// all where there are [`MAX_FEET`].
+    pub(in crate::certified) fn add(&mut self, foot: Foot) {
         let known = self.all().iter().position(|other| other.patch == foot.patch);
         let mut place = known.unwrap_or(self.count);
         if place == MAX_FEET {
@@ -88,7 +91,7 @@ mod tests {
             let mut foot =
                 |_| Foot { distance_squared: random.f64(), ..Foot::start(random.u32(0..12), [0.5; 2]) };
             let given: Vec<Foot> = (0..40).map(&mut foot).collect();
-            let mut feet = Feet::of(given[0]);
+            let mut feet = Feet::new(given[0]);
             given[1..].iter().for_each(|foot| feet.add(*foot));
             let mut nearest: Vec<Foot> = given.clone();
             nearest.sort_by(|a, b| a.distance_squared.total_cmp(&b.distance_squared));

@@ -1,87 +1,98 @@
-//! Stage `step`: where a climb goes next.
+//! One step of the ascent.
 
-use super::Operand;
-use super::balance::{Balance, balance, plane_of_distance};
-use super::feet::Feet;
-use super::foot_map::FootMap;
+use super::super::Operand;
+use super::super::maximin::{Maximin, linearized_distance_squared, maximin};
+use super::super::nearest::Feet;
+use super::super::reparametrization::Reparametrization;
 use crate::bezier::Jet;
 use glam::{DMat2, DVec2};
 
-/// A step from parameters of A, in each of at most `reach`, and by how much it
-/// promises to raise the squared distance; `None` at a corner that is the
-/// highest place about.
+/// A step in A's parameters and the increase of the squared distance that its
+/// model predicts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Step {
+    pub(super) step: DVec2,
+    pub(super) predicted_gain: f64,
+}
+
+/// The step from a point of A, at most `radius` in each parameter; `None` at a
+/// corner of the patch that is a local maximum.
 ///
-/// To the highest place under the planes of all feet ([`balance`]): where three
-/// patches are equally near, that is Newton's method for it. Where one patch or
-/// two carry the place, their curvature tells more: Newton's step to the
-/// highest place of the one, or of the ridge where both are equally far.
-pub(super) fn step(
+/// The trust region problem is the maximum of the minimum of the squared
+/// distances to all known feet. To first order that is a [`maximin`]; where
+/// three patches are equally near, its solution is Newton's method for the
+/// maximum. Where one patch or two carry it, second derivatives count: Newton's
+/// step for the one, or along the bisector of the two.
+pub(super) fn newton_step(
     b: &Operand<'_>,
     at: [f64; 2],
     jet: &Jet,
     feet: &Feet,
-    reach: f64,
-) -> Option<(DVec2, f64)> {
-    let low = [0, 1].map(|axis| (-at[axis]).max(-reach));
-    let high = [0, 1].map(|axis| (1.0 - at[axis]).min(reach));
-    let mut planes = Vec::with_capacity(feet.all().len());
-    for foot in feet.all() {
-        planes.push(plane_of_distance(jet, b.patch(foot.patch).point(foot.parameters), low, high));
-    }
-    let Balance { weights, place, height } = balance(&planes);
+    radius: f64,
+) -> Option<Step> {
+    let low = [0, 1].map(|axis| (-at[axis]).max(-radius));
+    let high = [0, 1].map(|axis| (1.0 - at[axis]).min(radius));
+    let to_first_order = feet
+        .all()
+        .iter()
+        .map(|foot| linearized_distance_squared(jet, b.patch(foot.patch).point(foot.parameters), low, high));
+    let Maximin { multipliers, argmax, value } = maximin(&to_first_order.collect::<Vec<_>>());
     let [low, high] = [low, high].map(DVec2::from_array);
     let nearest = feet.nearest().distance_squared;
-    let hill = |index: usize| {
+    let model = |index: usize| {
         let foot = &feet.all()[index];
-        Hill::new(jet, &b.patch(foot.patch).jet(foot.parameters))
+        LocalModel::new(jet, &b.patch(foot.patch).jet(foot.parameters))
     };
-    let [(first, of_first), (second, _), (_, of_third)] = weights;
-    // The nearest patch's is the first plane.
+    let [(first, of_first), (second, _), (_, of_third)] = multipliers;
+    // The nearest patch's function is the first.
     if of_first == 1.0 && first == 0 {
-        let hill = hill(0);
-        let step = hill.ascent(at, reach, jet)?.max(low).min(high);
-        return Some((step, 2.0 * step.dot(hill.gradient)));
+        let model = model(0);
+        let step = model.ascent_step(at, radius, jet)?.max(low).min(high);
+        return Some(Step { step, predicted_gain: 2.0 * step.dot(model.gradient) });
     }
     if of_first < 1.0 && of_third == 0.0 {
-        let (step, value) = ridge(hill(first), hill(second));
+        let (step, value) = bisector_step(model(first), model(second));
         if step == step.max(low).min(high) {
-            return Some((step, 2.0 * value - nearest));
+            return Some(Step { step, predicted_gain: 2.0 * value - nearest });
         }
     }
-    let place = DVec2::from_array(place);
-    Some((0.5 * (low + high + place * (high - low)), height - nearest))
+    let step = 0.5 * (low + high + DVec2::from_array(argmax) * (high - low));
+    Some(Step { step, predicted_gain: value - nearest })
 }
 
 /// Half the squared distance to a patch, to second order in A's parameters.
 #[derive(Debug, Clone, Copy)]
-struct Hill {
+struct LocalModel {
     value: f64,
     gradient: DVec2,
     hessian: DMat2,
 }
 
-impl Hill {
-    /// Between a point and its foot.
+impl LocalModel {
+    /// The model at a point of A with a foot on B.
     ///
-    /// The gradient is `(a - b)·A_s`, the foot's own change adding nothing as it
-    /// is stationary; the Hessian is `A_s·A_s + (a - b)·A_ss` less what the foot
-    /// gains by following, `A_s·(B_u p_u + B_v p_v)` with p its derivative.
+    /// The gradient is `(a - b)·A_s`, as the foot is stationary; the Hessian is
+    /// `A_s·A_s + (a - b)·A_ss` less `A_s·(B_u p_u + B_v p_v)` with p the
+    /// derivative of the foot.
     fn new(a: &Jet, b: &Jet) -> Self {
-        let way = a.point - b.point;
-        let FootMap { p, q, .. } =
-            FootMap::linearised(b, -way, [a.s, a.t], [false; 2]).unwrap_or(FootMap::CONSTANT);
+        let residual = a.point - b.point;
+        let Reparametrization { p, q } = Reparametrization::linearized(b, -residual, [a.s, a.t], [false; 2])
+            .unwrap_or(Reparametrization::CONSTANT);
         let s = a.s - p.x * b.s - p.y * b.t;
         let t = a.t - q.x * b.s - q.y * b.t;
-        let [ss, st, tt] =
-            [a.s.dot(s) + way.dot(a.ss), a.s.dot(t) + way.dot(a.st), a.t.dot(t) + way.dot(a.tt)];
-        let gradient = DVec2::new(way.dot(a.s), way.dot(a.t));
+        let [ss, st, tt] = [
+            a.s.dot(s) + residual.dot(a.ss),
+            a.s.dot(t) + residual.dot(a.st),
+            a.t.dot(t) + residual.dot(a.tt),
+        ];
+        let gradient = DVec2::new(residual.dot(a.s), residual.dot(a.t));
         let hessian = DMat2::from_cols_array(&[ss, st, st, tt]);
-        Self { value: 0.5 * way.length_squared(), gradient, hessian }
+        Self { value: 0.5 * residual.length_squared(), gradient, hessian }
     }
 
-    /// Newton's step to the highest place, along an edge where the patch of A
-    /// ends, else one uphill that goes as far as `reach`.
-    fn ascent(&self, at: [f64; 2], reach: f64, a: &Jet) -> Option<DVec2> {
+    /// Newton's step to the maximum, along an edge where the patch of A ends;
+    /// where the model has none, the direction of steepest ascent up to `radius`.
+    fn ascent_step(&self, at: [f64; 2], radius: f64, a: &Jet) -> Option<DVec2> {
         let Self { gradient, hessian, .. } = *self;
         let free = [0, 1].map(|axis| {
             !((at[axis] <= 0.0 && gradient[axis] < 0.0) || (at[axis] >= 1.0 && gradient[axis] > 0.0))
@@ -95,34 +106,35 @@ impl Hill {
             [false, true] if hessian.y_axis.y < 0.0 => DVec2::new(0.0, -gradient.y / hessian.y_axis.y),
             _ => {
                 let uphill = DVec2::from_array([0, 1].map(|axis| {
-                    let along = if axis == 0 { a.s } else { a.t };
-                    let slope = gradient[axis] / along.length_squared().max(f64::MIN_POSITIVE);
+                    let tangent = if axis == 0 { a.s } else { a.t };
+                    let slope = gradient[axis] / tangent.length_squared().max(f64::MIN_POSITIVE);
                     if free[axis] { slope } else { 0.0 }
                 }));
-                uphill * (reach / uphill.abs().max_element().max(f64::MIN_POSITIVE))
+                uphill * (radius / uphill.abs().max_element().max(f64::MIN_POSITIVE))
             }
         };
         step.is_finite().then_some(step)
     }
 }
 
-/// Newton's step to the highest place of the ridge on which two hills are
-/// equally high, and how high that is; no number where the ridge has none.
+/// Newton's step for the maximum of min(d₁², d₂²) on the bisector d₁ = d₂, and
+/// the value there; NaN where the bisector has no maximum.
 ///
-/// To first order the ridge is a line. Along it both hills rise alike, and bend
-/// like their mean with the weights for which its gradient is least: 0 at a
-/// maximum of the lower one, where the way the ridge itself turns does not count.
-fn ridge(one: Hill, two: Hill) -> (DVec2, f64) {
+/// The bisector is linearized. Along it both models increase alike, and their
+/// second derivative is that of the Lagrangian `λ d₁² + (1 - λ) d₂²` with the
+/// multiplier for which its gradient is least; the bisector's curvature is
+/// neglected, which counts for nothing where the gradient is 0.
+fn bisector_step(one: LocalModel, two: LocalModel) -> (DVec2, f64) {
     let across = one.gradient - two.gradient;
     let length_squared = across.length_squared();
-    let weight = (-two.gradient.dot(across) / length_squared).clamp(0.0, 1.0);
-    let gradient = two.gradient + weight * across;
-    let hessian = two.hessian + (one.hessian - two.hessian) * weight;
+    let multiplier = (-two.gradient.dot(across) / length_squared).clamp(0.0, 1.0);
+    let gradient = two.gradient + multiplier * across;
+    let hessian = two.hessian + (one.hessian - two.hessian) * multiplier;
     let onto = across * ((two.value - one.value) / length_squared);
     let along = across.perp();
-    // Without a highest place it is infinitely far.
-    let bend = along.dot(hessian * along).min(0.0);
-    let step = onto - along * ((gradient + hessian * onto).dot(along) / bend);
+    // Without a maximum the step is infinite.
+    let curvature = along.dot(hessian * along).min(0.0);
+    let step = onto - along * ((gradient + hessian * onto).dot(along) / curvature);
     (step, one.value + step.dot(one.gradient + 0.5 * (hessian * step)))
 }
 
@@ -134,24 +146,24 @@ mod tests {
     use crate::shapes::shape;
 
     /// A hill about another place.
-    fn moved(hill: Hill, step: DVec2) -> Hill {
-        let Hill { value, gradient, hessian } = hill;
+    fn moved(model: LocalModel, step: DVec2) -> LocalModel {
+        let LocalModel { value, gradient, hessian } = model;
         let value = value + step.dot(gradient + 0.5 * (hessian * step));
-        Hill { value, gradient: gradient + hessian * step, hessian }
+        LocalModel { value, gradient: gradient + hessian * step, hessian }
     }
 
     /// Newton's steps from ridge to ridge end at the highest place under two
-    /// hills, which is the lowest of their weighted means' tops.
+    /// models, which is the lowest of their weighted means' tops.
     #[test]
     fn steps_along_a_ridge_lead_to_its_highest_place() {
         let random = &mut fastrand::Rng::with_seed(3);
-        let (mut ridges, mut reached) = (0, 0);
+        let (mut bisectors, mut reached) = (0, 0);
         for _ in 0..300 {
             let mut number = || 2.0 * random.f64() - 1.0;
             let mut hill = || {
                 let root = DMat2::from_cols_array(&[(); 4].map(|()| number()));
                 let hessian = -(root * root.transpose() + 0.3 * DMat2::IDENTITY);
-                Hill { value: number(), gradient: DVec2::new(number(), number()), hessian }
+                LocalModel { value: number(), gradient: DVec2::new(number(), number()), hessian }
             };
             let (one, two) = (hill(), hill());
             let top = |weight: f64| {
@@ -168,21 +180,21 @@ mod tests {
             }
             let (mut first, mut second) = (one, two);
             for _ in 0..30 {
-                let (step, _) = ridge(first, second);
+                let (step, _) = bisector_step(first, second);
                 let step = step.clamp_length_max(1.0);
                 (first, second) = (moved(first, step), moved(second, step));
             }
-            // A grid of weights tells the lowest top to about 1e-6 of the hills' size.
-            ridges += 1;
+            // A grid of weights tells the lowest top to about 1e-6 of the models' size.
+            bisectors += 1;
             reached += usize::from((first.value.min(second.value) - expected).abs() < 1e-5);
         }
         // Steps are not shortened here where they lead lower, as a climb's are.
-        assert!(ridges > 100 && reached * 20 > ridges * 19, "{reached} of {ridges}");
+        assert!(bisectors > 100 && reached * 20 > bisectors * 19, "{reached} of {bisectors}");
     }
 
     /// As central differences of the certified distance have it.
     #[test]
-    fn hills_are_the_squared_distance_to_second_order() {
+    fn models_are_the_squared_distance_to_second_order() {
         let random = &mut fastrand::Rng::with_seed(8);
         let (Ok(a), Ok(b)) = (shape("wavy-sheet"), shape("torus")) else { unreachable!() };
         let (a, b) = (extract(&a).patches, Target::new(extract(&b).patches));
@@ -216,11 +228,11 @@ mod tests {
             let mixed = (value(8) - value(6) - value(2) + value(0)) / (4.0 * STEP * STEP);
             let [ss, tt] =
                 [[7, 1], [5, 3]].map(|[k, l]| (value(k) - 2.0 * value(4) + value(l)) / (STEP * STEP));
-            let hill = Hill::new(&patch.jet(at), &side.patch(foot.patch as u32).jet(foot.parameters));
-            let size = hill.hessian.x_axis.length() + hill.hessian.y_axis.length() + gradient.length();
-            assert!((hill.gradient - gradient).length() < 1e-4 * size, "{hill:?} {gradient}");
+            let model = LocalModel::new(&patch.jet(at), &side.patch(foot.patch as u32).jet(foot.parameters));
+            let size = model.hessian.x_axis.length() + model.hessian.y_axis.length() + gradient.length();
+            assert!((model.gradient - gradient).length() < 1e-4 * size, "{model:?} {gradient}");
             let hessian = DMat2::from_cols_array(&[ss, mixed, mixed, tt]);
-            assert!((hill.hessian - hessian).abs_diff_eq(DMat2::ZERO, 1e-3 * size), "{hill:?} {hessian}");
+            assert!((model.hessian - hessian).abs_diff_eq(DMat2::ZERO, 1e-3 * size), "{model:?} {hessian}");
             compared += 1;
         }
         assert!(compared > 20, "{compared}");

@@ -1,4 +1,4 @@
-//! The largest length of a vector quadratic over a square.
+//! A bound on the length of a vector-valued quadratic over a square.
 
 use glam::DVec3;
 
@@ -23,12 +23,12 @@ pub struct Quadratic {
 const LINEAR: [f64; 3] = [-1.0, 0.0, 1.0];
 const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
 
-/// `C(2,i) C(2,k) / C(4,i+k)`: the part of a product of quadratic Bernstein
-/// polynomials i, k in quartic number i + k.
+/// `C(2,i) C(2,k) / C(4,i+k)`: the coefficient of the product of the quadratic
+/// Bernstein polynomials i and k at the quartic number i + k.
 const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
 
-/// The largest of the coefficients and 0; no number where one is none.
-pub(super) fn largest(coefficients: &[[f64; 5]; 5]) -> f64 {
+/// The largest of the coefficients and 0; NaN where one is NaN.
+pub(super) fn max_coefficient(coefficients: &[[f64; 5]; 5]) -> f64 {
     let mut largest = 0.0_f64;
     for &coefficient in coefficients.iter().flatten() {
         if coefficient > largest || coefficient.is_nan() {
@@ -39,11 +39,11 @@ pub(super) fn largest(coefficients: &[[f64; 5]; 5]) -> f64 {
 }
 
 impl Quadratic {
-    /// At least the largest `|Q|²` over the square: the largest of its
-    /// coefficients. Exact where `|Q|²` is constant; no number where one is none.
+    /// An upper bound on `|Q|²` over the square: the largest of its
+    /// coefficients. Exact where `|Q|²` is constant; NaN where a coefficient is NaN.
     #[must_use]
-    pub fn largest_length_squared(&self) -> f64 {
-        largest(&self.length_squared())
+    pub fn max_length_squared(&self) -> f64 {
+        max_coefficient(&self.length_squared())
     }
 
     /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
@@ -65,7 +65,7 @@ impl Quadratic {
         for i in 0..3 {
             for j in 0..3 {
                 coefficients[2 * i][2 * j] += PRODUCT[i][i] * PRODUCT[j][j] * net[i][j].length_squared();
-                // Each two controls once, for both their products.
+                // Each pair of controls once, as it has two products.
                 for k in i..3 {
                     for l in if k == i { j + 1 } else { 0 }..3 {
                         coefficients[i + k][j + l] +=

@@ -1,0 +1,199 @@
+//! The bound by bilinear interpolation: cells whose nearest patch changes inside.
+//!
+//! Lemma. Let the vertices x_k of a convex polygon of a cell have feet b_k on
+//! one and the same patch P. Then every point of the polygon is within
+//! `max |a_k - b_k| + δ_A + δ_B` of P, with
+//! `δ = ⅛ (Δ_u² M_uu + 2 Δ_u Δ_v M_uv + Δ_v² M_vv)` over the cell, and over the
+//! (u, v) box of the feet.
+//!
+//! Proof. Write x = Σ λ_k x_k. A(x) differs from Σ λ_k a_k by at most δ_A, and
+//! the point of P at Σ λ_k (u, v)_k from Σ λ_k b_k by at most δ_B (the error of
+//! linear interpolation over a polygon of these extents); and
+//! |Σ λ_k (a_k - b_k)| is at most the largest |a_k - b_k|. ∎
+//!
+//! A cell whose corners prefer two patches is cut into two polygons along the
+//! bisector of the patches. That is of second order for any kind of join, with
+//! no knowledge of how the patches meet.
+
+use super::super::nearest::Foot;
+use super::{CellContext, UpperBound};
+use crate::bezier::DerivativeBounds;
+use glam::DVec3;
+
+/// Distance of the centre's foot, in radii of the cell, up to which the bound is
+/// tried: farther away the convex combination is as close and costs less.
+const MAX_DISTANCE_IN_RADII: f64 = 0.5;
+
+/// Bound on the secant steps towards the bisector. Wherever they stop is valid.
+const MAX_SECANT_STEPS: usize = 6;
+
+/// Difference of two distances, relative to δ_A, at which more steps are of no use.
+const CROSSING_TOLERANCE: f64 = 0.05;
+
+/// The least part of the bracket that a secant step takes, so that the bracket shrinks.
+const MIN_FRACTION: f64 = 1e-3;
+
+/// The cell's corners in [-1, 1]^2, around it.
+const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+/// A place of a polygon's vertex in [-1, 1]^2, with feet on both patches.
+type Vertex = ([f64; 2], [Foot; 2]);
+
+/// The bound by the corners of the cell.
+pub(super) struct Bilinear;
+
+impl UpperBound for Bilinear {
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
+        let foot = context.foot();
+        if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
+            return None;
+        }
+        let cell_error =
+            interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
+        let mut corners = Corners { context, cell_error };
+        if corners.may_suffice(&foot, threshold) { corners.upper_bound(&foot, threshold) } else { None }
+    }
+}
+
+/// The corners of a cell of A against B.
+struct Corners<'a, 'c> {
+    context: &'a mut CellContext<'c>,
+    /// δ_A of the whole cell.
+    cell_error: f64,
+}
+
+impl Corners<'_, '_> {
+    /// A quick rejection: the bound is never below the distance of a corner's
+    /// foot plus δ_A. With the centre's foot that is a heuristic only.
+    fn may_suffice(&self, foot: &Foot, threshold: f64) -> bool {
+        foot.distance() + self.cell_error <= threshold
+    }
+
+    /// The lemma's bound; `None` where the corners prefer more than two patches
+    /// or one of them is too far for the threshold.
+    ///
+    /// Feet are valid on any patch, so none is searched for while a known one
+    /// is near enough.
+    fn upper_bound(&mut self, center: &Foot, threshold: f64) -> Option<f64> {
+        let mut own = CORNERS.map(|corner| self.foot(corner, center));
+        let mut other: Option<Foot> = None;
+        for (&corner, own) in CORNERS.iter().zip(&mut own) {
+            let mut foot = other.map_or(*own, |other| nearer(*own, self.foot(corner, &other)));
+            if !self.may_suffice(&foot, threshold) {
+                foot = self.context.nearest.nearest(self.point(corner), foot, 0.0);
+            }
+            self.observe(corner, foot);
+            if !self.may_suffice(&foot, threshold) {
+                return None;
+            }
+            if foot.patch == own.patch {
+                *own = foot;
+            } else if other.is_some_and(|other| other.patch != foot.patch) {
+                return None;
+            } else {
+                other = Some(foot);
+            }
+        }
+        let Some(other) = other else { return Some(self.polygon(&own)) };
+        self.two_polygons(own, CORNERS.map(|corner| self.foot(corner, &other)), threshold)
+    }
+
+    /// The bound by two patches, each for the corners that are nearer to it.
+    fn two_polygons(&mut self, own: [Foot; 4], others: [Foot; 4], threshold: f64) -> Option<f64> {
+        let vertex = |index: usize| (CORNERS[index], [own[index], others[index]]);
+        let side = |[own, other]: &[Foot; 2]| usize::from(own.distance_squared > other.distance_squared);
+        let mut polygons: [Vec<Foot>; 2] = [Vec::with_capacity(6), Vec::with_capacity(6)];
+        let mut crossings = 0;
+        for index in 0..CORNERS.len() {
+            let (here, next) = (vertex(index), vertex((index + 1) % CORNERS.len()));
+            let [from, to] = [side(&here.1), side(&next.1)];
+            polygons[from].push(here.1[from]);
+            if from != to {
+                crossings += 1;
+                let (place, feet) = self.crossing(here, next);
+                let near = nearer(feet[0], feet[1]);
+                self.observe(place, near);
+                if !self.may_suffice(&near, threshold) {
+                    return None;
+                }
+                for (polygon, foot) in polygons.iter_mut().zip(feet) {
+                    polygon.push(foot);
+                }
+            }
+        }
+        // More crossings do not leave two convex polygons.
+        (crossings <= 2).then(|| self.polygon(&polygons[0]).max(self.polygon(&polygons[1])))
+    }
+
+    /// The foot of a place on a patch, from a foot on it nearby.
+    fn foot(&self, place: [f64; 2], near: &Foot) -> Foot {
+        self.context.nearest.on_patch(self.point(place), near.patch, near.parameters)
+    }
+
+    fn point(&self, place: [f64; 2]) -> DVec3 {
+        let cell = &self.context.cell;
+        self.context.pair.point_of_a(cell.patch, cell.at(place))
+    }
+
+    fn observe(&mut self, place: [f64; 2], foot: Foot) {
+        let parameters = self.context.cell.at(place);
+        self.context.observe(parameters, foot);
+    }
+
+    /// The place between two corners, of which each is nearer to another of two
+    /// patches, where both are about equally far: by a safeguarded secant method
+    /// on the difference of the distances.
+    fn crossing(&self, from: Vertex, to: Vertex) -> Vertex {
+        let at = |x: f64| [0, 1].map(|axis| (1.0 - x) * from.0[axis] + x * to.0[axis]);
+        // Distances, not their squares: on overlapping sheets these grow linearly from the join.
+        let difference = |[own, other]: &[Foot; 2]| own.distance() - other.distance();
+        let (mut low, mut high) = (0.0, 1.0);
+        let (mut at_low, mut at_high) = (difference(&from.1), difference(&to.1));
+        let mut vertex = to;
+        for _ in 0..MAX_SECANT_STEPS {
+            let fraction = at_low / (at_low - at_high);
+            let inside =
+                if fraction.is_finite() { fraction.clamp(MIN_FRACTION, 1.0 - MIN_FRACTION) } else { 0.5 };
+            let x = low + inside * (high - low);
+            let place = at(x);
+            vertex = (place, vertex.1.map(|foot| self.foot(place, &foot)));
+            let difference = difference(&vertex.1);
+            if difference.abs() <= CROSSING_TOLERANCE * self.cell_error {
+                break;
+            }
+            if (difference < 0.0) == (at_low < 0.0) {
+                (low, at_low) = (x, difference);
+            } else {
+                (high, at_high) = (x, difference);
+            }
+        }
+        vertex
+    }
+
+    /// The lemma's bound for one polygon, 0 for an empty one.
+    fn polygon(&self, feet: &[Foot]) -> f64 {
+        let Some(Foot { patch, .. }) = feet.first() else { return 0.0 };
+        let mut farthest = 0.0_f64;
+        let (mut low, mut high) = ([1.0_f64; 2], [0.0_f64; 2]);
+        for foot in feet {
+            farthest = farthest.max(foot.distance_squared);
+            for axis in 0..2 {
+                low[axis] = low[axis].min(foot.parameters[axis]);
+                high[axis] = high[axis].max(foot.parameters[axis]);
+            }
+        }
+        let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
+        let bounds = self.context.pair.b.bounds(*patch, low, high);
+        farthest.sqrt() + self.cell_error + interpolation_error(&bounds, extent)
+    }
+}
+
+fn nearer(one: Foot, other: Foot) -> Foot {
+    if other.distance_squared < one.distance_squared { other } else { one }
+}
+
+/// δ of the lemma over a box of this extent in the parameters.
+fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
+    let [uu, uv, vv] = bounds.second;
+    (u * u * uu + 2.0 * u * v * uv + v * v * vv) / 8.0
+}

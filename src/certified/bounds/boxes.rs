@@ -1,0 +1,69 @@
+//! Bounds on whole models and on the nodes of A's tree.
+
+use super::super::nearest::{Foot, NearestPoint, Query, Sample};
+use super::super::{Cell, Pair};
+use super::{same_net, sphere};
+use glam::DVec3;
+
+/// An upper bound on the directed distance, before anything is searched: by
+/// the models' boxes, or by the bounds on whole patches where they cover A.
+/// O(patches p q), less where the first patch has no such bound.
+pub(in crate::certified) fn whole_models(pair: &Pair<'_>) -> f64 {
+    between_boxes(pair).min(over_whole_patches(pair))
+}
+
+/// The largest of the bounds on whole patches of A, +∞ once one has none.
+fn over_whole_patches(pair: &Pair<'_>) -> f64 {
+    let mut largest = 0.0_f64;
+    for index in 0..pair.a.patches().len() as u32 {
+        let by_net = same_net::upper_bound(pair, index);
+        let by_sphere = pair.b.sphere.map_or(f64::INFINITY, |sphere| {
+            sphere::upper_bound(&Cell::whole(index), &pair.a.patch(index), &pair.transform, &sphere)
+        });
+        let bound = by_net.min(by_sphere);
+        if bound.is_nan() || bound == f64::INFINITY {
+            return f64::INFINITY;
+        }
+        largest = largest.max(bound);
+    }
+    largest
+}
+
+/// The largest distance between points of the two models' boxes. A convex
+/// function attains its maximum over A's box at a corner.
+fn between_boxes(pair: &Pair<'_>) -> f64 {
+    let [a, b] = [&pair.a, &pair.b].map(|operand| operand.target.tree.nodes().first());
+    let (Some(a), Some(b)) = (a, b) else { return 0.0 };
+    let corner = |index: usize| {
+        let ends = [a.aabb.min, a.aabb.max];
+        DVec3::new(ends[index & 1].x, ends[index >> 1 & 1].y, ends[index >> 2].z)
+    };
+    let squared = |index| b.aabb.max_distance_squared(pair.transform.apply(corner(index)));
+    (0..8).map(squared).fold(0.0, f64::max).sqrt()
+}
+
+/// A bound on all patches below a node of A's tree, by the triangle inequality
+/// from the middle of the first of them; with that point and its foot.
+///
+/// `known` is the foot inherited from the parent. O(log patches) in general position.
+pub(in crate::certified) fn bvh_node(
+    pair: &Pair<'_>,
+    nearest: &NearestPoint<'_>,
+    index: u32,
+    known: &Foot,
+    threshold: f64,
+) -> (f64, Sample) {
+    let tree = &pair.a.target.tree;
+    let node = &tree.nodes()[index as usize];
+    let (patch, parameters) = (tree.primitive(node), [0.5; 2]);
+    let local = pair.a.patch(patch).point(parameters);
+    let target = pair.transform.apply(local);
+    let radius = node.aabb.max_distance_squared(local).sqrt();
+    let mut foot = nearest.at(target, known.patch, known.parameters);
+    // The left child has its parent's point, whose foot is known.
+    if node.is_leaf() || foot.distance_squared != known.distance_squared {
+        let query = Query { target, known: foot, sufficient: threshold - radius, margin: 0.0 };
+        foot = nearest.near(&query).nearest();
+    }
+    (foot.distance() + radius, Sample { patch, parameters, foot })
+}

@@ -1,0 +1,82 @@
+//! What the bounds of one cell share.
+
+use super::super::nearest::{Feet, Foot, NearestPoint, Sample};
+use super::super::{Cell, Pair};
+use crate::bezier::{DerivativeBounds, Jet, Patch};
+use std::cell::OnceCell;
+
+/// A cell of A with its moved jet, its derivative bounds and the feet of its
+/// centre.
+pub(in crate::certified) struct CellContext<'a> {
+    pub(in crate::certified) pair: &'a Pair<'a>,
+    pub(in crate::certified) nearest: &'a NearestPoint<'a>,
+    pub(in crate::certified) cell: Cell,
+    /// A's patch, not moved.
+    pub(in crate::certified) patch: Patch<'a>,
+    /// A's moved jet at the centre.
+    pub(in crate::certified) jet: Jet,
+    /// Known feet of the centre.
+    pub(in crate::certified) feet: Feet,
+    /// The farthest point of the cell evaluated so far.
+    pub(in crate::certified) farthest: Sample,
+    /// An upper bound on the distance of the cell's points from its centre.
+    pub(in crate::certified) radius: f64,
+    local_bounds: OnceCell<DerivativeBounds>,
+}
+
+impl<'a> CellContext<'a> {
+    /// The context with one foot, found from the one inherited from the cell's parent.
+    pub(in crate::certified) fn new(
+        pair: &'a Pair<'_>,
+        nearest: &'a NearestPoint<'_>,
+        cell: Cell,
+        inherited: &Foot,
+    ) -> Self {
+        let jet = pair.jet_of_a(cell.patch, cell.center);
+        let foot = nearest.on_patch(jet.point, inherited.patch, inherited.parameters);
+        Self {
+            pair,
+            nearest,
+            cell,
+            patch: pair.a.patch(cell.patch),
+            jet,
+            feet: Feet::new(foot),
+            farthest: Sample { patch: cell.patch, parameters: cell.center, foot },
+            radius: cell.radius(pair.a.patch_bounds(cell.patch).first),
+            local_bounds: OnceCell::new(),
+        }
+    }
+
+    /// The nearest known foot of the centre.
+    pub(in crate::certified) fn foot(&self) -> Foot {
+        self.feet.nearest()
+    }
+
+    /// Takes the feet of a query for the centre.
+    pub(in crate::certified) fn set_feet(&mut self, feet: Feet) {
+        self.farthest.foot = feet.nearest();
+        self.feet = feet;
+    }
+
+    /// Takes note of a point of the cell that may be the farthest.
+    pub(super) fn observe(&mut self, parameters: [f64; 2], foot: Foot) {
+        if foot.distance_squared > self.farthest.foot.distance_squared {
+            self.farthest = Sample { parameters, foot, ..self.farthest };
+        }
+    }
+
+    /// Bounds of A's derivatives over the whole patch.
+    pub(super) fn patch_bounds(&self) -> &DerivativeBounds {
+        self.pair.a.patch_bounds(self.cell.patch)
+    }
+
+    /// Closer bounds over the parts of the patch that the cell touches.
+    pub(super) fn local_bounds(&self) -> &DerivativeBounds {
+        self.local_bounds.get_or_init(|| {
+            let [s, t] = self.cell.ranges();
+            let inside = |parameter: f64| parameter.clamp(0.0, 1.0);
+            let [low, high] = [0, 1].map(|end| [inside(s[end]), inside(t[end])]);
+            self.pair.a.bounds(self.cell.patch, low, high)
+        })
+    }
+}

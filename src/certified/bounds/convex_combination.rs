@@ -1,0 +1,77 @@
+//! The bound for cells whose nearest patch changes inside, by any number of
+//! competing patches.
+//!
+//! Lemma. For weights `λ_k >= 0` of sum 1 and maps φ_k of the cell into patches
+//! of B, `d(a, B)² <= Σ λ_k |A - B∘φ_k|²` at every point a of the cell.
+//!
+//! Proof. Each `|A - B∘φ_k|²` is at least d(a, B)², and so is their convex
+//! combination. ∎
+//!
+//! Where the distance has a maximum at which several patches are equally near,
+//! their squared distances have gradients with 0 in their convex hull. With
+//! those weights the combination has no slope, and its bound is of second order
+//! where that of every single patch is of first. Two parameters need three
+//! patches at most (Carathéodory's theorem).
+
+use super::super::maximin::{linearized_distance_squared, maximin};
+use super::quadratic::max_coefficient;
+use super::taylor::{Bounds, CellPair, Difference};
+use super::{CellContext, UpperBound};
+
+/// The bound by the known feet of the centre on different patches.
+pub(super) struct ConvexCombination;
+
+/// One patch's part: the Bernstein coefficients of `|Q|²`, its weight, and its
+/// difference from A.
+type Term<'a> = ([[f64; 5]; 5], f64, Difference<'a>);
+
+impl UpperBound for ConvexCombination {
+    /// `None` also where one patch alone is best.
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
+        let feet = context.feet.all();
+        if feet.len() == 1 {
+            return None;
+        }
+        let (b, half) = (&context.pair.b, context.cell.half);
+        let to_first_order = feet.iter().map(|foot| {
+            let point = b.patch(foot.patch).point(foot.parameters);
+            linearized_distance_squared(&context.jet, point, half.map(|half| -half), half)
+        });
+        let multipliers = maximin(&to_first_order.collect::<Vec<_>>()).multipliers;
+        if multipliers.iter().any(|(_, weight)| *weight == 1.0) {
+            return None;
+        }
+        let context = &*context;
+        let pairs: Vec<(CellPair<'_>, f64)> = multipliers
+            .into_iter()
+            .filter(|(_, weight)| *weight > 0.0)
+            .map(|(index, weight)| (CellPair::new(context, &feet[index]), weight))
+            .collect();
+        let terms: Vec<Term<'_>> = pairs
+            .iter()
+            .map(|(pair, weight)| {
+                let difference = pair.difference(&pair.linearized());
+                (difference.quadratic.length_squared(), *weight, difference)
+            })
+            .collect();
+        let by_patches = upper_bound(&terms, |difference| difference.remainder(Bounds::Patch));
+        let may_suffice = || upper_bound(&terms, |_| 0.0) <= threshold;
+        if by_patches > threshold && may_suffice() {
+            return Some(upper_bound(&terms, |difference| difference.remainder(Bounds::Local)));
+        }
+        Some(by_patches)
+    }
+}
+
+/// The root of the largest coefficient of the combination of `(|Q| + R)²`.
+fn upper_bound(terms: &[Term<'_>], remainder: impl Fn(&Difference<'_>) -> f64) -> f64 {
+    let mut combination = [[0.0_f64; 5]; 5];
+    for (squares, weight, difference) in terms {
+        let remainder = remainder(difference);
+        let increase = remainder * (2.0 * max_coefficient(squares).sqrt() + remainder);
+        for (sum, square) in combination.iter_mut().flatten().zip(squares.iter().flatten()) {
+            *sum += weight * (square + increase);
+        }
+    }
+    max_coefficient(&combination).sqrt()
+}

@@ -1,0 +1,68 @@
+//! Upper bounds on the distance from a whole cell of A to B.
+//!
+//! Each bound is a theorem of its own, proved in its file and, strung together,
+//! in `docs/method.md`. A bound takes any feet as they are: one that is not the
+//! nearest loosens it and cannot falsify it.
+
+mod bilinear;
+mod boxes;
+mod cell_context;
+mod convex_combination;
+mod polynomial_difference;
+mod quadratic;
+mod same_net;
+mod sphere;
+mod taylor;
+
+pub(super) use boxes::{bvh_node, whole_models};
+pub(super) use cell_context::CellContext;
+pub use quadratic::Quadratic;
+
+use bilinear::Bilinear;
+use convex_combination::ConvexCombination;
+use polynomial_difference::PolynomialDifference;
+use same_net::SameNet;
+use sphere::InSphere;
+use taylor::Taylor;
+
+/// An upper bound on `max d(a, B)` over the points a of a cell.
+trait UpperBound: Sync {
+    /// The bound; `None` where it does not apply or is not expected to reach
+    /// the threshold. NaN counts as no bound.
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64>;
+}
+
+/// The bounds that any foot serves, cheapest first: with the foot inherited
+/// from the cell's parent they decide most cells.
+const WITH_ANY_FOOT: [&dyn UpperBound; 3] = [&SameNet, &InSphere, &Taylor];
+
+/// The bounds that need the nearest feet, cheapest first.
+const WITH_NEAREST_FEET: [&dyn UpperBound; 5] =
+    [&ConvexCombination, &InSphere, &Taylor, &PolynomialDifference, &Bilinear];
+
+/// The least of the bounds with the inherited foot, or the first that is at
+/// most the threshold.
+pub(super) fn with_any_foot(context: &mut CellContext<'_>, threshold: f64) -> f64 {
+    least(&WITH_ANY_FOOT, context, threshold)
+}
+
+/// The least of the bounds with the nearest feet, or the first that is at most
+/// the threshold.
+pub(super) fn with_nearest_feet(context: &mut CellContext<'_>, threshold: f64) -> f64 {
+    least(&WITH_NEAREST_FEET, context, threshold)
+}
+
+fn least(bounds: &[&dyn UpperBound], context: &mut CellContext<'_>, threshold: f64) -> f64 {
+    let mut least = f64::INFINITY;
+    for bound in bounds {
+        if let Some(upper) = bound.evaluate(context, threshold)
+            && upper < least
+        {
+            least = upper;
+            if least <= threshold {
+                break;
+            }
+        }
+    }
+    least
+}

@@ -1,0 +1,60 @@
+//! Rectangles of A's patches.
+
+/// A rectangle of a patch of A.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell {
+    /// The patch.
+    pub(crate) patch: u32,
+    /// Its centre (s, t).
+    pub(crate) center: [f64; 2],
+    /// Half its width in s and t.
+    pub(crate) half: [f64; 2],
+}
+
+/// Ratio of a cell's side lengths up to which both sides are halved; else only
+/// the longer one is.
+pub(crate) const MAX_ASPECT: f64 = 2.0;
+
+impl Cell {
+    /// A whole patch.
+    pub(super) fn whole(patch: u32) -> Self {
+        Self { patch, center: [0.5; 2], half: [0.5; 2] }
+    }
+
+    pub(super) fn is_whole(&self) -> bool {
+        self.half == [0.5; 2]
+    }
+
+    /// The (s, t) of a place (σ, τ) in [-1, 1]^2.
+    pub(crate) fn at(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (self.center[axis] + place[axis] * self.half[axis]).clamp(0.0, 1.0))
+    }
+
+    /// The range of s and that of t.
+    pub(super) fn ranges(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|axis| [self.center[axis] - self.half[axis], self.center[axis] + self.half[axis]])
+    }
+
+    /// An upper bound on the distance of the cell's points from that of its
+    /// centre, given bounds of the lengths of A's first derivatives.
+    pub(super) fn radius(&self, [s, t]: [f64; 2]) -> f64 {
+        self.half[0] * s + self.half[1] * t
+    }
+
+    /// The cell halved along its longer side, or along both sides where they
+    /// are about equally long, by the same lengths of derivatives.
+    pub(super) fn split(&self, [s, t]: [f64; 2]) -> impl Iterator<Item = Self> + use<> {
+        let cell = *self;
+        let lengths = [s * cell.half[0], t * cell.half[1]];
+        let is_split = [lengths[0] * MAX_ASPECT >= lengths[1], lengths[1] * MAX_ASPECT >= lengths[0]];
+        let half = [0, 1].map(|axis| if is_split[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
+        let sides = is_split.map(|split| if split { &[-1.0, 1.0][..] } else { &[0.0][..] });
+        sides[0].iter().flat_map(move |&s| {
+            sides[1].iter().map(move |&t| Self {
+                patch: cell.patch,
+                center: [cell.center[0] + s * half[0], cell.center[1] + t * half[1]],
+                half,
+            })
+        })
+    }
+}

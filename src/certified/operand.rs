@@ -1,0 +1,104 @@
+//! The two models as the search uses them.
+
+use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
+use crate::closest::Target;
+use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
+use crate::symmetry::{Revolution, Sphere};
+use glam::DVec3;
+
+/// One model: its patches with their tree and derivative bounds.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Operand<'a> {
+    pub(super) target: &'a Target,
+    bounds: &'a [LocalDerivativeBounds],
+    /// The model's patches cut as the other operand's are, for the bound of
+    /// equal control nets.
+    pub(super) uncut_patches: &'a PatchSet,
+    /// The revolution that each surface is, where it is one.
+    pub(super) revolutions: &'a [Option<Revolution>],
+    /// A sphere among the surfaces.
+    pub(super) sphere: Option<Sphere>,
+}
+
+impl<'a> Operand<'a> {
+    /// `bounds` belong to the target's patches, one each.
+    pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
+        Self { target, bounds, uncut_patches: &target.patches, revolutions: &[], sphere: None }
+    }
+
+    /// The same model for an operand whose patches are cut as `uncut_patches` are.
+    pub(crate) fn with_uncut(self, uncut_patches: &'a PatchSet) -> Self {
+        Self { uncut_patches, ..self }
+    }
+
+    /// The same model with what is known of its surfaces.
+    pub(crate) fn with_revolutions(self, revolutions: &'a [Option<Revolution>]) -> Self {
+        let sphere = revolutions.iter().flatten().find_map(|surface| surface.sphere);
+        Self { revolutions, sphere, ..self }
+    }
+
+    pub(crate) fn patches(&self) -> &'a PatchSet {
+        &self.target.patches
+    }
+
+    pub(super) fn patch(&self, index: u32) -> Patch<'a> {
+        self.target.patches.patch(index as usize)
+    }
+
+    /// Derivative bounds over a whole patch.
+    pub(super) fn patch_bounds(&self, index: u32) -> &'a DerivativeBounds {
+        self.bounds[index as usize].whole(&self.patch(index))
+    }
+
+    /// Derivative bounds over a whole patch, or over its whole extension where
+    /// the box does not lie in the patch.
+    pub(super) fn extended_bounds(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> &'a DerivativeBounds {
+        self.bounds[index as usize].about(&self.patch(index), low, high)
+    }
+
+    /// Derivative bounds over a box in the patch's extension.
+    pub(crate) fn bounds(&self, index: u32, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
+        self.bounds[index as usize].over(&self.patch(index), low, high)
+    }
+
+    /// The revolution that a surface is.
+    pub(super) fn revolution(&self, surface: usize) -> Option<&'a Revolution> {
+        self.revolutions.get(surface)?.as_ref()
+    }
+
+    /// The parameters, by axis, at which the patch's control net represents
+    /// points of the model.
+    pub(crate) fn room(&self, index: u32) -> ParamBox {
+        self.bounds[index as usize].extension
+    }
+}
+
+/// The two operands of a directed distance from A to B, and the motion of A.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pair<'a> {
+    pub(crate) a: Operand<'a>,
+    pub(crate) b: Operand<'a>,
+    pub(crate) transform: RigidTransform,
+}
+
+impl Pair<'_> {
+    /// The moved point of a patch of A.
+    pub(super) fn point_of_a(&self, patch: u32, parameters: [f64; 2]) -> DVec3 {
+        self.transform.apply(self.a.patch(patch).point(parameters))
+    }
+
+    /// The moved point of a patch of A with its derivatives.
+    pub(super) fn jet_of_a(&self, patch: u32, parameters: [f64; 2]) -> Jet {
+        let jet = self.a.patch(patch).jet(parameters);
+        let rotate = |vector: DVec3| self.transform.rotate(vector);
+        Jet {
+            point: self.transform.apply(jet.point),
+            s: rotate(jet.s),
+            t: rotate(jet.t),
+            ss: rotate(jet.ss),
+            st: rotate(jet.st),
+            tt: rotate(jet.tt),
+        }
+    }
+}

@@ -1,0 +1,439 @@
+//! Branch and bound over A.
+
+mod frontier;
+mod incumbent;
+mod node;
+
+pub(crate) use incumbent::Witness;
+pub(crate) use node::{Domain, SearchNode};
+
+use super::ascent::{ascend_across, starting_points};
+use super::bounds::{self, CellContext};
+use super::nearest::{Feet, Foot, NearestPoint, Query, Sample};
+use super::{Cell, Pair};
+use crate::bezier::Patch;
+use crate::closest::closest_above;
+use crate::parallel::{is_few, map_short, together};
+use crate::rounding::coordinate_rounding;
+use frontier::Frontier;
+use incumbent::Incumbent;
+
+/// Nodes bounded between two updates of the incumbent: enough to keep all
+/// threads busy, few enough that a better incumbent prunes soon.
+const CHUNK: usize = 1024;
+
+/// Half-width of a cell that float64 does not usefully halve further.
+const MIN_HALF_WIDTH: f64 = 1e-12;
+
+/// Rounding of a bound in those of coordinates: a cell's sums take fewer than
+/// some hundred roundings of 2^-53 each, and a flat piece's control points,
+/// extended beyond an edge, are off by less than 600; 1024 in all.
+const ROUNDING: f64 = 8.0;
+
+/// Part of the tolerance that rounding and slack may take. Where they take more,
+/// the interval cannot be as narrow as requested, and the search stops at the
+/// narrowest that can be.
+const MAX_ROUNDING_PART: f64 = 0.5;
+
+/// Width of a witness's certificate, relative to the tolerance.
+const CERTIFICATE_PART: f64 = 1e-2;
+
+/// Width of a certified query for a cell's foot, relative to the tolerance.
+const FOOT_PART: f64 = 0.25;
+
+/// The farthest samples of a chunk from which an ascent starts.
+const MAX_ASCENTS: usize = 8;
+
+/// The nearest patch of a cell's centre need not be examined where it can be
+/// nearer than a known one by this many radii of the cell only: the bound is
+/// about as good, and most of several patches at equal distance are skipped.
+const FOOT_MARGIN_IN_RADII: f64 = 0.15;
+
+/// Why a search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stop {
+    /// The interval is as narrow as requested, or the limit is decided.
+    Converged,
+    /// The budget of cells is spent.
+    Cells,
+    /// The budget of time is spent.
+    Time,
+    /// The interval is as narrow as float64 allows for these coordinates.
+    Precision,
+    /// The caller cancelled.
+    Cancelled,
+}
+
+/// `lower <= distance <= upper`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Interval {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+}
+
+/// What ends a search.
+#[derive(Debug, Clone, Copy)]
+struct Goal {
+    /// The width that upper and lower bounds may differ by.
+    tolerance: f64,
+    /// A limit on the distance that is to be decided, instead of a width.
+    limit: Option<f64>,
+    /// What rounding may add to an upper bound or take off a lower bound.
+    rounding: f64,
+    /// How much farther a point of A may be than the points that are searched.
+    slack: f64,
+}
+
+/// Counters of the work done.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Work {
+    /// Nodes bounded.
+    pub(crate) cells: usize,
+    /// Those of them that a kernel bounded.
+    pub(crate) kernel_cells: usize,
+    /// The depth of the deepest node.
+    pub(crate) levels: u32,
+}
+
+/// A branch and bound for the directed distance of a pair.
+pub(crate) struct BranchAndBound<'a> {
+    pair: Pair<'a>,
+    nearest: NearestPoint<'a>,
+    goal: Goal,
+    frontier: Frontier,
+    incumbent: Incumbent,
+    /// Whether a cell was too small to branch.
+    exhausted: bool,
+    work: Work,
+}
+
+/// The result of a kernel for the cells taken out.
+#[derive(Debug, Default)]
+pub(crate) struct BatchResult {
+    /// The largest upper bound of the cells that it pruned.
+    pub(crate) dropped: f64,
+    /// Cells that it bounded, and levels that it went down.
+    pub(crate) cells: usize,
+    pub(crate) levels: u32,
+    /// Cells still to be bounded.
+    pub(crate) waiting: Vec<SearchNode>,
+    /// Cells that only float64 can bound.
+    pub(crate) undecided: Vec<SearchNode>,
+    /// A far point of A: patch and parameters.
+    pub(crate) farthest: Option<(u32, [f64; 2])>,
+}
+
+/// An upper bound on one node, its foot and its farthest point evaluated.
+struct Evaluation {
+    upper: f64,
+    foot: Foot,
+    farthest: Sample,
+}
+
+impl<'a> BranchAndBound<'a> {
+    /// Searches all of A for an interval of width `tolerance`, or with a
+    /// `limit` until the distance is known to exceed it or not. Points of A
+    /// may be farther by `slack` than those that the operand represents.
+    pub(crate) fn new(pair: Pair<'a>, tolerance: f64, limit: Option<f64>, slack: f64) -> Self {
+        let rounding = ROUNDING * coordinate_rounding(largest_coordinate(&pair));
+        // Twice, as both ends of the interval are rounded.
+        let lost = slack + 2.0 * rounding;
+        let reachable = if lost < MAX_ROUNDING_PART * tolerance { tolerance - lost } else { lost };
+        let root = SearchNode::root(bounds::whole_models(&pair));
+        let mut search = Self {
+            pair,
+            nearest: NearestPoint::new(pair.b),
+            goal: Goal { tolerance: reachable, limit, rounding, slack },
+            frontier: Frontier::new(root),
+            incumbent: Incumbent::default(),
+            exhausted: false,
+            work: Work::default(),
+        };
+        search.find_first_incumbent();
+        search
+    }
+
+    /// The interval so far.
+    pub(crate) fn interval(&self) -> Interval {
+        let lower = self.incumbent.lower_bound();
+        let upper = lower.max(self.incumbent.pruned_upper_bound()).max(self.frontier.upper_bound());
+        Interval { lower, upper: upper + self.goal.slack + self.goal.rounding }
+    }
+
+    /// The least width that an interval can be requested to have, given the
+    /// rounding of these coordinates.
+    pub(crate) fn min_tolerance(&self) -> f64 {
+        (self.goal.slack + 2.0 * self.goal.rounding) / MAX_ROUNDING_PART
+    }
+
+    pub(crate) fn witness(&self) -> Option<&Witness> {
+        self.incumbent.witness()
+    }
+
+    /// The patches of a witness and of its foot.
+    pub(crate) fn witness_patches(&self, witness: &Witness) -> [Patch<'a>; 2] {
+        [self.pair.a.patch(witness.patch), self.pair.b.patch(witness.closest.patch as u32)]
+    }
+
+    pub(crate) fn pair(&self) -> &Pair<'a> {
+        &self.pair
+    }
+
+    /// The width that the bounds may differ by.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.goal.tolerance
+    }
+
+    pub(crate) fn work(&self) -> Work {
+        self.work
+    }
+
+    /// The number of nodes waiting to be bounded.
+    pub(crate) fn waiting(&self) -> usize {
+        self.frontier.len()
+    }
+
+    /// Whether there are cells that only float64 can bound.
+    pub(crate) fn has_undecided(&self) -> bool {
+        self.frontier.has_float64_only()
+    }
+
+    /// Whether the distance is at most the limit, once that is known.
+    pub(crate) fn within(&self) -> Option<bool> {
+        let (limit, interval) = (self.goal.limit?, self.interval());
+        if interval.upper <= limit {
+            Some(true)
+        } else if interval.lower > limit {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// The pruning threshold: a node whose upper bound is at most this is not
+    /// searched further.
+    pub(crate) fn prune_threshold(&self) -> f64 {
+        let Goal { tolerance, limit, rounding, slack } = self.goal;
+        let within = self.incumbent.lower_bound() + tolerance;
+        limit.map_or(within, |limit| within.max(limit - rounding - slack))
+    }
+
+    /// Takes the next cells out, at most `count`. They must come back by
+    /// [`BranchAndBound::return_batch`]: until then the interval does not cover them.
+    pub(crate) fn take_batch(&mut self, count: usize) -> Vec<SearchNode> {
+        let (cells, pruned) = self.frontier.next_cells(count, self.prune_threshold());
+        self.incumbent.prune(pruned);
+        cells
+    }
+
+    /// Takes back the cells of a batch.
+    pub(crate) fn return_batch(&mut self, batch: BatchResult) {
+        self.incumbent.prune(batch.dropped);
+        self.work.cells += batch.cells;
+        self.work.kernel_cells += batch.cells;
+        self.work.levels = self.work.levels.max(batch.levels);
+        self.frontier.extend(batch.waiting);
+        self.frontier.extend_float64_only(batch.undecided);
+        if let Some((patch, parameters)) = batch.farthest {
+            let target = self.pair.point_of_a(patch, parameters);
+            let foot = self.nearest.nearest(target, Foot::start(0, [0.5; 2]), 0.0);
+            self.ascend_from(Sample { patch, parameters, foot });
+        }
+    }
+
+    /// Bounds the next chunk of nodes or more; `Some` when nothing is left to do.
+    pub(crate) fn advance(&mut self) -> Option<Stop> {
+        if is_few(self.frontier.len()) {
+            return self.advance_once();
+        }
+        let end = self.work.cells + CHUNK;
+        together(|| {
+            loop {
+                let stop = self.advance_once();
+                if stop.is_some() || self.work.cells >= end {
+                    return stop;
+                }
+            }
+        })
+    }
+
+    /// Ends the search: the upper bound covers that of the witness.
+    pub(crate) fn finish(&mut self) {
+        if let Some(witness) = self.incumbent.witness() {
+            let upper = witness.closest.upper - self.goal.rounding;
+            self.incumbent.prune(upper);
+        }
+    }
+
+    /// Bounds the waiting nodes, at most a chunk.
+    pub(crate) fn advance_once(&mut self) -> Option<Stop> {
+        if self.goal.limit.is_some_and(|limit| self.incumbent.lower_bound() > limit) {
+            return Some(Stop::Converged);
+        }
+        if self.frontier.is_empty() {
+            return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
+        }
+        let nodes = self.frontier.next(CHUNK);
+        self.update_shortlist(&nodes[0]);
+        let threshold = self.prune_threshold();
+        let evaluations = map_short(nodes.len(), |index| {
+            let node = &nodes[index];
+            (node.upper > threshold).then(|| self.evaluate(node, threshold))
+        });
+        self.ascend_from_farthest(&evaluations);
+        let threshold = self.prune_threshold();
+        let mut children = Vec::new();
+        for (node, evaluation) in nodes.iter().zip(&evaluations) {
+            let Some(evaluation) = evaluation else {
+                self.incumbent.prune(node.upper);
+                continue;
+            };
+            self.work.levels = self.work.levels.max(node.level);
+            self.work.cells += 1;
+            let node = SearchNode { upper: evaluation.upper, ..*node };
+            if node.upper <= threshold {
+                self.incumbent.prune(node.upper);
+            } else if is_too_small(&node) {
+                self.exhausted = true;
+                self.incumbent.prune(node.upper);
+            } else {
+                node.branch(&self.pair.a, evaluation.foot, &mut children);
+            }
+        }
+        self.frontier.extend(children);
+        None
+    }
+
+    /// The least upper bound found for a node; the first that is at most the threshold.
+    fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
+        let (upper, foot, farthest) = match &node.domain {
+            Domain::BvhNode(index) => {
+                let (upper, sample) =
+                    bounds::bvh_node(&self.pair, &self.nearest, *index, &node.foot, threshold);
+                (upper, sample.foot, sample)
+            }
+            Domain::Cell(cell) => self.evaluate_cell(cell, node, threshold),
+        };
+        // NaN bounds nothing.
+        Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest }
+    }
+
+    fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
+        let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
+        let mut upper = bounds::with_any_foot(&mut context, threshold);
+        if !(upper <= threshold) {
+            self.find_nearest_feet(&mut context, node, threshold);
+            upper = upper.min(bounds::with_nearest_feet(&mut context, threshold));
+        }
+        (upper, context.foot(), context.farthest)
+    }
+
+    /// Replaces the inherited foot of a cell's centre by the nearest ones.
+    fn find_nearest_feet(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) {
+        let is_whole = context.cell.is_whole();
+        let (target, known) = (context.jet.point, context.foot());
+        // The first patch of a leaf has the leaf's point, whose nearest foot is known.
+        if !(is_whole && known.distance_squared == node.foot.distance_squared) {
+            let margin = if is_whole { 0.0 } else { FOOT_MARGIN_IN_RADII * context.radius };
+            let query = Query { target, known, sufficient: threshold - context.radius, margin };
+            context.set_feet(self.nearest.near(&query));
+        }
+        // The parent's foot and this one are close to the threshold although no
+        // point that far is known: Newton's method probably converged to the
+        // wrong local minimum of a patch.
+        let suspicious = 0.5 * (self.incumbent.lower_bound() + threshold);
+        let is_far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance() > suspicious;
+        if !is_whole && is_far(&node.foot) && is_far(&context.foot()) {
+            let foot = self.nearest.certified(target, context.foot(), FOOT_PART * self.goal.tolerance);
+            if foot != context.foot() {
+                context.set_feet(Feet::new(foot));
+            }
+        }
+    }
+
+    /// Finds the first incumbent by ascents from two points.
+    fn find_first_incumbent(&mut self) {
+        let Some([support, middle]) = starting_points(&self.pair, &self.nearest) else { return };
+        let top = ascend_across(&self.pair, &self.nearest, support, self.certificate_gap());
+        self.certify(top);
+        self.ascend_from(middle);
+    }
+
+    /// Ascents from the chunk's farthest samples while they exceed the
+    /// incumbent by more than a certificate's width.
+    fn ascend_from_farthest(&mut self, evaluations: &[Option<Evaluation>]) {
+        let mut samples: Vec<Sample> =
+            evaluations.iter().flatten().map(|evaluation| evaluation.farthest).collect();
+        for _ in 0..MAX_ASCENTS.min(samples.len()) {
+            let mut farthest = 0;
+            for (index, sample) in samples.iter().enumerate() {
+                if sample.foot.distance_squared > samples[farthest].foot.distance_squared {
+                    farthest = index;
+                }
+            }
+            let sample = samples.swap_remove(farthest);
+            if !self.ascend_from(sample) {
+                return;
+            }
+        }
+    }
+
+    /// Certifies the local maximum above a sample if the sample is farther than
+    /// the incumbent; returns whether it seemed to be.
+    fn ascend_from(&mut self, sample: Sample) -> bool {
+        let bound = self.incumbent.lower_bound() + self.certificate_gap();
+        if sample.foot.distance() <= bound {
+            return false;
+        }
+        let target = self.pair.point_of_a(sample.patch, sample.parameters);
+        let foot = self.nearest.nearest(target, sample.foot, bound);
+        if foot.distance() > bound {
+            let start = Sample { foot, ..sample };
+            let top = ascend_across(&self.pair, &self.nearest, start, self.certificate_gap());
+            self.certify(top);
+        }
+        true
+    }
+
+    /// Certifies a sample's distance, which becomes the incumbent if it is the largest.
+    fn certify(&mut self, sample: Sample) {
+        let point = self.pair.point_of_a(sample.patch, sample.parameters);
+        let known = Some((sample.foot.patch, sample.foot.parameters));
+        let floor = self.incumbent.lower_bound();
+        let found = closest_above(self.pair.b.target, point, self.certificate_gap(), known, floor, None);
+        if let Some(mut closest) = found {
+            closest.lower = (closest.lower - self.goal.rounding).max(0.0);
+            let Sample { patch, parameters, .. } = sample;
+            self.incumbent.improve(Witness { patch, parameters, point, closest });
+        }
+    }
+
+    fn certificate_gap(&self) -> f64 {
+        CERTIFICATE_PART * self.goal.tolerance
+    }
+
+    /// Lists B's patches near the witness before nodes like this one are bounded.
+    fn update_shortlist(&mut self, node: &SearchNode) {
+        match (&node.domain, self.incumbent.witness()) {
+            (Domain::Cell(cell), Some(witness)) if !cell.is_whole() => {
+                let radius = cell.radius(self.pair.a.patch_bounds(cell.patch).first);
+                self.nearest.update_shortlist(witness.point, witness.closest.upper, radius);
+            }
+            _ => self.nearest.reset_queries(),
+        }
+    }
+}
+
+fn is_too_small(node: &SearchNode) -> bool {
+    matches!(&node.domain, Domain::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF_WIDTH)
+}
+
+/// An upper bound on the coordinates of both operands, before and after the motion.
+fn largest_coordinate(pair: &Pair<'_>) -> f64 {
+    let [a, b] = [&pair.a, &pair.b].map(|operand| {
+        let root = operand.target.tree.nodes().first();
+        root.map_or(0.0, |root| root.aabb.min.abs().max(root.aabb.max.abs()).max_element())
+    });
+    a + pair.transform.offset().abs().max_element() + b
+}

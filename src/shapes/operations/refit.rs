@@ -1,0 +1,126 @@
+//! Refits of surfaces, as fitters and translators of CAD data make them.
+
+use crate::axis::Axis;
+use crate::error::{Error, Result};
+use crate::model::{Model, NurbsSurface};
+use crate::shapes::interpolation::{DEGREE, UniformSpline, basis};
+use crate::shapes::net_surface;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// Returns the polynomial bicubic B-spline surface over [0, 1]² that interpolates
+/// `surface` at `counts[0]` × `counts[1]` evenly spaced parameters of its domain.
+///
+/// Tensor-product global interpolation (Piegl and Tiller, *The NURBS Book*,
+/// algorithm A9.4). Where `surface` is a polynomial of degree at most 3 between
+/// any two knots and its knots are among the refit's, the refit is the same
+/// surface. O(n² m + n m²) for n × m points.
+///
+/// # Errors
+/// `TOO_FEW_CONTROL_POINTS` for a count below 4.
+pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<NurbsSurface> {
+    for axis in Axis::BOTH {
+        let found = counts[axis];
+        if found <= DEGREE {
+            return Err(Error::TooFewControlPoints { surface: 0, axis, found, expected: DEGREE + 1 });
+        }
+    }
+    let [rows, columns] = counts;
+    let basis_values = Axis::BOTH.map(|axis| {
+        let [start, end] = surface.domain()[axis];
+        let count = counts[axis];
+        let parameter = |index: usize| {
+            let fraction = index as f64 / (count - 1) as f64;
+            (1.0 - fraction) * start + fraction * end
+        };
+        (0..count)
+            .map(|index| {
+                basis(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], parameter(index))
+            })
+            .collect::<Vec<_>>()
+    });
+    let [along_u, along_v] = [rows, columns].map(UniformSpline::new);
+    let fitted_rows: Vec<Vec<DVec3>> = basis_values[0]
+        .iter()
+        .map(|basis_u| along_v.through(basis_values[1].iter().map(|v| point(surface, basis_u, v)).collect()))
+        .collect();
+    let fitted: Vec<Vec<DVec3>> = (0..columns)
+        .map(|column| along_u.through(fitted_rows.iter().map(|row| row[column]).collect()))
+        .collect();
+    net_surface([DEGREE; 2], [&along_u.knots, &along_v.knots], [rows, columns], &|i, j| {
+        fitted[j][i].extend(1.0).to_array()
+    })
+}
+
+/// Returns `model` with every surface refitted through `count` × `count` points.
+///
+/// # Errors
+/// As [`refit_surface`].
+pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
+    let surfaces = model.surfaces().iter().map(|surface| refit_surface(surface, [count; 2]));
+    Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)
+}
+
+/// Returns the surface point for these values of the basis functions.
+fn point(surface: &NurbsSurface, basis_u: &[f64], basis_v: &[f64]) -> DVec3 {
+    let columns = surface.counts()[1];
+    let mut sum = DVec4::ZERO;
+    for (row, u) in surface.control_points().chunks_exact(columns).zip(basis_u) {
+        for (&[x, y, z, w], v) in row.iter().zip(basis_v) {
+            sum += u * v * w * DVec4::new(x, y, z, 1.0);
+        }
+    }
+    sum.xyz() / sum.w
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::shapes::{shape, wavy_sheet};
+
+    fn at(surface: &NurbsSurface, [u, v]: [f64; 2]) -> DVec3 {
+        let [basis_u, basis_v] = Axis::BOTH.map(|axis| {
+            let [start, end] = surface.domain()[axis];
+            let parameter = start + [u, v][axis] * (end - start);
+            basis(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], parameter)
+        });
+        point(surface, &basis_u, &basis_v)
+    }
+
+    #[test]
+    fn a_refit_passes_the_sites_and_converges_with_their_number() {
+        let torus = shape("torus").unwrap().surfaces()[0].clone();
+        let mut last = f64::INFINITY;
+        for count in [12, 24, 48] {
+            let refit = refit_surface(&torus, [count, count + 1]).unwrap();
+            let mut largest = 0.0_f64;
+            for k in 0..count {
+                let site = [k as f64 / (count - 1) as f64, 0.5 * f64::from(u8::from(k % 2 == 0))];
+                let error = (at(&refit, [site[0], 0.0]) - at(&torus, [site[0], 0.0])).length();
+                assert!(error < 1e-12, "{error}");
+                let between = [(k as f64 + 0.5) / count as f64, site[1]];
+                largest = largest.max((at(&refit, between) - at(&torus, between)).length());
+            }
+            assert!(largest < 0.25 * last, "{count}: {largest}, {last}");
+            last = largest;
+        }
+    }
+
+    #[test]
+    fn a_single_bicubic_patch_is_refitted_exactly() {
+        let sheet = wavy_sheet(&crate::shapes::WavySheet {
+            counts: [4, 4],
+            size: [1.0, 2.0],
+            amplitude: 0.5,
+            waves: [0.5, 0.5],
+            phase: 0.1,
+        })
+        .unwrap();
+        let patch = &sheet.surfaces()[0];
+        let refit = refit_surface(patch, [7, 9]).unwrap();
+        for k in 0..50 {
+            let fractions = [0.02 * f64::from(k), (0.37 * f64::from(k)).fract()];
+            assert!(at(&refit, fractions).distance(at(patch, fractions)) < 1e-13);
+        }
+    }
+}
