@@ -85,12 +85,12 @@ impl Direction<'_> {
         let patches = &bezier.grids[surface];
         for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
             let (i, j) = grid.row_and_column(index);
-            let ((row, s), (column, t)) = (grid.places[0][i], grid.places[1][j]);
+            let ((row, s), (column, t)) = (grid.locations[0][i], grid.locations[1][j]);
             let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
             let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
-            let [u, v] = patch.domain.map(|[start, end]| end - start);
+            let [u, v] = patch.domain.lengths();
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
             field.points.extend_from_slice(&point.to_array());
             field.feet.extend_from_slice(&foot.point.to_array());

@@ -1,6 +1,7 @@
 //! The interchange JSON, in and out.
 
 use super::{Model, NurbsSurface, SurfaceArrays};
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
@@ -36,8 +37,8 @@ impl InterchangeSurface {
     fn from_surface(surface: &NurbsSurface) -> Self {
         Self {
             degree: surface.degree(),
-            knots_u: surface.knots(0).to_vec(),
-            knots_v: surface.knots(1).to_vec(),
+            knots_u: surface.knots(Axis::U).to_vec(),
+            knots_v: surface.knots(Axis::V).to_vec(),
             ctrl: surface.control_points().chunks(surface.counts()[1]).map(<[_]>::to_vec).collect(),
         }
     }

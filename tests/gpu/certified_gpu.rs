@@ -4,7 +4,7 @@ use crate::support::gpu::{engine, measure};
 use nurbs_hausdorff::engine::{Backend, Options, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{Axis, Model, RigidTransform};
 
 /// Rounding of the truths below, of size 0 to 1.
 const ROUNDING: f64 = 1e-12;
@@ -52,14 +52,17 @@ fn a_copy_by_other_parameters() {
 #[test]
 fn degrees_of_several_kinds() {
     // An exact offset, in pieces of several degrees on either side.
-    let raised = |part: &Model, by: &[usize]| {
+    let raised = |part: &Model, by: &[Axis]| {
         let pieces = cut_model(part, [&[0.37], &[0.61]]).unwrap();
         let surfaces = pieces.surfaces().iter().zip(by);
         let surfaces = surfaces.map(|(surface, &by)| elevate_degree(surface, by).unwrap_or(surface.clone()));
         Model::new(None, surfaces.collect()).unwrap()
     };
     let [a, b] = sphere_parts([1.0, 1.05]).unwrap();
-    let (a, b) = (raised(&a, &[0, 1, 2, 0]), raised(&b, &[1, 0, 0, 2]));
+    let (a, b) = (
+        raised(&a, &[Axis::U, Axis::V, Axis::V, Axis::U]),
+        raised(&b, &[Axis::V, Axis::U, Axis::U, Axis::V]),
+    );
     both("of several degrees", &a, &b, RigidTransform::IDENTITY, 1e-6, 0.05);
 }
 

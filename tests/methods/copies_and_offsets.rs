@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, RigidTransform, SurfaceArrays};
 
 /// Cells that are few: halving down to cells of the tolerance takes some
 /// hundred thousand.
@@ -31,7 +31,7 @@ fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {
 }
 
 /// With the axes taken in the order `axes`, each backwards or not.
-fn by_other_parameters(surface: &NurbsSurface, axes: [usize; 2], backwards: [bool; 2]) -> Model {
+fn by_other_parameters(surface: &NurbsSurface, axes: [Axis; 2], backwards: [bool; 2]) -> Model {
     let counts = axes.map(|axis| surface.counts()[axis]);
     let knots = [0, 1].map(|axis| {
         let knots = surface.knots(axes[axis]);
@@ -43,7 +43,7 @@ fn by_other_parameters(surface: &NurbsSurface, axes: [usize; 2], backwards: [boo
         for column in 0..counts[1] {
             let place = [row, column];
             let turned = [0, 1].map(|k| if backwards[k] { counts[k] - 1 - place[k] } else { place[k] });
-            let [i, j] = if axes == [0, 1] { turned } else { [turned[1], turned[0]] };
+            let [i, j] = if axes == Axis::BOTH { turned } else { [turned[1], turned[0]] };
             control_points.push(surface.control_points()[i * surface.counts()[1] + j]);
         }
     }
@@ -58,16 +58,16 @@ fn copies_by_other_parameters_and_degrees() {
         let surface = &model.surfaces()[0];
         is_a_copy(name, &model, &model, RigidTransform::IDENTITY);
         for (axes, backwards) in [
-            ([0, 1], [true, false]),
-            ([0, 1], [true, true]),
-            ([1, 0], [false, false]),
-            ([1, 0], [false, true]),
+            (Axis::BOTH, [true, false]),
+            (Axis::BOTH, [true, true]),
+            ([Axis::V, Axis::U], [false, false]),
+            ([Axis::V, Axis::U], [false, true]),
         ] {
             let other = by_other_parameters(surface, axes, backwards);
             let name = format!("{name} {axes:?} {backwards:?}");
             is_a_copy(&name, &other, &model, RigidTransform::IDENTITY);
         }
-        let elevated = Model::new(None, vec![elevate_degree(surface, 1).unwrap()]).unwrap();
+        let elevated = Model::new(None, vec![elevate_degree(surface, Axis::V).unwrap()]).unwrap();
         is_a_copy(&format!("{name} elevated"), &elevated, &model, RigidTransform::IDENTITY);
         is_a_copy(&format!("{name} to its elevated"), &model, &elevated, RigidTransform::IDENTITY);
     }

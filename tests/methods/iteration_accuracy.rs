@@ -7,7 +7,7 @@ use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, 
 use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::{elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{FIGURE5_SAMPLES, figure5_cylinder, figure5_plane, shape, sphere};
-use nurbs_hausdorff::{Error, Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Error, Model, RigidTransform, SurfaceArrays};
 
 /// Rounding of a distance of models of size 1 to 10 in float64.
 const ROUNDING: f64 = 1e-9;
@@ -105,9 +105,9 @@ fn moving_by_the_option_is_moving_the_control_points() {
 #[test]
 fn refined_and_elevated_copies_are_at_distance_zero() {
     let sheet = shape("wavy-sheet").unwrap();
-    let [[start, end], _] = sheet.surfaces()[0].domain();
-    let refined = insert_knot(&sheet.surfaces()[0], 0, start + 0.37 * (end - start), 1).unwrap();
-    let elevated = Model::new(None, vec![elevate_degree(&refined, 1).unwrap()]).unwrap();
+    let [[start, end], _] = sheet.surfaces()[0].domain().intervals();
+    let refined = insert_knot(&sheet.surfaces()[0], Axis::U, start + 0.37 * (end - start), 1).unwrap();
+    let elevated = Model::new(None, vec![elevate_degree(&refined, Axis::V).unwrap()]).unwrap();
     for (a, b) in [(&sheet, &elevated), (&elevated, &sheet), (&sheet, &sheet)] {
         for result in on_both("copies", a, b, &iteration(), 0.0) {
             assert!(result.computed <= ROUNDING, "{}", result.computed);

@@ -4,7 +4,7 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Model, NurbsSurface, PreparedModel};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, PreparedModel};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -68,9 +68,9 @@ fn info(model: &Model) -> Info {
         SurfaceInfo {
             degree: surface.degree(),
             counts: surface.counts(),
-            domain: surface.domain(),
+            domain: surface.domain().intervals(),
             rational: surface.control_points().iter().any(|point| point[3] != weight),
-            clamped: [0, 1].map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
+            clamped: Axis::BOTH.map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
             patches: rows * columns,
         }
     };
