@@ -18,7 +18,7 @@ pub(crate) use newton::newton_below;
 pub use tangent_plane::{contraction, tangent_plane};
 pub use target::Target;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How the projection of one sample ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -57,7 +57,8 @@ pub struct Foot {
 }
 
 /// The two rules by which a step is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Projection {
     /// Damped Newton with an active set at the patch's edges ([`newton`]).
     #[default]

@@ -1,7 +1,7 @@
 //! One direction of method `certified`, within its budgets.
 
 use super::iteration::{Directed, surface_point};
-use super::{Backend, CertifiedDetails, Options, Stop};
+use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Interval, Operand};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, Levels};
@@ -70,8 +70,7 @@ pub(super) async fn certified(
             to.surface_parameters(farthest.closest.parameters),
             farthest.closest.point,
         ),
-        iteration: None,
-        certified: Some(CertifiedDetails {
+        details: Details::Certified(CertifiedDetails {
             tolerance,
             cells: search.cells,
             cpu_cells: search.cells - search.kernel_cells,
@@ -79,7 +78,6 @@ pub(super) async fn certified(
             stop,
             within,
         }),
-        hierarchy: None,
         field: Vec::new(),
     };
     Ok(Some((directed, notice)))

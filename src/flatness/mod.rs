@@ -9,9 +9,11 @@ pub use extension::rooms;
 
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
+use serde::Deserialize;
 
 /// When a patch counts as flat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Flatness {
     /// Always: Bézier extraction alone (the 2012 paper's "knots only").
     None,

@@ -58,6 +58,7 @@ pub(crate) struct Candidate {
 
 /// Numbers of samples by how their projection ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct StatusCounts {
     /// At a stationary point.
     pub converged: usize,

@@ -4,10 +4,12 @@ use super::{Projected, Rule};
 use crate::bezier::Patch;
 use crate::closest::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
+use serde::Deserialize;
 
 /// Which patches a sample is projected on. The distances are the same: a
 /// patch is left out only if its box is no nearer than a foot already found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Culling {
     /// Those that a bounding-box tree does not rule out.
     #[default]

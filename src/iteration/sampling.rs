@@ -1,12 +1,14 @@
 //! Where a model is sampled.
 
 use crate::bezier::{BezierModel, PatchGrid};
+use serde::Deserialize;
 use std::ops::Range;
 
 use super::CoveringRadius;
 
 /// How the n parameters of a direction are spread over the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SamplingRule {
     /// Evenly in the parameter, as in the paper.
     #[default]

@@ -1,4 +1,4 @@
-//! The interchange JSON, in and out.
+//! The interchange JSON: reader and writer.
 
 use super::{Model, NurbsSurface, SurfaceArrays};
 use crate::error::{Error, Result};
@@ -61,8 +61,11 @@ impl Model {
         if found > MAX_JSON_BYTES {
             return Err(Error::FileTooLarge { found, expected: MAX_JSON_BYTES });
         }
-        let parsed: InterchangeModel =
-            serde_json::from_str(text).map_err(|error| Error::JsonShape { found: error.to_string() })?;
+        let mut reader = serde_json::Deserializer::from_str(text);
+        // Errors name the place by its path, such as `surfaces[0].degree`.
+        let parsed: InterchangeModel = serde_path_to_error::deserialize(&mut reader)
+            .map_err(|error| Error::JsonShape { found: error.to_string() })?;
+        reader.end().map_err(|error| Error::JsonShape { found: error.to_string() })?;
         let surfaces = parsed
             .surfaces
             .into_iter()

@@ -10,6 +10,7 @@ use serde::Serialize;
 use std::fmt::Write;
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct Info {
     name: Option<String>,
     surfaces: Vec<SurfaceInfo>,
@@ -19,6 +20,7 @@ struct Info {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct SurfaceInfo {
     degree: [usize; 2],
     counts: [usize; 2],
@@ -28,7 +30,7 @@ struct SurfaceInfo {
     patches: usize,
 }
 
-/// Prints what the model consists of.
+/// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = info(&read(&arguments.model)?);
     if arguments.json {
