@@ -256,7 +256,11 @@ pub enum Error {
 }
 
 impl Error {
-    pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
+    pub(crate) fn out_of_range(
+        option: &'static str,
+        found: impl std::fmt::Debug,
+        expected: &'static str,
+    ) -> Self {
         Self::OptionOutOfRange { option, found: format!("{found:?}"), expected }
     }
 

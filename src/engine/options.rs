@@ -6,6 +6,7 @@ use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
 use serde::Deserialize;
+use std::fmt::Debug;
 
 /// How the distance is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
@@ -129,7 +130,7 @@ const MAX_ITERATIONS: u32 = 300;
 
 /// # Errors
 /// [`Error::OptionOutOfRange`] unless the option is `valid`.
-fn require(option: &'static str, valid: bool, found: f64, expected: &'static str) -> Result<()> {
+fn require(option: &'static str, valid: bool, found: impl Debug, expected: &'static str) -> Result<()> {
     if valid { Ok(()) } else { Err(Error::out_of_range(option, found, expected)) }
 }
 
@@ -148,10 +149,10 @@ impl Options {
         let counts = 2..=MAX_SAMPLES;
         let memory = (1..=MAX_MEMORY).contains(&self.memory_budget);
         let iterations = (1..=MAX_ITERATIONS).contains(&self.iterations);
-        require("samples", counts.contains(&self.samples), self.samples as f64, "2 to 1024")?;
-        require("grid", counts.contains(&self.grid), self.grid as f64, "2 to 1024")?;
-        require("memory budget", memory, self.memory_budget as f64, "1 to 256 MiB")?;
-        require("iterations", iterations, self.iterations.into(), "1 to 300")?;
+        require("samples", counts.contains(&self.samples), self.samples, "2 to 1024")?;
+        require("grid", counts.contains(&self.grid), self.grid, "2 to 1024")?;
+        require("memory budget", memory, self.memory_budget, "1 to 256 MiB")?;
+        require("iterations", iterations, self.iterations, "1 to 300")?;
         positive("tolerance", self.tolerance)?;
         positive("step tolerance", self.step_tolerance)?;
         if let Some(limit) = self.limit {
@@ -160,7 +161,7 @@ impl Options {
         if let Some(seconds) = self.max_seconds {
             positive("max seconds", seconds)?;
         }
-        require("max cells", self.max_cells != Some(0), 0.0, "at least 1")
+        require("max cells", self.max_cells != Some(0), 0, "at least 1")
     }
 
     pub(crate) fn rule(&self) -> Rule {

@@ -89,13 +89,13 @@ impl DistanceResult {
 
     /// The results that only method `certified` has.
     #[must_use]
-    pub fn certified(&self) -> Option<&CertifiedDetails> {
+    pub fn certified(&self) -> Option<CertifiedDetails> {
         self.details.certified()
     }
 
     /// The results that only method `iteration` has.
     #[must_use]
-    pub fn iteration(&self) -> Option<&IterationDetails> {
+    pub fn iteration(&self) -> Option<IterationDetails> {
         self.details.iteration()
     }
 
@@ -127,12 +127,12 @@ impl Details {
         }
     }
 
-    pub(super) fn certified(&self) -> Option<&CertifiedDetails> {
-        if let Self::Certified(details) = self { Some(details) } else { None }
+    pub(super) fn certified(&self) -> Option<CertifiedDetails> {
+        if let Self::Certified(details) = self { Some(*details) } else { None }
     }
 
-    fn iteration(&self) -> Option<&IterationDetails> {
-        if let Self::Iteration(details) = self { Some(details) } else { None }
+    fn iteration(&self) -> Option<IterationDetails> {
+        if let Self::Iteration(details) = self { Some(*details) } else { None }
     }
 
     fn hierarchy(&self) -> Option<&HierarchyDetails> {

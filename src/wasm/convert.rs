@@ -39,7 +39,8 @@ pub(super) fn option<T: DeserializeOwned + Default>(name: &str, value: &JsValue)
     if value.is_undefined() {
         return Ok(T::default());
     }
-    serde_wasm_bindgen::from_value(value.clone()).map_err(|error| invalid(format!("{name}: {error}")))
+    serde_wasm_bindgen::from_value(value.clone())
+        .map_err(|error| invalid(format!("{name}: {}", message(error))))
 }
 
 #[derive(Deserialize)]
@@ -71,8 +72,15 @@ fn properties<T: DeserializeOwned>(value: &JsValue) -> std::result::Result<T, St
         (!value.is_undefined())
             .then(|| (entry.get(0).as_string().unwrap_or_default(), Deserializer::from(value)))
     });
-    serde_path_to_error::deserialize(MapDeserializer::new(defined))
-        .map_err(|error: serde_path_to_error::Error<serde_wasm_bindgen::Error>| error.to_string())
+    serde_path_to_error::deserialize(MapDeserializer::new(defined)).map_err(|error| {
+        let path = error.path().to_string();
+        format!("{path}: {}", message(error.into_inner()))
+    })
+}
+
+/// The message of a deserializer's error, which is a JavaScript `Error`.
+fn message(error: serde_wasm_bindgen::Error) -> String {
+    JsValue::from(error).unchecked_into::<js_sys::Error>().message().into()
 }
 
 fn invalid(found: String) -> Error {
