@@ -46,8 +46,20 @@ pub(super) fn option<T: DeserializeOwned + Default>(name: &str, value: &JsValue)
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct TransformParts {
+    #[serde(deserialize_with = "numbers")]
     rotation: [f64; 4],
+    #[serde(deserialize_with = "numbers")]
     translation: [f64; 3],
+}
+
+/// Exactly N numbers, where serde's arrays ignore the rest of a longer one.
+fn numbers<'de, D: serde::Deserializer<'de>, const N: usize>(
+    deserializer: D,
+) -> std::result::Result<[f64; N], D::Error> {
+    let numbers = Vec::<f64>::deserialize(deserializer)?;
+    numbers.try_into().map_err(|numbers: Vec<f64>| {
+        serde::de::Error::invalid_length(numbers.len(), &format!("{N} numbers").as_str())
+    })
 }
 
 impl Default for TransformParts {
@@ -64,7 +76,8 @@ impl Default for TransformParts {
 /// The name of the property, what was found and what was expected.
 fn properties<T: DeserializeOwned>(value: &JsValue) -> std::result::Result<T, String> {
     let Some(object) = value.dyn_ref::<Object>() else {
-        return Err(format!("found {value:?}, expected an object"));
+        let found = if value.is_null() { Some("null".to_owned()) } else { value.js_typeof().as_string() };
+        return Err(format!("found {}, expected an object", found.unwrap_or_default()));
     };
     let defined = Object::entries(object).into_iter().filter_map(|entry| {
         let entry: Array = entry.unchecked_into();
