@@ -50,7 +50,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
         assert!(result.converged, "{}", pair.name);
         fastest = fastest.min(result.seconds.solve);
-        cells = result.certified.map_or(0, |details| details.cells);
+        cells = result.certified().map_or(0, |details| details.cells);
     }
     format!("{fastest:.2} | {cells}")
 }

@@ -168,7 +168,8 @@ pub mod options {
 pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
-        Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, PatchCounts, Seconds, Stop,
+        Bounds, CertifiedDetails, Details, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor,
+        Seconds, Stop,
     };
     pub use crate::iteration::StatusCounts;
 }

@@ -2,12 +2,14 @@
 
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchGrid};
+use serde::Deserialize;
 use std::ops::Range;
 
 use super::CoveringRadius;
 
 /// The distribution of the parameters along one axis over the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SamplingRule {
     /// Evenly spaced parameters, as in the 2012 paper.
     #[default]

@@ -1,7 +1,7 @@
 //! Method `certified` with its cells on the GPU, against truths and float64.
 
 use crate::support::gpu::{engine, measure};
-use nurbs_hausdorff::engine::{Backend, Options, Stop};
+use nurbs_hausdorff::engine::{Backend, Options, Processor, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
 use nurbs_hausdorff::{Axis, Model, RigidTransform};
@@ -15,7 +15,7 @@ fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: 
     for backend in [Backend::Cpu, Backend::Gpu] {
         let options = Options { tolerance, transform, backend, ..Options::default() };
         let result = measure(&engine, a, b, &options);
-        let details = result.certified.unwrap();
+        let details = result.certified().unwrap();
         println!(
             "{name}, {backend:?}: [{:.9}, {:.9}], {} cells, {} of them on the CPU, {} levels, {:.3} s",
             result.lower,
@@ -32,7 +32,7 @@ fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: 
             Backend::Gpu => assert!(2 * details.cpu_cells < details.cells, "{name}"),
             _ => assert_eq!(details.cpu_cells, details.cells, "{name}"),
         }
-        assert_eq!(result.backend, if backend == Backend::Gpu { "gpu" } else { "cpu" });
+        assert_eq!(result.backend, if backend == Backend::Gpu { Processor::Gpu } else { Processor::Cpu });
         assert_eq!(result.adapter.is_some(), backend == Backend::Gpu);
     }
 }
@@ -74,7 +74,7 @@ fn float64_does_what_float32_is_too_coarse_for() {
     let options =
         Options { tolerance: 3e-8, max_cells: Some(40_000), backend: Backend::Gpu, ..Options::default() };
     let result = measure(&engine, &one, &larger, &options);
-    let details = result.certified.unwrap();
+    let details = result.certified().unwrap();
     assert_eq!((details.cells, details.stop), (details.cpu_cells, Stop::Cells));
     assert!(result.lower <= 0.5 && 0.5 <= result.upper);
 }

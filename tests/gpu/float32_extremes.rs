@@ -51,7 +51,7 @@ fn assert_distance(result: &DistanceResult, truth: f64, name: &str) {
         lower <= truth + rounding && truth - rounding <= upper,
         "{name}: {truth} not in [{lower}, {upper}]"
     );
-    let radius = result.iteration.unwrap().bounds.k_a_rigorous;
+    let radius = result.iteration().unwrap().bounds.k_a_rigorous;
     assert!(upper - lower <= radius + FLOAT32 * result.diagonal, "{name}: [{lower}, {upper}]");
     assert!(converged, "{name}");
 }

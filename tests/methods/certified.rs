@@ -20,7 +20,7 @@ fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -
 }
 
 fn details(result: &DistanceResult) -> CertifiedDetails {
-    result.certified.unwrap()
+    result.certified().unwrap()
 }
 
 /// Converges, is as narrow as asked, and contains the truth.

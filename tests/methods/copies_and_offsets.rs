@@ -22,7 +22,7 @@ fn compared(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> 
 fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {
     for tolerance in [1e-6, 1e-10] {
         let result = compared(a, b, transform, tolerance);
-        let cells = result.certified.unwrap().cells;
+        let cells = result.certified().unwrap().cells;
         println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         assert!(result.converged && result.lower == 0.0, "{name}: {result:?}");
         assert!(result.upper <= (tolerance + ROUNDING) * result.diagonal, "{name}: {}", result.upper);
@@ -91,7 +91,7 @@ fn a_moved_copy_takes_few_cells() {
         for way in [DVec3::new(0.0, 0.0, 0.3), DVec3::new(1e-3, 0.0, 2e-3), DVec3::new(0.0, 1e-7, 0.0)] {
             let transform = RigidTransform::translation(way).unwrap();
             let result = compared(&model, &model, transform, 1e-6);
-            let cells = result.certified.unwrap().cells;
+            let cells = result.certified().unwrap().cells;
             println!("{name} moved by {way}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
             assert!(result.converged && result.lower <= way.length() + ROUNDING);
             assert!(result.upper <= way.length() + 1e-6 * result.diagonal);
@@ -114,7 +114,7 @@ fn an_edited_copy_takes_few_cells() {
     let edited = Model::from_arrays(None, vec![arrays]).unwrap();
     for (a, b) in [(&model, &edited), (&edited, &model)] {
         let result = compared(a, b, RigidTransform::IDENTITY, 1e-6);
-        let cells = result.certified.unwrap().cells;
+        let cells = result.certified().unwrap().cells;
         println!("an edited sheet: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         // A bump is lower than its control point is raised.
         assert!(result.converged && result.lower > 0.0 && result.lower < 0.1 && cells < FEW, "{cells}");

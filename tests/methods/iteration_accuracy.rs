@@ -136,7 +136,7 @@ fn figure_5_of_the_paper() {
         let Some(engine) = engine("figure_5") else { return };
         for backend in [Backend::Gpu, Backend::Cpu] {
             let result = measure(&engine, &plane, &cylinder, &Options { backend, ..options.clone() });
-            let bounds = result.iteration.unwrap().bounds;
+            let bounds = result.iteration().unwrap().bounds;
             assert!((result.computed - 310.42).abs() < 0.01, "{}", result.computed);
             // Half the diagonal of a flat cell of side 16.
             assert!((bounds.k_a - 16.0 * 0.5_f64.sqrt()).abs() < 1e-6, "{}", bounds.k_a);

@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-12;
 /// Whether the truth is in the interval, and how many cells that took.
 fn cells(name: &str, a: &Model, b: &Model, truth: f64, tolerance: f64) -> usize {
     let result = measure(a, b, &Options { tolerance, max_seconds: Some(60.0), ..Options::default() });
-    let cells = result.certified.unwrap().cells;
+    let cells = result.certified().unwrap().cells;
     println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
     let rounding = ROUNDING * result.diagonal;
     assert!(result.converged, "{name}");

@@ -60,7 +60,7 @@ pub(crate) fn check(seed: u64) -> Outcome {
     }
     Outcome {
         converged: result.converged,
-        cells: result.certified.unwrap().cells,
+        cells: result.certified().unwrap().cells,
         violations: violations
             .into_iter()
             .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
@@ -114,7 +114,7 @@ impl<'a> Direction<'a> {
             violations.push(format!("{truth} is not in [{lower}, {upper}]"));
         }
         self.check_witness(&mut violations);
-        let details = self.result.certified.unwrap();
+        let details = self.result.certified().unwrap();
         let wide = upper - lower > details.tolerance + 200.0 * self.rounding;
         if self.result.converged && self.limit.is_none() && wide {
             violations.push(format!("converged, but [{lower}, {upper}] is {} wide", upper - lower));

@@ -9,6 +9,7 @@ use serde::Serialize;
 use std::fmt::Write;
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct Info {
     name: Option<String>,
     surfaces: Vec<SurfaceInfo>,
@@ -18,6 +19,7 @@ struct Info {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct SurfaceInfo {
     degree: [usize; 2],
     counts: [usize; 2],
@@ -27,7 +29,7 @@ struct SurfaceInfo {
     patches: usize,
 }
 
-/// Prints what the model consists of.
+/// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = info(&read(&arguments.model)?);
     if arguments.json {
