@@ -36,7 +36,7 @@ struct Search {
 }
 
 fn offer(before: Search, patch_index: u32, point: vec3<f32>) -> Search {
-    let local = point - center_of(patch_index);
+    let local = point - centers[patch_index].xyz;
     let found = foot(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
     var after = before;
     after.turns += (found.evaluations + 1u) * TURNS_OF_EVALUATION;
@@ -65,18 +65,14 @@ fn sample_of(id: vec3<u32>, groups: vec3<u32>) -> u32 {
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let sample = sample_of(id, groups);
-    let exists = sample < params.sample_count;
-    join();
+    if sample >= params.sample_count {
+        return;
+    }
     // The host keeps the number of patches within the turns of all threads.
     var search = Search(best[sample], 0u);
     let point = samples[sample].xyz;
     for (var k = 0u; k < params.patch_count; k++) {
-        take(params.first_patch + k, exists);
-        if exists {
-            search = offer(search, params.first_patch + k, point);
-        }
+        search = offer(search, params.first_patch + k, point);
     }
-    if exists {
-        best[sample] = search.known;
-    }
+    best[sample] = search.known;
 }

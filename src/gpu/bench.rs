@@ -76,7 +76,7 @@ impl StageBench {
     /// Replaces the kernels of `project` by an edited text, on this device, until replaced again.
     pub fn edit(&self, edit: &dyn Fn(String) -> String) {
         for kernel in self.stages.project_kernels() {
-            self.gpu.pipelines.replace(kernel, edit(kernel.text(self.gpu.pipelines.lanes)));
+            self.gpu.pipelines.replace(kernel, edit(kernel.text()));
         }
     }
 }

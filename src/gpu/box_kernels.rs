@@ -27,7 +27,7 @@ impl BoxKernel {
     /// The WGSL text of the kernel.
     pub(super) fn text(self) -> String {
         match self {
-            Self::Boxes { degree } => [&patch_text(degree, 0), JET, PATCH, BOX, BOXES].concat(),
+            Self::Boxes { degree } => [&patch_text(degree), JET, PATCH, BOX, BOXES].concat(),
             Self::Pyramid => [BOX, PYRAMID].concat(),
             Self::Bound => [BOX, BOUND].concat(),
             Self::Extremes => [BOX, EXTREMES].concat(),

@@ -30,7 +30,7 @@ struct Trouble {
 
 impl Gpu {
     /// The platform's preferred adapter, whatever it is, on the limits that
-    /// WebGPU guarantees everywhere; with subgroups if it is a processor.
+    /// WebGPU guarantees everywhere.
     ///
     /// # Errors
     /// [`Error::NoAdapter`] if there is none or it gives no device.
@@ -45,12 +45,9 @@ impl Gpu {
             })
             .await
             .map_err(|error| no_adapter(why_none(&error)))?;
-        let lanes = lanes_that_load_together(&adapter);
-        let required_features = if lanes > 0 { wgpu::Features::SUBGROUP } else { wgpu::Features::empty() };
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 required_limits: wgpu::Limits::default(),
-                required_features,
                 ..Default::default()
             })
             .await
@@ -69,7 +66,7 @@ impl Gpu {
         let info = adapter.get_info();
         let name = info.name;
         Ok(Self {
-            pipelines: Pipelines::new(&device, lanes),
+            pipelines: Pipelines::new(&device),
             pace: Pace::default(),
             device,
             queue,
@@ -194,20 +191,4 @@ fn why_none(error: &wgpu::RequestAdapterError) -> String {
         _ => "the browser found none",
     }
     .to_owned()
-}
-
-/// Threads of a subgroup where loading together pays, else 0: on processors,
-/// whose vectors are narrow and load from one place at a time.
-#[cfg(not(target_arch = "wasm32"))]
-fn lanes_that_load_together(adapter: &wgpu::Adapter) -> u32 {
-    let info = adapter.get_info();
-    let known = info.subgroup_min_size == info.subgroup_max_size;
-    let has = adapter.features().contains(wgpu::Features::SUBGROUP);
-    if info.device_type == wgpu::DeviceType::Cpu && known && has { info.subgroup_max_size } else { 0 }
-}
-
-/// Browsers do not tell what they run on.
-#[cfg(target_arch = "wasm32")]
-fn lanes_that_load_together(_adapter: &wgpu::Adapter) -> u32 {
-    0
 }

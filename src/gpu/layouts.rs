@@ -48,7 +48,7 @@ pub(super) struct ProjectParams {
     pub(super) columns: u32,
 }
 
-/// `Node` of `project_tree.wgsl`, and two items of `nodes` of `project_packet.wgsl`.
+/// `Node` of `project_tree.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(super) struct Node {
@@ -175,14 +175,11 @@ mod tests {
     use super::*;
     use crate::closest::Projection;
     use crate::iteration::Culling;
-    use naga::valid::{Capabilities, SubgroupOperationSet, Validator};
+    use naga::valid::{Capabilities, Validator};
     use naga::{Expression, Literal, Module, TypeInner};
     use std::mem::offset_of;
 
     const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
-
-    /// Threads that load alone, and subgroups that load together.
-    const LANES: [u32; 3] = [0, 4, 8];
 
     fn kernels() -> Vec<Kernel> {
         let mut kernels = vec![
@@ -209,8 +206,8 @@ mod tests {
         kernels
     }
 
-    fn parsed(kernel: Kernel, lanes: u32) -> Module {
-        naga::front::wgsl::parse_str(&kernel.text(lanes)).unwrap()
+    fn parsed(kernel: Kernel) -> Module {
+        naga::front::wgsl::parse_str(&kernel.text()).unwrap()
     }
 
     /// Offsets of the members and size of a struct, by naga.
@@ -251,20 +248,11 @@ mod tests {
 
     #[test]
     fn kernels_are_valid_for_every_kind_of_degrees() {
-        for (kernel, lanes) in kernels().into_iter().flat_map(|kernel| LANES.map(|lanes| (kernel, lanes))) {
-            let module = parsed(kernel, lanes);
-            let flags = naga::valid::ValidationFlags::all();
-            // Threads that load alone want nothing that WebGPU does not have.
-            let (capabilities, operations) = if lanes > 0 {
-                (Capabilities::SUBGROUP, SubgroupOperationSet::all())
-            } else {
-                (Capabilities::empty(), SubgroupOperationSet::empty())
-            };
-            Validator::new(flags, capabilities)
-                .subgroup_stages(naga::valid::ShaderStages::COMPUTE)
-                .subgroup_operations(operations)
-                .validate(&module)
-                .unwrap_or_else(|error| panic!("{kernel:?}, {lanes} lanes: {error:?}"));
+        for kernel in kernels() {
+            // Without capabilities: nothing that WebGPU does not guarantee.
+            Validator::new(naga::valid::ValidationFlags::all(), Capabilities::empty())
+                .validate(&parsed(kernel))
+                .unwrap_or_else(|error| panic!("{kernel:?}: {error:?}"));
         }
     }
 
@@ -277,7 +265,7 @@ mod tests {
     #[test]
     fn structs_lie_as_in_the_kernels() {
         for kernel in kernels() {
-            let module = &parsed(kernel, 0);
+            let module = &parsed(kernel);
             match kernel {
                 Kernel::Sample { .. } => {
                     same_layout!(
@@ -402,7 +390,7 @@ mod tests {
 
     #[test]
     fn statuses_are_numbered_as_in_the_kernels() {
-        let module = &parsed(Kernel::Reduce, 0);
+        let module = &parsed(Kernel::Reduce);
         for (name, status) in [
             ("CONVERGED", crate::closest::Status::Converged),
             ("ITERATION_LIMIT", crate::closest::Status::IterationLimit),

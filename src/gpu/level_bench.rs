@@ -102,7 +102,7 @@ impl LevelBench {
         for step in self.levels.steps.iter_mut().flatten() {
             if LevelStage::of(step.kernel) == Some(stage) {
                 let pipelines = &self.gpu.pipelines;
-                step.pipeline = Rc::new(pipelines.make(step.kernel, edit(step.kernel.text(pipelines.lanes))));
+                step.pipeline = Rc::new(pipelines.make(step.kernel, edit(step.kernel.text())));
             }
         }
     }

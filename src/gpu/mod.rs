@@ -16,8 +16,6 @@ mod cell_boxes;
 mod descent;
 mod device;
 mod groups;
-#[cfg(not(target_arch = "wasm32"))]
-mod kept_text;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
@@ -26,8 +24,6 @@ mod level_bench;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod level_error;
 mod levels;
-#[cfg(not(target_arch = "wasm32"))]
-mod packet_tree;
 mod patch_text;
 mod piece_error;
 mod pipelines;

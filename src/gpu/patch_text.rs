@@ -7,15 +7,14 @@
 use std::fmt::Write;
 
 /// Constants and functions that `patch.wgsl` and `foot.wgsl` build on.
-/// Subgroups of `lanes` threads work together, or each thread alone if 0.
-pub(super) fn patch_text(degree: [usize; 2], lanes: u32) -> String {
+pub(super) fn patch_text(degree: [usize; 2]) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = write(&mut text, degree, lanes as usize);
+    let _ = write(&mut text, degree);
     text
 }
 
-fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Result {
+fn write(text: &mut String, [p, q]: [usize; 2]) -> std::fmt::Result {
     let order = p.max(q) + 1;
     writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;")?;
     let array = format!("array<f32, {order}>");
@@ -23,21 +22,11 @@ fn write(text: &mut String, [p, q]: [usize; 2], lanes: usize) -> std::fmt::Resul
     for (name, degree) in [("basis_s", p), ("basis_t", q)] {
         write_basis(text, name, degree, order)?;
     }
-    #[cfg(not(target_arch = "wasm32"))]
-    if lanes > 0 {
-        super::kept_text::write_together(text, lanes)?;
-        if (p + 1) * (q + 1) <= super::kept_text::MAX_KEPT {
-            return super::kept_text::write_kept(text, [p, q], lanes);
-        }
-    }
-    if lanes == 0 {
-        writeln!(text, "fn join() {{}}")?;
-    }
-    write_alone(text, [p, q], &array)
+    write_controls(text, [p, q], &array)
 }
 
 /// Derivatives by s and t of the members of `Blend`.
-pub(super) const BLEND: [(&str, [&str; 2]); 6] = [
+const BLEND: [(&str, [&str; 2]); 6] = [
     ("h", ["value", "value"]),
     ("s", ["first", "value"]),
     ("t", ["value", "first"]),
@@ -47,10 +36,8 @@ pub(super) const BLEND: [(&str, [&str; 2]); 6] = [
 ];
 
 /// Functions that read the controls where they are wanted.
-fn write_alone(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
+fn write_controls(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
     let (rows, columns) = (p + 1, q + 1);
-    writeln!(text, "fn take(patch_index: u32, wanted: bool) {{}}")?;
-    writeln!(text, "fn center_of(patch_index: u32) -> vec3<f32> {{ return centers[patch_index].xyz; }}")?;
     let terms = list(q + 1, " + ", &|j| format!("basis[{j}] * controls[first + {j}u]"));
     writeln!(text, "fn contract(first: u32, basis: {array}) -> vec4<f32> {{ return {terms}; }}")?;
     writeln!(text, "fn blend(first: u32, in_s: Basis, in_t: Basis) -> Blend {{\nvar sums: Blend;")?;
@@ -106,7 +93,7 @@ fn write_basis(text: &mut String, name: &str, degree: usize, order: usize) -> st
 }
 
 /// So many entries in a row.
-pub(super) fn list(count: usize, separator: &str, entry: &dyn Fn(usize) -> String) -> String {
+fn list(count: usize, separator: &str, entry: &dyn Fn(usize) -> String) -> String {
     let mut list = String::new();
     for index in 0..count {
         if index > 0 {

@@ -23,8 +23,6 @@ const TANGENT_PLANE: &str = include_str!("../../shaders/tangent_plane.wgsl");
 const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
 const PROJECT: &str = include_str!("../../shaders/project.wgsl");
 const PROJECT_TREE: &str = include_str!("../../shaders/project_tree.wgsl");
-#[cfg(not(target_arch = "wasm32"))]
-const PROJECT_PACKET: &str = include_str!("../../shaders/project_packet.wgsl");
 const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
 const CELLS: &str = include_str!("../../shaders/cells.wgsl");
 const PIECE: &str = include_str!("../../shaders/piece.wgsl");
@@ -61,11 +59,10 @@ pub(super) enum Kernel {
 }
 
 impl Kernel {
-    /// The WGSL text of the kernel, for subgroups of `lanes` threads that load
-    /// together, or for threads that load alone if 0.
-    pub(super) fn text(self, lanes: u32) -> String {
+    /// The WGSL text of the kernel.
+    pub(super) fn text(self) -> String {
         match self {
-            Self::Sample { degree } => joined(&patch_text(degree, 0), &[JET, PATCH, BEST, SAMPLE]),
+            Self::Sample { degree } => joined(&patch_text(degree), &[JET, PATCH, BEST, SAMPLE]),
             Self::Project { degree, projection, culling } => {
                 let step = match projection {
                     Projection::Newton => NEWTON,
@@ -73,11 +70,9 @@ impl Kernel {
                 };
                 let search = match culling {
                     Culling::None => "",
-                    #[cfg(not(target_arch = "wasm32"))]
-                    Culling::Tree if lanes > 0 => PROJECT_PACKET,
                     Culling::Tree => PROJECT_TREE,
                 };
-                joined(&patch_text(degree, lanes), &[JET, PATCH, BEST, FOOT, step, PROJECT, search])
+                joined(&patch_text(degree), &[JET, PATCH, BEST, FOOT, step, PROJECT, search])
             }
             Self::Reduce => joined("", &[BEST, REDUCE]),
             Self::Cell { degree } => piecewise(degree, CELL),
@@ -148,14 +143,12 @@ pub(super) struct Pipeline {
 #[derive(Debug)]
 pub(super) struct Pipelines {
     device: wgpu::Device,
-    /// Threads of the subgroups that load together, or 0.
-    pub(super) lanes: u32,
     made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
 }
 
 impl Pipelines {
-    pub(super) fn new(device: &wgpu::Device, lanes: u32) -> Self {
-        Self { device: device.clone(), lanes, made: RefCell::default() }
+    pub(super) fn new(device: &wgpu::Device) -> Self {
+        Self { device: device.clone(), made: RefCell::default() }
     }
 
     /// The kernel's pipeline, and whether it is new.
@@ -163,7 +156,7 @@ impl Pipelines {
         if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
-        let pipeline = Rc::new(self.make(kernel, kernel.text(self.lanes)));
+        let pipeline = Rc::new(self.make(kernel, kernel.text()));
         self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
         (pipeline, true)
     }

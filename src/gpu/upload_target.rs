@@ -3,8 +3,6 @@
 use super::Gpu;
 use super::groups::{Controls, by_degree};
 use super::layouts::Node;
-#[cfg(not(target_arch = "wasm32"))]
-use super::packet_tree::packet_nodes;
 use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::bvh::{Aabb, Bvh};
 use crate::closest::Target;
@@ -59,7 +57,7 @@ impl Gpu {
                 coordinate_error = coordinate_error.max(patch_error(&patch));
             }
             let tree = Bvh::new(&boxes);
-            let nodes = self.nodes(&tree, &|of, place| node(of, place, origin, scale));
+            let nodes = nodes(&tree, origin, scale);
             let patches_before = patches.len();
             patches.extend(tree.order().iter().map(|&place| members[place as usize]));
             groups.push(TargetGroup {
@@ -72,23 +70,11 @@ impl Gpu {
         }
         GpuTarget { origin, scale, groups, patches, coordinate_error, radius }
     }
-
-    /// The tree as stage `project` goes through it.
-    fn nodes(&self, tree: &Bvh, pack: &dyn Fn(&crate::bvh::Node, u32) -> Node) -> Vec<Node> {
-        #[cfg(not(target_arch = "wasm32"))]
-        if self.pipelines.lanes > 0 {
-            return packet_nodes(tree, self.pipelines.lanes as usize, pack);
-        }
-        let place = |index: usize, of: &crate::bvh::Node| {
-            if of.is_leaf() { leaf_place(of) } else { 2 * index as u32 }
-        };
-        tree.nodes().iter().enumerate().map(|(index, of)| pack(of, place(index, of))).collect()
-    }
 }
 
-/// What tells the kernels a leaf's patch: odd, where an inner node's place is even.
-pub(super) fn leaf_place(leaf: &crate::bvh::Node) -> u32 {
-    2 * leaf.first + 1
+/// The tree's nodes as stage `project` traverses them.
+fn nodes(tree: &Bvh, origin: DVec3, scale: f64) -> Vec<Node> {
+    tree.nodes().iter().enumerate().map(|(index, of)| node(of, index, origin, scale)).collect()
 }
 
 /// Bound of the error of a point of `patch` computed in float32 from rounded
@@ -103,8 +89,9 @@ pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
     2.0 * (ROUNDINGS_PER_DEGREE * degrees + ROUNDINGS_BESIDES) * ROUNDING * ratio * radius
 }
 
-/// A node with its box rounded outwards.
-fn node(node: &crate::bvh::Node, place: u32, origin: DVec3, scale: f64) -> Node {
+/// A node with its box rounded outwards. Leaves have odd codes, inner nodes even ones.
+fn node(node: &crate::bvh::Node, index: usize, origin: DVec3, scale: f64) -> Node {
+    let place = if node.is_leaf() { 2 * node.first + 1 } else { 2 * index as u32 };
     Node {
         box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
         place,
