@@ -31,7 +31,6 @@ mod foot_map;
 mod met;
 mod nearest;
 mod on_sphere;
-mod pieces;
 mod profile;
 mod quadratic;
 mod queue;
@@ -42,7 +41,6 @@ mod side;
 mod step;
 
 pub(crate) use feet::Foot;
-pub(crate) use pieces::{Pieces, Place};
 pub(crate) use region::{Cell, Domain, SearchNode};
 pub(crate) use search::{BatchResult, BranchAndBound, Interval};
 pub(crate) use side::Operand;

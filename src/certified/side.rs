@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicUsize;
 /// Patches with their tree and derivative bounds.
 #[derive(Debug)]
 pub(crate) struct Operand<'a> {
-    pub(super) target: &'a Target,
+    pub(crate) target: &'a Target,
     pub(super) bounds: &'a [LocalDerivativeBounds],
     /// Its patches cut as the other side's are.
     pub(super) alike: &'a PatchSet,

@@ -1,17 +1,17 @@
 //! Making buffers within the default limits.
 
-use super::Gpu;
+use crate::gpu::Gpu;
 use bytemuck::Pod;
 
 /// Bytes of one binding, at most: the default limit of WebGPU.
-pub(super) const MAX_BINDING_BYTES: u64 = 128 << 20;
+pub(crate) const MAX_BINDING_BYTES: u64 = 128 << 20;
 
 /// Bytes that a buffer's size is a multiple of.
 const SIZE_MULTIPLE: u64 = 16;
 
 impl Gpu {
     /// A storage buffer with this content; not empty even if the content is.
-    pub(super) fn upload<T: Pod>(&self, label: &str, content: &[T]) -> wgpu::Buffer {
+    pub(crate) fn upload<T: Pod>(&self, label: &str, content: &[T]) -> wgpu::Buffer {
         self.upload_bytes(label, bytemuck::cast_slice(content))
     }
 
@@ -24,19 +24,19 @@ impl Gpu {
     }
 
     /// A storage buffer of at least this size.
-    pub(super) fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
+    pub(crate) fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         use wgpu::BufferUsages as Usages;
         self.buffer(label, bytes, Usages::STORAGE | Usages::COPY_DST | Usages::COPY_SRC)
     }
 
     /// A buffer that the CPU can read.
-    pub(super) fn readable(&self, label: &str, bytes: u64) -> wgpu::Buffer {
+    pub(crate) fn readable(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         self.buffer(label, bytes, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)
     }
 
     /// Over [`MAX_BINDING_BYTES`] there is room for nothing in it, and the
     /// next [`Gpu::check`] fails, without which nothing is read back or kept.
-    pub(super) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    pub(crate) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         let mut size = bytes.max(1).next_multiple_of(SIZE_MULTIPLE);
         if size > MAX_BINDING_BYTES {
             self.fail(format!("{label} wants {size} bytes, expected at most {MAX_BINDING_BYTES}"));

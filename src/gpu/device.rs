@@ -1,21 +1,21 @@
 //! The GPU: one device, its queue, and whether it is still there.
 
-use super::pipelines::Pipelines;
-use super::slot::slot;
-use super::work::Pace;
 use crate::error::{Error, Result};
+use crate::gpu::kernel::Pipelines;
+use crate::gpu::slot::slot;
+use crate::gpu::submission::Pace;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A device with default WebGPU limits, its queue and its pipelines.
 #[derive(Debug)]
 pub struct Gpu {
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
-    pub(super) pipelines: Pipelines,
-    pub(super) pace: Pace,
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
+    pub(crate) pipelines: Pipelines,
+    pub(crate) pace: Pace,
     /// Tells this device from those before it.
-    pub(super) id: u64,
+    pub(crate) id: u64,
     adapter: Option<String>,
     software: bool,
     trouble: Arc<Mutex<Trouble>>,
@@ -116,7 +116,7 @@ impl Gpu {
     }
 
     /// What the next check fails with, unless it has something before.
-    pub(super) fn fail(&self, found: String) {
+    pub(crate) fn fail(&self, found: String) {
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
         trouble.error.get_or_insert(found);
     }
@@ -124,7 +124,7 @@ impl Gpu {
     /// # Errors
     /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so or
     /// a buffer was wanted larger than the limits.
-    pub(super) fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = trouble.lost.clone() {
             return Err(Error::DeviceLost { found });
@@ -137,7 +137,7 @@ impl Gpu {
     }
 
     /// Waits until everything submitted is done.
-    pub(super) async fn finish(&self) -> Result<()> {
+    pub(crate) async fn finish(&self) -> Result<()> {
         let (sender, receiver) = slot();
         self.queue.on_submitted_work_done(move || sender.send(()));
         self.wait()?;
@@ -156,7 +156,7 @@ impl Gpu {
     }
 
     /// The bytes of a mappable buffer, once all submitted work is done.
-    pub(super) async fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>> {
+    pub(crate) async fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>> {
         self.check()?;
         let (sender, receiver) = slot();
         buffer.map_async(wgpu::MapMode::Read, ..bytes, move |result| sender.send(result));

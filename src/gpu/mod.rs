@@ -3,57 +3,33 @@
 //! Those of method `hierarchy` are natively only: they would take 12 KiB of the
 //! gzipped wasm module's 150, which every page pays that only wants a distance.
 
-#[cfg(not(target_arch = "wasm32"))]
-mod bench;
-#[cfg(not(target_arch = "wasm32"))]
-mod box_kernels;
-#[cfg(not(target_arch = "wasm32"))]
-mod box_layouts;
 mod buffers;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod cell_boxes;
-#[cfg(not(target_arch = "wasm32"))]
-mod descent;
+mod certified;
+mod degree_groups;
 mod device;
-mod groups;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod kernel_error;
-mod layouts;
+mod float32;
 #[cfg(not(target_arch = "wasm32"))]
-mod level_bench;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod level_error;
-mod levels;
-mod patch_text;
-mod piece_error;
-mod pipelines;
-mod plan;
-mod resident;
-mod rounding;
+mod hierarchy;
+mod iteration;
+mod kernel;
+mod patch_wgsl;
+mod residency;
 mod slot;
-mod stages;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod test_gpu;
+mod submission;
 #[cfg(not(target_arch = "wasm32"))]
-mod upload_cells;
-mod upload_pieces;
-mod upload_sampling;
-mod upload_target;
-mod work;
+mod testing;
 
-#[cfg(not(target_arch = "wasm32"))]
-#[doc(hidden)]
-pub use bench::StageBench;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use descent::{Frame, GpuDescent};
+pub(crate) use certified::Levels;
+pub(crate) use certified::subpatches::{Pieces, Place};
 pub use device::Gpu;
 #[cfg(not(target_arch = "wasm32"))]
-#[doc(hidden)]
-pub use level_bench::{LevelBench, LevelStage};
-pub(crate) use levels::Levels;
-pub(crate) use resident::Resident;
-pub(crate) use stages::GpuStages;
+pub(crate) use hierarchy::grid_tree::GpuCells;
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use upload_cells::GpuCells;
-pub(crate) use upload_sampling::GpuSampling;
-pub(crate) use upload_target::GpuTarget;
+pub(crate) use hierarchy::{Frame, GpuDescent};
+pub(crate) use iteration::GpuStages;
+pub(crate) use iteration::sampling::GpuSampling;
+pub(crate) use iteration::target::GpuTarget;
+pub(crate) use residency::Resident;
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub use testing::{LevelBench, LevelStage, StageBench};

@@ -11,19 +11,19 @@ struct State<T> {
 }
 
 /// The sending end; natively the callback runs on whatever thread polls.
-pub(super) struct Sender<T>(Arc<Mutex<State<T>>>);
+pub(crate) struct Sender<T>(Arc<Mutex<State<T>>>);
 
 /// The receiving end: resolves once the sender was used.
-pub(super) struct Receiver<T>(Arc<Mutex<State<T>>>);
+pub(crate) struct Receiver<T>(Arc<Mutex<State<T>>>);
 
 /// Both ends of an empty slot.
-pub(super) fn slot<T>() -> (Sender<T>, Receiver<T>) {
+pub(crate) fn slot<T>() -> (Sender<T>, Receiver<T>) {
     let state = Arc::new(Mutex::new(State { value: None, waker: None }));
     (Sender(Arc::clone(&state)), Receiver(state))
 }
 
 impl<T> Sender<T> {
-    pub(super) fn send(self, value: T) {
+    pub(crate) fn send(self, value: T) {
         let mut state = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         state.value = Some(value);
         if let Some(waker) = state.waker.take() {

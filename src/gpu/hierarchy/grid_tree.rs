@@ -1,11 +1,11 @@
 //! The parts and nodes of a tree of cells.
 
-use super::Gpu;
-use super::box_layouts::{Children, Part, WHOLE_MODEL};
-use super::groups::{Controls, by_degree};
-use super::rounding::{OwnFrame, rounded_up};
-use super::upload_target::patch_error;
 use crate::bezier::BezierModel;
+use crate::gpu::Gpu;
+use crate::gpu::degree_groups::{Controls, by_degree};
+use crate::gpu::float32::{OwnFrame, rounded_up};
+use crate::gpu::hierarchy::layouts::{Children, Part, WHOLE_MODEL};
+use crate::gpu::iteration::target::patch_error;
 use crate::hierarchy::{self, GridTree};
 use glam::DVec3;
 
@@ -13,28 +13,28 @@ use glam::DVec3;
 #[derive(Debug)]
 pub(crate) struct GpuCells {
     /// What the patches are relative to before they are moved.
-    pub(super) origin: DVec3,
+    pub(crate) origin: DVec3,
     /// What they are multiplied by.
-    pub(super) scale: f64,
+    pub(crate) scale: f64,
     /// Largest distance of a point from the origin.
-    pub(super) radius: f64,
-    pub(super) groups: Vec<PartGroup>,
+    pub(crate) radius: f64,
+    pub(crate) groups: Vec<PartGroup>,
     /// A node that is its own only child, then the nodes of every level above the parts.
-    pub(super) root: wgpu::Buffer,
-    pub(super) levels: Vec<wgpu::Buffer>,
+    pub(crate) root: wgpu::Buffer,
+    pub(crate) levels: Vec<wgpu::Buffer>,
     /// Numbers of nodes on every level, and of parts.
-    pub(super) counts: Vec<usize>,
+    pub(crate) counts: Vec<usize>,
     /// The level of the cells.
-    pub(super) finest: usize,
+    pub(crate) finest: usize,
 }
 
 /// Parts on patches of one degree.
 #[derive(Debug)]
-pub(super) struct PartGroup {
-    pub(super) degree: [usize; 2],
-    pub(super) count: usize,
-    pub(super) controls: Controls,
-    pub(super) parts: wgpu::Buffer,
+pub(crate) struct PartGroup {
+    pub(crate) degree: [usize; 2],
+    pub(crate) count: usize,
+    pub(crate) controls: Controls,
+    pub(crate) parts: wgpu::Buffer,
 }
 
 impl Gpu {

@@ -1,28 +1,29 @@
 //! Pieces for the stages of method `certified`: coefficients, centres, bounds.
 
-use super::Gpu;
-use super::layouts::Piece;
-use super::piece_error::{PieceError, normal_weight, scaled};
-use super::rounding::{rounded, rounded_up};
 use crate::bezier::{BEYOND, Patch};
-use crate::certified::{Operand, Pieces, Place};
+use crate::certified::Operand;
 use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use crate::gpu::certified::float32_error::{PieceError, normal_weight, scaled};
+use crate::gpu::float32::{rounded, rounded_up};
+use crate::gpu::iteration::layouts::Piece;
+use crate::gpu::{Pieces, Place};
 use glam::DVec3;
 
 /// Where the kernels' coordinates lie.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PieceFrame {
-    pub(super) origin: DVec3,
-    pub(super) scale: f64,
+pub(crate) struct PieceFrame {
+    pub(crate) origin: DVec3,
+    pub(crate) scale: f64,
     /// Unit of the centres, a power of two.
-    pub(super) grid: f64,
+    pub(crate) grid: f64,
 }
 
 /// Pieces on the GPU, group by group.
 #[derive(Debug)]
-pub(super) struct GpuPieces {
-    pub(super) pieces: wgpu::Buffer,
-    pub(super) groups: Vec<PieceGroup>,
+pub(crate) struct GpuPieces {
+    pub(crate) pieces: wgpu::Buffer,
+    pub(crate) groups: Vec<PieceGroup>,
     /// The piece of every piece on the GPU, and the other way round.
     order: Vec<u32>,
     places: Vec<u32>,
@@ -30,7 +31,7 @@ pub(super) struct GpuPieces {
 
 impl GpuPieces {
     /// Where a piece lies on the GPU.
-    pub(super) fn index_of(&self, piece: usize) -> u32 {
+    pub(crate) fn index_of(&self, piece: usize) -> u32 {
         self.places[piece]
     }
 
@@ -38,7 +39,7 @@ impl GpuPieces {
     ///
     /// # Errors
     /// [`Error::GpuFailed`] if there is none.
-    pub(super) fn piece(&self, index: u32) -> Result<usize> {
+    pub(crate) fn piece(&self, index: u32) -> Result<usize> {
         let found = || format!("a kernel wrote piece {index} of {}", self.order.len());
         let piece = self.order.get(index as usize).ok_or_else(|| Error::GpuFailed { found: found() })?;
         Ok(*piece as usize)
@@ -47,24 +48,24 @@ impl GpuPieces {
 
 /// Pieces of one pair of degrees.
 #[derive(Debug)]
-pub(super) struct PieceGroup {
-    pub(super) degree: [usize; 2],
-    pub(super) first: usize,
-    pub(super) count: usize,
-    pub(super) coefficients: wgpu::Buffer,
+pub(crate) struct PieceGroup {
+    pub(crate) degree: [usize; 2],
+    pub(crate) first: usize,
+    pub(crate) count: usize,
+    pub(crate) coefficients: wgpu::Buffer,
 }
 
 /// What holds of a piece: over it alone, or a little beyond it too, as far as
 /// its controls tell points of the side.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Reach<'a> {
+pub(crate) enum Reach<'a> {
     Piece,
     Beyond(&'a Operand<'a>),
 }
 
 impl Gpu {
     /// Uploads the pieces in the order of `groups`.
-    pub(super) fn upload_pieces(
+    pub(crate) fn upload_pieces(
         &self,
         pieces: &Pieces,
         groups: &[([usize; 2], Vec<u32>)],

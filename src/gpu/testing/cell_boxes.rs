@@ -2,12 +2,12 @@
 //! and the boxes in float64.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
-use super::box_layouts::Box;
-use super::test_gpu::gpu;
-use super::work::Work;
-use super::{Frame, Gpu, GpuDescent};
 use crate::bezier::extract;
 use crate::bvh::Aabb;
+use crate::gpu::hierarchy::layouts::Box;
+use crate::gpu::submission::Work;
+use crate::gpu::testing::adapter::gpu;
+use crate::gpu::{Frame, Gpu, GpuDescent};
 use crate::hierarchy::{GridTree, Part, boxes, pyramid};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};

@@ -1,16 +1,20 @@
 //! The stages of method `hierarchy` on the GPU.
 
-use super::Gpu;
-use super::box_kernels::BoxKernel;
-use super::box_layouts::{
+pub(crate) mod grid_tree;
+pub(crate) mod kernels;
+pub(crate) mod layouts;
+
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::gpu::float32::{ROUNDING, power_of_two_to_one, rounded, rounded_up};
+use crate::gpu::hierarchy::grid_tree::{GpuCells, PartGroup};
+use crate::gpu::hierarchy::kernels::BoxKernel;
+use crate::gpu::hierarchy::layouts::{
     Bound, Box, BoxesParams, Farthest, OF_CELLS, OF_DISTANCES, OF_PARTNERS, StepParams, Totals,
 };
-use super::pipelines::{Kernel, WORKGROUP_SIZE};
-use super::rounding::{ROUNDING, power_of_two_to_one, rounded, rounded_up};
-use super::stages::ROUNDINGS;
-use super::upload_cells::{GpuCells, PartGroup};
-use super::work::{Dispatch, Extent, Work};
-use crate::error::Result;
+use crate::gpu::iteration::ROUNDINGS;
+use crate::gpu::kernel::{Kernel, WORKGROUP_SIZE};
+use crate::gpu::submission::{Dispatch, Extent, Work};
 use crate::hierarchy::Distances;
 use crate::hierarchy::LevelBounds;
 use crate::model::RigidTransform;
@@ -30,7 +34,7 @@ const PAIR_BYTES: u64 = 8;
 const MAX_ITEM: u64 = size_of::<Box>() as u64;
 
 /// Squared distances from here on are beyond float32.
-const FARTHEST: f32 = super::stages::FARTHEST;
+const FARTHEST: f32 = crate::gpu::iteration::FARTHEST;
 
 /// The frame that both models are taken to.
 #[derive(Debug, Clone, Copy)]
@@ -44,8 +48,8 @@ pub(crate) struct Frame {
 /// One direction on the GPU, and the level in work.
 pub(crate) struct GpuDescent {
     gpu: Rc<Gpu>,
-    pub(super) sides: [Rc<GpuCells>; 2],
-    pub(super) boxes: [Vec<wgpu::Buffer>; 2],
+    pub(crate) sides: [Rc<GpuCells>; 2],
+    pub(crate) boxes: [Vec<wgpu::Buffer>; 2],
     params: wgpu::Buffer,
     readable: wgpu::Buffer,
     pairs: wgpu::Buffer,
@@ -54,7 +58,7 @@ pub(crate) struct GpuDescent {
     totals: wgpu::Buffer,
     level: usize,
     /// What lengths on the GPU are multiples of.
-    pub(super) scale: f64,
+    pub(crate) scale: f64,
     compile_seconds: f64,
 }
 

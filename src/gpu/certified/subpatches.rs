@@ -1,8 +1,7 @@
 //! Patches cut into pieces that a kernel's float32 is exact enough for.
 
-use super::Operand;
-use super::region::Cell;
 use crate::bezier::{Patch, PatchSet, center_grid};
+use crate::certified::{Cell, Operand};
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;

@@ -1,11 +1,11 @@
 //! The patches and places of a model's samples, row by row.
 
-use super::Gpu;
-use super::groups::{Controls, most_patches};
-use super::layouts::{Place, Row};
-use super::rounding::OwnFrame;
-use super::upload_target::patch_error;
 use crate::bezier::{BezierModel, Patch};
+use crate::gpu::Gpu;
+use crate::gpu::degree_groups::{Controls, most_patches};
+use crate::gpu::float32::OwnFrame;
+use crate::gpu::iteration::layouts::{Place, Row};
+use crate::gpu::iteration::target::patch_error;
 use crate::iteration::{SampleGrid, Sampling};
 use glam::DVec3;
 use std::ops::Range;
@@ -14,26 +14,26 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(crate) struct GpuSampling {
     /// What the sampled points are relative to before they are moved.
-    pub(super) origin: DVec3,
+    pub(crate) origin: DVec3,
     /// What they are multiplied by.
-    pub(super) scale: f64,
-    pub(super) pages: Vec<Vec<SampleGroup>>,
-    pub(super) samples: usize,
+    pub(crate) scale: f64,
+    pub(crate) pages: Vec<Vec<SampleGroup>>,
+    pub(crate) samples: usize,
     /// Bound of the error of a sample's coordinates in float32 before it is moved.
-    pub(super) coordinate_error: f64,
+    pub(crate) coordinate_error: f64,
     /// Largest distance of a sample from the origin.
-    pub(super) radius: f64,
+    pub(crate) radius: f64,
 }
 
 /// Rows of one degree in one page.
 #[derive(Debug)]
-pub(super) struct SampleGroup {
-    pub(super) degree: [usize; 2],
-    pub(super) row_count: u32,
-    pub(super) columns: u32,
-    pub(super) controls: Controls,
-    pub(super) rows: wgpu::Buffer,
-    pub(super) places: wgpu::Buffer,
+pub(crate) struct SampleGroup {
+    pub(crate) degree: [usize; 2],
+    pub(crate) row_count: u32,
+    pub(crate) columns: u32,
+    pub(crate) controls: Controls,
+    pub(crate) rows: wgpu::Buffer,
+    pub(crate) places: wgpu::Buffer,
 }
 
 /// A group still being filled.

@@ -1,37 +1,37 @@
 //! The flat patches that samples are projected on, with their trees.
 
-use super::Gpu;
-use super::groups::{Controls, by_degree};
-use super::layouts::Node;
-use super::rounding::{OwnFrame, ROUNDING, rounded_down, rounded_up};
 use crate::bvh::{Aabb, Bvh};
 use crate::closest::Target;
+use crate::gpu::Gpu;
+use crate::gpu::degree_groups::{Controls, by_degree};
+use crate::gpu::float32::{OwnFrame, ROUNDING, rounded_down, rounded_up};
+use crate::gpu::iteration::layouts::Node;
 use glam::DVec3;
 
 /// A target on the GPU.
 #[derive(Debug)]
 pub(crate) struct GpuTarget {
     /// What everything on the GPU is relative to.
-    pub(super) origin: DVec3,
+    pub(crate) origin: DVec3,
     /// What everything on the GPU is multiplied by.
-    pub(super) scale: f64,
-    pub(super) groups: Vec<TargetGroup>,
+    pub(crate) scale: f64,
+    pub(crate) groups: Vec<TargetGroup>,
     /// The target's patch of every patch on the GPU, group by group.
-    pub(super) patches: Vec<u32>,
+    pub(crate) patches: Vec<u32>,
     /// Bound of the error of a foot's coordinates in float32.
-    pub(super) coordinate_error: f64,
+    pub(crate) coordinate_error: f64,
     /// Largest distance of a point from the origin.
-    pub(super) radius: f64,
+    pub(crate) radius: f64,
 }
 
 /// Patches of one degree with a tree of their own, in the order of its leaves.
 #[derive(Debug)]
-pub(super) struct TargetGroup {
-    pub(super) degree: [usize; 2],
-    pub(super) count: usize,
-    pub(super) patches_before: usize,
-    pub(super) controls: Controls,
-    pub(super) nodes: wgpu::Buffer,
+pub(crate) struct TargetGroup {
+    pub(crate) degree: [usize; 2],
+    pub(crate) count: usize,
+    pub(crate) patches_before: usize,
+    pub(crate) controls: Controls,
+    pub(crate) nodes: wgpu::Buffer,
 }
 
 /// Roundings on the way to a point, per degree and besides, in units of the
@@ -81,7 +81,7 @@ fn nodes(tree: &Bvh, origin: DVec3, scale: f64) -> Vec<Node> {
 /// controls, relative to the patch's centre: the roundings of the numerator
 /// and of the weight, each at most the roundings above times the largest
 /// weight, over the smallest, times the radius, which is at least any point's.
-pub(super) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
+pub(crate) fn patch_error(patch: &crate::bezier::Patch<'_>) -> f64 {
     let radius = patch.local_points().fold(0.0_f64, |radius, point| radius.max(point.length()));
     let weights = patch.controls.iter().map(|control| control.w);
     let ratio = weights.clone().fold(0.0, f64::max) / weights.fold(f64::INFINITY, f64::min);

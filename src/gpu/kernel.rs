@@ -1,10 +1,10 @@
 //! Kernels specialised by degree, made at first use and kept.
 
-#[cfg(not(target_arch = "wasm32"))]
-use super::box_kernels::BoxKernel;
-use super::layouts::{LevelParams, ProjectParams, ReduceParams, SampleParams};
-use super::patch_text::patch_text;
 use crate::closest::Projection;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::gpu::hierarchy::kernels::BoxKernel;
+use crate::gpu::iteration::layouts::{LevelParams, ProjectParams, ReduceParams, SampleParams};
+use crate::gpu::patch_wgsl::patch_text;
 use crate::iteration::Culling;
 use std::cell::RefCell;
 use std::num::NonZeroU64;
@@ -12,30 +12,30 @@ use std::rc::Rc;
 
 /// Threads of a workgroup: a multiple of every vendor's wave, small enough
 /// that a kernel with many registers still fits.
-pub(super) const WORKGROUP_SIZE: u32 = 64;
+pub(crate) const WORKGROUP_SIZE: u32 = 64;
 
-pub(super) const JET: &str = include_str!("../../shaders/jet.wgsl");
-pub(super) const PATCH: &str = include_str!("../../shaders/patch.wgsl");
-const BEST: &str = include_str!("../../shaders/best.wgsl");
-const FOOT: &str = include_str!("../../shaders/foot.wgsl");
-const NEWTON: &str = include_str!("../../shaders/newton.wgsl");
-const TANGENT_PLANE: &str = include_str!("../../shaders/tangent_plane.wgsl");
-const SAMPLE: &str = include_str!("../../shaders/sample.wgsl");
-const PROJECT: &str = include_str!("../../shaders/project.wgsl");
-const PROJECT_TREE: &str = include_str!("../../shaders/project_tree.wgsl");
-const REDUCE: &str = include_str!("../../shaders/reduce.wgsl");
-const CELLS: &str = include_str!("../../shaders/cells.wgsl");
-const PIECE: &str = include_str!("../../shaders/piece.wgsl");
-const HORNER: &str = include_str!("../../shaders/horner.wgsl");
-const TALLY: &str = include_str!("../../shaders/tally.wgsl");
-const CELL: &str = include_str!("../../shaders/cell.wgsl");
-const CERTIFY: &str = include_str!("../../shaders/certify.wgsl");
-const SPLIT: &str = include_str!("../../shaders/split.wgsl");
-const LEVEL: &str = include_str!("../../shaders/level.wgsl");
+pub(crate) const JET: &str = include_str!("../../shaders/shared/jet.wgsl");
+pub(crate) const PATCH: &str = include_str!("../../shaders/shared/patch.wgsl");
+const BEST: &str = include_str!("../../shaders/shared/projected.wgsl");
+const FOOT: &str = include_str!("../../shaders/shared/foot.wgsl");
+const NEWTON: &str = include_str!("../../shaders/shared/newton.wgsl");
+const TANGENT_PLANE: &str = include_str!("../../shaders/shared/tangent_plane.wgsl");
+const SAMPLE: &str = include_str!("../../shaders/iteration/sample.wgsl");
+const PROJECT: &str = include_str!("../../shaders/iteration/project.wgsl");
+const PROJECT_TREE: &str = include_str!("../../shaders/iteration/project_tree.wgsl");
+const REDUCE: &str = include_str!("../../shaders/iteration/reduce.wgsl");
+const CELLS: &str = include_str!("../../shaders/certified/cells.wgsl");
+const PIECE: &str = include_str!("../../shaders/certified/subpatch.wgsl");
+const HORNER: &str = include_str!("../../shaders/certified/horner.wgsl");
+const TALLY: &str = include_str!("../../shaders/certified/tally.wgsl");
+const CELL: &str = include_str!("../../shaders/certified/cell_jet.wgsl");
+const CERTIFY: &str = include_str!("../../shaders/certified/taylor.wgsl");
+const SPLIT: &str = include_str!("../../shaders/certified/split.wgsl");
+const LEVEL: &str = include_str!("../../shaders/certified/next_level.wgsl");
 
 /// A kernel and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kernel {
+pub(crate) enum Kernel {
     Sample {
         degree: [usize; 2],
     },
@@ -60,7 +60,7 @@ pub(super) enum Kernel {
 
 impl Kernel {
     /// The WGSL text of the kernel.
-    pub(super) fn text(self) -> String {
+    pub(crate) fn text(self) -> String {
         match self {
             Self::Sample { degree } => joined(&patch_text(degree), &[JET, PATCH, BEST, SAMPLE]),
             Self::Project { degree, projection, culling } => {
@@ -100,7 +100,7 @@ impl Kernel {
     }
 
     /// Bytes of the params, and which storage buffers are written.
-    pub(super) fn bindings(self) -> (usize, &'static [bool]) {
+    pub(crate) fn bindings(self) -> (usize, &'static [bool]) {
         match self {
             Self::Sample { .. } => (size_of::<SampleParams>(), &[false, false, false, false, true, true]),
             Self::Project { .. } => (size_of::<ProjectParams>(), &[false, true, false, false, false]),
@@ -133,26 +133,26 @@ fn joined(written: &str, parts: &[&str]) -> String {
 
 /// A compiled kernel and the layout its buffers are bound by.
 #[derive(Debug)]
-pub(super) struct Pipeline {
-    pub(super) pipeline: wgpu::ComputePipeline,
-    pub(super) layout: wgpu::BindGroupLayout,
-    pub(super) params_size: NonZeroU64,
+pub(crate) struct Pipeline {
+    pub(crate) pipeline: wgpu::ComputePipeline,
+    pub(crate) layout: wgpu::BindGroupLayout,
+    pub(crate) params_size: NonZeroU64,
 }
 
 /// The pipelines made so far.
 #[derive(Debug)]
-pub(super) struct Pipelines {
+pub(crate) struct Pipelines {
     device: wgpu::Device,
     made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
 }
 
 impl Pipelines {
-    pub(super) fn new(device: &wgpu::Device) -> Self {
+    pub(crate) fn new(device: &wgpu::Device) -> Self {
         Self { device: device.clone(), made: RefCell::default() }
     }
 
     /// The kernel's pipeline, and whether it is new.
-    pub(super) fn get(&self, kernel: Kernel) -> (Rc<Pipeline>, bool) {
+    pub(crate) fn get(&self, kernel: Kernel) -> (Rc<Pipeline>, bool) {
         if let Some((_, pipeline)) = self.made.borrow().iter().find(|(of, _)| *of == kernel) {
             return (Rc::clone(pipeline), false);
         }
@@ -163,14 +163,14 @@ impl Pipelines {
 
     /// Makes the kernel's pipeline of another text.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn replace(&self, kernel: Kernel, text: String) {
+    pub(crate) fn replace(&self, kernel: Kernel, text: String) {
         let pipeline = Rc::new(self.make(kernel, text));
         let mut made = self.made.borrow_mut();
         made.retain(|(of, _)| *of != kernel);
         made.push((kernel, pipeline));
     }
 
-    pub(super) fn make(&self, kernel: Kernel, text: String) -> Pipeline {
+    pub(crate) fn make(&self, kernel: Kernel, text: String) -> Pipeline {
         let label = Some(kernel.entry_point());
         let (params_bytes, written) = kernel.bindings();
         // No params struct is empty.

@@ -1,15 +1,20 @@
 //! The stages `sample`, `project` and `reduce` on the GPU.
 
-use super::Gpu;
-use super::layouts::{Best, Block, ProjectParams, ReduceParams, STATUS_SHIFT, SampleParams};
-use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
-use super::plan::Plan;
-use super::rounding::{ROUNDING, rounded, rounded_down};
-use super::upload_sampling::{GpuSampling, SampleGroup};
-use super::upload_target::{GpuTarget, TargetGroup};
-use super::work::{Dispatch, Extent, Work};
+pub(crate) mod layouts;
+pub(crate) mod sampling;
+pub(crate) mod schedule;
+pub(crate) mod target;
+
 use crate::closest::Status;
 use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::gpu::float32::{ROUNDING, rounded, rounded_down};
+use crate::gpu::iteration::layouts::{Best, Block, ProjectParams, ReduceParams, STATUS_SHIFT, SampleParams};
+use crate::gpu::iteration::sampling::{GpuSampling, SampleGroup};
+use crate::gpu::iteration::schedule::Plan;
+use crate::gpu::iteration::target::{GpuTarget, TargetGroup};
+use crate::gpu::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
+use crate::gpu::submission::{Dispatch, Extent, Work};
 use crate::iteration::{Candidate, StatusCounts};
 use crate::iteration::{Culling, Projected, Rule};
 use crate::model::RigidTransform;
@@ -25,11 +30,11 @@ const BLOCK_SIZE: u32 = 1024;
 
 /// Squared distances from here on are those of samples not projected, `FARTHEST`
 /// of `best.wgsl`, or beyond float32.
-pub(super) const FARTHEST: f32 = 3e38;
+pub(crate) const FARTHEST: f32 = 3e38;
 
 /// Roundings in moving a sample and in a distance, in units of the largest
 /// coordinate: products, sums, centre, difference, squares and root.
-pub(super) const ROUNDINGS: f64 = 16.0;
+pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// One direction on the GPU, and the page in work.
 pub(crate) struct GpuStages {
@@ -218,13 +223,13 @@ impl GpuStages {
 
     /// Stage `sample` alone, for `benches`.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) async fn sample(&self, index: usize) -> Result<()> {
+    pub(crate) async fn sample(&self, index: usize) -> Result<()> {
         self.sampled(index).await?.submit().await
     }
 
     /// The kernels of stage `project`, for `benches`.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn project_kernels(&self) -> Vec<Kernel> {
+    pub(crate) fn project_kernels(&self) -> Vec<Kernel> {
         let mut kernels: Vec<Kernel> = Vec::new();
         for group in &self.target.groups {
             let kernel = self.project_kernel(group);
@@ -237,7 +242,7 @@ impl GpuStages {
 
     /// `Best.s` of the page as the kernel wrote it, for `benches`.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) async fn written(&self) -> Result<Vec<f32>> {
+    pub(crate) async fn written(&self) -> Result<Vec<f32>> {
         let work = Work::new(&self.gpu, &self.buffers.params);
         let bytes = (self.page.len() * size_of::<Best>()) as u64;
         let best = work.read(&self.buffers.best, &self.buffers.readable, bytes).await?;

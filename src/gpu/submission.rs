@@ -1,8 +1,8 @@
 //! Dispatches gathered into submissions of bounded duration.
 
-use super::Gpu;
-use super::pipelines::{Kernel, Pipeline};
 use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::gpu::kernel::{Kernel, Pipeline};
 use std::cell::RefCell;
 use std::rc::Rc;
 use web_time::Instant;
@@ -29,7 +29,7 @@ const MAX_WORKGROUPS: u32 = 65_535;
 
 /// How fast each kernel was seen to run, in units of work a second.
 #[derive(Debug, Default)]
-pub(super) struct Pace(RefCell<Vec<(Kernel, f64)>>);
+pub(crate) struct Pace(RefCell<Vec<(Kernel, f64)>>);
 
 impl Pace {
     fn rate(&self, kernel: Kernel) -> f64 {
@@ -37,32 +37,32 @@ impl Pace {
     }
 
     /// Units of work of this kernel that fill a submission; at least 1.
-    pub(super) fn chunk(&self, kernel: Kernel) -> usize {
+    pub(crate) fn chunk(&self, kernel: Kernel) -> usize {
         (self.rate(kernel) * MAX_SECONDS).max(1.0) as usize
     }
 }
 
 /// One kernel on its buffers.
-pub(super) struct Dispatch<'a> {
-    pub(super) kernel: Kernel,
-    pub(super) pipeline: &'a Pipeline,
-    pub(super) bind_group: &'a wgpu::BindGroup,
-    pub(super) params: &'a [u8],
-    pub(super) extent: Extent<'a>,
+pub(crate) struct Dispatch<'a> {
+    pub(crate) kernel: Kernel,
+    pub(crate) pipeline: &'a Pipeline,
+    pub(crate) bind_group: &'a wgpu::BindGroup,
+    pub(crate) params: &'a [u8],
+    pub(crate) extent: Extent<'a>,
     /// Units of work: what the kernel's time is proportional to. 0 where the
     /// time says nothing of the kernel.
-    pub(super) units: usize,
+    pub(crate) units: usize,
 }
 
 /// How many workgroups a dispatch has.
-pub(super) enum Extent<'a> {
+pub(crate) enum Extent<'a> {
     Workgroups(u32),
     /// As the first numbers of a buffer say when it comes to it.
     Indirect(&'a wgpu::Buffer),
 }
 
 /// A submission being recorded.
-pub(super) struct Work<'a> {
+pub(crate) struct Work<'a> {
     gpu: &'a Gpu,
     params: &'a wgpu::Buffer,
     encoder: wgpu::CommandEncoder,
@@ -73,13 +73,13 @@ pub(super) struct Work<'a> {
 
 impl Gpu {
     /// A buffer for the params of a submission.
-    pub(super) fn params(&self) -> wgpu::Buffer {
+    pub(crate) fn params(&self) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         self.buffer("params", (MAX_DISPATCHES * PARAMS_STRIDE) as u64, usage)
     }
 
     /// The bind group of a pipeline: params, then the storage buffers in order.
-    pub(super) fn bind(
+    pub(crate) fn bind(
         &self,
         pipeline: &Pipeline,
         params: &wgpu::Buffer,
@@ -103,7 +103,7 @@ impl Gpu {
 }
 
 impl<'a> Work<'a> {
-    pub(super) fn new(gpu: &'a Gpu, params: &'a wgpu::Buffer) -> Self {
+    pub(crate) fn new(gpu: &'a Gpu, params: &'a wgpu::Buffer) -> Self {
         let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         Self { gpu, params, encoder, bytes: Vec::new(), expected: 0.0, kernels: Vec::new() }
     }
@@ -114,7 +114,7 @@ impl<'a> Work<'a> {
     }
 
     /// Records a dispatch; the submission must not be full.
-    pub(super) fn dispatch(&mut self, dispatch: &Dispatch<'_>) {
+    pub(crate) fn dispatch(&mut self, dispatch: &Dispatch<'_>) {
         let offset = self.bytes.len();
         self.bytes.extend_from_slice(dispatch.params);
         self.bytes.resize(offset + PARAMS_STRIDE, 0);
@@ -135,7 +135,7 @@ impl<'a> Work<'a> {
     }
 
     /// Submits and begins anew if it is full; whether it was.
-    pub(super) async fn make_room(&mut self) -> Result<bool> {
+    pub(crate) async fn make_room(&mut self) -> Result<bool> {
         let full = self.is_full();
         if full {
             std::mem::replace(self, Work::new(self.gpu, self.params)).submit().await?;
@@ -144,7 +144,7 @@ impl<'a> Work<'a> {
     }
 
     /// Submits, waits, and reads the first `bytes` of a buffer by way of another.
-    pub(super) async fn read(
+    pub(crate) async fn read(
         mut self,
         from: &wgpu::Buffer,
         readable: &wgpu::Buffer,
@@ -157,7 +157,7 @@ impl<'a> Work<'a> {
     }
 
     /// Submits, waits, and learns how fast the kernels are.
-    pub(super) async fn submit(self) -> Result<()> {
+    pub(crate) async fn submit(self) -> Result<()> {
         let Self { gpu, params, encoder, bytes, expected, kernels } = self;
         let started = Instant::now();
         gpu.queue.write_buffer(params, 0, &bytes);

@@ -1,14 +1,14 @@
 //! The kernels of method `certified` one stage at a time, for `benches`; no
 //! part of the interface.
 
-use super::layouts::{Best, Cell, LevelParams};
-use super::pipelines::Kernel;
-use super::work::Work;
-use super::{Gpu, Levels};
 use crate::certified::BranchAndBound;
 use crate::engine::PreparedModel;
 use crate::error::Result;
 use crate::flatness::Flatness;
+use crate::gpu::iteration::layouts::{Best, Cell, LevelParams};
+use crate::gpu::kernel::Kernel;
+use crate::gpu::submission::Work;
+use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
 use std::rc::Rc;
 

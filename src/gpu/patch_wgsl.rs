@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 /// Constants and functions that `patch.wgsl` and `foot.wgsl` build on.
-pub(super) fn patch_text(degree: [usize; 2]) -> String {
+pub(crate) fn patch_text(degree: [usize; 2]) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = write(&mut text, degree);

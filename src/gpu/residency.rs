@@ -1,7 +1,7 @@
 //! What a GPU holds of a model, made at first use on each device.
 
-use super::Gpu;
 use crate::error::Result;
+use crate::gpu::Gpu;
 use std::cell::RefCell;
 use std::rc::Rc;
 

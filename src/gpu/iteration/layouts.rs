@@ -5,175 +5,175 @@ use bytemuck::{Pod, Zeroable};
 /// `SampleParams` of `sample.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct SampleParams {
-    pub(super) rotation_x: [f32; 4],
-    pub(super) rotation_y: [f32; 4],
-    pub(super) rotation_z: [f32; 4],
-    pub(super) translation: [f32; 4],
-    pub(super) first_row: u32,
-    pub(super) row_count: u32,
-    pub(super) columns: u32,
-    pub(super) padding: u32,
+pub(crate) struct SampleParams {
+    pub(crate) rotation_x: [f32; 4],
+    pub(crate) rotation_y: [f32; 4],
+    pub(crate) rotation_z: [f32; 4],
+    pub(crate) translation: [f32; 4],
+    pub(crate) first_row: u32,
+    pub(crate) row_count: u32,
+    pub(crate) columns: u32,
+    pub(crate) padding: u32,
 }
 
 /// `Row` of `sample.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Row {
-    pub(super) first_patch: u32,
-    pub(super) first_place: u32,
-    pub(super) s: f32,
-    pub(super) first_sample: u32,
+pub(crate) struct Row {
+    pub(crate) first_patch: u32,
+    pub(crate) first_place: u32,
+    pub(crate) s: f32,
+    pub(crate) first_sample: u32,
 }
 
 /// `Place` of `sample.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Place {
-    pub(super) patch_column: u32,
-    pub(super) t: f32,
+pub(crate) struct Place {
+    pub(crate) patch_column: u32,
+    pub(crate) t: f32,
 }
 
 /// `ProjectParams` of `project.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct ProjectParams {
-    pub(super) first_thread: u32,
-    pub(super) sample_count: u32,
-    pub(super) first_patch: u32,
-    pub(super) patch_count: u32,
-    pub(super) patches_before: u32,
-    pub(super) iterations: u32,
-    pub(super) step_tolerance: f32,
-    pub(super) columns: u32,
+pub(crate) struct ProjectParams {
+    pub(crate) first_thread: u32,
+    pub(crate) sample_count: u32,
+    pub(crate) first_patch: u32,
+    pub(crate) patch_count: u32,
+    pub(crate) patches_before: u32,
+    pub(crate) iterations: u32,
+    pub(crate) step_tolerance: f32,
+    pub(crate) columns: u32,
 }
 
 /// `Node` of `project_tree.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub(super) struct Node {
-    pub(super) box_min: [f32; 3],
-    pub(super) place: u32,
-    pub(super) box_max: [f32; 3],
-    pub(super) second: u32,
+pub(crate) struct Node {
+    pub(crate) box_min: [f32; 3],
+    pub(crate) place: u32,
+    pub(crate) box_max: [f32; 3],
+    pub(crate) second: u32,
 }
 
 /// `Best` of `best.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Best {
-    pub(super) distance_squared: f32,
-    pub(super) patch_and_status: u32,
-    pub(super) s: f32,
-    pub(super) t: f32,
+pub(crate) struct Best {
+    pub(crate) distance_squared: f32,
+    pub(crate) patch_and_status: u32,
+    pub(crate) s: f32,
+    pub(crate) t: f32,
 }
 
 /// Bits of `Best::patch_and_status` for the patch.
-pub(super) const STATUS_SHIFT: u32 = 30;
+pub(crate) const STATUS_SHIFT: u32 = 30;
 
 /// `ReduceParams` of `reduce.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct ReduceParams {
-    pub(super) sample_count: u32,
-    pub(super) block_size: u32,
+pub(crate) struct ReduceParams {
+    pub(crate) sample_count: u32,
+    pub(crate) block_size: u32,
 }
 
 /// `Block` of `reduce.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Block {
-    pub(super) best: Best,
-    pub(super) sample: u32,
-    pub(super) converged: u32,
-    pub(super) iteration_limit: u32,
-    pub(super) on_edge: u32,
+pub(crate) struct Block {
+    pub(crate) best: Best,
+    pub(crate) sample: u32,
+    pub(crate) converged: u32,
+    pub(crate) iteration_limit: u32,
+    pub(crate) on_edge: u32,
 }
 
 /// `LevelParams` of `cells.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct LevelParams {
-    pub(super) prune_threshold: f32,
-    pub(super) grid: f32,
-    pub(super) slack: f32,
-    pub(super) capacity: u32,
-    pub(super) first_piece: u32,
-    pub(super) piece_count: u32,
+pub(crate) struct LevelParams {
+    pub(crate) prune_threshold: f32,
+    pub(crate) grid: f32,
+    pub(crate) slack: f32,
+    pub(crate) capacity: u32,
+    pub(crate) first_piece: u32,
+    pub(crate) piece_count: u32,
 }
 
 /// `Cell` of `cells.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Cell {
-    pub(super) center: [f32; 2],
-    pub(super) half: [f32; 2],
-    pub(super) piece: u32,
-    pub(super) foot: u32,
-    pub(super) foot_at: [f32; 2],
-    pub(super) upper: f32,
-    pub(super) reach: f32,
-    pub(super) level: u32,
-    pub(super) verdict: u32,
+pub(crate) struct Cell {
+    pub(crate) center: [f32; 2],
+    pub(crate) half: [f32; 2],
+    pub(crate) piece: u32,
+    pub(crate) foot: u32,
+    pub(crate) foot_at: [f32; 2],
+    pub(crate) upper: f32,
+    pub(crate) reach: f32,
+    pub(crate) level: u32,
+    pub(crate) verdict: u32,
 }
 
 /// `Batch` of `cells.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Batch {
-    pub(super) workgroups: [u32; 3],
-    pub(super) count: u32,
+pub(crate) struct Batch {
+    pub(crate) workgroups: [u32; 3],
+    pub(crate) count: u32,
 }
 
 /// `Piece` of `piece.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Piece {
-    pub(super) center: [i32; 3],
-    pub(super) value_error: f32,
-    pub(super) first_error: [f32; 2],
-    pub(super) first: [f32; 2],
-    pub(super) second_error: [f32; 3],
-    pub(super) radius: f32,
-    pub(super) second: [f32; 3],
-    pub(super) padding: f32,
-    pub(super) third: [f32; 4],
-    pub(super) low: [f32; 2],
-    pub(super) high: [f32; 2],
+pub(crate) struct Piece {
+    pub(crate) center: [i32; 3],
+    pub(crate) value_error: f32,
+    pub(crate) first_error: [f32; 2],
+    pub(crate) first: [f32; 2],
+    pub(crate) second_error: [f32; 3],
+    pub(crate) radius: f32,
+    pub(crate) second: [f32; 3],
+    pub(crate) padding: f32,
+    pub(crate) third: [f32; 4],
+    pub(crate) low: [f32; 2],
+    pub(crate) high: [f32; 2],
 }
 
 /// `Tally` of `tally.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(super) struct Tally {
-    pub(super) next: u32,
-    pub(super) waiting: u32,
-    pub(super) left: u32,
-    pub(super) dropped: u32,
-    pub(super) farthest: u32,
-    pub(super) farthest_piece: u32,
-    pub(super) farthest_s: u32,
-    pub(super) farthest_t: u32,
-    pub(super) cells: u32,
-    pub(super) levels: u32,
+pub(crate) struct Tally {
+    pub(crate) next: u32,
+    pub(crate) waiting: u32,
+    pub(crate) left: u32,
+    pub(crate) dropped: u32,
+    pub(crate) farthest: u32,
+    pub(crate) farthest_piece: u32,
+    pub(crate) farthest_s: u32,
+    pub(crate) farthest_t: u32,
+    pub(crate) cells: u32,
+    pub(crate) levels: u32,
 }
 
 /// `UNDECIDED` of `cells.wgsl`.
-pub(super) const UNDECIDED: u32 = 4;
+pub(crate) const UNDECIDED: u32 = 4;
 
 /// Bytes of `Jet` of `jet.wgsl` in a buffer.
-pub(super) const JET_BYTES: u64 = 96;
+pub(crate) const JET_BYTES: u64 = 96;
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::box_layouts::{
+    use super::*;
+    use crate::closest::Projection;
+    use crate::gpu::hierarchy::layouts::{
         Bound, Box, BoxesParams, Children, Farthest, OF_CELLS, OF_DISTANCES, Part, StepParams, Totals,
         WHOLE_MODEL,
     };
-    use super::super::{box_kernels::BoxKernel, pipelines::Kernel, stages::FARTHEST};
-    use super::*;
-    use crate::closest::Projection;
+    use crate::gpu::{hierarchy::kernels::BoxKernel, iteration::FARTHEST, kernel::Kernel};
     use crate::iteration::Culling;
     use naga::valid::{Capabilities, Validator};
     use naga::{Expression, Literal, Module, TypeInner};

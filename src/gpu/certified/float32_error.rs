@@ -1,7 +1,7 @@
 //! What float32 loses in evaluating a piece by Horner's rule.
 
-use super::rounding::{ROUNDING, power_of_two_to_one};
 use crate::bezier::Patch;
+use crate::gpu::float32::{ROUNDING, power_of_two_to_one};
 use glam::{DVec4, Vec4Swizzles};
 
 /// A rounding of float64.
@@ -21,10 +21,10 @@ const ORDERS: usize = 3;
 /// Bounds of the error of a piece's point and derivatives by (σ, τ) as
 /// `piece_jet` of `horner.wgsl` computes them, in the units of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PieceError {
-    pub(super) value: f64,
-    pub(super) first: [f64; 2],
-    pub(super) second: [f64; 3],
+pub(crate) struct PieceError {
+    pub(crate) value: f64,
+    pub(crate) first: [f64; 2],
+    pub(crate) second: [f64; 3],
 }
 
 impl PieceError {
@@ -53,7 +53,7 @@ impl PieceError {
     ///  + B_ab ω_00 / w' + quotient's roundings`, `w' = w_min - ω_00`.
     ///
     /// Infinite where the weight's error reaches its least value.
-    pub(super) fn of(patch: &Patch<'_>, scale: f64) -> Self {
+    pub(crate) fn of(patch: &Patch<'_>, scale: f64) -> Self {
         let [p, q] = patch.degree;
         let lighter = normal_weight(patch);
         let controls = || patch.controls.iter().map(|control| scaled(*control, lighter, scale));
@@ -108,20 +108,20 @@ impl PieceError {
     }
 
     /// At most what a cell of the whole piece loses.
-    pub(super) fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         let [ss, st, tt] = self.second;
         self.value + self.first[0] + self.first[1] + 0.5 * ss + st + 0.5 * tt
     }
 }
 
 /// What the weights are multiplied by: to 1 where they are equal, else to about 1.
-pub(super) fn normal_weight(patch: &Patch<'_>) -> f64 {
+pub(crate) fn normal_weight(patch: &Patch<'_>) -> f64 {
     let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
     if patch.rational { power_of_two_to_one(heaviest) } else { heaviest.recip() }
 }
 
 /// A homogeneous coefficient in the units of the kernels.
-pub(super) fn scaled(coefficient: DVec4, lighter: f64, scale: f64) -> DVec4 {
+pub(crate) fn scaled(coefficient: DVec4, lighter: f64, scale: f64) -> DVec4 {
     lighter * (coefficient.xyz() * scale).extend(coefficient.w)
 }
 

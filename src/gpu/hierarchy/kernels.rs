@@ -1,20 +1,20 @@
 //! The kernels of method `hierarchy`.
 
-use super::box_layouts::{BoxesParams, StepParams};
-use super::patch_text::patch_text;
-use super::pipelines::{JET, PATCH};
+use crate::gpu::hierarchy::layouts::{BoxesParams, StepParams};
+use crate::gpu::kernel::{JET, PATCH};
+use crate::gpu::patch_wgsl::patch_text;
 
-const BOX: &str = include_str!("../../shaders/box.wgsl");
-const BOXES: &str = include_str!("../../shaders/boxes.wgsl");
-const PYRAMID: &str = include_str!("../../shaders/pyramid.wgsl");
-const BOUND: &str = include_str!("../../shaders/bound.wgsl");
-const EXTREMES: &str = include_str!("../../shaders/extremes.wgsl");
-const CULL: &str = include_str!("../../shaders/cull.wgsl");
-const FARTHEST: &str = include_str!("../../shaders/farthest.wgsl");
+const BOX: &str = include_str!("../../../shaders/hierarchy/box_distance.wgsl");
+const BOXES: &str = include_str!("../../../shaders/hierarchy/boxes.wgsl");
+const PYRAMID: &str = include_str!("../../../shaders/hierarchy/pyramid.wgsl");
+const BOUND: &str = include_str!("../../../shaders/hierarchy/bound.wgsl");
+const EXTREMES: &str = include_str!("../../../shaders/hierarchy/extremes.wgsl");
+const CULL: &str = include_str!("../../../shaders/hierarchy/cull.wgsl");
+const FARTHEST: &str = include_str!("../../../shaders/hierarchy/farthest.wgsl");
 
 /// A stage and what it is specialised by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum BoxKernel {
+pub(crate) enum BoxKernel {
     Boxes { degree: [usize; 2] },
     Pyramid,
     Bound,
@@ -25,7 +25,7 @@ pub(super) enum BoxKernel {
 
 impl BoxKernel {
     /// The WGSL text of the kernel.
-    pub(super) fn text(self) -> String {
+    pub(crate) fn text(self) -> String {
         match self {
             Self::Boxes { degree } => [&patch_text(degree), JET, PATCH, BOX, BOXES].concat(),
             Self::Pyramid => [BOX, PYRAMID].concat(),
@@ -36,7 +36,7 @@ impl BoxKernel {
         }
     }
 
-    pub(super) fn entry_point(self) -> &'static str {
+    pub(crate) fn entry_point(self) -> &'static str {
         match self {
             Self::Boxes { .. } => "boxes",
             Self::Pyramid => "pyramid",
@@ -48,7 +48,7 @@ impl BoxKernel {
     }
 
     /// Bytes of the params, and which storage buffers are written.
-    pub(super) fn bindings(self) -> (usize, &'static [bool]) {
+    pub(crate) fn bindings(self) -> (usize, &'static [bool]) {
         let step = size_of::<StepParams>();
         match self {
             Self::Boxes { .. } => (size_of::<BoxesParams>(), &[false, false, false, true]),

@@ -1,28 +1,28 @@
 //! Patches of equal degree that fit a binding together.
 
-use super::Gpu;
-use super::buffers::MAX_BINDING_BYTES;
-use super::rounding::{power_of_two_to_one, rounded};
 use crate::bezier::PatchSet;
+use crate::gpu::Gpu;
+use crate::gpu::buffers::MAX_BINDING_BYTES;
+use crate::gpu::float32::{power_of_two_to_one, rounded};
 use glam::{DVec3, DVec4};
 
 /// Patches of one pair of degrees on the GPU.
 #[derive(Debug)]
-pub(super) struct Controls {
+pub(crate) struct Controls {
     /// Homogeneous controls relative to the centres.
-    pub(super) controls: wgpu::Buffer,
+    pub(crate) controls: wgpu::Buffer,
     /// The centres relative to the model's origin.
-    pub(super) centers: wgpu::Buffer,
+    pub(crate) centers: wgpu::Buffer,
 }
 
 /// Patches of `degree` that a binding holds.
-pub(super) fn most_patches(degree: [usize; 2]) -> usize {
+pub(crate) fn most_patches(degree: [usize; 2]) -> usize {
     let bytes = (degree[0] + 1) * (degree[1] + 1) * size_of::<[f32; 4]>();
     MAX_BINDING_BYTES as usize / bytes
 }
 
 /// Lists of patches of equal degree, each within a binding, in order of degree.
-pub(super) fn by_degree(patches: &PatchSet) -> Vec<([usize; 2], Vec<u32>)> {
+pub(crate) fn by_degree(patches: &PatchSet) -> Vec<([usize; 2], Vec<u32>)> {
     let mut groups: Vec<([usize; 2], Vec<u32>)> = Vec::new();
     for (index, patch) in patches.iter().enumerate() {
         let open = |(degree, members): &&mut ([usize; 2], Vec<u32>)| {
@@ -40,7 +40,7 @@ impl Gpu {
     /// Uploads members of a set, of one degree, relative to `origin` and multiplied by
     /// `scale`, rounded once to float32. Their weights are made about 1, which
     /// leaves the points as they are.
-    pub(super) fn upload_patches(
+    pub(crate) fn upload_patches(
         &self,
         patches: &PatchSet,
         members: &[u32],

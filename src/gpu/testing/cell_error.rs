@@ -2,17 +2,18 @@
 //! against float64, and cells' bounds against certified distances.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
-use super::layouts::{Batch, Cell, JET_BYTES, LevelParams};
-use super::piece_error::PieceError;
-use super::pipelines::{Kernel, WORKGROUP_SIZE};
-use super::test_gpu::gpu;
-use super::upload_pieces::{PieceFrame, Reach};
-use super::work::{Dispatch, Extent, Work};
-use super::{Gpu, Levels};
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
-use crate::certified::{BranchAndBound, Domain, Operand, Pieces};
+use crate::certified::{BranchAndBound, Domain, Operand};
 use crate::closest::Target;
 use crate::closest::closest;
+use crate::gpu::Pieces;
+use crate::gpu::certified::float32_error::PieceError;
+use crate::gpu::certified::upload::{PieceFrame, Reach};
+use crate::gpu::iteration::layouts::{Batch, Cell, JET_BYTES, LevelParams};
+use crate::gpu::kernel::{Kernel, WORKGROUP_SIZE};
+use crate::gpu::submission::{Dispatch, Extent, Work};
+use crate::gpu::testing::adapter::gpu;
+use crate::gpu::{Gpu, Levels};
 use crate::model::RigidTransform;
 use bytemuck::{Zeroable, bytes_of};
 use glam::{DQuat, DVec3, DVec4};

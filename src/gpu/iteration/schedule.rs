@@ -1,7 +1,7 @@
 //! The projection on one group of patches, chunk by chunk.
 
-use super::layouts::ProjectParams;
-use super::pipelines::WORKGROUP_SIZE;
+use crate::gpu::iteration::layouts::ProjectParams;
+use crate::gpu::kernel::WORKGROUP_SIZE;
 use crate::iteration::{Culling, Rule};
 use bytemuck::Zeroable;
 
@@ -16,7 +16,7 @@ const EVALUATIONS_PER_STEP: usize = 10;
 const TILE: [usize; 2] = [4, 2];
 
 /// Cuts samples, and without a tree also patches, into chunks.
-pub(super) struct Plan {
+pub(crate) struct Plan {
     samples: usize,
     columns: usize,
     /// Threads for the samples: some at the ends of rows have none.
@@ -32,7 +32,7 @@ pub(super) struct Plan {
 
 impl Plan {
     /// Of so many samples, in rows of `columns`.
-    pub(super) fn new(
+    pub(crate) fn new(
         samples: usize,
         columns: usize,
         patches: usize,
@@ -57,14 +57,14 @@ impl Plan {
     }
 
     /// The part done by the chunks handed out.
-    pub(super) fn fraction_before(&self) -> f64 {
+    pub(crate) fn fraction_before(&self) -> f64 {
         let of_threads = self.patch as f64 / self.patches as f64 * self.thread_count as f64;
         (self.thread as f64 + of_threads) / self.threads as f64
     }
 
     /// The next chunk of about `units` units, a thread each with the tree, a
     /// thread on a patch each without: its params, threads and units.
-    pub(super) fn next(&mut self, units: usize) -> Option<(ProjectParams, [usize; 2])> {
+    pub(crate) fn next(&mut self, units: usize) -> Option<(ProjectParams, [usize; 2])> {
         if self.thread >= self.threads {
             return None;
         }

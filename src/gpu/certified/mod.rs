@@ -1,20 +1,27 @@
 //! The stages `cell`, `project`, `certify`, `split` and `level` on the GPU:
 //! several levels of cells in one submission.
 
-use super::Gpu;
-use super::groups::by_degree;
-use super::layouts::{Batch, Best, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED};
-use super::piece_error::PieceError;
-use super::pipelines::{Kernel, Pipeline, WORKGROUP_SIZE};
-use super::rounding::{ROUNDING, rounded_down, rounded_up};
-use super::stages::FARTHEST;
-use super::upload_pieces::{GpuPieces, PieceFrame, Reach};
-use super::upload_target::GpuTarget;
-use super::work::{Dispatch, Extent, Work};
+pub(crate) mod float32_error;
+pub(crate) mod subpatches;
+pub(crate) mod upload;
+
 use crate::bezier::{Patch, power_of_two_below};
-use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, Pieces, SearchNode};
+use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, SearchNode};
 use crate::closest::{Projection, Target};
 use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::gpu::Pieces;
+use crate::gpu::certified::float32_error::PieceError;
+use crate::gpu::certified::upload::{GpuPieces, PieceFrame, Reach};
+use crate::gpu::degree_groups::by_degree;
+use crate::gpu::float32::{ROUNDING, rounded_down, rounded_up};
+use crate::gpu::iteration::FARTHEST;
+use crate::gpu::iteration::layouts::{
+    Batch, Best, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED,
+};
+use crate::gpu::iteration::target::GpuTarget;
+use crate::gpu::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
+use crate::gpu::submission::{Dispatch, Extent, Work};
 use crate::iteration::Culling;
 use crate::model::RigidTransform;
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
@@ -65,25 +72,25 @@ pub(crate) struct Levels {
     pieces: [Pieces; 2],
     uploaded: [GpuPieces; 2],
     frame: PieceFrame,
-    pub(super) buffers: Buffers,
+    pub(crate) buffers: Buffers,
     /// The dispatches of a level, cells from one buffer or the other.
-    pub(super) steps: [Vec<Step>; 2],
+    pub(crate) steps: [Vec<Step>; 2],
     chunk: usize,
 }
 
-pub(super) struct Buffers {
-    pub(super) params: wgpu::Buffer,
+pub(crate) struct Buffers {
+    pub(crate) params: wgpu::Buffer,
     batch: wgpu::Buffer,
-    pub(super) cells: [wgpu::Buffer; 2],
-    pub(super) best: wgpu::Buffer,
+    pub(crate) cells: [wgpu::Buffer; 2],
+    pub(crate) best: wgpu::Buffer,
     left: wgpu::Buffer,
     tally: wgpu::Buffer,
 }
 
 /// One dispatch of a level.
-pub(super) struct Step {
-    pub(super) kernel: Kernel,
-    pub(super) pipeline: Rc<Pipeline>,
+pub(crate) struct Step {
+    pub(crate) kernel: Kernel,
+    pub(crate) pipeline: Rc<Pipeline>,
     bind_group: Rc<wgpu::BindGroup>,
     about: About,
 }
@@ -172,7 +179,7 @@ impl Levels {
         Ok(())
     }
 
-    pub(super) async fn bound(&self, lent: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
+    pub(crate) async fn bound(&self, lent: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
         let mut returned = BatchResult::default();
         let cells = self.cells(lent, &mut returned.waiting);
         let Buffers { params, cells: buffers, left, tally, .. } = &self.buffers;
@@ -213,7 +220,7 @@ impl Levels {
     }
 
     /// The cells of the regions; those that found no room are left waiting.
-    pub(super) fn cells(&self, lent: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<Cell> {
+    pub(crate) fn cells(&self, lent: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<Cell> {
         let mut cells = Vec::new();
         for region in lent {
             let before = cells.len();
@@ -231,7 +238,7 @@ impl Levels {
     }
 
     /// Makes these the cells of the first level, which has told nothing yet.
-    pub(super) fn begin(&self, cells: &[Cell]) {
+    pub(crate) fn begin(&self, cells: &[Cell]) {
         let Buffers { batch, cells: buffers, tally, .. } = &self.buffers;
         let count = cells.len() as u32;
         let first = Batch { workgroups: [count.div_ceil(WORKGROUP_SIZE), 1, 1], count };
@@ -242,7 +249,7 @@ impl Levels {
     }
 
     /// What all stages are told where a bound of `prune_threshold` ends a cell.
-    pub(super) fn params(&self, prune_threshold: f64) -> LevelParams {
+    pub(crate) fn params(&self, prune_threshold: f64) -> LevelParams {
         LevelParams {
             prune_threshold: rounded_down(self.frame.scale * prune_threshold),
             grid: self.frame.grid as f32,
@@ -254,7 +261,7 @@ impl Levels {
         }
     }
 
-    pub(super) fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
+    pub(crate) fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
         let params;
         let project;
         let (bytes, extent) = match step.about {
@@ -278,7 +285,7 @@ impl Levels {
         work.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params: bytes, extent, units: 0 });
     }
 
-    pub(super) async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
+    pub(crate) async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
         let readable = self.gpu.readable("readable", bytes as u64);
         work.read(from, &readable, bytes as u64).await
     }

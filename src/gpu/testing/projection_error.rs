@@ -2,10 +2,10 @@
 //! the upper bound rests: against certified distances in float64.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
-use super::test_gpu::gpu;
-use super::{Gpu, GpuStages};
 use crate::closest::{Projection, Target, closest};
 use crate::flatness::{Flatness, flatten};
+use crate::gpu::testing::adapter::gpu;
+use crate::gpu::{Gpu, GpuStages};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};

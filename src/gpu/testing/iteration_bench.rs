@@ -1,9 +1,9 @@
 //! The kernels' stages one at a time, for `benches`; no part of the interface.
 
-use super::{Gpu, GpuStages};
 use crate::bezier::BezierModel;
 use crate::closest::Target;
 use crate::error::Result;
+use crate::gpu::{Gpu, GpuStages};
 use crate::iteration::{Rule, Sampling};
 use crate::model::RigidTransform;
 use crate::progress::{NoMonitor, Progress};
