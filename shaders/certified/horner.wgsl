@@ -1,13 +1,15 @@
-// Points and derivatives of pieces in powers of σ and τ. After `jet.wgsl`;
-// the host writes P and Q above.
+// Points and derivatives of subpatches in the power form in (σ, τ), by Horner's
+// rule. CPU twin: `Patch::jet` of `src/bezier/evaluate.rs`. The host generates
+// the degrees P and Q.
 
 const ROWS: u32 = P + 1u;
 const COLUMNS: u32 = Q + 1u;
-const PIECE_SIZE: u32 = ROWS * COLUMNS;
+const SUBPATCH_SIZE: u32 = ROWS * COLUMNS;
 
-// By Horner's rule, in τ along each row, then in σ; the homogeneous
-// coefficients start at `first`. `src/gpu/piece_error.rs` bounds the error.
-fn piece_jet(first: u32, at: vec2<f32>) -> Jet {
+// The jet relative to the subpatch's centre, whose homogeneous coefficients
+// start at `first`: Horner's rule in τ along each row, then in σ.
+// `src/gpu/certified/float32_error.rs` bounds its error.
+fn subpatch_jet(first: u32, at: vec2<f32>) -> Jet {
     var h = vec4<f32>(0.0);
     var s = vec4<f32>(0.0);
     var t = vec4<f32>(0.0);

@@ -1,49 +1,45 @@
-// Stage `certify`: an upper bound of the distance from every cell to B, as
-// `src/certified/certify.rs`, with what float32 may have lost added. One
-// thread a cell.
+// Stage `taylor_bound`: an upper bound on the distance from every cell to B by
+// Taylor expansion, including the error of float32. CPU twins:
+// `src/certified/bounds/taylor.rs`, `reparametrization.rs` and `quadratic.rs`.
+// One thread per cell. The host generates MAX_ASPECT, ON_B, UNIT_ROUNDOFF,
+// DIFFERENCE_ROUNDINGS and LENGTH_ROUNDINGS.
 
 @group(0) @binding(0) var<uniform> params: LevelParams;
 @group(0) @binding(1) var<storage, read> batch: Batch;
-@group(0) @binding(2) var<storage, read_write> cells: array<Cell>;
+@group(0) @binding(2) var<storage, read_write> cells: array<CellState>;
 @group(0) @binding(3) var<storage, read> jets: array<Jet>;
-@group(0) @binding(4) var<storage, read> best: array<Best>;
-@group(0) @binding(5) var<storage, read> from_pieces: array<Piece>;
-@group(0) @binding(6) var<storage, read> to_pieces: array<Piece>;
+@group(0) @binding(4) var<storage, read> projected: array<Projected>;
+@group(0) @binding(5) var<storage, read> subpatches_a: array<Subpatch>;
+@group(0) @binding(6) var<storage, read> subpatches_b: array<Subpatch>;
 @group(0) @binding(7) var<storage, read> coefficients: array<vec4<f32>>;
 
-// A rounding: WGSL promises no mode.
-const UNIT: f32 = 1.1920929e-7;
-// Roundings of the difference of two points, each of at most their sizes.
-const DIFFERENCE_ROUNDINGS: f32 = 4.0 * UNIT;
-// Roundings of a length: three products, two sums, a root of up to 5 units, and those it is summed by.
-const LENGTH_ROUNDINGS: f32 = 16.0 * UNIT;
-// Roundings of the quadratic's coefficients and net, relative to the sum of the sizes.
-const QUADRATIC_ROUNDINGS: f32 = 32.0 * UNIT;
-// Roundings of a Bernstein coefficient of the squared length, of which there
-// are at most 16: three of a dot product, two where `products` sums, three
-// where two rows are mixed, four where a row's are, and four of this bound.
-const PRODUCT_ROUNDINGS: f32 = 64.0 * UNIT;
-// In these units nothing is of this size; what is, was no number.
-const ABSURD: f32 = 1e15;
-// Bits of infinity.
-const INFINITE: u32 = 0x7f800000u;
-// Half-widths of a cell that is not halved further in float32.
+// Roundings of the quadratic's coefficients and net, relative to the sum of
+// the sizes of its terms.
+const QUADRATIC_ROUNDINGS: f32 = 32.0 * UNIT_ROUNDOFF;
+// Roundings of a Bernstein coefficient of the squared length, at most 16: three
+// of a dot product, two where `length_products` sums, three where two rows are
+// combined, four where a row's are, and four of this bound itself.
+const PRODUCT_ROUNDINGS: f32 = 64.0 * UNIT_ROUNDOFF;
+// Coordinates are about 1: a sum of sizes of this value or more contains an
+// overflow or a NaN.
+const MAX_PLAUSIBLE: f32 = 1e15;
+// The bits of +∞.
+const INFINITY_BITS: u32 = 0x7f800000u;
+// Cells of smaller half-widths are not split further in float32.
 const MIN_HALF: f32 = 1e-3;
-// How much longer one side may be before only the longer is halved.
-const MAX_ASPECT: f32 = 2.0;
-// A squared length changes little over a cell if by less than this part.
-const LITTLE: f32 = 0.125;
-// Distance, in radii of the cell, up to which A lies on B and a bent map helps.
-const ON_B: f32 = 0.01;
+// Below this fraction of the squared length, the tangent of the square root at
+// it is a tight upper bound.
+const SMALL_CHANGE: f32 = 0.125;
 
+// A map from the cell into B's parameters:
 // φ(σ, τ) = β + σ p + τ q + ½σ² m_0 + στ m_1 + ½τ² m_2.
-struct FootMap {
+struct Reparametrization {
     p: vec2<f32>,
     q: vec2<f32>,
-    bend: array<vec2<f32>, 3>,
+    m: array<vec2<f32>, 3>,
 }
 
-// The Taylor quadratic of A - B∘φ without its value.
+// The derivatives of a Taylor quadratic of A - B∘φ at the cell's centre.
 struct Quadratic {
     s: vec3<f32>,
     t: vec3<f32>,
@@ -52,6 +48,7 @@ struct Quadratic {
     tt: vec3<f32>,
 }
 
+// The solution of a symmetric system for the parameters that are not frozen.
 fn solve(matrix: vec3<f32>, right: vec2<f32>, frozen: vec2<bool>) -> vec2<f32> {
     if all(frozen) {
         return vec2<f32>(0.0);
@@ -67,173 +64,196 @@ fn solve(matrix: vec3<f32>, right: vec2<f32>, frozen: vec2<bool>) -> vec2<f32> {
         / determinant;
 }
 
-fn curvature(b: Jet, p: vec2<f32>, q: vec2<f32>, bend: vec2<f32>) -> vec3<f32> {
-    return p.x * q.x * b.ss + (p.x * q.y + p.y * q.x) * b.st + p.y * q.y * b.tt + bend.x * b.s + bend.y * b.t;
+// A second derivative of B∘φ, by the chain rule.
+fn second_derivative(b: Jet, p: vec2<f32>, q: vec2<f32>, m: vec2<f32>) -> vec3<f32> {
+    return p.x * q.x * b.ss + (p.x * q.y + p.y * q.x) * b.st + p.y * q.y * b.tt + m.x * b.s + m.y * b.t;
 }
 
-fn difference(a: Jet, b: Jet, map: FootMap) -> Quadratic {
+// The Taylor quadratic of A - B∘φ.
+fn difference(a: Jet, b: Jet, map: Reparametrization) -> Quadratic {
     return Quadratic(
         a.s - (map.p.x * b.s + map.p.y * b.t),
         a.t - (map.q.x * b.s + map.q.y * b.t),
-        a.ss - curvature(b, map.p, map.p, map.bend[0]),
-        a.st - curvature(b, map.p, map.q, map.bend[1]),
-        a.tt - curvature(b, map.q, map.q, map.bend[2]),
+        a.ss - second_derivative(b, map.p, map.p, map.m[0]),
+        a.st - second_derivative(b, map.p, map.q, map.m[1]),
+        a.tt - second_derivative(b, map.q, map.q, map.m[2]),
     );
 }
 
-// The quadratic's controls in τ, as columns, at one of its controls in σ,
-// where σ is `place` and ½σ² is `square`; in τ as in σ -1, 0, 1 and ½, -½, ½.
-fn row(change: Quadratic, place: f32, square: f32) -> mat3x3<f32> {
-    let middle = place * change.s + square * change.ss;
-    let slope = change.t + place * change.st;
-    let bend = 0.5 * change.tt;
-    return mat3x3<f32>(middle - slope + bend, middle - bend, middle + slope + bend);
+// A row of the quadratic's Bernstein net without its value: the controls in τ,
+// as columns, for one control in σ. Its coefficient of σ is `linear`, of ½σ²
+// `square`: -1, ½ or 0, -½ or 1, ½; likewise in τ.
+fn net_row(change: Quadratic, linear: f32, square: f32) -> mat3x3<f32> {
+    let middle = linear * change.s + square * change.ss;
+    let slope = change.t + linear * change.st;
+    let half_tt = 0.5 * change.tt;
+    return mat3x3<f32>(middle - slope + half_tt, middle - half_tt, middle + slope + half_tt);
 }
 
-// (v + a_i)·(v + b_k) - v·v of all controls of two rows.
-fn products(a: mat3x3<f32>, b: mat3x3<f32>, va: vec3<f32>, vb: vec3<f32>) -> mat3x3<f32> {
+// (v + a_i)·(v + b_k) - v·v of all controls of two rows, given v·a_i and v·b_k.
+fn length_products(a: mat3x3<f32>, b: mat3x3<f32>, va: vec3<f32>, vb: vec3<f32>) -> mat3x3<f32> {
     return transpose(a) * b + mat3x3<f32>(va + vb.x, va + vb.y, va + vb.z);
 }
 
-// The largest quartic Bernstein coefficient of such a product.
-fn largest_in_row(p: mat3x3<f32>) -> f32 {
+// The largest quartic Bernstein coefficient in τ of these products.
+fn largest_coefficient(p: mat3x3<f32>) -> f32 {
     let inner = 0.5 * max(p[0].y + p[1].x, p[1].z + p[2].y);
     return max(max(p[0].x, p[2].z), max(inner, 0.16666667 * (p[0].z + p[2].x) + 0.6666667 * p[1].y));
 }
 
-fn longest(a: mat3x3<f32>) -> f32 {
-    return max(dot(a[0], a[0]), max(dot(a[1], a[1]), dot(a[2], a[2])));
+fn largest_length_squared(row: mat3x3<f32>) -> f32 {
+    return max(dot(row[0], row[0]), max(dot(row[1], row[1]), dot(row[2], row[2])));
 }
 
-// At least the largest length of the quadratic, whose value is `value`. With
-// the value's square taken out of every product, rounding counts by the change only.
+// An upper bound on the length of the quadratic over the cell, whose value at
+// the centre has length `size`. The value's square is subtracted from every
+// product, so that rounding errors are proportional to the change only.
 fn largest_length(value: vec3<f32>, size: f32, change: Quadratic) -> f32 {
-    let a = row(change, -1.0, 0.5);
-    let b = row(change, 0.0, -0.5);
-    let c = row(change, 1.0, 0.5);
+    let a = net_row(change, -1.0, 0.5);
+    let b = net_row(change, 0.0, -0.5);
+    let c = net_row(change, 1.0, 0.5);
     let va = value * a;
     let vb = value * b;
     let vc = value * c;
-    let middle = 0.33333334 * products(a, c, va, vc) + 0.6666667 * products(b, b, vb, vb);
-    let first = max(largest_in_row(products(a, a, va, va)), largest_in_row(products(a, b, va, vb)));
-    let last = max(largest_in_row(products(b, c, vb, vc)), largest_in_row(products(c, c, vc, vc)));
-    let largest_change = sqrt(max(longest(a), max(longest(b), longest(c))));
-    let largest = max(max(first, 0.0), max(last, largest_in_row(middle)))
+    let middle = 0.33333334 * length_products(a, c, va, vc) + 0.6666667 * length_products(b, b, vb, vb);
+    let first = max(
+        largest_coefficient(length_products(a, a, va, va)),
+        largest_coefficient(length_products(a, b, va, vb)),
+    );
+    let last = max(
+        largest_coefficient(length_products(b, c, vb, vc)),
+        largest_coefficient(length_products(c, c, vc, vc)),
+    );
+    let largest_change =
+        sqrt(max(largest_length_squared(a), max(largest_length_squared(b), largest_length_squared(c))));
+    let largest = max(max(first, 0.0), max(last, largest_coefficient(middle)))
         + PRODUCT_ROUNDINGS * largest_change * (2.0 * size + largest_change);
-    // The root's tangent where that loses little: it needs no root of a sum.
-    if largest < LITTLE * size * size {
-        return size + 0.5 * largest / size * ROOM;
+    // The tangent of the root is an upper bound that takes no root of a sum.
+    if largest < SMALL_CHANGE * size * size {
+        return size + 0.5 * largest / size * ROUNDED_UP;
     }
     return sqrt(size * size + largest);
 }
 
-// What second derivatives of at most `bounds` add up to along `width`.
-fn second_order(bounds: vec3<f32>, width: vec2<f32>) -> f32 {
-    return bounds.x * width.x * width.x + 2.0 * bounds.y * width.x * width.y + bounds.z * width.y * width.y;
+// An upper bound on a second derivative along a vector of components of at most
+// `extent`, for second derivatives of at most `bounds`.
+fn second_order(bounds: vec3<f32>, extent: vec2<f32>) -> f32 {
+    return bounds.x * extent.x * extent.x + 2.0 * bounds.y * extent.x * extent.y + bounds.z * extent.y * extent.y;
 }
 
-// Taylor's remainder of third order along β + ℓ + ½m.
-fn remainder(piece: Piece, width: vec2<f32>, turn: vec2<f32>) -> f32 {
-    let w = width + turn;
-    let third = w.x * w.x * w.x * piece.third.x + 3.0 * w.x * w.x * w.y * piece.third.y
-        + 3.0 * w.x * w.y * w.y * piece.third.z + w.y * w.y * w.y * piece.third.w;
-    let turning = w.x * turn.x * piece.second.x + (w.x * turn.y + w.y * turn.x) * piece.second.y
-        + w.y * turn.y * piece.second.z;
-    return third / 6.0 + 0.5 * turning;
+// Taylor's remainder of third order along β + ℓ + ½m, where ℓ is at most
+// `linear_extent` and m at most `quadratic_extent`; derived in the CPU twin.
+fn remainder(subpatch: Subpatch, linear_extent: vec2<f32>, quadratic_extent: vec2<f32>) -> f32 {
+    let w = linear_extent + quadratic_extent;
+    let third = w.x * w.x * w.x * subpatch.third.x + 3.0 * w.x * w.x * w.y * subpatch.third.y
+        + 3.0 * w.x * w.y * w.y * subpatch.third.z + w.y * w.y * w.y * subpatch.third.w;
+    let mixed = w.x * quadratic_extent.x * subpatch.second.x
+        + (w.x * quadratic_extent.y + w.y * quadratic_extent.x) * subpatch.second.y
+        + w.y * quadratic_extent.y * subpatch.second.z;
+    return third / 6.0 + 0.5 * mixed;
 }
 
-// Error of a piece's quadratic along β + ℓ + ½m, of the jets and of the sums.
-fn rounding(piece: Piece, width: vec2<f32>, turn: vec2<f32>) -> f32 {
-    let w = width + 0.5 * turn;
-    let jets = piece.value_error + dot(w, piece.first_error) + 0.5 * second_order(piece.second_error, width);
-    let sizes = piece.radius + dot(w, piece.first) + 0.5 * second_order(piece.second, width);
-    return jets + QUADRATIC_ROUNDINGS * sizes;
+// An upper bound on the float32 error of a subpatch's quadratic along the same
+// map: of its jet and of the sums.
+fn rounding_error(subpatch: Subpatch, linear_extent: vec2<f32>, quadratic_extent: vec2<f32>) -> f32 {
+    let w = linear_extent + 0.5 * quadratic_extent;
+    let jet = subpatch.value_error + dot(w, subpatch.first_error)
+        + 0.5 * second_order(subpatch.second_error, linear_extent);
+    let sizes = subpatch.radius + dot(w, subpatch.first) + 0.5 * second_order(subpatch.second, linear_extent);
+    return jet + QUADRATIC_ROUNDINGS * sizes;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn certify(@builtin(global_invocation_id) id: vec3<u32>) {
+fn taylor_bound(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= batch.count {
         return;
     }
-    let found = best[id.x];
-    let foot = found.patch_and_status & PATCH_MASK;
-    // Wraps around for pieces of degrees before these.
-    let place = foot - params.first_piece;
-    if place >= params.piece_count {
+    let foot = projected[id.x];
+    let foot_subpatch = foot.patch_and_status & PATCH_MASK;
+    // Wraps around for subpatches before the first.
+    let index = foot_subpatch - params.first_subpatch;
+    if index >= params.subpatch_count {
         return;
     }
-    var own = cells[id.x];
-    let source = from_pieces[own.piece];
-    let target_piece = to_pieces[foot];
-    let foot_at = clamp(vec2<f32>(found.s, found.t), vec2<f32>(0.0), vec2<f32>(1.0));
-    let at = 2.0 * foot_at - 1.0;
+    var cell = cells[id.x];
+    let subpatch_a = subpatches_a[cell.subpatch];
+    let subpatch_b = subpatches_b[foot_subpatch];
+    let foot_parameters = clamp(vec2<f32>(foot.s, foot.t), vec2<f32>(0.0), vec2<f32>(1.0));
+    let at = 2.0 * foot_parameters - 1.0;
     let a = jets[id.x];
-    let b = piece_jet(place * PIECE_SIZE, at);
-    let apart = params.grid * vec3<f32>(source.center - target_piece.center);
-    let residual = (b.point - a.point) - apart;
+    let b = subpatch_jet(index * SUBPATCH_SIZE, at);
+    let between_centers = params.center_unit * vec3<f32>(subpatch_a.center - subpatch_b.center);
+    let residual = (b.point - a.point) - between_centers;
     let distance = length(residual);
-    let of_difference = DIFFERENCE_ROUNDINGS * length(apart) + params.slack;
-    let of_cell = rounding(source, own.half, vec2<f32>(0.0)) + remainder(source, own.half, vec2<f32>(0.0));
-    let at_foot = rounding(target_piece, vec2<f32>(0.0), vec2<f32>(0.0));
-    let sides = own.half * source.first;
-    // All of the cell on the centre's foot, by its largest tangents alone.
+    let difference_error = DIFFERENCE_ROUNDINGS * length(between_centers) + params.center_error;
+    let none = vec2<f32>(0.0);
+    let cell_error = rounding_error(subpatch_a, cell.half, none) + remainder(subpatch_a, cell.half, none);
+    let foot_error = rounding_error(subpatch_b, none, none);
+    let sides = cell.half * subpatch_a.first;
+    // The Lipschitz bound: the centre's distance and the cell's radius.
     var upper = distance * (1.0 + LENGTH_ROUNDINGS)
-        + (sides.x + sides.y + source.value_error + at_foot + of_difference) * ROOM;
-    var anywhere = upper;
+        + (sides.x + sides.y + subpatch_a.value_error + foot_error + difference_error) * ROUNDED_UP;
+    // The bound if B's subpatch extended as far as φ maps.
+    var unrestricted = upper;
     let gradient = vec2<f32>(dot(residual, b.s), dot(residual, b.t));
-    let frozen = ((at <= target_piece.low) & (gradient > vec2<f32>(0.0))) | ((at >= target_piece.high) & (gradient < vec2<f32>(0.0)));
+    let frozen = ((at <= subpatch_b.low) & (gradient > none)) | ((at >= subpatch_b.high) & (gradient < none));
     let metric = vec3<f32>(dot(b.s, b.s), dot(b.s, b.t), dot(b.t, b.t));
     let hessian = metric + vec3<f32>(dot(residual, b.ss), dot(residual, b.st), dot(residual, b.tt));
-    var map = FootMap(
+    // The linearisation of the foot, by the implicit function theorem.
+    var map = Reparametrization(
         solve(hessian, vec2<f32>(dot(b.s, a.s), dot(b.t, a.s)), frozen),
         solve(hessian, vec2<f32>(dot(b.s, a.t), dot(b.t, a.t)), frozen),
-        array<vec2<f32>, 3>(vec2<f32>(0.0), vec2<f32>(0.0), vec2<f32>(0.0)),
+        array<vec2<f32>, 3>(none, none, none),
     );
-    var sizes = dot(abs(a.point) + abs(b.point) + abs(apart), vec3<f32>(1.0));
-    for (var bent = 0u; bent < 2u; bent++) {
-        let rest = difference(a, b, map);
-        if bent == 1u {
-            map.bend[0] = solve(metric, vec2<f32>(dot(b.s, rest.ss), dot(b.t, rest.ss)), frozen);
-            map.bend[1] = solve(metric, vec2<f32>(dot(b.s, rest.st), dot(b.t, rest.st)), frozen);
-            map.bend[2] = solve(metric, vec2<f32>(dot(b.s, rest.tt), dot(b.t, rest.tt)), frozen);
+    var sizes = dot(abs(a.point) + abs(b.point) + abs(between_centers), vec3<f32>(1.0));
+    // The linear map, then the second-order one.
+    for (var order = 1u; order <= 2u; order++) {
+        if order == 2u {
+            let tangential = difference(a, b, map);
+            map.m[0] = solve(metric, vec2<f32>(dot(b.s, tangential.ss), dot(b.t, tangential.ss)), frozen);
+            map.m[1] = solve(metric, vec2<f32>(dot(b.s, tangential.st), dot(b.t, tangential.st)), frozen);
+            map.m[2] = solve(metric, vec2<f32>(dot(b.s, tangential.tt), dot(b.t, tangential.tt)), frozen);
         }
-        let width = abs(map.p) + abs(map.q);
-        let turn = abs(map.bend[0]) + 2.0 * abs(map.bend[1]) + abs(map.bend[2]);
+        let linear_extent = abs(map.p) + abs(map.q);
+        let quadratic_extent = abs(map.m[0]) + 2.0 * abs(map.m[1]) + abs(map.m[2]);
         let quadratic = difference(a, b, map);
         let length = largest_length(-residual, distance, quadratic);
-        let lost = rounding(target_piece, width, turn) + remainder(target_piece, width, turn) + of_cell + of_difference;
-        let bound = length * (1.0 + LENGTH_ROUNDINGS) + lost * ROOM;
+        let error = rounding_error(subpatch_b, linear_extent, quadratic_extent)
+            + remainder(subpatch_b, linear_extent, quadratic_extent) + cell_error + difference_error;
+        let bound = length * (1.0 + LENGTH_ROUNDINGS) + error * ROUNDED_UP;
         let changes = abs(quadratic.s) + abs(quadratic.t) + abs(quadratic.ss) + abs(quadratic.st) + abs(quadratic.tt);
-        sizes += dot(changes, vec3<f32>(1.0)) + width.x + width.y + turn.x + turn.y + lost;
-        anywhere = min(anywhere, bound);
-        let extent = (width + 0.5 * turn) * ROOM;
-        if all(at - extent >= target_piece.low) && all(at + extent <= target_piece.high) {
+        sizes += dot(changes, vec3<f32>(1.0)) + linear_extent.x + linear_extent.y
+            + quadratic_extent.x + quadratic_extent.y + error;
+        unrestricted = min(unrestricted, bound);
+        let extent = (linear_extent + 0.5 * quadratic_extent) * ROUNDED_UP;
+        if all(at - extent >= subpatch_b.low) && all(at + extent <= subpatch_b.high) {
             upper = min(upper, bound);
         }
         if bitcast<u32>(upper) <= bitcast<u32>(params.prune_threshold) || distance > ON_B * (sides.x + sides.y) {
             break;
         }
     }
-    // Compared by bits, what is no number or negative is larger than any number.
-    let sane = bitcast<u32>(sizes) < bitcast<u32>(ABSURD) && bitcast<u32>(upper) < INFINITE;
-    own.foot = foot;
-    own.foot_at = foot_at;
-    own.reach = (distance + at_foot + of_difference) * ROOM;
-    let small = max(own.half.x, own.half.y) < MIN_HALF;
-    if sane {
-        own.upper = min(own.upper, upper);
+    // Bits of a NaN or a negative number are larger than those of any plausible number.
+    let is_plausible =
+        bitcast<u32>(sizes) < bitcast<u32>(MAX_PLAUSIBLE) && bitcast<u32>(upper) < INFINITY_BITS;
+    cell.foot_subpatch = foot_subpatch;
+    cell.foot_parameters = foot_parameters;
+    cell.foot_distance = (distance + foot_error + difference_error) * ROUNDED_UP;
+    if is_plausible {
+        cell.upper = min(cell.upper, upper);
     } else {
-        own.reach = FARTHEST;
-        anywhere = ABSURD;
+        cell.foot_distance = UNKNOWN_DISTANCE;
+        unrestricted = MAX_PLAUSIBLE;
     }
-    if bitcast<u32>(own.upper) <= bitcast<u32>(params.prune_threshold) {
-        own.verdict = DROPPED;
-    } else if anywhere <= params.prune_threshold || small {
-        // Only a seam of B is in the way, or float32 is at its end.
-        own.verdict = UNDECIDED;
+    let is_small = max(cell.half.x, cell.half.y) < MIN_HALF;
+    if bitcast<u32>(cell.upper) <= bitcast<u32>(params.prune_threshold) {
+        cell.verdict = PRUNED;
+    } else if unrestricted <= params.prune_threshold || is_small {
+        // Only the subpatch's extension is too small, or float32 too coarse.
+        cell.verdict = FLOAT64_ONLY;
     } else {
-        own.verdict = select(0u, SPLIT_S, sides.x * MAX_ASPECT >= sides.y)
+        cell.verdict = select(0u, SPLIT_S, sides.x * MAX_ASPECT >= sides.y)
             | select(0u, SPLIT_T, sides.y * MAX_ASPECT >= sides.x);
     }
-    cells[id.x] = own;
+    cells[id.x] = cell;
 }

@@ -1,13 +1,14 @@
-// Stage `bound`: every box of A below a pair's, bounded by the boxes of B
-// below it, as `Traversal::bound` of `src/hierarchy/traversal.rs`. One thread
-// a pair.
+// Stage `bound`: bounds of the distance to B from every child of a pair's node
+// of A, over the children of its node of B. CPU twin: `Traversal::bound` of
+// `src/hierarchy/traversal.rs`. One thread per pair.
 
+// Complements of the least bounds of all pairs with this box of A.
 struct Bound {
     near: atomic<u32>,
     far: atomic<u32>,
 }
 
-@group(0) @binding(0) var<uniform> params: StepParams;
+@group(0) @binding(0) var<uniform> params: StageParams;
 @group(0) @binding(1) var<storage, read> pairs: array<vec2<u32>>;
 @group(0) @binding(2) var<storage, read> nodes_a: array<Children>;
 @group(0) @binding(3) var<storage, read> nodes_b: array<Children>;
@@ -21,17 +22,17 @@ fn bound(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) 
     if index >= params.end {
         return;
     }
-    let of_a = nodes_a[pairs[index].x];
-    let of_b = nodes_b[pairs[index].y];
-    for (var i = of_a.first; i < of_a.first + of_a.count; i++) {
+    let children_a = nodes_a[pairs[index].x];
+    let children_b = nodes_b[pairs[index].y];
+    for (var i = children_a.first; i < children_a.first + children_a.count; i++) {
         let a = boxes_a[i];
-        var nearest = FARTHEST;
-        var least_far = FARTHEST;
-        for (var j = of_b.first; j < of_b.first + of_b.count; j++) {
-            nearest = min(nearest, near(a, boxes_b[j]));
-            least_far = min(least_far, far(a, boxes_b[j]));
+        var min_near = UNKNOWN_DISTANCE;
+        var min_far = UNKNOWN_DISTANCE;
+        for (var j = children_b.first; j < children_b.first + children_b.count; j++) {
+            min_near = min(min_near, near(a, boxes_b[j]));
+            min_far = min(min_far, far(a, boxes_b[j]));
         }
-        atomicMax(&bounds[i].near, complement(nearest));
-        atomicMax(&bounds[i].far, complement(least_far));
+        atomicMax(&bounds[i].near, complement(min_near));
+        atomicMax(&bounds[i].far, complement(min_far));
     }
 }

@@ -1,14 +1,14 @@
-// Stage `boxes`: a box around every part of a cell, as
-// `src/hierarchy/boxes.rs`. One thread a part.
+// Stage `boxes`: a box around every part of a cell. CPU twin:
+// `src/hierarchy/boxes.rs`. One thread per part. The host generates WHOLE_MODEL.
 
 struct BoxesParams {
-    // The parts that this dispatch works on.
+    // The parts of this dispatch.
     first: u32,
     end: u32,
     // From the model's scale to the common one, a power of two.
     rescale: f32,
-    // For the rounding of what is moved.
-    slack: f32,
+    // Upper bound on the rounding error of a moved point, in float64 and float32.
+    margin: f32,
     // Columns of the rotation, then the translation, both into the common frame.
     rotation_x: vec4<f32>,
     rotation_y: vec4<f32>,
@@ -20,9 +20,11 @@ struct Part {
     s: vec2<f32>,
     t: vec2<f32>,
     patch_index: u32,
-    // Its place on the level of the parts.
+    // Its index on the level of the parts.
     node: u32,
-    // Its own growth and the error of its corners, rounded up.
+    // Upper bound on the distance of its points from the box of its exact
+    // corners, plus the error of the corners. From WHOLE_MODEL on, its box is
+    // that of the whole model, and the corners are not evaluated.
     growth: f32,
     padding: u32,
 }
@@ -33,14 +35,11 @@ struct Part {
 @group(0) @binding(3) var<storage, read> parts: array<Part>;
 @group(0) @binding(4) var<storage, read_write> parts_boxes: array<Box>;
 
-// A growth of the model's diameter, at its own scale: the part's box is then
-// that of the whole model, whatever float32 makes of its corners.
-const WHOLE_MODEL: f32 = 4.0;
-
-fn corner(part: Part, at: vec2<f32>) -> vec3<f32> {
+// The moved corner of a part.
+fn corner(part: Part, parameters: vec2<f32>) -> vec3<f32> {
     var point = centers[part.patch_index].xyz;
     if part.growth < WHOLE_MODEL {
-        point += evaluate(part.patch_index * PATCH_SIZE, at);
+        point += evaluate(part.patch_index * PATCH_SIZE, parameters);
     }
     return params.rotation_x.xyz * point.x + params.rotation_y.xyz * point.y
         + params.rotation_z.xyz * point.z + params.translation.xyz;
@@ -57,7 +56,7 @@ fn boxes(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) 
     let b = corner(part, vec2<f32>(part.s.x, part.t.y));
     let c = corner(part, vec2<f32>(part.s.y, part.t.x));
     let d = corner(part, vec2<f32>(part.s.y, part.t.y));
-    let growth = vec3<f32>(part.growth * params.rescale + params.slack);
+    let growth = vec3<f32>(part.growth * params.rescale + params.margin);
     let low = min(min(a, b), min(c, d)) - growth;
     let high = max(max(a, b), max(c, d)) + growth;
     parts_boxes[part.node] = Box(vec4<f32>(low, 0.0), vec4<f32>(high, 0.0));

@@ -1,24 +1,22 @@
-// Stage `farthest`, on the last level: the cell of A that is the farthest
-// from B by its bound from below, and of its pairs the cell of B that bounds
-// it from above, as `src/hierarchy/traversal.rs`. One thread a cell, then a
-// pair, and a pair again.
+// Stage `farthest`, on the last level: the cell of A with the largest lower
+// bound, and the cell of B that gives its upper bound. CPU twin:
+// `Traversal::farthest` of `src/hierarchy/traversal.rs`. One thread per cell in
+// the first phase, per pair in the two others. The host generates the phases.
 
+// Complements, as `bound` writes them.
 struct Bound {
     near: u32,
     far: u32,
 }
 
-// All as complements: the least index or distance is wanted.
+// All as complements, whose maximum is the least index or distance.
 struct Farthest {
     a: atomic<u32>,
     far: atomic<u32>,
     b: atomic<u32>,
 }
 
-const OF_CELLS: u32 = 0u;
-const OF_DISTANCES: u32 = 1u;
-
-@group(0) @binding(0) var<uniform> params: StepParams;
+@group(0) @binding(0) var<uniform> params: StageParams;
 @group(0) @binding(1) var<storage, read> bounds: array<Bound>;
 @group(0) @binding(2) var<storage, read_write> totals: Totals;
 @group(0) @binding(3) var<storage, read> pairs: array<vec2<u32>>;
@@ -32,7 +30,7 @@ fn farthest(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroup
     if index >= params.end {
         return;
     }
-    if params.phase == OF_CELLS {
+    if params.phase == PHASE_CELL {
         if bounds[index].far != 0u && ~bounds[index].near == atomicLoad(&totals.near) {
             atomicMax(&found.a, ~index);
         }
@@ -43,7 +41,7 @@ fn farthest(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroup
         return;
     }
     let bits = complement(far(boxes_a[pair.x], boxes_b[pair.y]));
-    if params.phase == OF_DISTANCES {
+    if params.phase == PHASE_DISTANCE {
         atomicMax(&found.far, bits);
     } else if bits == atomicLoad(&found.far) {
         atomicMax(&found.b, ~pair.y);

@@ -1,7 +1,7 @@
 // Stage `pyramid`: the box of every node of a level, from those of its
-// children, as `src/hierarchy/pyramid.rs`. One thread a node.
+// children. CPU twin: `src/hierarchy/pyramid.rs`. One thread per node.
 
-@group(0) @binding(0) var<uniform> params: StepParams;
+@group(0) @binding(0) var<uniform> params: StageParams;
 @group(0) @binding(1) var<storage, read> nodes: array<Children>;
 @group(0) @binding(2) var<storage, read> below: array<Box>;
 @group(0) @binding(3) var<storage, read_write> above: array<Box>;
@@ -13,11 +13,11 @@ fn pyramid(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
         return;
     }
     let children = nodes[index];
-    var whole = below[children.first];
+    var enclosing = below[children.first];
     for (var k = 1u; k < children.count; k++) {
         let child = below[children.first + k];
-        whole.low = min(whole.low, child.low);
-        whole.high = max(whole.high, child.high);
+        enclosing.low = min(enclosing.low, child.low);
+        enclosing.high = max(enclosing.high, child.high);
     }
-    above[index] = whole;
+    above[index] = enclosing;
 }

@@ -1,14 +1,15 @@
-// The foot of a target on one patch: where an iteration starts and ends. One
-// of `newton.wgsl` and `tangent_plane.wgsl` follows this text.
+// The result of an iteration on one patch. CPU twin: `Foot` of
+// `src/closest/mod.rs`. One of `newton.wgsl` and `tangent_plane.wgsl` follows
+// this text and defines `iterate`.
 
 struct Foot {
-    at: vec2<f32>,
+    parameters: vec2<f32>,
     distance_squared: f32,
     status: u32,
-    // Points evaluated on the way.
+    // Points evaluated.
     evaluations: u32,
 }
 
-// A second derivative, or squared sine, of this size relative to the other
-// direction's marks a degenerate edge.
+// A second derivative of this size relative to the other direction's, or a
+// squared sine between the tangents, marks a degenerate edge.
 const DEGENERATE_RATIO: f32 = 1e-6;

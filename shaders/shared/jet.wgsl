@@ -1,4 +1,5 @@
-// A point of a surface with its first and second derivatives.
+// A point of a surface with its first and second derivatives. CPU twin: `Jet`
+// of `src/bezier/evaluate.rs`.
 
 struct Jet {
     point: vec3<f32>,

@@ -1,14 +1,18 @@
-// Damped Newton with an active set at the patch's edges, as `src/project/newton.rs`.
+// Damped Newton iteration with an active set at the patch's edges. CPU twin:
+// `src/closest/newton.rs`, with tolerances for float64. The host generates
+// MAX_HALVINGS.
 
-// For float32: the error of a distance is the cosine squared, so 1e-4 is
-// below its rounding.
+// The relative error of the distance is half the square of this cosine, below
+// float32's rounding.
 const STATIONARY_COSINE: f32 = 1e-4;
+// Relative rounding error of a residual.
 const RESIDUAL_ROUNDING: f32 = 1e-6;
-// A decrease predicted below this part of the squared distance is lost in its rounding.
+// A predicted decrease below this fraction of the squared distance is lost in
+// its rounding.
 const STALLED_DECREASE: f32 = 1e-6;
-const MAX_HALVINGS: u32 = 8u;
 
-// Whether the cosines between the residual and the free tangents are small, rounding taken off.
+// Whether the cosines between the residual and the free tangents are small,
+// beyond the rounding error.
 fn is_stationary(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<bool>) -> bool {
     let size = length(residual);
     let tangents = vec2<f32>(length(jet.s), length(jet.t));
@@ -16,42 +20,45 @@ fn is_stationary(jet: Jet, residual: vec3<f32>, gradient: vec2<f32>, free: vec2<
     return !any(free & (abs(gradient) > tangents * (rounding + STATIONARY_COSINE * size)));
 }
 
-// The minimum of the quadratic model inside the patch, as far as one cut at an edge finds it.
-fn newton_step(at: vec2<f32>, gradient: vec2<f32>, hessian: vec3<f32>, freed: vec2<bool>) -> vec2<f32> {
+// The step to the minimum of the quadratic model over the patch. A step that
+// leaves it is cut at the edge and the other parameter solved again.
+fn newton_step(at: vec2<f32>, gradient: vec2<f32>, hessian: vec3<f32>, not_frozen: vec2<bool>) -> vec2<f32> {
     let weight = vec2<f32>(hessian.x, hessian.z);
-    let least = DEGENERATE_RATIO * max(weight.x, weight.y);
-    let free = freed & (weight > vec2<f32>(least));
+    let min_weight = DEGENERATE_RATIO * max(weight.x, weight.y);
+    let free = not_frozen & (weight > vec2<f32>(min_weight));
     let inverse = 1.0 / weight;
-    let alone = select(vec2<f32>(0.0), -gradient * inverse, free);
+    let separate = select(vec2<f32>(0.0), -gradient * inverse, free);
     if !all(free) {
-        return alone;
+        return separate;
     }
     let determinant = hessian.x * hessian.z - hessian.y * hessian.y;
     if determinant <= DEGENERATE_RATIO * hessian.x * hessian.z {
-        return vec2<f32>(alone.x, 0.0);
+        return vec2<f32>(separate.x, 0.0);
     }
     var full = vec2<f32>(
         hessian.y * gradient.y - hessian.z * gradient.x,
         hessian.y * gradient.x - hessian.x * gradient.y,
     ) * (1.0 / determinant);
-    let in_s = clamp(at.x + full.x, 0.0, 1.0) - at.x;
-    if in_s != full.x {
-        full = vec2<f32>(in_s, -(gradient.y + hessian.y * in_s) * inverse.y);
+    let inside_s = clamp(at.x + full.x, 0.0, 1.0) - at.x;
+    if inside_s != full.x {
+        full = vec2<f32>(inside_s, -(gradient.y + hessian.y * inside_s) * inverse.y);
     }
-    let in_t = clamp(at.y + full.y, 0.0, 1.0) - at.y;
-    if in_t != full.y {
-        full = vec2<f32>(-(gradient.x + hessian.y * in_t) * inverse.x, in_t);
+    let inside_t = clamp(at.y + full.y, 0.0, 1.0) - at.y;
+    if inside_t != full.y {
+        full = vec2<f32>(-(gradient.x + hessian.y * inside_t) * inverse.x, inside_t);
     }
     return full;
 }
 
-// One place evaluates, for the start, for every step and for every halving:
-// the compiler unrolls the evaluation once, and lanes at different stages share it.
-fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> Foot {
+// The nearest point to `local` that Newton's method finds from the nearest
+// control. The start, every step and every halving share one evaluation, so
+// that the compiler inlines it once and threads at different stages of the
+// iteration run it together.
+fn iterate(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> Foot {
     var at = nearest_control(first, local);
     var step = vec2<f32>(0.0);
     var scale = 1.0;
-    var value = FARTHEST;
+    var value = UNKNOWN_DISTANCE;
     var decrease = 0.0;
     var free = vec2<bool>(true);
     var steps = 0u;
@@ -78,9 +85,9 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         at = next;
         value = next_value;
         let gradient = vec2<f32>(dot(residual, jet.s), dot(residual, jet.t));
-        let pushed_below = (at <= vec2<f32>(0.0)) & (gradient > vec2<f32>(0.0));
-        let pushed_above = (at >= vec2<f32>(1.0)) & (gradient < vec2<f32>(0.0));
-        free = !(pushed_below | pushed_above);
+        let leaves_below = (at <= vec2<f32>(0.0)) & (gradient > vec2<f32>(0.0));
+        let leaves_above = (at >= vec2<f32>(1.0)) & (gradient < vec2<f32>(0.0));
+        free = !(leaves_below | leaves_above);
         if is_stationary(jet, residual, gradient, free) {
             status = settled(free);
             break;

@@ -1,11 +1,12 @@
-// Points and derivatives of Bézier patches of degrees P and Q, as
-// `src/bezier/evaluate.rs`. After `jet.wgsl`; the host writes above, for these degrees:
-// P, Q, `Basis` with `basis_s` and `basis_t`, `blend`, and what loads the
-// controls (`src/gpu/patch_text.rs`).
+// Points and derivatives of Bézier patches of degrees P and Q. CPU twin:
+// `src/bezier/evaluate.rs`. `src/gpu/patch_wgsl.rs` generates, for these
+// degrees, P, Q, `Basis` with `basis_s` and `basis_t`, `blend` and
+// `nearest_control`.
 
 const PATCH_SIZE: u32 = (P + 1u) * (Q + 1u);
 
-// Sums of the homogeneous controls: point and derivatives before the division.
+// Sums of the homogeneous controls: the numerators and weights of a point and
+// its derivatives.
 struct Blend {
     h: vec4<f32>,
     s: vec4<f32>,
@@ -15,15 +16,16 @@ struct Blend {
     tt: vec4<f32>,
 }
 
-// The homogeneous controls of a patch start at `first`; the result is
-// relative to the patch's centre.
-fn evaluate(first: u32, at: vec2<f32>) -> vec3<f32> {
-    let h = blend(first, basis_s(at.x), basis_t(at.y)).h;
+// The point relative to the patch's centre. `first` is the index of the
+// patch's first control.
+fn evaluate(first: u32, parameters: vec2<f32>) -> vec3<f32> {
+    let h = blend(first, basis_s(parameters.x), basis_t(parameters.y)).h;
     return h.xyz / h.w;
 }
 
-fn evaluate_jet(first: u32, at: vec2<f32>) -> Jet {
-    let sums = blend(first, basis_s(at.x), basis_t(at.y));
+// The point relative to the patch's centre, and its derivatives.
+fn evaluate_jet(first: u32, parameters: vec2<f32>) -> Jet {
+    let sums = blend(first, basis_s(parameters.x), basis_t(parameters.y));
     let h = sums.h;
     let s = sums.s;
     let t = sums.t;
@@ -41,6 +43,7 @@ fn evaluate_jet(first: u32, at: vec2<f32>) -> Jet {
     return jet;
 }
 
+// The squared distance from `local` to the control's point.
 fn distance_squared(control: vec4<f32>, local: vec3<f32>) -> f32 {
     let offset = (1.0 / control.w) * control.xyz - local;
     return dot(offset, offset);

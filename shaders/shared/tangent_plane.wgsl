@@ -1,9 +1,13 @@
-// The 2012 paper's step, as `src/project/tangent_plane.rs`.
+// The tangent-plane iteration of the 2012 paper. CPU twin:
+// `src/closest/tangent_plane.rs`.
 
-fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> Foot {
+// Projects `local` on the tangent plane and steps to that point's parameters,
+// clamped to the patch, until two consecutive distances differ by less than
+// `step_tolerance` or `iterations` steps are taken.
+fn iterate(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> Foot {
     var at = nearest_control(first, local);
-    var distance = FARTHEST;
-    var cut = false;
+    var distance = UNKNOWN_DISTANCE;
+    var is_clamped = false;
     var steps = 0u;
     var status = ITERATION_LIMIT;
     loop {
@@ -13,7 +17,7 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
         let change = abs(next_distance - distance);
         distance = next_distance;
         if steps > 0u && change < step_tolerance {
-            status = select(CONVERGED, ON_EDGE, cut);
+            status = select(CONVERGED, ON_EDGE, is_clamped);
             break;
         }
         if steps == iterations {
@@ -30,7 +34,7 @@ fn foot(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -> F
             ) / determinant;
         }
         at = clamp(next, vec2<f32>(0.0), vec2<f32>(1.0));
-        cut = any(at != next);
+        is_clamped = any(at != next);
         steps++;
     }
     return Foot(at, distance * distance, status, steps + 1u);

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 /// Distance, in radii of the cell, up to which A lies on B as far as a cell of
 /// this size tells. Of 5,800 cells that bent maps sufficed for, in 52 models
 /// moved and turned and 300 random pairs, 14 were farther away.
-const ON_B: f64 = 0.01;
+pub(crate) const ON_B: f64 = 0.01;
 
 /// At least the distance to B of every point of the cell, given A's moved jet
 /// at its centre and a foot of it.

@@ -40,8 +40,9 @@ mod search;
 mod side;
 mod step;
 
+pub(crate) use certify::ON_B;
 pub(crate) use feet::Foot;
-pub(crate) use region::{Cell, Domain, SearchNode};
+pub(crate) use region::{Cell, Domain, MAX_ASPECT, SearchNode};
 pub(crate) use search::{BatchResult, BranchAndBound, Interval};
 pub(crate) use side::Operand;
 

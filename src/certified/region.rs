@@ -68,7 +68,7 @@ pub(crate) struct SearchNode {
 
 /// How much longer one side of a cell may be than the other before only the
 /// longer is halved.
-const MAX_ASPECT: f64 = 2.0;
+pub(crate) const MAX_ASPECT: f64 = 2.0;
 
 impl SearchNode {
     /// Appends the parts of this region.

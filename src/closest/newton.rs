@@ -25,8 +25,8 @@ const GAIN_ROOM: f64 = 2.0;
 /// degenerate edge, where one step tells little of the next.
 const SKEWED_RATIO: f64 = 1e-3;
 
-/// Halvings of a step, at most.
-const MAX_HALVINGS: u32 = 8;
+/// The most halvings of a step, on CPU and GPU.
+pub(crate) const MAX_HALVINGS: u32 = 8;
 
 /// A second derivative of this size relative to the other direction's is a
 /// degenerate edge, along which there is nothing to step.

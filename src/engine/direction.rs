@@ -10,7 +10,7 @@ use super::{
 };
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
-use crate::gpu::{Gpu, GpuStages};
+use crate::gpu::{Gpu, GpuIteration};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;
@@ -64,7 +64,7 @@ impl Ends<'_> {
                 let uploaded = sampling.resident.on(gpu, upload)?;
                 let to = target.resident.on(gpu, |gpu| gpu.upload_target(&target.target))?;
                 let prepared = Instant::now();
-                let stages = GpuStages::new(gpu, uploaded, to, self.transform, options.rule()).await?;
+                let stages = GpuIteration::new(gpu, uploaded, to, self.transform, options.rule()).await?;
                 (prepared, Stages::Gpu(stages))
             }
             None => {

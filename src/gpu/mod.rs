@@ -1,35 +1,38 @@
-//! The kernels of `shaders` and what feeds them.
+//! The GPU implementation of the three methods, on WebGPU through `wgpu`.
 //!
-//! Those of method `hierarchy` are natively only: they would take 12 KiB of the
-//! gzipped wasm module's 150, which every page pays that only wants a distance.
+//! | module | holds |
+//! |---|---|
+//! | `device`, `buffers`, `submission` | the device, its buffers, and submissions of bounded duration |
+//! | `kernel`, `constants`, `patch_wgsl` | WGSL text, specialised by degree, and the pipelines made of it |
+//! | `float32`, `degree_groups`, `residency` | models in float32: rounding, patches by degree, copies kept on a device |
+//! | `iteration`, `hierarchy`, `certified` | one driver per method, each with the kernels in the folder of `shaders` of the same name |
+//! | `testing` | benchmarks of single stages, and tests of the float32 error bounds |
+//!
+//! Every bound that a kernel computes accounts for float32's rounding, so the
+//! interval of a distance is as certain as on the CPU, only wider. The stages
+//! have the names of their counterparts on the CPU, in [`crate::iteration`],
+//! [`crate::hierarchy`] and [`crate::certified`].
 
 mod buffers;
 mod certified;
+mod constants;
 mod degree_groups;
 mod device;
 mod float32;
-#[cfg(not(target_arch = "wasm32"))]
 mod hierarchy;
 mod iteration;
 mod kernel;
 mod patch_wgsl;
 mod residency;
-mod slot;
 mod submission;
 #[cfg(not(target_arch = "wasm32"))]
 mod testing;
 
-pub(crate) use certified::Levels;
-pub(crate) use certified::subpatches::{Pieces, Place};
+pub(crate) use certified::GpuCertified;
 pub use device::Gpu;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use hierarchy::grid_tree::GpuCells;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use hierarchy::{Frame, GpuDescent};
-pub(crate) use iteration::GpuStages;
-pub(crate) use iteration::sampling::GpuSampling;
-pub(crate) use iteration::target::GpuTarget;
+pub(crate) use hierarchy::{GpuGridTree, GpuHierarchy, Placement};
+pub(crate) use iteration::{GpuIteration, GpuSampling, GpuTarget};
 pub(crate) use residency::Resident;
 #[cfg(not(target_arch = "wasm32"))]
 #[doc(hidden)]
-pub use testing::{LevelBench, LevelStage, StageBench};
+pub use testing::{CertifiedBench, CertifiedStage, IterationBench};

@@ -1,13 +1,13 @@
-//! WGSL written for one pair of degrees.
+//! WGSL functions generated for one pair of degrees.
 //!
-//! What depends on the degrees is written out instead of looped over: faster,
-//! and llvmpipe ends every loop of an invocation after 65,535 turns of all its
-//! loops together, whatever is then still to be summed.
+//! Arrays of the degrees' size are written out instead of looped over, which
+//! keeps them in registers. Only the sum over rows of controls is a loop.
 
 use std::fmt::Write;
 
-/// Constants and functions that `patch.wgsl` and `foot.wgsl` build on.
-pub(crate) fn patch_text(degree: [usize; 2]) -> String {
+/// Generates the degrees `P` and `Q`, `Basis` with `basis_s` and `basis_t`,
+/// `blend` and `nearest_control`, on which `patch.wgsl` and `foot.wgsl` build.
+pub(crate) fn patch_wgsl(degree: [usize; 2]) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = write(&mut text, degree);
@@ -25,7 +25,7 @@ fn write(text: &mut String, [p, q]: [usize; 2]) -> std::fmt::Result {
     write_controls(text, [p, q], &array)
 }
 
-/// Derivatives by s and t of the members of `Blend`.
+/// The members of `Blend` with the members of `Basis` in s and t that they are sums of.
 const BLEND: [(&str, [&str; 2]); 6] = [
     ("h", ["value", "value"]),
     ("s", ["first", "value"]),
@@ -35,7 +35,8 @@ const BLEND: [(&str, [&str; 2]); 6] = [
     ("tt", ["value", "second"]),
 ];
 
-/// Functions that read the controls where they are wanted.
+/// Writes the functions that read control points: `contract` sums one row,
+/// `blend` is the tensor product, `nearest_control` the start of an iteration.
 fn write_controls(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fmt::Result {
     let (rows, columns) = (p + 1, q + 1);
     let terms = list(q + 1, " + ", &|j| format!("basis[{j}] * controls[first + {j}u]"));
@@ -50,17 +51,17 @@ fn write_controls(text: &mut String, [p, q]: [usize; 2], array: &str) -> std::fm
     }
     writeln!(text, "}}\nreturn sums;\n}}")?;
     writeln!(text, "fn nearest_control(first: u32, local: vec3<f32>) -> vec2<f32> {{")?;
-    writeln!(text, "var nearest = vec2<f32>(0.0);\nvar least = FARTHEST;")?;
+    writeln!(text, "var nearest = vec2<f32>(0.0);\nvar smallest = UNKNOWN_DISTANCE;")?;
     writeln!(text, "for (var i = 0u; i < {rows}u; i++) {{")?;
     for j in 0..=q {
         writeln!(text, "let d{j} = distance_squared(controls[first + i * {columns}u + {j}u], local);")?;
-        writeln!(text, "if d{j} < least {{ least = d{j}; nearest = vec2<f32>(f32(i), {j}.0); }}")?;
+        writeln!(text, "if d{j} < smallest {{ smallest = d{j}; nearest = vec2<f32>(f32(i), {j}.0); }}")?;
     }
     writeln!(text, "}}\nreturn nearest / vec2<f32>({p}.0, {q}.0);\n}}")
 }
 
-/// Bernstein polynomials and two derivatives: `b<level>_<i>` by raising one
-/// degree at a time, derivatives as differences of the lower levels.
+/// Writes the Bernstein polynomials and two derivatives: `b<level>_<i>` by the
+/// recurrence in the degree, derivatives as differences of the lower degrees.
 fn write_basis(text: &mut String, name: &str, degree: usize, order: usize) -> std::fmt::Result {
     writeln!(text, "fn {name}(t: f32) -> Basis {{\nlet c = 1.0 - t;\nlet b0_0 = 1.0;")?;
     for level in 1..=degree {
@@ -71,28 +72,28 @@ fn write_basis(text: &mut String, name: &str, degree: usize, order: usize) -> st
         }
         writeln!(text, "let b{level}_{level} = t * b{below}_{below};")?;
     }
-    // Polynomial i of a level, or nothing beside its ends.
-    let at = |level: usize, i: isize| {
+    // Polynomial i of a level, which is 0 outside 0..=level.
+    let term = |level: usize, i: isize| {
         if (0..=level as isize).contains(&i) { format!("b{level}_{i}") } else { "0.0".to_owned() }
     };
     let n = degree as isize;
     let values = |entry: &dyn Fn(isize) -> String| {
         list(order, ", ", &|i| if i <= degree { entry(i as isize) } else { "0.0".to_owned() })
     };
-    let value = values(&|i| at(degree, i));
-    let first = values(&|i| format!("{n}.0 * ({} - {})", at(degree - 1, i - 1), at(degree - 1, i)));
+    let value = values(&|i| term(degree, i));
+    let first = values(&|i| format!("{n}.0 * ({} - {})", term(degree - 1, i - 1), term(degree - 1, i)));
     let second = values(&|i| {
         if degree < 2 {
             return "0.0".to_owned();
         }
-        let below = |i| at(degree - 2, i);
+        let below = |i| term(degree - 2, i);
         format!("{}.0 * ({} - 2.0 * {} + {})", n * (n - 1), below(i - 2), below(i - 1), below(i))
     });
     let array = format!("array<f32, {order}>");
     writeln!(text, "return Basis({array}({value}), {array}({first}), {array}({second}));\n}}")
 }
 
-/// So many entries in a row.
+/// Joins `count` entries.
 fn list(count: usize, separator: &str, entry: &dyn Fn(usize) -> String) -> String {
     let mut list = String::new();
     for index in 0..count {

@@ -1,13 +1,14 @@
-//! What a GPU holds of a model, made at first use on each device.
+//! Copies of models on a GPU, uploaded at first use and kept.
 
+use super::Gpu;
 use crate::error::Result;
-use crate::gpu::Gpu;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A place for one device's copy; a new device's copy replaces it.
+/// Holds the copy of a value on the device that used it last.
 #[derive(Debug)]
 pub(crate) struct Resident<T> {
+    /// The device's id and the copy.
     copy: RefCell<Option<(u64, Rc<T>)>>,
 }
 
@@ -18,21 +19,21 @@ impl<T> Default for Resident<T> {
 }
 
 impl<T> Resident<T> {
-    /// The copy on `gpu`, uploaded by `upload` if it is not there yet.
+    /// Returns the copy on `gpu`, made by `upload` unless it already exists.
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits,
     /// [`crate::Error::DeviceLost`].
     pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> T) -> Result<Rc<T>> {
         let mut copy = self.copy.borrow_mut();
-        if let Some((id, kept)) = copy.as_ref()
+        if let Some((id, uploaded)) = copy.as_ref()
             && *id == gpu.id
         {
-            return Ok(Rc::clone(kept));
+            return Ok(Rc::clone(uploaded));
         }
-        let made = Rc::new(upload(gpu));
+        let uploaded = Rc::new(upload(gpu));
         gpu.check()?;
-        *copy = Some((gpu.id, Rc::clone(&made)));
-        Ok(made)
+        *copy = Some((gpu.id, Rc::clone(&uploaded)));
+        Ok(uploaded)
     }
 }

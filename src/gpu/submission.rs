@@ -1,44 +1,57 @@
 //! Dispatches gathered into submissions of bounded duration.
 
+use super::Gpu;
+use super::kernel::{Kernel, Pipeline};
 use crate::error::Result;
-use crate::gpu::Gpu;
-use crate::gpu::kernel::{Kernel, Pipeline};
 use std::cell::RefCell;
 use std::rc::Rc;
 use web_time::Instant;
 
-/// Seconds that a submission may be expected to take: browsers kill work of
-/// seconds, and this is also the grain of progress and cancelling.
-const MAX_SECONDS: f64 = 0.2;
+/// Seconds that a submission may be expected to take: browsers kill work that
+/// lasts for seconds, and progress and cancelling are handled between submissions.
+pub(crate) const MAX_SECONDS: f64 = 0.2;
 
-/// Units a second assumed of a kernel never run: slow enough that the first
-/// dispatch stays short on a software adapter.
-const FIRST_RATE: f64 = 2e4;
+/// Units a second assumed of a kernel that has not run yet: so slow that its
+/// first dispatch stays short on a software adapter.
+const INITIAL_THROUGHPUT: f64 = 2e4;
 
-/// A rate changes by at most this factor at a time, in case a measurement is odd.
-const MAX_RATE_CHANGE: f64 = 8.0;
+/// A throughput changes by at most this factor per submission, which limits
+/// the effect of one unusual measurement.
+const MAX_THROUGHPUT_CHANGE: f64 = 8.0;
 
-/// Params in one submission, at most.
+/// The most dispatches in one submission.
 const MAX_DISPATCHES: usize = 256;
 
-/// Bytes between params: the offset alignment that every device accepts.
+/// Bytes between the params of two dispatches: `minUniformBufferOffsetAlignment`
+/// of WebGPU by default.
 const PARAMS_STRIDE: usize = 256;
 
-/// Workgroups along one dimension, at most: the default limit of WebGPU.
+/// The most workgroups along one dimension: `maxComputeWorkgroupsPerDimension`
+/// of WebGPU by default.
 const MAX_WORKGROUPS: u32 = 65_535;
 
-/// How fast each kernel was seen to run, in units of work a second.
+/// Units of work a second of every kernel, as measured.
 #[derive(Debug, Default)]
-pub(crate) struct Pace(RefCell<Vec<(Kernel, f64)>>);
+pub(crate) struct Throughput(RefCell<Vec<(Kernel, f64)>>);
 
-impl Pace {
-    fn rate(&self, kernel: Kernel) -> f64 {
-        self.0.borrow().iter().find(|(of, _)| *of == kernel).map_or(FIRST_RATE, |&(_, rate)| rate)
+impl Throughput {
+    fn units_per_second(&self, kernel: Kernel) -> f64 {
+        let rates = self.0.borrow();
+        rates.iter().find(|(other, _)| *other == kernel).map_or(INITIAL_THROUGHPUT, |&(_, rate)| rate)
     }
 
-    /// Units of work of this kernel that fill a submission; at least 1.
+    /// The units of work of this kernel that fill a submission; 1 or more.
     pub(crate) fn chunk(&self, kernel: Kernel) -> usize {
-        (self.rate(kernel) * MAX_SECONDS).max(1.0) as usize
+        (self.units_per_second(kernel) * MAX_SECONDS).max(1.0) as usize
+    }
+
+    /// Multiplies the kernel's throughput by `factor`.
+    fn scale(&self, kernel: Kernel, factor: f64) {
+        let mut rates = self.0.borrow_mut();
+        match rates.iter_mut().find(|(other, _)| *other == kernel) {
+            Some((_, rate)) => *rate *= factor,
+            None => rates.push((kernel, INITIAL_THROUGHPUT * factor)),
+        }
     }
 }
 
@@ -49,31 +62,31 @@ pub(crate) struct Dispatch<'a> {
     pub(crate) bind_group: &'a wgpu::BindGroup,
     pub(crate) params: &'a [u8],
     pub(crate) extent: Extent<'a>,
-    /// Units of work: what the kernel's time is proportional to. 0 where the
-    /// time says nothing of the kernel.
+    /// Units of work, to which the kernel's time is proportional; 0 excludes
+    /// the dispatch from the measurement of throughput.
     pub(crate) units: usize,
 }
 
-/// How many workgroups a dispatch has.
+/// The number of workgroups of a dispatch.
 pub(crate) enum Extent<'a> {
     Workgroups(u32),
-    /// As the first numbers of a buffer say when it comes to it.
+    /// The first three numbers of a buffer, read when the dispatch is executed.
     Indirect(&'a wgpu::Buffer),
 }
 
 /// A submission being recorded.
-pub(crate) struct Work<'a> {
+pub(crate) struct Submission<'a> {
     gpu: &'a Gpu,
-    params: &'a wgpu::Buffer,
+    params_buffer: &'a wgpu::Buffer,
     encoder: wgpu::CommandEncoder,
-    bytes: Vec<u8>,
-    expected: f64,
+    params: Vec<u8>,
+    expected_seconds: f64,
     kernels: Vec<Kernel>,
 }
 
 impl Gpu {
-    /// A buffer for the params of a submission.
-    pub(crate) fn params(&self) -> wgpu::Buffer {
+    /// A buffer for the params of all dispatches of a submission.
+    pub(crate) fn params_buffer(&self) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         self.buffer("params", (MAX_DISPATCHES * PARAMS_STRIDE) as u64, usage)
     }
@@ -88,12 +101,10 @@ impl Gpu {
         let params = wgpu::BufferBinding { buffer: params, offset: 0, size: Some(pipeline.params_size) };
         let mut entries =
             vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(params) }];
-        for (index, buffer) in storage.iter().enumerate() {
-            entries.push(wgpu::BindGroupEntry {
-                binding: index as u32 + 1,
-                resource: buffer.as_entire_binding(),
-            });
-        }
+        entries.extend(storage.iter().enumerate().map(|(index, buffer)| wgpu::BindGroupEntry {
+            binding: index as u32 + 1,
+            resource: buffer.as_entire_binding(),
+        }));
         Rc::new(self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &pipeline.layout,
@@ -102,23 +113,25 @@ impl Gpu {
     }
 }
 
-impl<'a> Work<'a> {
-    pub(crate) fn new(gpu: &'a Gpu, params: &'a wgpu::Buffer) -> Self {
+impl<'a> Submission<'a> {
+    pub(crate) fn new(gpu: &'a Gpu, params_buffer: &'a wgpu::Buffer) -> Self {
         let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        Self { gpu, params, encoder, bytes: Vec::new(), expected: 0.0, kernels: Vec::new() }
+        let kernels = Vec::new();
+        Self { gpu, params_buffer, encoder, params: Vec::new(), expected_seconds: 0.0, kernels }
     }
 
-    /// Whether the submission is long enough, in time or in dispatches.
+    /// Whether no further dispatch may be recorded, by time or by number.
     fn is_full(&self) -> bool {
-        self.expected >= MAX_SECONDS || self.bytes.len() >= MAX_DISPATCHES * PARAMS_STRIDE
+        self.expected_seconds >= MAX_SECONDS || self.params.len() >= MAX_DISPATCHES * PARAMS_STRIDE
     }
 
-    /// Records a dispatch; the submission must not be full.
+    /// Records a dispatch. The submission must not be full.
     pub(crate) fn dispatch(&mut self, dispatch: &Dispatch<'_>) {
-        let offset = self.bytes.len();
-        self.bytes.extend_from_slice(dispatch.params);
-        self.bytes.resize(offset + PARAMS_STRIDE, 0);
-        self.expected += dispatch.units as f64 / self.gpu.pace.rate(dispatch.kernel);
+        let offset = self.params.len();
+        self.params.extend_from_slice(dispatch.params);
+        self.params.resize(offset + PARAMS_STRIDE, 0);
+        self.expected_seconds +=
+            dispatch.units as f64 / self.gpu.throughput.units_per_second(dispatch.kernel);
         if dispatch.units > 0 && !self.kernels.contains(&dispatch.kernel) {
             self.kernels.push(dispatch.kernel);
         }
@@ -134,16 +147,18 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Submits and begins anew if it is full; whether it was.
-    pub(crate) async fn make_room(&mut self) -> Result<bool> {
+    /// Submits and starts an empty submission if this one is full. Returns
+    /// whether it was.
+    pub(crate) async fn submit_if_full(&mut self) -> Result<bool> {
         let full = self.is_full();
         if full {
-            std::mem::replace(self, Work::new(self.gpu, self.params)).submit().await?;
+            std::mem::replace(self, Submission::new(self.gpu, self.params_buffer)).submit().await?;
         }
         Ok(full)
     }
 
-    /// Submits, waits, and reads the first `bytes` of a buffer by way of another.
+    /// Submits, waits, and returns the first `bytes` bytes of the buffer
+    /// `from`, which are copied through `readable`.
     pub(crate) async fn read(
         mut self,
         from: &wgpu::Buffer,
@@ -156,22 +171,15 @@ impl<'a> Work<'a> {
         gpu.read(readable, bytes).await
     }
 
-    /// Submits, waits, and learns how fast the kernels are.
+    /// Submits, waits, and updates the throughput of the kernels that ran.
     pub(crate) async fn submit(self) -> Result<()> {
-        let Self { gpu, params, encoder, bytes, expected, kernels } = self;
         let started = Instant::now();
-        gpu.queue.write_buffer(params, 0, &bytes);
-        gpu.queue.submit([encoder.finish()]);
-        gpu.finish().await?;
-        let factor =
-            (expected / started.elapsed().as_secs_f64()).clamp(1.0 / MAX_RATE_CHANGE, MAX_RATE_CHANGE);
-        let mut rates = gpu.pace.0.borrow_mut();
-        for kernel in kernels {
-            match rates.iter_mut().find(|(of, _)| *of == kernel) {
-                Some((_, rate)) => *rate *= factor,
-                None => rates.push((kernel, FIRST_RATE * factor)),
-            }
-        }
+        self.gpu.queue.write_buffer(self.params_buffer, 0, &self.params);
+        self.gpu.queue.submit([self.encoder.finish()]);
+        self.gpu.finish().await?;
+        let factor = (self.expected_seconds / started.elapsed().as_secs_f64())
+            .clamp(1.0 / MAX_THROUGHPUT_CHANGE, MAX_THROUGHPUT_CHANGE);
+        self.kernels.iter().for_each(|&kernel| self.gpu.throughput.scale(kernel, factor));
         Ok(())
     }
 }

@@ -43,8 +43,8 @@ pub const MAX_CELLS: usize = 1 << 22;
 /// long loops. Cells of more get levels in between.
 pub const MAX_CHILDREN: usize = 64;
 
-/// Children of a node above the cells: two by two, or four surfaces.
-const BRANCHING: usize = 4;
+/// The most children of a node above the cells: two by two, or four surfaces.
+pub(crate) const BRANCHING: usize = 4;
 
 /// The tree over a model's cells.
 #[derive(Debug, Clone)]

@@ -20,6 +20,7 @@ mod traversal;
 
 pub use box_distance::Distances;
 pub use boxes::{Part, boxes};
+pub(crate) use grid_tree::BRANCHING;
 pub use grid_tree::{Cell, Children, GridTree, MAX_CELLS, MAX_CHILDREN};
 pub(crate) use level_bounds::LevelBounds;
 pub use pyramid::pyramid;

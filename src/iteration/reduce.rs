@@ -2,8 +2,8 @@
 
 use super::Projected;
 
-/// Samples of a block.
-const BLOCK_SIZE: usize = 1024;
+/// The samples of a block, on CPU and GPU: sixteen for each thread of a workgroup.
+pub(crate) const BLOCK_SIZE: usize = 1024;
 
 /// The index of the largest squared distance of every block of samples, the
 /// first of equals; the largest block first. O(n).

@@ -1,244 +1,269 @@
-//! The stages `cell`, `project`, `certify`, `split` and `level` on the GPU:
-//! several levels of cells in one submission.
+//! Method `certified` on the GPU: stages `cell_jet`, `project`, `taylor_bound`,
+//! `split` and `next_level`, on several levels of cells in one submission.
+//!
+//! The branch and bound of [`crate::certified`] hands over batches of cells
+//! and takes back those that are still to be split or to be bounded in
+//! float64. Both models are cut into subpatches on which float32 loses only a
+//! part of the tolerance; the kernels add that error to every bound.
 
-pub(crate) mod float32_error;
-pub(crate) mod subpatches;
-pub(crate) mod upload;
+mod float32_error;
+pub(crate) mod kernels;
+pub(crate) mod layouts;
+mod subpatches;
+mod upload;
 
+pub(crate) use float32_error::Float32Error;
+pub(crate) use subpatches::{SubpatchCell, Subpatches};
+pub(crate) use upload::{BoundsDomain, GpuSubpatches, SubpatchFrame};
+
+use super::Gpu;
+use super::degree_groups::by_degree;
+use super::float32::{UNIT_ROUNDOFF, UNKNOWN_DISTANCE, round_down, round_up};
+use super::iteration::layouts::{ProjectParams, Projected};
+use super::iteration::{GpuTarget, kernels as iteration_kernels};
+use super::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
+use super::submission::{Dispatch, Extent, MAX_SECONDS, Submission};
 use crate::bezier::{Patch, power_of_two_below};
-use crate::certified::{BatchResult, BranchAndBound, Domain, Foot, SearchNode};
+use crate::certified::{BatchResult, BranchAndBound, Cell, Domain, Foot, SearchNode};
 use crate::closest::{Projection, Target};
 use crate::error::Result;
-use crate::gpu::Gpu;
-use crate::gpu::Pieces;
-use crate::gpu::certified::float32_error::PieceError;
-use crate::gpu::certified::upload::{GpuPieces, PieceFrame, Reach};
-use crate::gpu::degree_groups::by_degree;
-use crate::gpu::float32::{ROUNDING, rounded_down, rounded_up};
-use crate::gpu::iteration::FARTHEST;
-use crate::gpu::iteration::layouts::{
-    Batch, Best, Cell, JET_BYTES, LevelParams, ProjectParams, Tally, UNDECIDED,
-};
-use crate::gpu::iteration::target::GpuTarget;
-use crate::gpu::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
-use crate::gpu::submission::{Dispatch, Extent, Work};
 use crate::iteration::Culling;
 use crate::model::RigidTransform;
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
+use layouts::{
+    Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, JET_BYTES, LENGTH_ROUNDINGS, LevelParams, Tally,
+};
 use std::rc::Rc;
 use web_time::Instant;
 
-/// Cells that a level has room for.
+/// The most cells of a level.
 const CAPACITY: usize = 1 << 15;
 
 /// Levels of one submission.
 const LEVELS: usize = 4;
 
-/// Cells that a submission may leave over: those of every level, and parts
-/// that found no room in the next.
-const MAX_LEFT: usize = 4 * LEVELS * CAPACITY;
+/// The most leftover cells of a submission: every cell of every level may be
+/// for float64 or have up to four children without space in the next level.
+const MAX_LEFTOVER: usize = 4 * LEVELS * CAPACITY;
 
-/// Cells that a submission begins with: first, and at least.
-const FIRST_CHUNK: usize = 2048;
-const MIN_CHUNK: usize = 256;
+/// Cells of the first batch. Batches double while a submission takes less than
+/// half of [`MAX_SECONDS`], and halve when it takes more.
+const FIRST_BATCH: usize = 2048;
 
-/// Seconds that a submission should take: browsers kill work of seconds, and
-/// this is also the grain of progress and cancelling.
-const SECONDS: f64 = 0.2;
+/// The fewest cells of a batch: fewer do not occupy a GPU.
+const MIN_BATCH: usize = 256;
 
-/// Pieces of a model, at most.
-const MAX_PIECES: usize = 1 << 15;
+/// The most cells of a batch, so that its children fit the next level.
+const MAX_BATCH: usize = CAPACITY / 4;
 
-/// Part of the tolerance that float32 may lose in the pieces of either model,
-/// and in the length of a distance.
-const PIECE_PART: f64 = 0.12;
-const LENGTH_PART: f64 = 0.4;
+/// The most subpatches of a model.
+const MAX_SUBPATCHES: usize = 1 << 15;
 
-/// Roundings of a distance relative to itself, `LENGTH_ROUNDINGS` and those of
-/// `DIFFERENCE_ROUNDINGS` in `certify.wgsl`, and of the bound compared.
-const DISTANCE_ROUNDINGS: f64 = 22.0 * ROUNDING;
+/// The fractions of the tolerance that float32 may lose in the subpatches of
+/// either model, and in the length of a distance.
+const MAX_SUBPATCH_ERROR: f64 = 0.12;
+const MAX_LENGTH_ERROR: f64 = 0.4;
+
+/// Upper bound on the relative error of a distance: of the difference, of its
+/// length, and two roundings of the bound that is compared.
+const DISTANCE_ROUNDINGS: f64 = DIFFERENCE_ROUNDINGS as f64 + LENGTH_ROUNDINGS as f64 + 2.0 * UNIT_ROUNDOFF;
 
 /// Units of the centres' grid from the frame's origin to its farthest point:
-/// a difference of two is within 32 bits.
-const GRID_UNITS: f64 = (1_u32 << 28) as f64;
+/// the difference of two centres is within 32 bits.
+const CENTER_UNITS: f64 = (1_u32 << 28) as f64;
 
-/// Newton steps on one piece, at most: pieces are small, and a foot that was
-/// not reached only loosens.
+/// The most Newton steps on one subpatch: it is small, and a foot that is not
+/// reached only loosens the bound.
 const ITERATIONS: u32 = 8;
 
-/// Both models' pieces on the GPU and the buffers of the levels.
-pub(crate) struct Levels {
+/// The subpatches of both models of a search on the GPU, with the buffers of its levels.
+pub(crate) struct GpuCertified {
     gpu: Rc<Gpu>,
-    pieces: [Pieces; 2],
-    uploaded: [GpuPieces; 2],
-    frame: PieceFrame,
+    /// The subpatches of A and B.
+    subpatches: [Subpatches; 2],
+    uploaded: [GpuSubpatches; 2],
+    frame: SubpatchFrame,
     pub(crate) buffers: Buffers,
-    /// The dispatches of a level, cells from one buffer or the other.
-    pub(crate) steps: [Vec<Step>; 2],
-    chunk: usize,
+    /// The dispatches of even and of odd levels, which read the cells from
+    /// either buffer and write them to the other.
+    pub(crate) dispatches: [Vec<LevelDispatch>; 2],
+    batch_size: usize,
 }
 
 pub(crate) struct Buffers {
     pub(crate) params: wgpu::Buffer,
     batch: wgpu::Buffer,
     pub(crate) cells: [wgpu::Buffer; 2],
-    pub(crate) best: wgpu::Buffer,
-    left: wgpu::Buffer,
+    pub(crate) projected: wgpu::Buffer,
+    leftover_cells: wgpu::Buffer,
     tally: wgpu::Buffer,
 }
 
 /// One dispatch of a level.
-pub(crate) struct Step {
+pub(crate) struct LevelDispatch {
     pub(crate) kernel: Kernel,
     pub(crate) pipeline: Rc<Pipeline>,
     bind_group: Rc<wgpu::BindGroup>,
-    about: About,
+    scope: Scope,
 }
 
-/// The pieces that a dispatch is about.
+/// The subpatches that a dispatch uses.
 #[derive(Clone, Copy)]
-enum About {
-    Pieces { first: usize, count: usize },
+enum Scope {
+    /// A group of subpatches, for all cells.
+    Subpatches { first: usize, count: usize },
+    /// A group of B's subpatches, for stage `project`.
     Project { patches_before: usize },
+    /// None: the dispatch has one thread.
     Level,
 }
 
-impl Levels {
-    /// Cuts and uploads both models of a search; `None` where float32 is not
-    /// exact enough for its tolerance.
+impl GpuCertified {
+    /// Cuts both models of a search into subpatches and uploads them. Returns
+    /// `None` where float32 is too coarse for the search's tolerance.
     ///
     /// # Errors
-    /// [`Error::GpuFailed`], [`Error::DeviceLost`].
+    /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
     pub(crate) fn new(gpu: &Rc<Gpu>, search: &BranchAndBound<'_>) -> Result<Option<Self>> {
         gpu.check()?;
         let tolerance = search.tolerance();
-        if DISTANCE_ROUNDINGS * search.interval().upper > LENGTH_PART * tolerance {
+        if DISTANCE_ROUNDINGS * search.interval().upper > MAX_LENGTH_ERROR * tolerance {
             return Ok(None);
         }
         let (a, b, transform) = search.sides();
-        let fits = |patch: &Patch<'_>| PieceError::of(patch, 1.0).total() <= PIECE_PART * tolerance;
-        let Some(from) = Pieces::new(a, transform, &fits, MAX_PIECES) else { return Ok(None) };
-        let Some(to) = Pieces::new(b, &RigidTransform::IDENTITY, &fits, MAX_PIECES) else { return Ok(None) };
+        let fits =
+            |patch: &Patch<'_>| Float32Error::new(patch, 1.0).total() <= MAX_SUBPATCH_ERROR * tolerance;
+        let Some(from) = Subpatches::new(&a.target.patches, transform, &fits, MAX_SUBPATCHES) else {
+            return Ok(None);
+        };
+        let Some(to) = Subpatches::new(&b.target.patches, &RigidTransform::IDENTITY, &fits, MAX_SUBPATCHES)
+        else {
+            return Ok(None);
+        };
         let target = gpu.upload_target(&Target::new(to.patches.clone()));
         let frame = frame(&target, [&from, &to]);
         let from_groups = by_degree(&from.patches);
-        let of_group = |before: usize, count: usize| target.patches[before..before + count].to_vec();
         let to_groups: Vec<([usize; 2], Vec<u32>)> = target
             .groups
             .iter()
-            .map(|group| (group.degree, of_group(group.patches_before, group.count)))
+            .map(|group| {
+                let members = group.patches_before..group.patches_before + group.count;
+                (group.degree, target.patches[members].to_vec())
+            })
             .collect();
         let uploaded = [
-            gpu.upload_pieces(&from, &from_groups, Reach::Piece, &frame),
-            gpu.upload_pieces(&to, &to_groups, Reach::Beyond(b), &frame),
+            gpu.upload_subpatches(&from, &from_groups, BoundsDomain::Subpatch, &frame),
+            gpu.upload_subpatches(&to, &to_groups, BoundsDomain::Extended(b), &frame),
         ];
-        let cells = |label| gpu.storage(label, (CAPACITY * size_of::<Cell>()) as u64);
-        let usages =
+        let cells = |label| gpu.storage(label, (CAPACITY * size_of::<CellState>()) as u64);
+        let indirect =
             wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST;
         let buffers = Buffers {
-            params: gpu.params(),
-            batch: gpu.buffer("batch", size_of::<Batch>() as u64, usages),
+            params: gpu.params_buffer(),
+            batch: gpu.buffer("batch", size_of::<Batch>() as u64, indirect),
             cells: [cells("cells"), cells("next cells")],
-            best: gpu.storage("best", (CAPACITY * size_of::<Best>()) as u64),
-            left: gpu.storage("left cells", (MAX_LEFT * size_of::<Cell>()) as u64),
+            projected: gpu.storage("projected", (CAPACITY * size_of::<Projected>()) as u64),
+            leftover_cells: gpu.storage("leftover cells", (MAX_LEFTOVER * size_of::<CellState>()) as u64),
             tally: gpu.storage("tally", size_of::<Tally>() as u64),
         };
-        let steps = steps(gpu, &buffers, &uploaded, &target);
+        let dispatches = dispatches(gpu, &buffers, &uploaded, &target);
         gpu.check()?;
         Ok(Some(Self {
             gpu: Rc::clone(gpu),
-            pieces: [from, to],
+            subpatches: [from, to],
             uploaded,
             frame,
             buffers,
-            steps,
-            chunk: FIRST_CHUNK,
+            dispatches,
+            batch_size: FIRST_BATCH,
         }))
     }
 
-    /// Bounds the next waiting cells and their parts, some levels down.
+    /// Takes the next batch of cells from the search, bounds them and their
+    /// descendants of some levels, and returns the result to the search.
     ///
     /// # Errors
-    /// [`Error::GpuFailed`], [`Error::DeviceLost`]; the search has its cells back.
+    /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`]; the search has
+    /// its cells back.
     pub(crate) async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<()> {
         let started = Instant::now();
-        let lent = search.take_batch(self.chunk);
-        match self.bound(&lent, search.prune_threshold()).await {
-            Ok(returned) => search.return_batch(returned),
+        let batch = search.take_batch(self.batch_size);
+        match self.bound(&batch, search.prune_threshold()).await {
+            Ok(result) => search.return_batch(result),
             Err(error) => {
-                search.return_batch(BatchResult { waiting: lent, ..BatchResult::default() });
+                search.return_batch(BatchResult { waiting: batch, ..BatchResult::default() });
                 return Err(error);
             }
         }
         let seconds = started.elapsed().as_secs_f64();
-        if seconds > SECONDS {
-            self.chunk = (self.chunk / 2).max(MIN_CHUNK);
-        } else if 2.0 * seconds < SECONDS {
-            self.chunk = (2 * self.chunk).min(CAPACITY / 4);
+        if seconds > MAX_SECONDS {
+            self.batch_size = (self.batch_size / 2).max(MIN_BATCH);
+        } else if 2.0 * seconds < MAX_SECONDS {
+            self.batch_size = (2 * self.batch_size).min(MAX_BATCH);
         }
         Ok(())
     }
 
-    pub(crate) async fn bound(&self, lent: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
-        let mut returned = BatchResult::default();
-        let cells = self.cells(lent, &mut returned.waiting);
-        let Buffers { params, cells: buffers, left, tally, .. } = &self.buffers;
-        self.begin(&cells);
-        let mut work = Work::new(&self.gpu, params);
-        let level = self.params(prune_threshold);
-        for index in 0..LEVELS {
-            for step in &self.steps[index % 2] {
-                self.record(&mut work, step, &level);
+    /// Bounds the cells of the nodes and their descendants of some levels.
+    pub(crate) async fn bound(&self, nodes: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
+        let mut result = BatchResult::default();
+        let cells = self.cells(nodes, &mut result.waiting);
+        let Buffers { params, cells: buffers, leftover_cells, tally, .. } = &self.buffers;
+        self.upload_level(&cells);
+        let mut submission = Submission::new(&self.gpu, params);
+        let level_params = self.params(prune_threshold);
+        for level in 0..LEVELS {
+            for dispatch in &self.dispatches[level % 2] {
+                self.record(&mut submission, dispatch, &level_params);
             }
         }
-        let tally: Tally = pod_read_unaligned(&self.read(work, tally, size_of::<Tally>()).await?);
-        for (from, count) in [(&buffers[LEVELS % 2], tally.waiting), (left, tally.left)] {
-            let work = Work::new(&self.gpu, params);
-            for cell in self
-                .read(work, from, count as usize * size_of::<Cell>())
-                .await?
-                .chunks_exact(size_of::<Cell>())
-            {
-                let cell: Cell = pod_read_unaligned(cell);
-                let region = self.region(&cell)?;
-                if cell.verdict == UNDECIDED {
-                    returned.undecided.push(region);
+        let tally: Tally = pod_read_unaligned(&self.read(submission, tally, size_of::<Tally>()).await?);
+        for (from, count) in
+            [(&buffers[LEVELS % 2], tally.waiting_cells), (leftover_cells, tally.leftover_cells)]
+        {
+            let submission = Submission::new(&self.gpu, params);
+            let content = self.read(submission, from, count as usize * size_of::<CellState>()).await?;
+            for cell in content.chunks_exact(size_of::<CellState>()) {
+                let cell: CellState = pod_read_unaligned(cell);
+                let node = self.node(&cell)?;
+                if cell.verdict == FLOAT64_ONLY {
+                    result.undecided.push(node);
                 } else {
-                    returned.waiting.push(region);
+                    result.waiting.push(node);
                 }
             }
         }
-        returned.dropped = f64::from(f32::from_bits(tally.dropped)) / self.frame.scale;
-        returned.cells = tally.cells as usize;
-        returned.levels = lent.iter().map(|region| region.level).max().unwrap_or(0) + tally.levels;
+        result.dropped = f64::from(f32::from_bits(tally.pruned_upper)) / self.frame.scale;
+        result.cells = tally.cells as usize;
+        result.levels = nodes.iter().map(|node| node.level).max().unwrap_or(0) + tally.levels;
         if tally.farthest > 0 {
             let center = [tally.farthest_s, tally.farthest_t].map(f32::from_bits);
-            let cell = self.place(tally.farthest_piece, center, [0.0; 2])?;
-            returned.farthest = Some((cell.patch, cell.center));
+            let cell = self.cell(tally.farthest_subpatch, center, [0.0; 2])?;
+            result.farthest = Some((cell.patch, cell.center));
         }
-        Ok(returned)
+        Ok(result)
     }
 
-    /// The cells of the regions; those that found no room are left waiting.
-    pub(crate) fn cells(&self, lent: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<Cell> {
+    /// The cells of the nodes, on one subpatch each. Nodes whose cells exceed
+    /// the capacity are appended to `waiting` instead.
+    pub(crate) fn cells(&self, nodes: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<CellState> {
         let mut cells = Vec::new();
-        for region in lent {
+        for node in nodes {
             let before = cells.len();
-            if let Domain::Cell(cell) = &region.domain {
-                for part in self.pieces[0].parts(cell) {
-                    cells.push(self.cell(part, region));
-                }
+            if let Domain::Cell(cell) = &node.domain {
+                let intersections = self.subpatches[0].intersections(cell);
+                cells.extend(intersections.map(|cell| self.cell_state(&cell, node)));
             }
             if cells.len() > CAPACITY {
                 cells.truncate(before);
-                waiting.push(*region);
+                waiting.push(*node);
             }
         }
         cells
     }
 
-    /// Makes these the cells of the first level, which has told nothing yet.
-    pub(crate) fn begin(&self, cells: &[Cell]) {
+    /// Uploads the cells of the first level and resets the tally.
+    pub(crate) fn upload_level(&self, cells: &[CellState]) {
         let Buffers { batch, cells: buffers, tally, .. } = &self.buffers;
         let count = cells.len() as u32;
         let first = Batch { workgroups: [count.div_ceil(WORKGROUP_SIZE), 1, 1], count };
@@ -248,135 +273,149 @@ impl Levels {
         queue.write_buffer(tally, 0, bytes_of(&Tally::zeroed()));
     }
 
-    /// What all stages are told where a bound of `prune_threshold` ends a cell.
+    /// The params common to all stages.
     pub(crate) fn params(&self, prune_threshold: f64) -> LevelParams {
         LevelParams {
-            prune_threshold: rounded_down(self.frame.scale * prune_threshold),
-            grid: self.frame.grid as f32,
-            // Half a unit in each coordinate of either centre, and a little for float64.
-            slack: 2.0 * self.frame.grid as f32,
+            prune_threshold: round_down(self.frame.scale * prune_threshold),
+            center_unit: self.frame.center_unit as f32,
+            // Half a unit in each coordinate of either centre, √3 in length, with a
+            // margin for float64.
+            center_error: 2.0 * self.frame.center_unit as f32,
             capacity: CAPACITY as u32,
-            first_piece: 0,
-            piece_count: 0,
+            first_subpatch: 0,
+            subpatch_count: 0,
         }
     }
 
-    pub(crate) fn record(&self, work: &mut Work<'_>, step: &Step, level: &LevelParams) {
-        let params;
-        let project;
-        let (bytes, extent) = match step.about {
-            About::Pieces { first, count } => {
-                params = LevelParams { first_piece: first as u32, piece_count: count as u32, ..*level };
-                (bytes_of(&params), Extent::Indirect(&self.buffers.batch))
+    pub(crate) fn record(
+        &self,
+        submission: &mut Submission<'_>,
+        dispatch: &LevelDispatch,
+        level_params: &LevelParams,
+    ) {
+        let (subpatch_params, project_params);
+        let (params, extent) = match dispatch.scope {
+            Scope::Subpatches { first, count } => {
+                subpatch_params = LevelParams {
+                    first_subpatch: first as u32,
+                    subpatch_count: count as u32,
+                    ..*level_params
+                };
+                (bytes_of(&subpatch_params), Extent::Indirect(&self.buffers.batch))
             }
-            About::Project { patches_before } => {
-                project = ProjectParams {
+            Scope::Project { patches_before } => {
+                project_params = ProjectParams {
                     sample_count: CAPACITY as u32,
                     patches_before: patches_before as u32,
                     iterations: ITERATIONS,
                     ..ProjectParams::zeroed()
                 };
-                (bytes_of(&project), Extent::Indirect(&self.buffers.batch))
+                (bytes_of(&project_params), Extent::Indirect(&self.buffers.batch))
             }
-            About::Level => (bytes_of(level), Extent::Workgroups(1)),
+            Scope::Level => (bytes_of(level_params), Extent::Workgroups(1)),
         };
-        let Step { kernel, pipeline, bind_group, .. } = step;
-        // A level has no pace of its own: it is as long as its cells are many.
-        work.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params: bytes, extent, units: 0 });
+        let LevelDispatch { kernel, pipeline, bind_group, .. } = dispatch;
+        // The number of cells is not known here, so no throughput can be measured.
+        submission.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params, extent, units: 0 });
     }
 
-    pub(crate) async fn read(&self, work: Work<'_>, from: &wgpu::Buffer, bytes: usize) -> Result<Vec<u8>> {
+    pub(crate) async fn read(
+        &self,
+        submission: Submission<'_>,
+        from: &wgpu::Buffer,
+        bytes: usize,
+    ) -> Result<Vec<u8>> {
         let readable = self.gpu.readable("readable", bytes as u64);
-        work.read(from, &readable, bytes as u64).await
+        submission.read(from, &readable, bytes as u64).await
     }
 
-    fn cell(&self, (piece, center, half): (usize, [f64; 2], [f64; 2]), region: &SearchNode) -> Cell {
-        Cell {
-            // Dyadic numbers of few digits, so exact.
-            center: center.map(|x| x as f32),
-            half: half.map(|x| x as f32),
-            piece: self.uploaded[0].index_of(piece),
-            foot: 0,
-            foot_at: [0.5; 2],
-            upper: rounded_up(self.frame.scale * region.upper),
-            reach: FARTHEST,
-            level: region.level,
+    fn cell_state(&self, cell: &SubpatchCell, node: &SearchNode) -> CellState {
+        CellState {
+            // Dyadic numbers of few digits, so that float32 is exact.
+            center: cell.center.map(|x| x as f32),
+            half: cell.half.map(|x| x as f32),
+            subpatch: self.uploaded[0].index_of(cell.subpatch),
+            foot_subpatch: 0,
+            foot_parameters: [0.5; 2],
+            upper: round_up(self.frame.scale * node.upper),
+            foot_distance: UNKNOWN_DISTANCE,
+            level: node.level,
             verdict: 0,
         }
     }
 
-    fn place(&self, piece: u32, center: [f32; 2], half: [f32; 2]) -> Result<crate::certified::Cell> {
-        let piece = self.uploaded[0].piece(piece)?;
+    /// The cell of A of a rectangle on the subpatch of this index on the GPU.
+    fn cell(&self, index: u32, center: [f32; 2], half: [f32; 2]) -> Result<Cell> {
+        let subpatch = self.uploaded[0].subpatch(index)?;
         let center = center.map(|x| f64::from(x).clamp(-1.0, 1.0));
-        Ok(self.pieces[0].cell(piece, center, half.map(f64::from)))
+        Ok(self.subpatches[0].cell(&SubpatchCell { subpatch, center, half: half.map(f64::from) }))
     }
 
-    fn region(&self, cell: &Cell) -> Result<SearchNode> {
-        let foot = self.uploaded[1].piece(cell.foot)?;
-        let place = &self.pieces[1].places[foot];
-        let at = place.at(cell.foot_at.map(|x| 2.0 * f64::from(x) - 1.0));
+    fn node(&self, cell: &CellState) -> Result<SearchNode> {
+        let foot = self.uploaded[1].subpatch(cell.foot_subpatch)?;
+        let domain = self.subpatches[1].domains[foot];
+        let foot_parameters = domain.patch_parameters(cell.foot_parameters.map(|x| 2.0 * f64::from(x) - 1.0));
         Ok(SearchNode {
-            domain: Domain::Cell(self.place(cell.piece, cell.center, cell.half)?),
+            domain: Domain::Cell(self.cell(cell.subpatch, cell.center, cell.half)?),
             upper: f64::from(cell.upper) / self.frame.scale,
-            foot: Foot::start(place.patch, at),
+            foot: Foot::start(domain.patch, foot_parameters),
             level: cell.level,
         })
     }
 }
 
-/// B's frame with a grid that reaches all centres.
-fn frame(target: &GpuTarget, sides: [&Pieces; 2]) -> PieceFrame {
+/// B's frame, with a grid of centres that reaches all subpatches.
+fn frame(target: &GpuTarget, models: [&Subpatches; 2]) -> SubpatchFrame {
     let mut largest = 0.0_f64;
-    for pieces in sides {
-        for patch in pieces.patches.iter() {
+    for subpatches in models {
+        for patch in subpatches.patches.iter() {
             largest = largest.max((target.scale * (patch.center - target.origin)).abs().max_element());
         }
     }
-    let grid = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / GRID_UNITS;
-    PieceFrame { origin: target.origin, scale: target.scale, grid: grid.max(f64::from(f32::MIN_POSITIVE)) }
+    let unit = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / CENTER_UNITS;
+    let center_unit = unit.max(f64::from(f32::MIN_POSITIVE));
+    SubpatchFrame { origin: target.origin, scale: target.scale, center_unit }
 }
 
-/// What a level does, with its cells in either buffer.
-fn steps(
+/// The dispatches of a level with its cells in the first and in the second buffer.
+fn dispatches(
     gpu: &Rc<Gpu>,
     buffers: &Buffers,
-    [from, to]: &[GpuPieces; 2],
+    [from, to]: &[GpuSubpatches; 2],
     target: &GpuTarget,
-) -> [Vec<Step>; 2] {
-    let room = CAPACITY as u64;
-    let jets = gpu.storage("jets", room * JET_BYTES);
-    let samples = gpu.storage("samples", room * size_of::<[f32; 4]>() as u64);
-    let Buffers { params, batch, best, left, tally, .. } = buffers;
+) -> [Vec<LevelDispatch>; 2] {
+    let capacity = CAPACITY as u64;
+    let jets = gpu.storage("jets", capacity * JET_BYTES);
+    let samples = gpu.storage("samples", capacity * size_of::<[f32; 4]>() as u64);
+    let Buffers { params, batch, projected, leftover_cells, tally, .. } = buffers;
     [0, 1].map(|parity| {
-        let (cells, next) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
-        let mut steps = Vec::new();
-        let mut push = |kernel, storage: &[&wgpu::Buffer], about| {
+        let (cells, next_cells) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
+        let mut dispatches = Vec::new();
+        let mut push = |kernel, storage: &[&wgpu::Buffer], scope| {
             let (pipeline, _) = gpu.pipelines.get(kernel);
             let bind_group = gpu.bind(&pipeline, params, storage);
-            steps.push(Step { kernel, pipeline, bind_group, about });
+            dispatches.push(LevelDispatch { kernel, pipeline, bind_group, scope });
         };
         for group in &from.groups {
-            let storage = [batch, cells, &group.coefficients, &from.pieces, &jets, &samples, best];
-            let about = About::Pieces { first: group.first, count: group.count };
-            push(Kernel::Cell { degree: group.degree }, &storage, about);
+            let storage = [batch, cells, &group.coefficients, &from.subpatches, &jets, &samples, projected];
+            let scope = Scope::Subpatches { first: group.first, count: group.count };
+            push(kernels::cell_jet(group.degree), &storage, scope);
         }
         for group in &target.groups {
-            let kernel = Kernel::Project {
-                degree: group.degree,
-                projection: Projection::Newton,
-                culling: Culling::Tree,
-            };
-            let storage = [&samples, best, &group.controls.controls, &group.controls.centers, &group.nodes];
-            push(kernel, &storage, About::Project { patches_before: group.patches_before });
+            let kernel = iteration_kernels::project(group.degree, Projection::Newton, Culling::Tree);
+            let controls = &group.controls;
+            let storage = [&samples, projected, &controls.controls, &controls.centers, &group.nodes];
+            push(kernel, &storage, Scope::Project { patches_before: group.patches_before });
         }
         for group in &to.groups {
-            let storage = [batch, cells, &jets, best, &from.pieces, &to.pieces, &group.coefficients];
-            let about = About::Pieces { first: group.first, count: group.count };
-            push(Kernel::Certify { degree: group.degree }, &storage, about);
+            let storage =
+                [batch, cells, &jets, projected, &from.subpatches, &to.subpatches, &group.coefficients];
+            let scope = Scope::Subpatches { first: group.first, count: group.count };
+            push(kernels::taylor_bound(group.degree), &storage, scope);
         }
-        let about = About::Pieces { first: 0, count: 0 };
-        push(Kernel::Split, &[batch, cells, next, left, tally, &from.pieces], about);
-        push(Kernel::Level, &[batch, tally], About::Level);
-        steps
+        let all = Scope::Subpatches { first: 0, count: 0 };
+        push(kernels::split(), &[batch, cells, next_cells, leftover_cells, tally, &from.subpatches], all);
+        push(kernels::next_level(), &[batch, tally], Scope::Level);
+        dispatches
     })
 }

@@ -1,31 +1,32 @@
-//! Patches cut into pieces that a kernel's float32 is exact enough for.
+//! Patches cut into subpatches that are small enough for float32.
 
 use crate::bezier::{Patch, PatchSet, center_grid};
-use crate::certified::{Cell, Operand};
+use crate::certified::Cell;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
 
-/// Halvings of one patch, at most: 65,536 pieces, more than are allowed in all.
+/// The most halvings of one patch: 65,536 subpatches, more than are allowed in all.
 const MAX_HALVINGS: u32 = 16;
 
-/// Where a piece lies on its patch, all numbers dyadic: its (σ, τ) in
-/// [-1, 1]^2 are the patch's `low + ½(1 + σ) width`.
+/// The rectangle of a patch's parameters that a subpatch covers. All numbers
+/// are dyadic, so that they are exact: (σ, τ) in [-1, 1]^2 on the subpatch are
+/// the patch's `low + ½(1 + σ) width`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct SubpatchDomain {
     pub(crate) patch: u32,
     pub(crate) low: [f64; 2],
     pub(crate) width: [f64; 2],
 }
 
-impl Place {
-    /// The patch parameters of the piece's (σ, τ).
-    pub(crate) fn at(&self, [s, t]: [f64; 2]) -> [f64; 2] {
+impl SubpatchDomain {
+    /// The patch's parameters of (σ, τ) on the subpatch.
+    pub(crate) fn patch_parameters(self, [s, t]: [f64; 2]) -> [f64; 2] {
         [self.low[0] + 0.5 * (1.0 + s) * self.width[0], self.low[1] + 0.5 * (1.0 + t) * self.width[1]]
     }
 
-    /// The piece's parameters of a place on the patch.
-    pub(crate) fn local(&self, axis: usize, parameter: f64) -> f64 {
+    /// σ (axis 0) or τ (axis 1) of a parameter of the patch.
+    pub(crate) fn subpatch_parameter(&self, axis: usize, parameter: f64) -> f64 {
         2.0 * (parameter - self.low[axis]) / self.width[axis] - 1.0
     }
 
@@ -39,107 +40,114 @@ impl Place {
     }
 }
 
-/// The moved pieces of one side, those of a patch next to each other.
+/// A cell, or its intersection with a subpatch, in the subpatch's (σ, τ).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SubpatchCell {
+    pub(crate) subpatch: usize,
+    pub(crate) center: [f64; 2],
+    /// Half the widths in σ and τ.
+    pub(crate) half: [f64; 2],
+}
+
+/// The moved subpatches of one model; those of a patch are consecutive.
 #[derive(Debug)]
-pub(crate) struct Pieces {
+pub(crate) struct Subpatches {
     pub(crate) patches: PatchSet,
-    pub(crate) places: Vec<Place>,
+    pub(crate) domains: Vec<SubpatchDomain>,
     of_patch: Vec<Range<usize>>,
 }
 
-impl Pieces {
-    /// Halves every patch until `fits` says so of all its pieces; `None` if
-    /// that takes more than `most` pieces or a patch too many halvings.
+impl Subpatches {
+    /// Halves every patch until `fits` holds for all its subpatches. Returns
+    /// `None` if that takes more than `max_count` subpatches or more than
+    /// [`MAX_HALVINGS`] halvings of one patch.
     pub(crate) fn new(
-        side: &Operand<'_>,
+        patches: &PatchSet,
         transform: &RigidTransform,
         fits: &dyn Fn(&Patch<'_>) -> bool,
-        most: usize,
+        max_count: usize,
     ) -> Option<Self> {
-        let set = &side.target.patches;
-        let grid = center_grid(set.bounding_box().diagonal());
-        let mut pieces = Self { patches: PatchSet::default(), places: Vec::new(), of_patch: Vec::new() };
-        for (index, patch) in set.iter().enumerate() {
-            let first = pieces.places.len();
+        let grid = center_grid(patches.bounding_box().diagonal());
+        let mut subpatches = Self { patches: PatchSet::default(), domains: Vec::new(), of_patch: Vec::new() };
+        for (index, patch) in patches.iter().enumerate() {
+            let first = subpatches.domains.len();
             let rotate = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
             let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
-            let place = Place { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
-            if !pieces.cut(&moved, place, grid, fits, MAX_HALVINGS, most) {
+            let domain = SubpatchDomain { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
+            if !subpatches.add(&moved, domain, grid, fits, MAX_HALVINGS, max_count) {
                 return None;
             }
-            pieces.of_patch.push(first..pieces.places.len());
+            subpatches.of_patch.push(first..subpatches.domains.len());
         }
-        Some(pieces)
+        Some(subpatches)
     }
 
-    fn cut(
+    /// Adds the patch or, unless it fits, its halves. Returns whether the limits are kept.
+    fn add(
         &mut self,
         patch: &Patch<'_>,
-        place: Place,
+        domain: SubpatchDomain,
         grid: f64,
         fits: &dyn Fn(&Patch<'_>) -> bool,
         halvings: u32,
-        most: usize,
+        max_count: usize,
     ) -> bool {
         let mut centered = PatchSet::default();
         centered.push_centered(*patch, grid);
-        let piece = centered.patch(0);
-        if fits(&piece) {
-            self.patches.push(piece);
-            self.places.push(place);
-            return self.places.len() <= most;
+        let subpatch = centered.patch(0);
+        if fits(&subpatch) {
+            self.patches.push(subpatch);
+            self.domains.push(domain);
+            return self.domains.len() <= max_count;
         }
-        let axis = usize::from(extent(&piece, 1) > extent(&piece, 0));
-        let halves = piece.halves(axis);
+        let axis = usize::from(net_length(&subpatch, 1) > net_length(&subpatch, 0));
+        let halves = subpatch.halves(axis);
         halvings > 0
             && halves.iter().enumerate().all(|(index, controls)| {
-                let half = Patch { controls, ..piece };
-                self.cut(&half, place.half(axis, index == 1), grid, fits, halvings - 1, most)
+                let half = Patch { controls, ..subpatch };
+                self.add(&half, domain.half(axis, index == 1), grid, fits, halvings - 1, max_count)
             })
     }
 
-    /// The parts of a cell that lie on one piece each: piece, centre and
-    /// half-widths in its parameters.
-    pub(crate) fn parts(&self, cell: &Cell) -> impl Iterator<Item = (usize, [f64; 2], [f64; 2])> {
+    /// The intersections of a cell with the subpatches of its patch.
+    pub(crate) fn intersections(&self, cell: &Cell) -> impl Iterator<Item = SubpatchCell> {
         let (center, half) = (cell.center, cell.half);
-        self.of_patch[cell.patch as usize].clone().filter_map(move |piece| {
-            let place = &self.places[piece];
+        self.of_patch[cell.patch as usize].clone().filter_map(move |subpatch| {
+            let domain = &self.domains[subpatch];
             let ends = [0, 1].map(|axis| {
-                let low = place.local(axis, center[axis] - half[axis]).max(-1.0);
-                let high = place.local(axis, center[axis] + half[axis]).min(1.0);
+                let low = domain.subpatch_parameter(axis, center[axis] - half[axis]).max(-1.0);
+                let high = domain.subpatch_parameter(axis, center[axis] + half[axis]).min(1.0);
                 [low, high]
             });
-            let inside = ends.iter().all(|[low, high]| low < high);
-            inside.then(|| {
-                (
-                    piece,
-                    ends.map(|[low, high]| 0.5 * (low + high)),
-                    ends.map(|[low, high]| 0.5 * (high - low)),
-                )
+            ends.iter().all(|[low, high]| low < high).then(|| SubpatchCell {
+                subpatch,
+                center: ends.map(|[low, high]| 0.5 * (low + high)),
+                half: ends.map(|[low, high]| 0.5 * (high - low)),
             })
         })
     }
 
-    /// The cell of a rectangle in a piece's parameters.
-    pub(crate) fn cell(&self, piece: usize, center: [f64; 2], half: [f64; 2]) -> Cell {
-        let place = &self.places[piece];
-        let half = [0, 1].map(|axis| 0.5 * half[axis] * place.width[axis]);
-        Cell { patch: place.patch, center: place.at(center), half }
+    /// The cell as a rectangle of its patch.
+    pub(crate) fn cell(&self, cell: &SubpatchCell) -> Cell {
+        let domain = &self.domains[cell.subpatch];
+        let half = [0, 1].map(|axis| 0.5 * cell.half[axis] * domain.width[axis]);
+        Cell { patch: domain.patch, center: domain.patch_parameters(cell.center), half }
     }
 }
 
-/// How long a net is along an axis: the sum of its longest steps.
-fn extent(patch: &Patch<'_>, axis: usize) -> f64 {
+/// An upper bound on the length of the control polygons along an axis: the sum
+/// of the longest differences of neighbouring controls.
+fn net_length(patch: &Patch<'_>, axis: usize) -> f64 {
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
-    let (steps, lines, along, across) = if axis == 0 {
+    let (differences, lines, along, across) = if axis == 0 {
         (patch.degree[0], columns, columns, 1)
     } else {
         (patch.degree[1], patch.degree[0] + 1, 1, columns)
     };
     let mut sum = 0.0;
-    for k in 0..steps {
+    for k in 0..differences {
         let mut longest = 0.0_f64;
         for line in 0..lines {
             let from = k * along + line * across;

@@ -1,26 +1,26 @@
-//! The parts and nodes of a tree of cells.
+//! The parts and nodes of a tree of cells on the GPU.
 
+use super::layouts::{Children, Part, WHOLE_MODEL};
 use crate::bezier::BezierModel;
 use crate::gpu::Gpu;
 use crate::gpu::degree_groups::{Controls, by_degree};
-use crate::gpu::float32::{OwnFrame, rounded_up};
-use crate::gpu::hierarchy::layouts::{Children, Part, WHOLE_MODEL};
-use crate::gpu::iteration::target::patch_error;
+use crate::gpu::float32::{ModelFrame, patch_error, round_up};
 use crate::hierarchy::{self, GridTree};
 use glam::DVec3;
 
-/// A tree of cells on the GPU, without boxes, which depend on where the model is.
+/// A tree of cells on the GPU, without boxes, which depend on the model's position.
 #[derive(Debug)]
-pub(crate) struct GpuCells {
-    /// What the patches are relative to before they are moved.
+pub(crate) struct GpuGridTree {
+    /// The origin of the coordinates before the model is moved.
     pub(crate) origin: DVec3,
-    /// What they are multiplied by.
+    /// The factor of the coordinates before the model is moved.
     pub(crate) scale: f64,
-    /// Largest distance of a point from the origin.
+    /// Upper bound on the distance of a point from the origin.
     pub(crate) radius: f64,
     pub(crate) groups: Vec<PartGroup>,
-    /// A node that is its own only child, then the nodes of every level above the parts.
+    /// A root that is its own only child, for the model with fewer levels.
     pub(crate) root: wgpu::Buffer,
+    /// The nodes of every level above the parts.
     pub(crate) levels: Vec<wgpu::Buffer>,
     /// Numbers of nodes on every level, and of parts.
     pub(crate) counts: Vec<usize>,
@@ -39,27 +39,28 @@ pub(crate) struct PartGroup {
 
 impl Gpu {
     /// Uploads the tree and the patches of its model.
-    pub(crate) fn upload_cells(&self, model: &BezierModel, tree: &GridTree) -> GpuCells {
-        let OwnFrame { origin, scale, radius } = OwnFrame::of(model.patches.bounding_box());
+    pub(crate) fn upload_grid_tree(&self, model: &BezierModel, tree: &GridTree) -> GpuGridTree {
+        let ModelFrame { origin, scale, radius } = ModelFrame::new(model.patches.bounding_box());
         let mut groups = Vec::new();
         for (degree, members) in by_degree(&model.patches) {
-            let mut places = vec![None; model.patches.len()];
-            for (place, &patch) in members.iter().enumerate() {
-                places[patch as usize] = Some(place as u32);
+            let mut index_in_group = vec![None; model.patches.len()];
+            for (index, &patch) in members.iter().enumerate() {
+                index_in_group[patch as usize] = Some(index as u32);
             }
-            let in_group = |(node, part): (usize, &hierarchy::Part)| {
+            let member = |(node, part): (usize, &hierarchy::Part)| {
                 let growth = part.growth + patch_error(&model.patches.patch(part.patch));
                 Some(Part {
                     s: part.s.map(|s| s as f32),
                     t: part.t.map(|t| t as f32),
-                    patch_index: places[part.patch]?,
+                    patch_index: index_in_group[part.patch]?,
                     node: node as u32,
-                    // No number where float32 cannot tell the weights from 0.
-                    growth: rounded_up((scale * growth).min(f64::from(WHOLE_MODEL))),
+                    // The error is NaN or infinite where float32 does not distinguish the weights
+                    // from 0; `min` then returns the other number.
+                    growth: round_up((scale * growth).min(f64::from(WHOLE_MODEL))),
                     padding: 0,
                 })
             };
-            let parts: Vec<Part> = tree.parts.iter().enumerate().filter_map(in_group).collect();
+            let parts: Vec<Part> = tree.parts.iter().enumerate().filter_map(member).collect();
             groups.push(PartGroup {
                 degree,
                 count: parts.len(),
@@ -71,7 +72,7 @@ impl Gpu {
         let level = |nodes: &Vec<hierarchy::Children>| {
             self.upload("nodes", &nodes.iter().map(node).collect::<Vec<_>>())
         };
-        GpuCells {
+        GpuGridTree {
             origin,
             scale,
             radius,

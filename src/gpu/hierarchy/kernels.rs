@@ -1,62 +1,68 @@
-//! The kernels of method `hierarchy`.
+//! The kernels of method `hierarchy`, one per stage.
 
-use crate::gpu::hierarchy::layouts::{BoxesParams, StepParams};
-use crate::gpu::kernel::{JET, PATCH};
-use crate::gpu::patch_wgsl::patch_text;
+use super::layouts::{BOX_DISTANCE_CONSTANTS, BOXES_CONSTANTS, BoxesParams, FARTHEST_CONSTANTS, StageParams};
+use crate::gpu::kernel::Access::{self, Read, ReadWrite};
+use crate::gpu::kernel::{Evaluation, JET, Kernel, PATCH, Source};
 
-const BOX: &str = include_str!("../../../shaders/hierarchy/box_distance.wgsl");
-const BOXES: &str = include_str!("../../../shaders/hierarchy/boxes.wgsl");
-const PYRAMID: &str = include_str!("../../../shaders/hierarchy/pyramid.wgsl");
-const BOUND: &str = include_str!("../../../shaders/hierarchy/bound.wgsl");
-const EXTREMES: &str = include_str!("../../../shaders/hierarchy/extremes.wgsl");
-const CULL: &str = include_str!("../../../shaders/hierarchy/cull.wgsl");
-const FARTHEST: &str = include_str!("../../../shaders/hierarchy/farthest.wgsl");
+const BOX_DISTANCE: Source = Source {
+    constants: BOX_DISTANCE_CONSTANTS,
+    text: include_str!("../../../shaders/hierarchy/box_distance.wgsl"),
+};
+const BOXES: Source =
+    Source { constants: BOXES_CONSTANTS, text: include_str!("../../../shaders/hierarchy/boxes.wgsl") };
+const PYRAMID: Source = Source::new(include_str!("../../../shaders/hierarchy/pyramid.wgsl"));
+const BOUND: Source = Source::new(include_str!("../../../shaders/hierarchy/bound.wgsl"));
+const EXTREMES: Source = Source::new(include_str!("../../../shaders/hierarchy/extremes.wgsl"));
+const CULL: Source = Source::new(include_str!("../../../shaders/hierarchy/cull.wgsl"));
+const FARTHEST: Source =
+    Source { constants: FARTHEST_CONSTANTS, text: include_str!("../../../shaders/hierarchy/farthest.wgsl") };
 
-/// A stage and what it is specialised by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum BoxKernel {
-    Boxes { degree: [usize; 2] },
-    Pyramid,
-    Bound,
-    Extremes,
-    Cull,
-    Farthest,
+/// Stage `boxes` on patches of these degrees.
+pub(crate) fn boxes(degree: [usize; 2]) -> Kernel {
+    Kernel {
+        name: "boxes",
+        entry_point: "boxes",
+        evaluation: Evaluation::Bernstein(degree),
+        sources: &[JET, PATCH, BOX_DISTANCE, BOXES],
+        params_bytes: size_of::<BoxesParams>(),
+        storage: &[Read, Read, Read, ReadWrite],
+    }
 }
 
-impl BoxKernel {
-    /// The WGSL text of the kernel.
-    pub(crate) fn text(self) -> String {
-        match self {
-            Self::Boxes { degree } => [&patch_text(degree), JET, PATCH, BOX, BOXES].concat(),
-            Self::Pyramid => [BOX, PYRAMID].concat(),
-            Self::Bound => [BOX, BOUND].concat(),
-            Self::Extremes => [BOX, EXTREMES].concat(),
-            Self::Cull => [BOX, CULL].concat(),
-            Self::Farthest => [BOX, FARTHEST].concat(),
-        }
-    }
+/// Stage `pyramid`.
+pub(crate) fn pyramid() -> Kernel {
+    stage("pyramid", &[BOX_DISTANCE, PYRAMID], &[Read, Read, ReadWrite])
+}
 
-    pub(crate) fn entry_point(self) -> &'static str {
-        match self {
-            Self::Boxes { .. } => "boxes",
-            Self::Pyramid => "pyramid",
-            Self::Bound => "bound",
-            Self::Extremes => "extremes",
-            Self::Cull => "cull",
-            Self::Farthest => "farthest",
-        }
-    }
+/// Stage `bound`.
+pub(crate) fn bound() -> Kernel {
+    stage("bound", &[BOX_DISTANCE, BOUND], &[Read, Read, Read, Read, Read, ReadWrite])
+}
 
-    /// Bytes of the params, and which storage buffers are written.
-    pub(crate) fn bindings(self) -> (usize, &'static [bool]) {
-        let step = size_of::<StepParams>();
-        match self {
-            Self::Boxes { .. } => (size_of::<BoxesParams>(), &[false, false, false, true]),
-            Self::Pyramid => (step, &[false, false, true]),
-            Self::Bound => (step, &[false, false, false, false, false, true]),
-            Self::Extremes => (step, &[false, true]),
-            Self::Cull => (step, &[false, false, false, false, false, false, true, true]),
-            Self::Farthest => (step, &[false, true, false, false, false, true]),
-        }
+/// Stage `extremes`.
+pub(crate) fn extremes() -> Kernel {
+    stage("extremes", &[BOX_DISTANCE, EXTREMES], &[Read, ReadWrite])
+}
+
+/// Stage `cull`.
+pub(crate) fn cull() -> Kernel {
+    let storage = &[Read, Read, Read, Read, Read, Read, ReadWrite, ReadWrite];
+    stage("cull", &[BOX_DISTANCE, CULL], storage)
+}
+
+/// Stage `farthest`.
+pub(crate) fn farthest() -> Kernel {
+    let storage = &[Read, ReadWrite, Read, Read, Read, ReadWrite];
+    stage("farthest", &[BOX_DISTANCE, FARTHEST], storage)
+}
+
+fn stage(name: &'static str, sources: &'static [Source], storage: &'static [Access]) -> Kernel {
+    Kernel {
+        name,
+        entry_point: name,
+        evaluation: Evaluation::None,
+        sources,
+        params_bytes: size_of::<StageParams>(),
+        storage,
     }
 }

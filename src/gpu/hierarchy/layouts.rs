@@ -1,5 +1,7 @@
-//! The structs shared with the kernels of method `hierarchy`, field by field as in `shaders`.
+//! The structs and constants shared with `shaders/hierarchy`, field by field.
 
+use crate::gpu::constants::Constant;
+use crate::gpu::float32::UNKNOWN_DISTANCE;
 use bytemuck::{Pod, Zeroable};
 
 /// `BoxesParams` of `boxes.wgsl`.
@@ -9,7 +11,7 @@ pub(crate) struct BoxesParams {
     pub(crate) first: u32,
     pub(crate) end: u32,
     pub(crate) rescale: f32,
-    pub(crate) slack: f32,
+    pub(crate) margin: f32,
     pub(crate) rotation_x: [f32; 4],
     pub(crate) rotation_y: [f32; 4],
     pub(crate) rotation_z: [f32; 4],
@@ -28,7 +30,7 @@ pub(crate) struct Part {
     pub(crate) padding: u32,
 }
 
-/// `Box` of `box.wgsl`.
+/// `Box` of `box_distance.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Box {
@@ -36,7 +38,7 @@ pub(crate) struct Box {
     pub(crate) high: [f32; 4],
 }
 
-/// `Children` of `box.wgsl`.
+/// `Children` of `box_distance.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Children {
@@ -44,17 +46,17 @@ pub(crate) struct Children {
     pub(crate) count: u32,
 }
 
-/// `StepParams` of `box.wgsl`.
+/// `StageParams` of `box_distance.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(crate) struct StepParams {
+pub(crate) struct StageParams {
     pub(crate) first: u32,
     pub(crate) end: u32,
     pub(crate) capacity: u32,
     pub(crate) phase: u32,
 }
 
-/// `Totals` of `box.wgsl`.
+/// `Totals` of `box_distance.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Totals {
@@ -80,10 +82,21 @@ pub(crate) struct Farthest {
     pub(crate) b: u32,
 }
 
-/// `StepParams::phase` of stage `farthest`, in the order they are run.
-pub(crate) const OF_CELLS: u32 = 0;
-pub(crate) const OF_DISTANCES: u32 = 1;
-pub(crate) const OF_PARTNERS: u32 = 2;
+/// The constants of `box_distance.wgsl`.
+pub(crate) const BOX_DISTANCE_CONSTANTS: &[Constant] = &[Constant::f32("UNKNOWN_DISTANCE", UNKNOWN_DISTANCE)];
 
-/// `WHOLE_MODEL` of `boxes.wgsl`: more than twice the largest radius, which is below 2.
+/// The values of `StageParams::phase` of stage `farthest`, in the order they are run.
+pub(crate) const PHASE_CELL: u32 = 0;
+pub(crate) const PHASE_DISTANCE: u32 = 1;
+pub(crate) const PHASE_PARTNER: u32 = 2;
+
+/// The constants of `farthest.wgsl`.
+pub(crate) const FARTHEST_CONSTANTS: &[Constant] =
+    &[Constant::u32("PHASE_CELL", PHASE_CELL), Constant::u32("PHASE_DISTANCE", PHASE_DISTANCE)];
+
+/// A growth that makes a part's box contain the whole model: more than twice
+/// the largest radius, which is below 2.
 pub(crate) const WHOLE_MODEL: f32 = 4.0;
+
+/// The constants of `boxes.wgsl`.
+pub(crate) const BOXES_CONSTANTS: &[Constant] = &[Constant::f32("WHOLE_MODEL", WHOLE_MODEL)];

@@ -1,122 +1,121 @@
-//! The stages of method `hierarchy` on the GPU.
+//! Method `hierarchy` on the GPU: stages `boxes` and `pyramid` once, then
+//! `bound`, `extremes` and `cull` on every level, then `farthest`.
 
-pub(crate) mod grid_tree;
+mod grid_tree;
 pub(crate) mod kernels;
 pub(crate) mod layouts;
 
+pub(crate) use grid_tree::GpuGridTree;
+
+use super::Gpu;
+use super::float32::{UNKNOWN_DISTANCE, motion_error, normalizing_power, round, round_up};
+use super::kernel::{Kernel, WORKGROUP_SIZE};
+use super::submission::{Dispatch, Extent, Submission};
 use crate::error::Result;
-use crate::gpu::Gpu;
-use crate::gpu::float32::{ROUNDING, power_of_two_to_one, rounded, rounded_up};
-use crate::gpu::hierarchy::grid_tree::{GpuCells, PartGroup};
-use crate::gpu::hierarchy::kernels::BoxKernel;
-use crate::gpu::hierarchy::layouts::{
-    Bound, Box, BoxesParams, Farthest, OF_CELLS, OF_DISTANCES, OF_PARTNERS, StepParams, Totals,
-};
-use crate::gpu::iteration::ROUNDINGS;
-use crate::gpu::kernel::{Kernel, WORKGROUP_SIZE};
-use crate::gpu::submission::{Dispatch, Extent, Work};
-use crate::hierarchy::Distances;
-use crate::hierarchy::LevelBounds;
+use crate::hierarchy::{BRANCHING, Distances, LevelBounds};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
+use grid_tree::PartGroup;
+use layouts::{
+    Bound, Box, BoxesParams, Farthest, PHASE_CELL, PHASE_DISTANCE, PHASE_PARTNER, StageParams, Totals,
+};
 use std::rc::Rc;
 use web_time::Instant;
 
-/// Children of a node in a descent, at most.
-const MAX_CHILDREN: usize = 4;
+/// Bytes of a pair of node indices.
+const PAIR_BYTES: u64 = 2 * size_of::<u32>() as u64;
 
-/// Bytes of a pair of indices.
-const PAIR_BYTES: u64 = 8;
+/// Bytes of the largest element of a storage buffer, the least size that every binding accepts.
+const MAX_ELEMENT_BYTES: u64 = size_of::<Box>() as u64;
 
-/// Bytes of the largest item of a storage buffer, which one must hold.
-const MAX_ITEM: u64 = size_of::<Box>() as u64;
-
-/// Squared distances from here on are beyond float32.
-const FARTHEST: f32 = crate::gpu::iteration::FARTHEST;
-
-/// The frame that both models are taken to.
+/// The position of A in the frame of B, to which both models are moved.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame {
+pub(crate) struct Placement {
     /// Moves A.
     pub(crate) transform: RigidTransform,
-    /// Room for the rounding of coordinates in float64.
-    pub(crate) slack: f64,
+    /// Upper bound on the rounding error of coordinates in float64.
+    pub(crate) coordinate_error: f64,
 }
 
-/// One direction on the GPU, and the level in work.
-pub(crate) struct GpuDescent {
+/// One direction of method `hierarchy` on the GPU, at one level of the descent.
+pub(crate) struct GpuHierarchy {
     gpu: Rc<Gpu>,
-    pub(crate) sides: [Rc<GpuCells>; 2],
+    /// The trees of A and B, and the boxes of every level.
+    pub(crate) trees: [Rc<GpuGridTree>; 2],
     pub(crate) boxes: [Vec<wgpu::Buffer>; 2],
     params: wgpu::Buffer,
     readable: wgpu::Buffer,
+    /// The pairs of the level that may contain the distance.
     pairs: wgpu::Buffer,
     pair_count: usize,
     bounds: wgpu::Buffer,
     totals: wgpu::Buffer,
     level: usize,
-    /// What lengths on the GPU are multiples of.
+    /// The factor of lengths on the GPU.
     pub(crate) scale: f64,
     compile_seconds: f64,
 }
 
-/// A kernel to be run on 0 to `count` items, in chunks.
-struct Step<'a> {
+/// A kernel on items 0 to `count`, dispatched in chunks.
+struct ChunkedDispatch<'a> {
     kernel: Kernel,
     storage: Vec<&'a wgpu::Buffer>,
-    /// Bytes of its params, which begin with a chunk's first item and end.
+    /// The params, whose first two numbers are a chunk's first item and end.
     params: Vec<u8>,
     count: usize,
 }
 
-impl<'a> Step<'a> {
+impl<'a> ChunkedDispatch<'a> {
     fn new(kernel: Kernel, storage: &[&'a wgpu::Buffer], params: &[u8], count: usize) -> Self {
         Self { kernel, storage: storage.to_vec(), params: params.to_vec(), count }
     }
 }
 
-impl GpuDescent {
-    /// Makes every pipeline that the work wants, and the boxes of both models:
-    /// stages `boxes` and `pyramid`.
+impl GpuHierarchy {
+    /// Makes all pipelines and the boxes of both models, stages `boxes` and
+    /// `pyramid`, and starts at the pair of roots.
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`],
     /// [`crate::Error::Cancelled`].
     pub(crate) async fn new(
         gpu: &Rc<Gpu>,
-        sides: [Rc<GpuCells>; 2],
-        frame: &Frame,
+        trees: [Rc<GpuGridTree>; 2],
+        placement: &Placement,
         progress: &mut Progress<'_>,
     ) -> Result<Self> {
         gpu.check()?;
-        let [a, b] = &sides;
-        let offset = frame.transform.apply(a.origin) - b.origin;
-        let moved = a.radius + offset.length() + b.radius;
-        let scale = power_of_two_to_one(moved);
-        let slack = rounded_up(scale * (frame.slack + ROUNDINGS * ROUNDING * moved));
-        let placed = |cells: &GpuCells, transform: &RigidTransform, offset: DVec3| {
-            let rescale = scale / cells.scale;
-            let column = |axis: DVec3| rounded((rescale * transform.rotate(axis)).extend(0.0));
+        let [a, b] = &trees;
+        let offset = placement.transform.apply(a.origin) - b.origin;
+        let largest = a.radius + offset.length() + b.radius;
+        let scale = normalizing_power(largest);
+        let margin = round_up(scale * (placement.coordinate_error + motion_error(largest)));
+        let boxes_params = |tree: &GpuGridTree, transform: &RigidTransform, offset: DVec3| {
+            let rescale = scale / tree.scale;
+            let column = |axis: DVec3| round((rescale * transform.rotate(axis)).extend(0.0));
             BoxesParams {
                 rotation_x: column(DVec3::X),
                 rotation_y: column(DVec3::Y),
                 rotation_z: column(DVec3::Z),
-                translation: rounded((scale * offset).extend(0.0)),
-                rescale: rounded_up(rescale),
-                slack,
+                translation: round((scale * offset).extend(0.0)),
+                rescale: round_up(rescale),
+                margin,
                 ..Zeroable::zeroed()
             }
         };
-        let placed = [placed(a, &frame.transform, offset), placed(b, &RigidTransform::IDENTITY, DVec3::ZERO)];
-        let boxes = |cells: &GpuCells| {
+        let boxes_params = [
+            boxes_params(a, &placement.transform, offset),
+            boxes_params(b, &RigidTransform::IDENTITY, DVec3::ZERO),
+        ];
+        let boxes = |tree: &GpuGridTree| {
             let level = |&count: &usize| gpu.storage("boxes", (count * size_of::<Box>()) as u64);
-            cells.counts.iter().map(level).collect()
+            tree.counts.iter().map(level).collect()
         };
-        let mut descent = Self {
+        let mut hierarchy = Self {
             boxes: [boxes(a), boxes(b)],
-            params: gpu.params(),
+            params: gpu.params_buffer(),
             readable: gpu.readable("readable", size_of::<Totals>() as u64),
             pairs: gpu.upload("pairs", &[[0_u32; 2]]),
             pair_count: 1,
@@ -126,31 +125,31 @@ impl GpuDescent {
             scale,
             compile_seconds: 0.0,
             gpu: Rc::clone(gpu),
-            sides,
+            trees,
         };
-        descent.compile().await?;
-        descent.run(&descent.building(&placed), progress, [0.0, 0.0]).await?;
-        Ok(descent)
+        hierarchy.compile().await?;
+        hierarchy.run(&hierarchy.box_dispatches(&boxes_params), progress, [0.0, 0.0]).await?;
+        Ok(hierarchy)
     }
 
-    /// Seconds that making new pipelines took, the driver's compilation included.
+    /// Seconds spent on making new pipelines, the driver's compilation included.
     pub(crate) fn compile_seconds(&self) -> f64 {
         self.compile_seconds
     }
 
-    /// Makes the pipelines, and runs the new ones on nothing, which makes the
-    /// driver compile them.
+    /// Makes the pipelines and runs every new one without items, since drivers
+    /// compile at first use.
     async fn compile(&mut self) -> Result<()> {
         let started = Instant::now();
         let mut kernels = vec![
-            Kernel::Box(BoxKernel::Pyramid),
-            Kernel::Box(BoxKernel::Bound),
-            Kernel::Box(BoxKernel::Extremes),
-            Kernel::Box(BoxKernel::Cull),
-            Kernel::Box(BoxKernel::Farthest),
+            kernels::pyramid(),
+            kernels::bound(),
+            kernels::extremes(),
+            kernels::cull(),
+            kernels::farthest(),
         ];
-        for group in self.sides.iter().flat_map(|side| &side.groups) {
-            let kernel = Kernel::Box(BoxKernel::Boxes { degree: group.degree });
+        for group in self.trees.iter().flat_map(|tree| &tree.groups) {
+            let kernel = kernels::boxes(group.degree);
             if !kernels.contains(&kernel) {
                 kernels.push(kernel);
             }
@@ -159,21 +158,21 @@ impl GpuDescent {
         if kernels.is_empty() {
             return Ok(());
         }
-        let mut work = Work::new(&self.gpu, &self.params);
+        let mut submission = Submission::new(&self.gpu, &self.params);
         for kernel in kernels {
-            let (params_bytes, storage) = kernel.bindings();
-            let empty: Vec<_> = storage.iter().map(|_| self.gpu.storage("empty", MAX_ITEM)).collect();
-            let empty: Vec<&wgpu::Buffer> = empty.iter().collect();
-            self.record(&mut work, kernel, &empty, &vec![0; params_bytes], 0);
+            let buffers: Vec<_> =
+                kernel.storage.iter().map(|_| self.gpu.storage("empty", MAX_ELEMENT_BYTES)).collect();
+            let buffers: Vec<&wgpu::Buffer> = buffers.iter().collect();
+            self.record(&mut submission, kernel, &buffers, &vec![0; kernel.params_bytes], 0);
         }
-        work.submit().await?;
+        submission.submit().await?;
         self.compile_seconds = started.elapsed().as_secs_f64();
         Ok(())
     }
 
     fn record(
         &self,
-        work: &mut Work<'_>,
+        submission: &mut Submission<'_>,
         kernel: Kernel,
         storage: &[&wgpu::Buffer],
         params: &[u8],
@@ -182,7 +181,7 @@ impl GpuDescent {
         let (pipeline, _) = self.gpu.pipelines.get(kernel);
         let bind_group = self.gpu.bind(&pipeline, &self.params, storage);
         let workgroups = (units as u32).div_ceil(WORKGROUP_SIZE);
-        work.dispatch(&Dispatch {
+        submission.dispatch(&Dispatch {
             kernel,
             pipeline: &pipeline,
             bind_group: &bind_group,
@@ -192,142 +191,137 @@ impl GpuDescent {
         });
     }
 
-    /// Runs the steps in turn, in submissions of bounded duration; they fill
-    /// this part of the progress.
+    /// Runs the dispatches in order, in submissions of bounded duration. They
+    /// fill `[start, start + length]` of the progress.
     async fn run(
         &self,
-        steps: &[Step<'_>],
+        dispatches: &[ChunkedDispatch<'_>],
         progress: &mut Progress<'_>,
         [start, length]: [f64; 2],
     ) -> Result<()> {
-        let mut work = Work::new(&self.gpu, &self.params);
-        for (index, step) in steps.iter().enumerate() {
+        let mut submission = Submission::new(&self.gpu, &self.params);
+        for (index, dispatch) in dispatches.iter().enumerate() {
             let mut first = 0;
-            while first < step.count {
-                if work.make_room().await? {
-                    let done = index as f64 + first as f64 / step.count as f64;
-                    progress.checkpoint(start + length * done / steps.len() as f64).await?;
+            while first < dispatch.count {
+                if submission.submit_if_full().await? {
+                    let done = index as f64 + first as f64 / dispatch.count as f64;
+                    progress.checkpoint(start + length * done / dispatches.len() as f64).await?;
                 }
-                let units = self.gpu.pace.chunk(step.kernel).min(step.count - first);
-                let mut params = step.params.clone();
+                let units = self.gpu.throughput.chunk(dispatch.kernel).min(dispatch.count - first);
+                let mut params = dispatch.params.clone();
                 params[..8].copy_from_slice(bytes_of(&[first as u32, (first + units) as u32]));
-                self.record(&mut work, step.kernel, &step.storage, &params, units);
+                self.record(&mut submission, dispatch.kernel, &dispatch.storage, &params, units);
                 first += units;
             }
         }
-        work.submit().await
+        submission.submit().await
     }
 
-    /// Stages `boxes` and `pyramid` for both sides.
-    fn building(&self, placed: &[BoxesParams; 2]) -> Vec<Step<'_>> {
-        let mut steps = Vec::new();
-        for (side, placed) in placed.iter().enumerate() {
-            let (cells, boxes) = (&self.sides[side], &self.boxes[side]);
-            let last = boxes.len() - 1;
-            for PartGroup { degree, count, controls, parts } in &cells.groups {
-                let storage = [&controls.controls, &controls.centers, parts, &boxes[last]];
-                steps.push(Step::new(
-                    Kernel::Box(BoxKernel::Boxes { degree: *degree }),
-                    &storage,
-                    bytes_of(placed),
-                    *count,
-                ));
+    /// The dispatches of stages `boxes` and `pyramid` for both models.
+    fn box_dispatches(&self, boxes_params: &[BoxesParams; 2]) -> Vec<ChunkedDispatch<'_>> {
+        let mut dispatches = Vec::new();
+        for ((tree, boxes), params) in self.trees.iter().zip(&self.boxes).zip(boxes_params) {
+            let parts_level = boxes.len() - 1;
+            for PartGroup { degree, count, controls, parts } in &tree.groups {
+                let storage = [&controls.controls, &controls.centers, parts, &boxes[parts_level]];
+                let kernel = kernels::boxes(*degree);
+                dispatches.push(ChunkedDispatch::new(kernel, &storage, bytes_of(params), *count));
             }
-            for level in (0..last).rev() {
-                let storage = [&cells.levels[level], &boxes[level + 1], &boxes[level]];
-                let params = StepParams::zeroed();
-                steps.push(Step::new(
-                    Kernel::Box(BoxKernel::Pyramid),
-                    &storage,
-                    bytes_of(&params),
-                    cells.counts[level],
-                ));
+            for level in (0..parts_level).rev() {
+                let storage = [&tree.levels[level], &boxes[level + 1], &boxes[level]];
+                let (params, count) = (StageParams::zeroed(), tree.counts[level]);
+                let kernel = kernels::pyramid();
+                dispatches.push(ChunkedDispatch::new(kernel, &storage, bytes_of(&params), count));
             }
         }
-        steps
+        dispatches
     }
 
-    /// The level of the side's own tree that `level` of the descent is.
-    fn own(&self, side: usize, level: usize) -> usize {
-        (level + self.sides[side].finest).saturating_sub(self.levels())
+    /// The level of the tree of model `index` that is used on `level` of the
+    /// descent. The model with fewer levels stays at its root at first.
+    fn tree_level(&self, index: usize, level: usize) -> usize {
+        (level + self.trees[index].finest).saturating_sub(self.levels())
     }
 
-    /// The nodes of the level that has children on the next.
-    fn nodes(&self, side: usize) -> &wgpu::Buffer {
-        let (this, below) = (self.own(side, self.level), self.own(side, self.level + 1));
-        if this == below { &self.sides[side].root } else { &self.sides[side].levels[this] }
+    /// The nodes of the current level, with their children on the next.
+    fn nodes(&self, index: usize) -> &wgpu::Buffer {
+        let level = self.tree_level(index, self.level);
+        let tree = &self.trees[index];
+        if level == self.tree_level(index, self.level + 1) { &tree.root } else { &tree.levels[level] }
     }
 
-    /// The three numbers that a buffer begins with.
+    /// Reads the first three numbers of a buffer.
     async fn read(&self, from: &wgpu::Buffer) -> Result<[u32; 3]> {
         let bytes = size_of::<[u32; 3]>() as u64;
-        let work = Work::new(&self.gpu, &self.params);
-        let content = work.read(from, &self.readable, bytes).await?;
+        let submission = Submission::new(&self.gpu, &self.params);
+        let content = submission.read(from, &self.readable, bytes).await?;
         Ok(bytemuck::pod_read_unaligned(&content))
     }
 
-    /// The levels below the roots.
+    /// The number of levels below the roots.
     pub(crate) fn levels(&self) -> usize {
-        self.sides[0].finest.max(self.sides[1].finest)
+        self.trees[0].finest.max(self.trees[1].finest)
     }
 
-    /// Stages `bound`, `extremes` and `cull` on the level below; goes there if
-    /// no more than `most_pairs` are left.
+    /// Stages `bound`, `extremes` and `cull` on the next level. The descent
+    /// advances to that level if no more than `max_pairs` pairs are left.
     ///
     /// # Errors
-    /// As [`GpuDescent::new`].
+    /// As [`GpuHierarchy::new`].
     pub(crate) async fn descend(
         &mut self,
-        most_pairs: usize,
+        max_pairs: usize,
         progress: &mut Progress<'_>,
     ) -> Result<LevelBounds> {
-        let [a, b] = [0, 1].map(|side| &self.boxes[side][self.own(side, self.level + 1)]);
-        let [nodes_a, nodes_b] = [0, 1].map(|side| self.nodes(side));
-        let nodes = self.sides[0].counts[self.own(0, self.level + 1)];
+        let [a, b] = [0, 1].map(|index| &self.boxes[index][self.tree_level(index, self.level + 1)]);
+        let [nodes_a, nodes_b] = [0, 1].map(|index| self.nodes(index));
+        let nodes = self.trees[0].counts[self.tree_level(0, self.level + 1)];
         let bounds = self.gpu.storage("bounds", (nodes * size_of::<Bound>()) as u64);
         let totals = self.gpu.storage("totals", size_of::<Totals>() as u64);
-        let capacity = most_pairs.min(self.pair_count * MAX_CHILDREN * MAX_CHILDREN);
-        let next = self.gpu.storage("pairs", capacity as u64 * PAIR_BYTES);
-        let storage = [&self.pairs, nodes_a, nodes_b, a, b, &bounds, &totals, &next];
-        let params = StepParams { capacity: capacity as u32, ..Zeroable::zeroed() };
+        let capacity = max_pairs.min(self.pair_count * BRANCHING * BRANCHING);
+        let next_pairs = self.gpu.storage("pairs", capacity as u64 * PAIR_BYTES);
+        let storage = [&self.pairs, nodes_a, nodes_b, a, b, &bounds, &totals, &next_pairs];
+        let params = StageParams { capacity: capacity as u32, ..Zeroable::zeroed() };
         let params = bytes_of(&params);
-        let steps = [
-            Step::new(Kernel::Box(BoxKernel::Bound), &storage[..6], params, self.pair_count),
-            Step::new(Kernel::Box(BoxKernel::Extremes), &storage[5..7], params, nodes),
-            Step::new(Kernel::Box(BoxKernel::Cull), &storage, params, self.pair_count),
+        let dispatches = [
+            ChunkedDispatch::new(kernels::bound(), &storage[..6], params, self.pair_count),
+            ChunkedDispatch::new(kernels::extremes(), &storage[5..7], params, nodes),
+            ChunkedDispatch::new(kernels::cull(), &storage, params, self.pair_count),
         ];
-        self.run(&steps, progress, [0.0, 1.0]).await?;
+        self.run(&dispatches, progress, [0.0, 1.0]).await?;
         let Totals { near, far, pairs } = bytemuck::cast(self.read(&totals).await?);
         let squared = |bits: u32| f64::from(f32::from_bits(bits)) / self.scale / self.scale;
-        let far = if f32::from_bits(far) < FARTHEST { squared(far) } else { f64::INFINITY };
-        if pairs as usize <= most_pairs {
-            (self.pairs, self.pair_count, self.bounds, self.totals) = (next, pairs as usize, bounds, totals);
+        let far = if f32::from_bits(far) < UNKNOWN_DISTANCE { squared(far) } else { f64::INFINITY };
+        if pairs as usize <= max_pairs {
+            self.pairs = next_pairs;
+            self.pair_count = pairs as usize;
+            self.bounds = bounds;
+            self.totals = totals;
             self.level += 1;
         }
         Ok(LevelBounds::new(u64::from(pairs), Distances { near: squared(near), far }))
     }
 
-    /// Stage `farthest`: on the last level, the cell of A that is the farthest
-    /// from B, and a cell of B near it.
+    /// Stage `farthest` on the last level: returns the cell of A that is
+    /// farthest from B by its lower bound, and a cell of B near it.
     ///
     /// # Errors
-    /// As [`GpuDescent::new`].
+    /// As [`GpuHierarchy::new`].
     pub(crate) async fn farthest(&self, progress: &mut Progress<'_>) -> Result<[usize; 2]> {
         let found = self.gpu.storage("farthest", size_of::<Farthest>() as u64);
-        let [a, b] = [0, 1].map(|side| self.sides[side].finest);
-        let [boxes_a, boxes_b] = [&self.boxes[0][a], &self.boxes[1][b]];
+        let levels = [0, 1].map(|index| self.trees[index].finest);
+        let [boxes_a, boxes_b] = [0, 1].map(|index| &self.boxes[index][levels[index]]);
         let storage = [&self.bounds, &self.totals, &self.pairs, boxes_a, boxes_b, &found];
-        let cells = self.sides[0].counts[a];
-        let phases = [(OF_CELLS, cells), (OF_DISTANCES, self.pair_count), (OF_PARTNERS, self.pair_count)];
-        let steps = phases.map(|(phase, count)| {
-            let params = StepParams { phase, ..Zeroable::zeroed() };
-            Step::new(Kernel::Box(BoxKernel::Farthest), &storage, bytes_of(&params), count)
+        let counts = [0, 1].map(|index| self.trees[index].counts[levels[index]]);
+        let phases =
+            [(PHASE_CELL, counts[0]), (PHASE_DISTANCE, self.pair_count), (PHASE_PARTNER, self.pair_count)];
+        let dispatches = phases.map(|(phase, count)| {
+            let params = StageParams { phase, ..Zeroable::zeroed() };
+            ChunkedDispatch::new(kernels::farthest(), &storage, bytes_of(&params), count)
         });
-        self.run(&steps, progress, [1.0, 0.0]).await?;
-        let Farthest { a: from, b: to, .. } = bytemuck::cast(self.read(&found).await?);
-        let place = |complement: u32, side: usize, level: usize| {
-            (!complement as usize).min(self.sides[side].counts[level] - 1)
-        };
-        Ok([place(from, 0, a), place(to, 1, b)])
+        self.run(&dispatches, progress, [1.0, 0.0]).await?;
+        let Farthest { a, b, .. } = bytemuck::cast(self.read(&found).await?);
+        let cell = |complement: u32, index: usize| (!complement as usize).min(counts[index] - 1);
+        Ok([cell(a, 0), cell(b, 1)])
     }
 }

@@ -1,64 +1,64 @@
-//! The patches and places of a model's samples, row by row.
+//! The samples of a model, and the patches that they lie on, row by row.
 
+use super::layouts::{SampleColumn, SampleRow};
 use crate::bezier::{BezierModel, Patch};
 use crate::gpu::Gpu;
-use crate::gpu::degree_groups::{Controls, most_patches};
-use crate::gpu::float32::OwnFrame;
-use crate::gpu::iteration::layouts::{Place, Row};
-use crate::gpu::iteration::target::patch_error;
+use crate::gpu::degree_groups::{Controls, max_patches};
+use crate::gpu::float32::{ModelFrame, patch_error};
 use crate::iteration::{SampleGrid, Sampling};
 use glam::DVec3;
 use std::ops::Range;
 
-/// A sampling on the GPU: the pages' rows, and only the patches they touch.
+/// A sampling on the GPU: the rows of every page with the patches that they lie on.
 #[derive(Debug)]
 pub(crate) struct GpuSampling {
-    /// What the sampled points are relative to before they are moved.
+    /// The origin of the coordinates before the model is moved.
     pub(crate) origin: DVec3,
-    /// What they are multiplied by.
+    /// The factor of the coordinates before the model is moved.
     pub(crate) scale: f64,
     pub(crate) pages: Vec<Vec<SampleGroup>>,
-    pub(crate) samples: usize,
-    /// Bound of the error of a sample's coordinates in float32 before it is moved.
+    /// Samples of a row.
+    pub(crate) columns: usize,
+    /// Upper bound on the error of a sample in float32 before it is moved, in model units.
     pub(crate) coordinate_error: f64,
-    /// Largest distance of a sample from the origin.
+    /// Upper bound on the distance of a sample from the origin.
     pub(crate) radius: f64,
 }
 
-/// Rows of one degree in one page.
+/// Rows of one page on patches of one degree.
 #[derive(Debug)]
 pub(crate) struct SampleGroup {
     pub(crate) degree: [usize; 2],
     pub(crate) row_count: u32,
-    pub(crate) columns: u32,
+    pub(crate) column_count: u32,
     pub(crate) controls: Controls,
     pub(crate) rows: wgpu::Buffer,
-    pub(crate) places: wgpu::Buffer,
+    pub(crate) columns: wgpu::Buffer,
 }
 
-/// A group still being filled.
+/// A group that rows are still added to.
 struct Draft {
     degree: [usize; 2],
-    columns: usize,
-    rows: Vec<Row>,
-    places: Vec<Place>,
+    column_count: usize,
+    rows: Vec<SampleRow>,
+    columns: Vec<SampleColumn>,
     patches: Vec<u32>,
-    /// Surface and row of patches uploaded last, and where they begin.
-    last: Option<((usize, usize), u32)>,
-    /// Surface whose places were written last, and where they begin.
-    last_places: Option<(usize, u32)>,
+    /// Surface and row of the patches appended last, and where they start.
+    last_patches: Option<((usize, usize), u32)>,
+    /// Surface whose columns were appended last, and where they start.
+    last_columns: Option<(usize, u32)>,
 }
 
 impl Draft {
-    fn new(degree: [usize; 2], columns: usize) -> Self {
+    fn new(degree: [usize; 2], column_count: usize) -> Self {
         Self {
             degree,
-            columns,
+            column_count,
             rows: Vec::new(),
-            places: Vec::new(),
+            columns: Vec::new(),
             patches: Vec::new(),
-            last: None,
-            last_places: None,
+            last_patches: None,
+            last_columns: None,
         }
     }
 }
@@ -66,19 +66,15 @@ impl Draft {
 impl Gpu {
     /// Uploads all pages.
     pub(crate) fn upload_sampling(&self, model: &BezierModel, sampling: &Sampling) -> GpuSampling {
-        let OwnFrame { origin, scale, radius } = OwnFrame::of(model.patches.bounding_box());
-        let pages = sampling
-            .pages()
-            .iter()
-            .map(|page| self.upload_page(model, sampling, page, origin, scale))
-            .collect();
+        let frame = ModelFrame::new(model.patches.bounding_box());
+        let pages = sampling.pages();
         GpuSampling {
-            origin,
-            scale,
-            pages,
-            samples: sampling.grids.first().map_or(0, |grid| grid.counts()[1]),
+            origin: frame.origin,
+            scale: frame.scale,
+            pages: pages.iter().map(|page| self.upload_page(model, sampling, page, &frame)).collect(),
+            columns: sampling.grids.first().map_or(0, |grid| grid.counts()[1]),
             coordinate_error: model.patches.iter().map(|patch| patch_error(&patch)).fold(0.0, f64::max),
-            radius,
+            radius: frame.radius,
         }
     }
 
@@ -87,70 +83,69 @@ impl Gpu {
         model: &BezierModel,
         sampling: &Sampling,
         page: &Range<usize>,
-        origin: DVec3,
-        scale: f64,
+        frame: &ModelFrame,
     ) -> Vec<SampleGroup> {
         let mut drafts: Vec<Draft> = Vec::new();
         for surface in sampling.surface(page.start)..=sampling.surface(page.end - 1) {
             let grid = &sampling.grids[surface];
-            let columns = grid.counts()[1];
-            let rows = page.start.max(grid.first)..page.end.min(grid.first + grid.len());
-            for first_sample in rows.step_by(columns) {
+            let samples = page.start.max(grid.first)..page.end.min(grid.first + grid.len());
+            for first_sample in samples.step_by(grid.counts()[1]) {
                 add_row(&mut drafts, model, surface, grid, first_sample, (first_sample - page.start) as u32);
             }
         }
         let group = |draft: &Draft| SampleGroup {
             degree: draft.degree,
             row_count: draft.rows.len() as u32,
-            columns: draft.columns as u32,
-            controls: self.upload_patches(&model.patches, &draft.patches, origin, scale),
-            rows: self.upload("rows", &draft.rows),
-            places: self.upload("places", &draft.places),
+            column_count: draft.column_count as u32,
+            controls: self.upload_patches(&model.patches, &draft.patches, frame.origin, frame.scale),
+            rows: self.upload("sample rows", &draft.rows),
+            columns: self.upload("sample columns", &draft.columns),
         };
         drafts.iter().map(group).collect()
     }
 }
 
-/// Adds the row of samples at `first_sample` to a draft with room for its patches.
+/// Adds the row that starts at `first_sample` to a draft whose binding holds its patches.
 fn add_row(
     drafts: &mut Vec<Draft>,
     model: &BezierModel,
     surface: usize,
     grid: &SampleGrid,
     first_sample: usize,
-    in_page: u32,
+    first_in_page: u32,
 ) {
     let patches = &model.grids[surface];
-    let in_v = patches.counts()[1];
+    let patch_columns = patches.counts()[1];
     let Patch { degree, .. } = model.patches.patch(patches.first);
     let (patch_row, s) = grid.places[0][grid.row_and_column(first_sample).0];
-    let open = drafts
-        .iter()
-        .position(|draft| draft.degree == degree && draft.patches.len() + in_v <= most_patches(degree));
-    let place = open.unwrap_or_else(|| {
+    let open = drafts.iter().position(|draft| {
+        draft.degree == degree && draft.patches.len() + patch_columns <= max_patches(degree)
+    });
+    let index = open.unwrap_or_else(|| {
         drafts.push(Draft::new(degree, grid.counts()[1]));
         drafts.len() - 1
     });
-    let draft = &mut drafts[place];
-    let first_patch = match draft.last {
+    let draft = &mut drafts[index];
+    let first_patch = match draft.last_patches {
         Some((key, first)) if key == (surface, patch_row) => first,
         _ => {
             let first = draft.patches.len() as u32;
-            let start = patches.first + patch_row * in_v;
-            draft.patches.extend(start as u32..(start + in_v) as u32);
-            draft.last = Some(((surface, patch_row), first));
+            let start = patches.first + patch_row * patch_columns;
+            draft.patches.extend(start as u32..(start + patch_columns) as u32);
+            draft.last_patches = Some(((surface, patch_row), first));
             first
         }
     };
-    let first_place = match draft.last_places {
+    let first_column = match draft.last_columns {
         Some((key, first)) if key == surface => first,
         _ => {
-            let first = draft.places.len() as u32;
-            let place = |&(column, t): &(usize, f64)| Place { patch_column: column as u32, t: t as f32 };
-            draft.places.extend(grid.places[1].iter().map(place));
-            draft.last_places = Some((surface, first));
+            let first = draft.columns.len() as u32;
+            let column =
+                |&(column, t): &(usize, f64)| SampleColumn { patch_column: column as u32, t: t as f32 };
+            draft.columns.extend(grid.places[1].iter().map(column));
+            draft.last_columns = Some((surface, first));
             first
         }
     };
-    draft.rows.push(Row { first_patch, first_place, s: s as f32, first_sample: in_page });
+    draft.rows.push(SampleRow { first_patch, first_column, s: s as f32, first_sample: first_in_page });
 }

@@ -1,13 +1,12 @@
-//! Whether the kernels' boxes contain what they must: points of the surfaces,
-//! and the boxes in float64.
+//! The kernels' boxes contain the points of the surfaces and the boxes in float64.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+use super::adapter::gpu;
 use crate::bezier::extract;
 use crate::bvh::Aabb;
 use crate::gpu::hierarchy::layouts::Box;
-use crate::gpu::submission::Work;
-use crate::gpu::testing::adapter::gpu;
-use crate::gpu::{Frame, Gpu, GpuDescent};
+use crate::gpu::submission::Submission;
+use crate::gpu::{Gpu, GpuHierarchy, Placement};
 use crate::hierarchy::{GridTree, Part, boxes, pyramid};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};
@@ -17,12 +16,12 @@ use std::rc::Rc;
 
 fn read(gpu: &Rc<Gpu>, buffer: &wgpu::Buffer, count: usize) -> Vec<Box> {
     let bytes = (count * size_of::<Box>()) as u64;
-    let (params, readable) = (gpu.params(), gpu.readable("boxes", bytes));
-    let work = Work::new(gpu, &params);
-    bytemuck::pod_collect_to_vec(&pollster::block_on(work.read(buffer, &readable, bytes)).unwrap())
+    let (params, readable) = (gpu.params_buffer(), gpu.readable("boxes", bytes));
+    let submission = Submission::new(gpu, &params);
+    bytemuck::pod_collect_to_vec(&pollster::block_on(submission.read(buffer, &readable, bytes)).unwrap())
 }
 
-/// A net of this degree, rough and with weights from 1 to `ratio`, about `middle`.
+/// A net of this degree about `middle`, with noise and weights from 1 to `ratio`.
 fn rough(degree: [usize; 2], middle: DVec3, size: f64, ratio: f64, seed: u64) -> Model {
     let mut random = fastrand::Rng::with_seed(seed);
     let counts = degree.map(|degree| degree + 3);
@@ -36,7 +35,7 @@ fn rough(degree: [usize; 2], middle: DVec3, size: f64, ratio: f64, seed: u64) ->
     Model::from_arrays(None, vec![SurfaceArrays { degree, knots, counts, control_points }]).unwrap()
 }
 
-/// Four patches whose corners weigh nothing in float32: 0 / 0 there.
+/// Four patches whose corners' weights underflow in float32, so that the points are 0 / 0 there.
 fn weightless_corners() -> Model {
     let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0];
     let point = |i: usize, j: usize| {
@@ -52,23 +51,23 @@ fn weightless_corners() -> Model {
 /// Checks the boxes of `a`, moved, against `b`.
 fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: usize, name: &str) {
     let models = [a, b].map(extract);
-    let trees = [0, 1].map(|side| GridTree::new(&models[side], grid).unwrap());
-    let sides = [0, 1].map(|side| Rc::new(gpu.upload_cells(&models[side], &trees[side])));
-    let origin = sides[1].origin;
+    let trees = [0, 1].map(|index| GridTree::new(&models[index], grid).unwrap());
+    let uploaded = [0, 1].map(|index| Rc::new(gpu.upload_grid_tree(&models[index], &trees[index])));
+    let origin = uploaded[1].origin;
     let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);
     let coordinate = origin.length() + transform.offset().length() + a.bounding_box().max.length();
-    let frame = Frame { transform, slack: 64.0 * f64::EPSILON * coordinate };
-    let descent = pollster::block_on(GpuDescent::new(gpu, sides, &frame, &mut progress)).unwrap();
+    let placement = Placement { transform, coordinate_error: 64.0 * f64::EPSILON * coordinate };
+    let hierarchy = pollster::block_on(GpuHierarchy::new(gpu, uploaded, &placement, &mut progress)).unwrap();
     let (bezier, tree) = (&models[0], &trees[0]);
-    let of_part = |part: &Part| boxes(&bezier.patches.patch(part.patch), part, &transform, 0.0);
-    let in_float64 = pyramid(&tree.levels, tree.parts.iter().map(of_part).collect());
+    let part_box = |part: &Part| boxes(&bezier.patches.patch(part.patch), part, &transform, 0.0);
+    let in_float64 = pyramid(&tree.levels, tree.parts.iter().map(part_box).collect());
     let unscaled = |corner: [f32; 4]| {
-        let [x, y, z, _] = corner.map(|value| f64::from(value) / descent.scale);
+        let [x, y, z, _] = corner.map(|value| f64::from(value) / hierarchy.scale);
         DVec3::new(x, y, z) + origin
     };
     let float32 = |level: usize| -> Vec<Aabb> {
-        let found = read(gpu, &descent.boxes[0][level], descent.sides[0].counts[level]);
+        let found = read(gpu, &hierarchy.boxes[0][level], hierarchy.trees[0].counts[level]);
         found.iter().map(|found| Aabb { min: unscaled(found.low), max: unscaled(found.high) }).collect()
     };
     for (level, expected) in in_float64.iter().enumerate() {
@@ -76,7 +75,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: u
             assert_eq!(found.union(*expected), *found, "{name}, level {level}");
         }
     }
-    // Points of every part, those of its corners included.
+    // Points of every part, its corners included.
     for (found, part) in float32(tree.levels.len()).iter().zip(&tree.parts) {
         let patch = bezier.patches.patch(part.patch);
         for step in 0..25 {
@@ -110,7 +109,7 @@ fn boxes_are_rounded_outwards() {
     let weightless = weightless_corners();
     check(&gpu, &weightless, &weightless, moved(small), 2, "weightless corners");
     for name in ["torus", "glass", "naca-wing"] {
-        let this = shape(name).unwrap();
-        check(&gpu, &this, &this, moved(small), 9, name);
+        let model = shape(name).unwrap();
+        check(&gpu, &model, &model, moved(small), 9, name);
     }
 }

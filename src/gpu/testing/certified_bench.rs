@@ -1,125 +1,136 @@
-//! The kernels of method `certified` one stage at a time, for `benches`; no
-//! part of the interface.
+//! Method `certified` stage by stage on one level of cells, for `benches`.
 
-use crate::certified::BranchAndBound;
-use crate::engine::PreparedModel;
+use crate::bezier::{LocalDerivativeBounds, extract};
+use crate::certified::{BranchAndBound, Operand};
+use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::Flatness;
-use crate::gpu::iteration::layouts::{Best, Cell, LevelParams};
+use crate::flatness::{Flatness, flatten, rooms};
+use crate::gpu::Gpu;
+use crate::gpu::certified::GpuCertified;
+use crate::gpu::certified::layouts::{CellState, LevelParams};
+use crate::gpu::iteration::layouts::Projected;
 use crate::gpu::kernel::Kernel;
-use crate::gpu::submission::Work;
-use crate::gpu::{Gpu, Levels};
-use crate::model::RigidTransform;
+use crate::gpu::submission::Submission;
+use crate::model::{Model, RigidTransform};
 use std::rc::Rc;
 
 /// A stage of a level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the stages' names")]
-pub enum LevelStage {
-    Cell,
+#[expect(missing_docs, reason = "the names of the stages")]
+pub enum CertifiedStage {
+    CellJet,
     Project,
-    Certify,
+    TaylorBound,
     Split,
-    Level,
+    NextLevel,
 }
 
-impl LevelStage {
-    /// In the order of a level.
-    pub const ALL: [Self; 5] = [Self::Cell, Self::Project, Self::Certify, Self::Split, Self::Level];
+impl CertifiedStage {
+    /// All stages in the order of a level.
+    pub const ALL: [Self; 5] =
+        [Self::CellJet, Self::Project, Self::TaylorBound, Self::Split, Self::NextLevel];
 
     fn of(kernel: Kernel) -> Option<Self> {
-        match kernel {
-            Kernel::Cell { .. } => Some(Self::Cell),
-            Kernel::Project { .. } => Some(Self::Project),
-            Kernel::Certify { .. } => Some(Self::Certify),
-            Kernel::Split => Some(Self::Split),
-            Kernel::Level => Some(Self::Level),
+        match kernel.entry_point {
+            "cell_jet" => Some(Self::CellJet),
+            "project_tree" => Some(Self::Project),
+            "taylor_bound" => Some(Self::TaylorBound),
+            "split" => Some(Self::Split),
+            "next_level" => Some(Self::NextLevel),
             _ => None,
         }
     }
 }
 
 /// One level of cells on the GPU.
-pub struct LevelBench {
+pub struct CertifiedBench {
     gpu: Rc<Gpu>,
-    levels: Levels,
-    cells: Vec<Cell>,
+    driver: GpuCertified,
+    cells: Vec<CellState>,
     params: LevelParams,
 }
 
-impl LevelBench {
-    /// Cuts A in float64 until about `cells` cells wait, whose bounds are not
-    /// yet within `tolerance`, and uploads them and both models. `None` where
-    /// float32 is too coarse for it, or so many cells never wait.
+impl CertifiedBench {
+    /// Searches in float64 until about `cells` cells of A wait, and uploads
+    /// them and both models. Returns `None` where float32 is too coarse for
+    /// the tolerance or the search ends before.
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
     pub fn new(
         gpu: &Rc<Gpu>,
-        [a, b]: [&PreparedModel; 2],
+        models: [&Model; 2],
         transform: RigidTransform,
         tolerance: f64,
         cells: usize,
     ) -> Result<Option<Self>> {
-        let (from, to) = (a.target(Flatness::Loose), b.target(Flatness::Loose));
-        let (a, b) = (from.side(a), to.side(b));
+        let operands = models.map(|model| {
+            let patches = extract(model).patches;
+            let target = Target::new(flatten(&patches, Flatness::Loose));
+            let bounds: Vec<_> =
+                rooms(&patches, &target.patches).into_iter().map(LocalDerivativeBounds::new).collect();
+            (target, bounds)
+        });
+        let [a, b] = [0, 1].map(|index| Operand::new(&operands[index].0, &operands[index].1));
         let mut search = BranchAndBound::new(a, b, transform, tolerance, None);
         while search.waiting() < cells {
             if search.advance().is_some() {
                 return Ok(None);
             }
         }
-        let Some(levels) = Levels::new(gpu, &search)? else { return Ok(None) };
-        let cells = levels.cells(&search.take_batch(cells), &mut Vec::new());
-        let params = levels.params(search.prune_threshold());
-        Ok(Some(Self { gpu: Rc::clone(gpu), levels, cells, params }))
+        let Some(driver) = GpuCertified::new(gpu, &search)? else { return Ok(None) };
+        let cells = driver.cells(&search.take_batch(cells), &mut Vec::new());
+        let params = driver.params(search.prune_threshold());
+        Ok(Some(Self { gpu: Rc::clone(gpu), driver, cells, params }))
     }
 
-    /// Number of cells.
+    /// The number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.cells.len()
     }
 
     /// Uploads the cells and runs some stages of the level on them, in order.
-    /// `Project` wants `Cell` before it, and `Certify` what these two once wrote.
+    /// `Project` requires `CellJet` before it, and `TaylorBound` that both ran once.
     ///
     /// # Errors
-    /// As [`LevelBench::new`].
-    pub fn run(&self, stages: &[LevelStage]) -> Result<()> {
-        self.levels.begin(&self.cells);
-        let mut work = Work::new(&self.gpu, &self.levels.buffers.params);
-        for step in &self.levels.steps[0] {
-            if LevelStage::of(step.kernel).is_some_and(|stage| stages.contains(&stage)) {
-                self.levels.record(&mut work, step, &self.params);
+    /// As [`CertifiedBench::new`].
+    pub fn run(&self, stages: &[CertifiedStage]) -> Result<()> {
+        self.driver.upload_level(&self.cells);
+        let mut submission = Submission::new(&self.gpu, &self.driver.buffers.params);
+        for dispatch in &self.driver.dispatches[0] {
+            if CertifiedStage::of(dispatch.kernel).is_some_and(|stage| stages.contains(&stage)) {
+                self.driver.record(&mut submission, dispatch, &self.params);
             }
         }
-        pollster::block_on(work.submit())
+        pollster::block_on(submission.submit())
     }
 
-    /// Replaces the kernels of a stage by an edited text, here only, until replaced again.
-    pub fn edit(&mut self, stage: LevelStage, edit: &dyn Fn(String) -> String) {
-        for step in self.levels.steps.iter_mut().flatten() {
-            if LevelStage::of(step.kernel) == Some(stage) {
-                let pipelines = &self.gpu.pipelines;
-                step.pipeline = Rc::new(pipelines.make(step.kernel, edit(step.kernel.text())));
+    /// Replaces the text of the kernels of a stage, in this benchmark only,
+    /// until they are replaced again.
+    pub fn edit(&mut self, stage: CertifiedStage, edit: &dyn Fn(String) -> String) {
+        for dispatch in self.driver.dispatches.iter_mut().flatten() {
+            if CertifiedStage::of(dispatch.kernel) == Some(stage) {
+                let text = edit(dispatch.kernel.text());
+                dispatch.pipeline = Rc::new(self.gpu.pipelines.make(dispatch.kernel, text));
             }
         }
     }
 
-    /// What the kernels wrote: `Best.s` of every cell, and `Cell.reach`.
+    /// Returns `Projected.s` and `CellState.foot_distance` of every cell, as
+    /// the kernels wrote them.
     ///
     /// # Errors
-    /// As [`LevelBench::new`].
+    /// As [`CertifiedBench::new`].
     pub fn written(&self) -> Result<Vec<[f32; 2]>> {
-        let Self { gpu, levels, cells, .. } = self;
+        let Self { gpu, driver, cells, .. } = self;
         let read = |from: &wgpu::Buffer, bytes: usize| {
-            pollster::block_on(levels.read(Work::new(gpu, &levels.buffers.params), from, bytes))
+            pollster::block_on(driver.read(Submission::new(gpu, &driver.buffers.params), from, bytes))
         };
-        let best = read(&levels.buffers.best, cells.len() * size_of::<Best>())?;
-        let after = read(&levels.buffers.cells[0], cells.len() * size_of::<Cell>())?;
-        let best: Vec<Best> = bytemuck::pod_collect_to_vec(&best);
-        let after: Vec<Cell> = bytemuck::pod_collect_to_vec(&after);
-        Ok(best.iter().zip(&after).map(|(best, cell)| [best.s, cell.reach]).collect())
+        let projected = read(&driver.buffers.projected, cells.len() * size_of::<Projected>())?;
+        let cells = read(&driver.buffers.cells[0], cells.len() * size_of::<CellState>())?;
+        let projected: Vec<Projected> = bytemuck::pod_collect_to_vec(&projected);
+        let cells: Vec<CellState> = bytemuck::pod_collect_to_vec(&cells);
+        Ok(projected.iter().zip(&cells).map(|(foot, cell)| [foot.s, cell.foot_distance]).collect())
     }
 }

@@ -1,15 +1,18 @@
-//! Tests and benchmarks of the kernels.
+//! Benchmarks of single stages, which are no part of the interface, and tests
+//! of the kernels' layouts and of the float32 error bounds.
 
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
 mod adapter;
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
 mod cell_boxes;
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
 mod cell_error;
 mod certified_bench;
 mod iteration_bench;
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
+mod layouts;
+#[cfg(test)]
 mod projection_error;
 
-pub use certified_bench::{LevelBench, LevelStage};
-pub use iteration_bench::StageBench;
+pub use certified_bench::{CertifiedBench, CertifiedStage};
+pub use iteration_bench::IterationBench;

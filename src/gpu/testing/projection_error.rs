@@ -1,22 +1,22 @@
-//! The error that the kernels' distances are said to have at most, on which
-//! the upper bound rests: against certified distances in float64.
+//! The error bound of the kernels' distances, on which the upper bound of
+//! method `iteration` rests, against certified distances in float64.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+use super::adapter::gpu;
 use crate::closest::{Projection, Target, closest};
 use crate::flatness::{Flatness, flatten};
-use crate::gpu::testing::adapter::gpu;
-use crate::gpu::{Gpu, GpuStages};
+use crate::gpu::{Gpu, GpuIteration};
 use crate::iteration::{Culling, Rule, Sampling, SamplingRule, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};
 use glam::{DQuat, DVec3};
 use std::rc::Rc;
 
-/// Width of the certificates, relative to the diagonal: far below float32's rounding.
+/// Width of the certified intervals, relative to the diagonal: far below float32's rounding.
 const GAP: f64 = 1e-10;
 
-/// A net over a square of this size about `middle`, rough in all coordinates,
-/// with weights from 1 to `ratio`.
+/// A net over a square of this size about `middle`, with noise in all
+/// coordinates and weights from 1 to `ratio`.
 fn rough(
     random: &mut fastrand::Rng,
     degree: [usize; 2],
@@ -42,16 +42,16 @@ fn rough(
     SurfaceArrays { degree, knots, counts, control_points }
 }
 
-/// Checks all samples; returns the stated error relative to the diagonal.
+/// Checks all samples. Returns the error bound relative to the diagonal.
 fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &str) -> f64 {
     let (a, b) = (crate::bezier::extract(a), crate::bezier::extract(b));
     let sampling = Sampling::new(&a, 10, SamplingRule::Uniform);
     let target = Target::new(flatten(&b.patches, Flatness::Loose));
     let rule =
         Rule { projection: Projection::Newton, iterations: 12, step_tolerance: 0.01, culling: Culling::Tree };
-    let on_gpu = Rc::new(gpu.upload_sampling(&a, &sampling));
+    let from = Rc::new(gpu.upload_sampling(&a, &sampling));
     let to = Rc::new(gpu.upload_target(&target));
-    let mut stages = pollster::block_on(GpuStages::new(gpu, on_gpu, to, transform, rule)).unwrap();
+    let mut stages = pollster::block_on(GpuIteration::new(gpu, from, to, transform, rule)).unwrap();
     let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);
     let error = stages.distance_error();
@@ -59,12 +59,12 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
     for (index, page) in sampling.pages().iter().enumerate() {
         pollster::block_on(stages.project(index, page, &mut progress)).unwrap();
         let found = pollster::block_on(stages.field()).unwrap();
-        for (place, projected) in page.clone().zip(&found) {
-            let point = sample(&a, &sampling, place, &transform);
+        for (index, projected) in page.clone().zip(&found) {
+            let point = sample(&a, &sampling, index, &transform);
             let truth = closest(&target, point, GAP * diagonal).unwrap();
             let distance = projected.distance_squared.sqrt();
             assert!(distance >= truth.lower - error, "{name}: {distance} < {} - {error}", truth.lower);
-            // The foot is where the kernel says, as far as it says.
+            // The foot that the kernel wrote is at the distance that it wrote.
             let foot = target.patches.patch(projected.patch).point(projected.parameters);
             let off = (foot.distance(point) - distance).abs();
             assert!(off <= error, "{name}: {off} > {error}");
@@ -74,11 +74,11 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &
 }
 
 #[test]
-fn distances_are_off_by_no_more_than_is_said() {
-    let Some(gpu) = gpu("distances_are_off_by_no_more_than_is_said") else { return };
+fn distances_are_within_their_error_bound() {
+    let Some(gpu) = gpu("distances_are_within_their_error_bound") else { return };
     let mut random = fastrand::Rng::with_seed(4);
     let turned = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -1.0).normalize(), 0.7);
-    for (degree, middle, size, ratio, most) in [
+    for (degree, middle, size, ratio, max_error) in [
         ([3, 3], DVec3::ZERO, 1.0, 1.0, 3e-5),
         ([1, 2], DVec3::new(1e6, -2e6, 3e5), 1.0, 10.0, 1e-4),
         ([6, 10], DVec3::ZERO, 1e-9, 10.0, 2e-4),
@@ -95,8 +95,8 @@ fn distances_are_off_by_no_more_than_is_said() {
         let shift = middle - turned * middle + DVec3::splat(0.1 * size);
         let transform = RigidTransform::new(turned, shift).unwrap();
         let stated = check(&gpu, &a, &b, transform, &name);
-        // Small enough to be of use.
-        assert!(stated < most, "{name}: {stated}");
+        // Tight enough to be useful.
+        assert!(stated < max_error, "{name}: {stated}");
         println!("{name}: {stated:.1e}");
     }
 }
