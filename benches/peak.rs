@@ -95,7 +95,11 @@ impl Case {
             let written = edited.written().expect("counts");
             let counted: Vec<f32> = written
                 .iter()
-                .map(|&[s, foot_distance]| if stage == CertifiedStage::TaylorBound { foot_distance } else { s })
+                .map(
+                    |&[s, foot_distance]| {
+                        if stage == CertifiedStage::TaylorBound { foot_distance } else { s }
+                    },
+                )
                 .collect();
             edited.run(&BEFORE).expect("cells");
             let bench = Rc::clone(&bench);

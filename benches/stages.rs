@@ -127,8 +127,9 @@ fn projection(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
             let name = format!("project {projection:?}");
             let mut group = group(c, &name, samples.len());
             let degrees = format!("{}x{}", degree[0], degree[1]);
-            group
-                .bench_function(BenchmarkId::new("cpu", &degrees), |b| b.iter(|| pair.projected(&samples, &rule)));
+            group.bench_function(BenchmarkId::new("cpu", &degrees), |b| {
+                b.iter(|| pair.projected(&samples, &rule))
+            });
             if let Some(gpu) = gpu {
                 let mut bench = pair.bench(gpu, rule);
                 group.bench_function(BenchmarkId::new("gpu", &degrees), |b| {

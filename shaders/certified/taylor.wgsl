@@ -193,7 +193,7 @@ fn taylor_bound(@builtin(global_invocation_id) id: vec3<u32>) {
     // The Lipschitz bound: the centre's distance and the cell's radius.
     var upper = distance * (1.0 + LENGTH_ROUNDINGS)
         + (sides.x + sides.y + subpatch_a.value_error + foot_error + difference_error) * ROUNDED_UP;
-    // The bound if B's subpatch extended as far as φ maps.
+    // The bound if φ did not leave the extension of B's subpatch.
     var unrestricted = upper;
     let gradient = vec2<f32>(dot(residual, b.s), dot(residual, b.t));
     let frozen = ((at <= subpatch_b.low) & (gradient > none)) | ((at >= subpatch_b.high) & (gradient < none));

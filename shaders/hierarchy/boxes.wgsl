@@ -5,7 +5,7 @@ struct BoxesParams {
     // The parts of this dispatch.
     first: u32,
     end: u32,
-    // From the model's scale to the common one, a power of two.
+    // The factor from the model's scale to the common one, a power of two.
     rescale: f32,
     // Upper bound on the rounding error of a moved point, in float64 and float32.
     margin: f32,

@@ -41,7 +41,7 @@ pub(crate) enum Evaluation {
     PowerForm([usize; 2]),
 }
 
-/// How a kernel accesses a storage buffer.
+/// The access of a kernel to a storage buffer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Access {
     Read,

@@ -9,6 +9,7 @@
 mod float32_error;
 pub(crate) mod kernels;
 pub(crate) mod layouts;
+mod level;
 mod subpatches;
 mod upload;
 
@@ -19,32 +20,19 @@ pub(crate) use upload::{BoundsDomain, GpuSubpatches, SubpatchFrame};
 use super::Gpu;
 use super::degree_groups::by_degree;
 use super::float32::{UNIT_ROUNDOFF, UNKNOWN_DISTANCE, round_down, round_up};
-use super::iteration::layouts::{ProjectParams, Projected};
-use super::iteration::{GpuTarget, kernels as iteration_kernels};
-use super::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
-use super::submission::{Dispatch, Extent, MAX_SECONDS, Submission};
+use super::iteration::GpuTarget;
+use super::kernel::WORKGROUP_SIZE;
+use super::submission::{MAX_SECONDS, Submission};
 use crate::bezier::{Patch, power_of_two_below};
 use crate::certified::{BatchResult, BranchAndBound, Cell, Domain, Foot, SearchNode};
-use crate::closest::{Projection, Target};
+use crate::closest::Target;
 use crate::error::Result;
-use crate::iteration::Culling;
 use crate::model::RigidTransform;
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
-use layouts::{
-    Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, JET_BYTES, LENGTH_ROUNDINGS, LevelParams, Tally,
-};
+use layouts::{Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, LENGTH_ROUNDINGS, LevelParams, Tally};
+use level::{Buffers, CAPACITY, LEVELS, LevelDispatch, dispatches};
 use std::rc::Rc;
 use web_time::Instant;
-
-/// The most cells of a level.
-const CAPACITY: usize = 1 << 15;
-
-/// Levels of one submission.
-const LEVELS: usize = 4;
-
-/// The most leftover cells of a submission: every cell of every level may be
-/// for float64 or have up to four children without space in the next level.
-const MAX_LEFTOVER: usize = 4 * LEVELS * CAPACITY;
 
 /// Cells of the first batch. Batches double while a submission takes less than
 /// half of [`MAX_SECONDS`], and halve when it takes more.
@@ -72,10 +60,6 @@ const DISTANCE_ROUNDINGS: f64 = DIFFERENCE_ROUNDINGS as f64 + LENGTH_ROUNDINGS a
 /// the difference of two centres is within 32 bits.
 const CENTER_UNITS: f64 = (1_u32 << 28) as f64;
 
-/// The most Newton steps on one subpatch: it is small, and a foot that is not
-/// reached only loosens the bound.
-const ITERATIONS: u32 = 8;
-
 /// The subpatches of both models of a search on the GPU, with the buffers of its levels.
 pub(crate) struct GpuCertified {
     gpu: Rc<Gpu>,
@@ -88,34 +72,6 @@ pub(crate) struct GpuCertified {
     /// either buffer and write them to the other.
     pub(crate) dispatches: [Vec<LevelDispatch>; 2],
     batch_size: usize,
-}
-
-pub(crate) struct Buffers {
-    pub(crate) params: wgpu::Buffer,
-    batch: wgpu::Buffer,
-    pub(crate) cells: [wgpu::Buffer; 2],
-    pub(crate) projected: wgpu::Buffer,
-    leftover_cells: wgpu::Buffer,
-    tally: wgpu::Buffer,
-}
-
-/// One dispatch of a level.
-pub(crate) struct LevelDispatch {
-    pub(crate) kernel: Kernel,
-    pub(crate) pipeline: Rc<Pipeline>,
-    bind_group: Rc<wgpu::BindGroup>,
-    scope: Scope,
-}
-
-/// The subpatches that a dispatch uses.
-#[derive(Clone, Copy)]
-enum Scope {
-    /// A group of subpatches, for all cells.
-    Subpatches { first: usize, count: usize },
-    /// A group of B's subpatches, for stage `project`.
-    Project { patches_before: usize },
-    /// None: the dispatch has one thread.
-    Level,
 }
 
 impl GpuCertified {
@@ -155,17 +111,7 @@ impl GpuCertified {
             gpu.upload_subpatches(&from, &from_groups, BoundsDomain::Subpatch, &frame),
             gpu.upload_subpatches(&to, &to_groups, BoundsDomain::Extended(b), &frame),
         ];
-        let cells = |label| gpu.storage(label, (CAPACITY * size_of::<CellState>()) as u64);
-        let indirect =
-            wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST;
-        let buffers = Buffers {
-            params: gpu.params_buffer(),
-            batch: gpu.buffer("batch", size_of::<Batch>() as u64, indirect),
-            cells: [cells("cells"), cells("next cells")],
-            projected: gpu.storage("projected", (CAPACITY * size_of::<Projected>()) as u64),
-            leftover_cells: gpu.storage("leftover cells", (MAX_LEFTOVER * size_of::<CellState>()) as u64),
-            tally: gpu.storage("tally", size_of::<Tally>() as u64),
-        };
+        let buffers = Buffers::new(gpu);
         let dispatches = dispatches(gpu, &buffers, &uploaded, &target);
         gpu.check()?;
         Ok(Some(Self {
@@ -214,7 +160,7 @@ impl GpuCertified {
         let level_params = self.params(prune_threshold);
         for level in 0..LEVELS {
             for dispatch in &self.dispatches[level % 2] {
-                self.record(&mut submission, dispatch, &level_params);
+                dispatch.record(&mut submission, &self.buffers, &level_params);
             }
         }
         let tally: Tally = pod_read_unaligned(&self.read(submission, tally, size_of::<Tally>()).await?);
@@ -287,38 +233,6 @@ impl GpuCertified {
         }
     }
 
-    pub(crate) fn record(
-        &self,
-        submission: &mut Submission<'_>,
-        dispatch: &LevelDispatch,
-        level_params: &LevelParams,
-    ) {
-        let (subpatch_params, project_params);
-        let (params, extent) = match dispatch.scope {
-            Scope::Subpatches { first, count } => {
-                subpatch_params = LevelParams {
-                    first_subpatch: first as u32,
-                    subpatch_count: count as u32,
-                    ..*level_params
-                };
-                (bytes_of(&subpatch_params), Extent::Indirect(&self.buffers.batch))
-            }
-            Scope::Project { patches_before } => {
-                project_params = ProjectParams {
-                    sample_count: CAPACITY as u32,
-                    patches_before: patches_before as u32,
-                    iterations: ITERATIONS,
-                    ..ProjectParams::zeroed()
-                };
-                (bytes_of(&project_params), Extent::Indirect(&self.buffers.batch))
-            }
-            Scope::Level => (bytes_of(level_params), Extent::Workgroups(1)),
-        };
-        let LevelDispatch { kernel, pipeline, bind_group, .. } = dispatch;
-        // The number of cells is not known here, so no throughput can be measured.
-        submission.dispatch(&Dispatch { kernel: *kernel, pipeline, bind_group, params, extent, units: 0 });
-    }
-
     pub(crate) async fn read(
         &self,
         submission: Submission<'_>,
@@ -375,47 +289,4 @@ fn frame(target: &GpuTarget, models: [&Subpatches; 2]) -> SubpatchFrame {
     let unit = 2.0 * power_of_two_below(largest.max(f64::MIN_POSITIVE)) / CENTER_UNITS;
     let center_unit = unit.max(f64::from(f32::MIN_POSITIVE));
     SubpatchFrame { origin: target.origin, scale: target.scale, center_unit }
-}
-
-/// The dispatches of a level with its cells in the first and in the second buffer.
-fn dispatches(
-    gpu: &Rc<Gpu>,
-    buffers: &Buffers,
-    [from, to]: &[GpuSubpatches; 2],
-    target: &GpuTarget,
-) -> [Vec<LevelDispatch>; 2] {
-    let capacity = CAPACITY as u64;
-    let jets = gpu.storage("jets", capacity * JET_BYTES);
-    let samples = gpu.storage("samples", capacity * size_of::<[f32; 4]>() as u64);
-    let Buffers { params, batch, projected, leftover_cells, tally, .. } = buffers;
-    [0, 1].map(|parity| {
-        let (cells, next_cells) = (&buffers.cells[parity], &buffers.cells[1 - parity]);
-        let mut dispatches = Vec::new();
-        let mut push = |kernel, storage: &[&wgpu::Buffer], scope| {
-            let (pipeline, _) = gpu.pipelines.get(kernel);
-            let bind_group = gpu.bind(&pipeline, params, storage);
-            dispatches.push(LevelDispatch { kernel, pipeline, bind_group, scope });
-        };
-        for group in &from.groups {
-            let storage = [batch, cells, &group.coefficients, &from.subpatches, &jets, &samples, projected];
-            let scope = Scope::Subpatches { first: group.first, count: group.count };
-            push(kernels::cell_jet(group.degree), &storage, scope);
-        }
-        for group in &target.groups {
-            let kernel = iteration_kernels::project(group.degree, Projection::Newton, Culling::Tree);
-            let controls = &group.controls;
-            let storage = [&samples, projected, &controls.controls, &controls.centers, &group.nodes];
-            push(kernel, &storage, Scope::Project { patches_before: group.patches_before });
-        }
-        for group in &to.groups {
-            let storage =
-                [batch, cells, &jets, projected, &from.subpatches, &to.subpatches, &group.coefficients];
-            let scope = Scope::Subpatches { first: group.first, count: group.count };
-            push(kernels::taylor_bound(group.degree), &storage, scope);
-        }
-        let all = Scope::Subpatches { first: 0, count: 0 };
-        push(kernels::split(), &[batch, cells, next_cells, leftover_cells, tally, &from.subpatches], all);
-        push(kernels::next_level(), &[batch, tally], Scope::Level);
-        dispatches
-    })
 }

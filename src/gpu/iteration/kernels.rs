@@ -8,7 +8,7 @@ use crate::gpu::kernel::Access::{Read, ReadWrite};
 use crate::gpu::kernel::{Evaluation, JET, Kernel, PATCH, Source};
 use crate::iteration::{BLOCK_SIZE, Culling};
 
-/// What is known of a sample's projection.
+/// The nearest foot found of a sample.
 pub(crate) const PROJECTED: Source =
     Source { constants: PROJECTED_CONSTANTS, text: include_str!("../../../shaders/shared/projected.wgsl") };
 

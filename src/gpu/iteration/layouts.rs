@@ -83,7 +83,7 @@ impl Projected {
         (self.patch_and_status & PATCH_MASK) as usize
     }
 
-    /// How the iteration on that patch ended.
+    /// The status with which the iteration on that patch ended.
     pub(crate) fn status(&self) -> Status {
         Status::from_code(self.patch_and_status >> STATUS_SHIFT)
     }

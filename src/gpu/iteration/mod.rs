@@ -297,7 +297,7 @@ impl GpuIteration {
         self.gpu.queue.write_buffer(&self.buffers.projected, offset, bytes_of(&scaled));
     }
 
-    /// How the projections of the page ended.
+    /// The numbers of the page's samples by the status of their projection.
     pub(crate) fn statuses(&self) -> StatusCounts {
         self.statuses
     }

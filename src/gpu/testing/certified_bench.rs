@@ -100,7 +100,7 @@ impl CertifiedBench {
         let mut submission = Submission::new(&self.gpu, &self.driver.buffers.params);
         for dispatch in &self.driver.dispatches[0] {
             if CertifiedStage::of(dispatch.kernel).is_some_and(|stage| stages.contains(&stage)) {
-                self.driver.record(&mut submission, dispatch, &self.params);
+                dispatch.record(&mut submission, &self.driver.buffers, &self.params);
             }
         }
         pollster::block_on(submission.submit())
