@@ -1,8 +1,8 @@
 // Stage `taylor_bound`: an upper bound on the distance from every cell to B by
 // Taylor expansion, including the error of float32. CPU twins:
-// `src/certified/bounds/taylor.rs`, `reparametrization.rs` and `quadratic.rs`.
-// One thread per cell. The host generates MAX_ASPECT, ON_B, UNIT_ROUNDOFF,
-// DIFFERENCE_ROUNDINGS and LENGTH_ROUNDINGS.
+// `src/certified/certify.rs`, `src/certified/foot_map.rs` and
+// `src/certified/quadratic.rs`. One thread per cell. The host generates
+// MAX_ASPECT, ON_B, UNIT_ROUNDOFF, DIFFERENCE_ROUNDINGS and LENGTH_ROUNDINGS.
 
 @group(0) @binding(0) var<uniform> params: LevelParams;
 @group(0) @binding(1) var<storage, read> batch: Batch;

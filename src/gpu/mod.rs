@@ -2,7 +2,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `device`, `buffers`, `submission` | the device, its buffers, and submissions of bounded duration |
+//! | `device`, `buffers` | the device, its errors and its buffers |
+//! | `submission`, `throughput` | submissions of bounded duration |
 //! | `kernel`, `constants`, `patch_wgsl` | WGSL text, specialised by degree, and the pipelines made of it |
 //! | `float32`, `degree_groups`, `residency` | models in float32: rounding, patches by degree, copies kept on a device |
 //! | `iteration`, `hierarchy`, `certified` | one driver per method, each with the kernels in the folder of `shaders` of the same name |
@@ -27,6 +28,7 @@ mod residency;
 mod submission;
 #[cfg(not(target_arch = "wasm32"))]
 mod testing;
+mod throughput;
 
 pub(crate) use certified::GpuCertified;
 pub use device::Gpu;

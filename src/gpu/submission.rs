@@ -2,22 +2,10 @@
 
 use super::Gpu;
 use super::kernel::{Kernel, Pipeline};
+use super::throughput::MAX_SECONDS;
 use crate::error::Result;
-use std::cell::RefCell;
 use std::rc::Rc;
 use web_time::Instant;
-
-/// Seconds that a submission may be expected to take: browsers kill work that
-/// lasts for seconds, and progress and cancelling are handled between submissions.
-pub(crate) const MAX_SECONDS: f64 = 0.2;
-
-/// Units a second assumed of a kernel that has not run yet: so slow that its
-/// first dispatch stays short on a software adapter.
-const INITIAL_THROUGHPUT: f64 = 2e4;
-
-/// A throughput changes by at most this factor per submission, which limits
-/// the effect of one unusual measurement.
-const MAX_THROUGHPUT_CHANGE: f64 = 8.0;
 
 /// The most dispatches in one submission.
 const MAX_DISPATCHES: usize = 256;
@@ -29,31 +17,6 @@ const PARAMS_STRIDE: usize = 256;
 /// The most workgroups along one dimension: `maxComputeWorkgroupsPerDimension`
 /// of WebGPU by default.
 const MAX_WORKGROUPS: u32 = 65_535;
-
-/// Units of work a second of every kernel, as measured.
-#[derive(Debug, Default)]
-pub(crate) struct Throughput(RefCell<Vec<(Kernel, f64)>>);
-
-impl Throughput {
-    fn units_per_second(&self, kernel: Kernel) -> f64 {
-        let rates = self.0.borrow();
-        rates.iter().find(|(other, _)| *other == kernel).map_or(INITIAL_THROUGHPUT, |&(_, rate)| rate)
-    }
-
-    /// The units of work of this kernel that fill a submission; 1 or more.
-    pub(crate) fn chunk(&self, kernel: Kernel) -> usize {
-        (self.units_per_second(kernel) * MAX_SECONDS).max(1.0) as usize
-    }
-
-    /// Multiplies the kernel's throughput by `factor`.
-    fn scale(&self, kernel: Kernel, factor: f64) {
-        let mut rates = self.0.borrow_mut();
-        match rates.iter_mut().find(|(other, _)| *other == kernel) {
-            Some((_, rate)) => *rate *= factor,
-            None => rates.push((kernel, INITIAL_THROUGHPUT * factor)),
-        }
-    }
-}
 
 /// One kernel on its buffers.
 pub(crate) struct Dispatch<'a> {
@@ -177,9 +140,10 @@ impl<'a> Submission<'a> {
         self.gpu.queue.write_buffer(self.params_buffer, 0, &self.params);
         self.gpu.queue.submit([self.encoder.finish()]);
         self.gpu.finish().await?;
-        let factor = (self.expected_seconds / started.elapsed().as_secs_f64())
-            .clamp(1.0 / MAX_THROUGHPUT_CHANGE, MAX_THROUGHPUT_CHANGE);
-        self.kernels.iter().for_each(|&kernel| self.gpu.throughput.scale(kernel, factor));
+        let measured = started.elapsed().as_secs_f64();
+        for &kernel in &self.kernels {
+            self.gpu.throughput.correct(kernel, self.expected_seconds, measured);
+        }
         Ok(())
     }
 }

@@ -21,6 +21,7 @@ use crate::iteration::Culling;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, Expression, Literal, Module, StorageAccess, TypeInner};
 use std::mem::offset_of;
+use std::path::{Path, PathBuf};
 
 const DEGREES: [[usize; 2]; 4] = [[1, 1], [3, 3], [2, 5], [15, 15]];
 
@@ -247,5 +248,24 @@ fn generated_constants_arrive_with_their_values() {
         (certified::taylor_bound([2, 5]), "UNIT_ROUNDOFF", Literal::F32(f32::EPSILON)),
     ] {
         assert_eq!(constant(&parsed(kernel), name), Some(expected), "{name}");
+    }
+}
+
+/// All files below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+}
+
+#[test]
+fn every_shader_names_its_twin_on_the_cpu() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for shader in files(&root.join("shaders")) {
+        let text = std::fs::read_to_string(&shader).unwrap();
+        let head: String = text.lines().take_while(|line| line.starts_with("//")).collect();
+        assert!(head.contains("CPU") && head.contains("twin"), "{}", shader.display());
+        for name in text.split('`').filter(|name| name.starts_with("src/")) {
+            assert!(root.join(name).is_file(), "{}: {name} does not exist", shader.display());
+        }
     }
 }
