@@ -65,7 +65,7 @@ impl Ends<'_> {
                 let to = target.resident.on(gpu, |gpu| gpu.upload_target(&target.target))?;
                 let prepared = Instant::now();
                 let stages = GpuIteration::new(gpu, uploaded, to, self.transform, options.rule()).await?;
-                (prepared, Stages::Gpu(stages))
+                (prepared, Stages::Gpu(Box::new(stages)))
             }
             None => {
                 let (model, to) = (self.from.bezier(), &target.target);

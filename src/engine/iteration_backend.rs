@@ -11,7 +11,7 @@ use std::ops::Range;
 /// time, on either backend: what drives them is compiled once.
 pub(super) enum Stages<'a> {
     Cpu(CpuStages<'a>),
-    Gpu(GpuIteration),
+    Gpu(Box<GpuIteration>),
 }
 
 impl Stages<'_> {
