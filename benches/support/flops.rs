@@ -21,9 +21,9 @@ pub(crate) struct End([&'static str; 2]);
 /// `project` adds to `Projected.s`, over the groups of patches. What is there
 /// before is 0, or a parameter, so less than one operation.
 pub(crate) const PROJECT: End = End([
-    "projected[sample] = search.best;",
+    "projected[sample] = best;",
     "let flops_before = projected[sample].s;
-    projected[sample] = search.best;
+    projected[sample] = best;
     projected[sample].s = flops_before + f32(flops);",
 ]);
 

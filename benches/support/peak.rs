@@ -6,7 +6,7 @@ use wgpu::util::DeviceExt;
 /// Multiply-adds per accumulator in the unrolled body of the loop.
 const UNROLLED: usize = 32;
 
-/// Iterations of the loop: fewer than 65,535, after which llvmpipe ends a loop.
+/// Iterations of the loop.
 const ITERATIONS: usize = 500;
 
 /// Threads: many for every core, and some hundredths of a second on a software adapter.

@@ -27,27 +27,15 @@ const BOX_ROUNDING: f32 = 1.0 - 1e-6;
 @group(0) @binding(3) var<storage, read> controls: array<vec4<f32>>;
 @group(0) @binding(4) var<storage, read> centers: array<vec4<f32>>;
 
-// Loop turns of one evaluation, at most: its rows of controls, and the loop
-// of the iteration. Finding the nearest control takes no more.
-const TURNS_PER_EVALUATION: u32 = P + 2u;
-
-struct Search {
-    best: Projected,
-    // Turns of all loops, an upper bound (`MAX_TURNS` of `src/gpu/iteration/schedule.rs`).
-    turns: u32,
-}
-
-// The search with the foot on one patch, if that is nearer.
-fn offer(before: Search, patch_index: u32, point: vec3<f32>) -> Search {
+// The nearer one of a known foot and the foot on one patch.
+fn offer(best: Projected, patch_index: u32, point: vec3<f32>) -> Projected {
     let local = point - centers[patch_index].xyz;
     let foot = iterate(patch_index * PATCH_SIZE, local, params.iterations, params.step_tolerance);
-    var after = before;
-    after.turns += (foot.evaluations + 1u) * TURNS_PER_EVALUATION;
-    if foot.distance_squared < before.best.distance_squared {
+    if foot.distance_squared < best.distance_squared {
         let packed = (params.patches_before + patch_index) | (foot.status << STATUS_SHIFT);
-        after.best = Projected(foot.distance_squared, packed, foot.parameters.x, foot.parameters.y);
+        return Projected(foot.distance_squared, packed, foot.parameters.x, foot.parameters.y);
     }
-    return after;
+    return best;
 }
 
 // The sample of a thread. Neighbouring threads have samples of one tile,
@@ -71,11 +59,10 @@ fn project_all(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgr
     if sample >= params.sample_count {
         return;
     }
-    // The host limits the number of patches so that all turns are within the limit.
-    var search = Search(projected[sample], 0u);
+    var best = projected[sample];
     let point = samples[sample].xyz;
     for (var k = 0u; k < params.patch_count; k++) {
-        search = offer(search, params.first_patch + k, point);
+        best = offer(best, params.first_patch + k, point);
     }
-    projected[sample] = search.best;
+    projected[sample] = best;
 }

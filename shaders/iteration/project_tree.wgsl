@@ -1,6 +1,5 @@
 // Stage `project` with a BVH over the patches. CPU twin: `descend` of
-// `src/iteration/project.rs`. The host generates MAX_TURNS, the limit of
-// `Search.turns`.
+// `src/iteration/project.rs`.
 
 struct Node {
     box_min: vec3<f32>,
@@ -34,7 +33,7 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         return;
     }
     let point = samples[sample].xyz;
-    var search = Search(projected[sample], 0u);
+    var best = projected[sample];
     var codes: array<u32, STACK_SIZE>;
     var distances: array<f32, STACK_SIZE>;
     var height = 0u;
@@ -42,19 +41,9 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
     loop {
         // Down to the nearest leaf.
         while (code & 1u) == 0u || (code == NO_NODE && height > 0u) {
-            search.turns++;
-            if search.turns > MAX_TURNS {
-                // Some patches were not tried: the distance may be too large, never too small.
-                search.best.patch_and_status = (search.best.patch_and_status & PATCH_MASK)
-                    | (ITERATION_LIMIT << STATUS_SHIFT);
-                code = NO_NODE;
-                height = 0u;
-                break;
-            }
             while code == NO_NODE && height > 0u {
-                search.turns++;
                 height--;
-                if distances[height] < search.best.distance_squared {
+                if distances[height] < best.distance_squared {
                     code = codes[height];
                 }
             }
@@ -71,9 +60,9 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
                 code = select(
                     NO_NODE,
                     select(left_code, right_code, right_is_nearer),
-                    near < search.best.distance_squared,
+                    near < best.distance_squared,
                 );
-                if far < search.best.distance_squared {
+                if far < best.distance_squared {
                     codes[height] = select(right_code, left_code, right_is_nearer);
                     distances[height] = far;
                     height++;
@@ -83,8 +72,8 @@ fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         if code == NO_NODE {
             break;
         }
-        search = offer(search, code >> 1u, point);
+        best = offer(best, code >> 1u, point);
         code = NO_NODE;
     }
-    projected[sample] = search.best;
+    projected[sample] = best;
 }

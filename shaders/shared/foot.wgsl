@@ -6,8 +6,6 @@ struct Foot {
     parameters: vec2<f32>,
     distance_squared: f32,
     status: u32,
-    // Points evaluated.
-    evaluations: u32,
 }
 
 // A second derivative of this size relative to the other direction's, or a

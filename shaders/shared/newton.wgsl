@@ -63,12 +63,10 @@ fn iterate(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -
     var free = vec2<bool>(true);
     var steps = 0u;
     var halvings = 0u;
-    var evaluations = 0u;
     var status = ITERATION_LIMIT;
     loop {
         let next = clamp(at + scale * step, vec2<f32>(0.0), vec2<f32>(1.0));
         let jet = evaluate_jet(first, next);
-        evaluations++;
         let residual = jet.point - local;
         let next_value = dot(residual, residual);
         if !(next_value < value) {
@@ -106,7 +104,7 @@ fn iterate(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -
         scale = 1.0;
         halvings = 0u;
     }
-    return Foot(at, value, status, evaluations);
+    return Foot(at, value, status);
 }
 
 fn settled(free: vec2<bool>) -> u32 {

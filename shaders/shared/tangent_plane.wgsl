@@ -37,5 +37,5 @@ fn iterate(first: u32, local: vec3<f32>, iterations: u32, step_tolerance: f32) -
         is_clamped = any(at != next);
         steps++;
     }
-    return Foot(at, distance * distance, status, steps + 1u);
+    return Foot(at, distance * distance, status);
 }

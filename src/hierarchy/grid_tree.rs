@@ -39,8 +39,8 @@ impl Children {
 /// Cells of a model, at most: what their boxes take then fits one binding of the GPU.
 pub const MAX_CELLS: usize = 1 << 22;
 
-/// Parts below a node, at most: kernels loop over them, and llvmpipe ends
-/// long loops. Cells of more get levels in between.
+/// The most parts below a node: a thread loops over them, and its neighbours
+/// wait. Cells with more parts get levels in between.
 pub const MAX_CHILDREN: usize = 64;
 
 /// The most children of a node above the cells: two by two, or four surfaces.

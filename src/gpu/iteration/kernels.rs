@@ -1,7 +1,7 @@
 //! The kernels of method `iteration`: stages `sample`, `project` and `reduce`.
 
 use super::layouts::{PROJECTED_CONSTANTS, ProjectParams, ReduceParams, SampleParams};
-use super::schedule::{MAX_TURNS_OF_TREE, TILE};
+use super::schedule::TILE;
 use crate::closest::{MAX_HALVINGS, Projection};
 use crate::gpu::constants::Constant;
 use crate::gpu::kernel::Access::{Read, ReadWrite};
@@ -23,10 +23,7 @@ const PROJECT: Source = Source {
     constants: &[Constant::u32("TILE_COLUMNS", TILE[0] as u32), Constant::u32("TILE_ROWS", TILE[1] as u32)],
     text: include_str!("../../../shaders/iteration/project.wgsl"),
 };
-const PROJECT_TREE: Source = Source {
-    constants: &[Constant::u32("MAX_TURNS", MAX_TURNS_OF_TREE)],
-    text: include_str!("../../../shaders/iteration/project_tree.wgsl"),
-};
+const PROJECT_TREE: Source = Source::new(include_str!("../../../shaders/iteration/project_tree.wgsl"));
 const REDUCE: Source = Source {
     constants: &[Constant::u32("BLOCK_SIZE", BLOCK_SIZE as u32)],
     text: include_str!("../../../shaders/iteration/reduce.wgsl"),

@@ -133,15 +133,13 @@ impl GpuIteration {
         self.compile_seconds
     }
 
-    /// The rule for one group: a single patch needs no tree.
-    fn rule_on(&self, group: &TargetGroup) -> Rule {
-        let culling = if group.count == 1 { Culling::None } else { self.rule.culling };
-        Rule { culling, ..self.rule }
+    /// The culling of one group: a single patch needs no tree.
+    fn culling(&self, group: &TargetGroup) -> Culling {
+        if group.count == 1 { Culling::None } else { self.rule.culling }
     }
 
     fn project_kernel(&self, group: &TargetGroup) -> Kernel {
-        let Rule { projection, culling, .. } = self.rule_on(group);
-        kernels::project(group.degree, projection, culling)
+        kernels::project(group.degree, self.rule.projection, self.culling(group))
     }
 
     fn record_sample(&self, submission: &mut Submission<'_>, group: &SampleGroup, params: &SampleParams) {
@@ -245,8 +243,7 @@ impl GpuIteration {
         for (index, group) in self.target.groups.iter().enumerate() {
             let bound = self.bind_project(group);
             let columns = self.sampling.columns;
-            let mut schedule =
-                Schedule::new(page.len(), columns, group.count, group.degree, &self.rule_on(group));
+            let mut schedule = Schedule::new(page.len(), columns, group.count, self.culling(group));
             while let Some((params, size)) = schedule.next(self.gpu.throughput.chunk(bound.kernel)) {
                 if submission.submit_if_full().await? {
                     progress.checkpoint((index as f64 + schedule.fraction_done()) / group_count).await?;
