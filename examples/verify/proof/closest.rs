@@ -11,6 +11,9 @@ const MAX_HALVINGS: usize = 8;
 /// A step that changes no parameter by more ends a projection.
 const STEP_TOLERANCE: f64 = 1e-12;
 
+/// What a foot's distance may grow by, relatively, where one of its parameters is made another's.
+const TIE_TOLERANCE: f64 = 1e-9;
+
 /// A point of a patch near some point of space.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Foot {
@@ -73,6 +76,22 @@ impl Finder {
             feet.last().filter(|_| feet.len() == count).map_or(f64::INFINITY, |foot| foot.distance)
         });
         feet
+    }
+
+    /// The foot of `point` on the patch of another foot, with parameters like that one's where they
+    /// do not matter: those along an edge that is a single point are arbitrary.
+    pub(crate) fn project_near(&self, other: &Foot, point: [f64; 3]) -> Foot {
+        let mut foot = self.project(other.patch, point, other.at);
+        for axis in 0..2 {
+            let mut at = foot.at;
+            at[axis] = other.at[axis];
+            let residual = subtract(self.patches[other.patch].jet(at)[0], point);
+            let distance = dot(residual, residual).sqrt();
+            if distance <= foot.distance + TIE_TOLERANCE * f64::max(other.distance, foot.distance) {
+                foot = Foot { at, distance, ..foot };
+            }
+        }
+        foot
     }
 
     /// A local minimum of the distance on one patch, from a start: Newton's method with the

@@ -90,7 +90,9 @@ pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settin
     let mut report =
         Report { lower: Verdict::NotProved, upper: Verdict::NotProved, notes: Vec::new(), cells: 0 };
     check_lower(&mut report, &patches, &target, claim.witness, (claim.lower - slack) * frame.scale, deadline);
-    if report.lower == Verdict::Refuted {
+    if report.lower == Verdict::Refuted && claim.lower <= claim.upper {
+        // All of A was proved nearer than lower, hence than upper.
+        report.upper = Verdict::Proved;
         return report;
     }
     let search = upper::prove(&patches, &target, (claim.upper + slack) * frame.scale, deadline);

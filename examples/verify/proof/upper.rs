@@ -165,21 +165,22 @@ impl Cell {
         }
         let own = SecondDerivatives::of(&self.net);
         let corners = self.net.corners();
-        // Where corners are near enough, what is missing is flatness, else smallness.
-        let mut bent = false;
+        // Where corners are near enough, the cell is cut along the direction that bends more.
+        let mut bends = None;
         for foot in &feet {
             match within(&corners, own, foot, target, limit) {
                 Attempt::Proved => return Outcome::Within,
-                Attempt::TooBent => bent = true,
+                Attempt::TooBent(along) => bends = bends.or(Some(along)),
                 Attempt::TooFar => {}
             }
         }
         if self.level == MAX_LEVEL {
             return Outcome::GivenUp;
         }
-        let flattest = own.pure[0] == own.pure[1];
-        let axis =
-            if bent && !flattest { usize::from(own.pure[1] > own.pure[0]) } else { longer_axis(&self.net) };
+        let axis = match bends {
+            Some([along_s, along_t]) if along_s != along_t => usize::from(along_t > along_s),
+            _ => longer_axis(&self.net),
+        };
         Outcome::Halves(self.halves(axis))
     }
 
@@ -202,8 +203,8 @@ enum Attempt {
     Proved,
     /// A corner is beyond the limit from the points it was compared with.
     TooFar,
-    /// The corners are within it, the room for the second derivatives is too small.
-    TooBent,
+    /// The corners are within it, but the second derivatives along s and t are too large together.
+    TooBent([f64; 2]),
 }
 
 /// Proves, if it can, that a cell is within the limit of one patch of B.
@@ -227,7 +228,7 @@ fn within(
     target: &Target,
     limit: f64,
 ) -> Attempt {
-    let feet = corners.map(|corner| target.finder.project(foot.patch, middle(&corner), foot.at));
+    let feet = corners.map(|corner| target.finder.project_near(foot, middle(&corner)));
     // NaN is beyond every limit.
     if !feet.iter().all(|foot| foot.distance <= limit) {
         return Attempt::TooFar;
@@ -245,10 +246,14 @@ fn within(
     let [a_ss, a_tt] = own.pure.map(Interval::point);
     let without_b = Interval::point(farthest) + eighth * (a_ss + a_tt);
     if without_b.hi > limit {
-        return Attempt::TooBent;
+        return Attempt::TooBent(own.pure);
     }
     let [b_ss, b_tt] = bend(net, &feet);
-    if (without_b + eighth * (b_ss + b_tt)).hi <= limit { Attempt::Proved } else { Attempt::TooBent }
+    if (without_b + eighth * (b_ss + b_tt)).hi <= limit {
+        Attempt::Proved
+    } else {
+        Attempt::TooBent([(a_ss + b_ss).hi, (a_tt + b_tt).hi])
+    }
 }
 
 /// Upper bounds of |(B ∘ ψ)_ss| and |(B ∘ ψ)_tt| for the bilinear map ψ of [`within`]; `feet` at
