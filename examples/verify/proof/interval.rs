@@ -3,8 +3,12 @@
 //! IEEE 754 rounds the exact result x of +, -, *, / and the square root to the nearest float64
 //! number r, so x lies between the neighbours of r: `r.next_down() <= x <= r.next_up()`, also where
 //! r underflows to 0 or overflows to an infinity. Every operation therefore steps its lower end one
-//! number down and its upper end one number up. `tests/verify.rs` compares each operation with the
-//! directed rounding of `rustc_apfloat`.
+//! number down and its upper end one number up. `tests/verify` compares each operation with exact
+//! results in integers.
+//!
+//! No crate of interval arithmetic fits: `inari` compiles only where the whole build is for
+//! processors with AVX and FMA (`RUSTFLAGS`), `honestintervals` links MPFR and does not round float64
+//! ends outward, `intervallum` has integers only.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

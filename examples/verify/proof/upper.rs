@@ -19,8 +19,9 @@ const ROUND: usize = 64;
 /// The halvings after which a cell is given up: float64 tells its corners apart no longer.
 const MAX_LEVEL: u32 = 90;
 
-/// Places along each axis of a patch of A at which a point beyond the limit is looked for first.
-const SAMPLES: usize = 4;
+/// Parts along each axis of a patch of A between places at which a point beyond the limit is looked
+/// for first.
+const SAMPLES: usize = 5;
 
 /// The points, farthest first, that are then compared with all of B.
 const SUSPECTS: usize = 8;
