@@ -19,6 +19,13 @@ const ROUND: usize = 64;
 /// The halvings after which a cell is given up: float64 tells its corners apart no longer.
 const MAX_LEVEL: u32 = 90;
 
+/// Halvings after which B is searched for points nearer than those found, as Newton's method may end
+/// at a local minimum: on every cell whose level is a multiple.
+const SEARCH_LEVELS: u32 = 6;
+
+/// How much nearer such points are to be, so that proving that there are none is cheap.
+const NEARER: f64 = 0.8;
+
 /// Parts along each axis of a patch of A between places at which a point beyond the limit is looked
 /// for first.
 const SAMPLES: usize = 5;
@@ -53,6 +60,8 @@ struct Cell {
     start: [f64; 2],
     length: [f64; 2],
     level: u32,
+    /// Near points of B that were found for cells that contain this one.
+    known: Vec<Foot>,
 }
 
 /// What one look at a cell gave.
@@ -148,19 +157,42 @@ impl Witness {
 
 impl Cell {
     fn whole(a: &[Patch], patch: usize) -> Self {
-        Self { patch, net: a[patch].net.clone(), start: [0.0; 2], length: [1.0; 2], level: 0 }
+        Self {
+            patch,
+            net: a[patch].net.clone(),
+            start: [0.0; 2],
+            length: [1.0; 2],
+            level: 0,
+            known: Vec::new(),
+        }
     }
 
-    fn examine(self, a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Outcome {
+    fn examine(mut self, a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Outcome {
         let center = self.net.evaluate([Interval::point(0.5); 2]);
         let mut feet = target.finder.nearest(middle(&center), CANDIDATES);
-        if feet.first().is_none_or(|foot| foot.distance > limit) {
+        feet.extend(
+            self.known.iter().map(|foot| target.finder.project(foot.patch, middle(&center), foot.at)),
+        );
+        feet.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let nearest = feet.first().map_or(f64::INFINITY, |foot| foot.distance);
+        let searched = self.level > 0 && self.level.is_multiple_of(SEARCH_LEVELS);
+        if searched
+            && nearest <= limit
+            && let Comparison::Nearer(foot) = target.compare(&center, NEARER * nearest, deadline)
+        {
+            feet.insert(0, foot);
+            self.known.push(foot);
+        }
+        if nearest > limit || nearest.is_nan() {
             match target.compare(&center, limit, deadline) {
                 Comparison::Farther => {
                     let at = [0, 1].map(|axis| self.start[axis] + 0.5 * self.length[axis]);
                     return Outcome::Beyond(Witness::new(&a[self.patch], at));
                 }
-                Comparison::Nearer(foot) => feet.insert(0, foot),
+                Comparison::Nearer(foot) => {
+                    feet.insert(0, foot);
+                    self.known.push(foot);
+                }
                 Comparison::Open => {}
             }
         }
@@ -192,9 +224,10 @@ impl Cell {
         let mut start = self.start;
         start[axis] += length[axis];
         let level = self.level + 1;
+        let known = self.known.clone();
         [
             Self { net: first, length, level, ..self },
-            Self { patch: self.patch, net: second, start, length, level },
+            Self { patch: self.patch, net: second, start, length, level, known },
         ]
     }
 }
