@@ -4,7 +4,7 @@
 //! pairs, or one family of them. Prints a Markdown table of verdicts and times, and every pair that
 //! was not proved. The reference and soundness pairs lie in `../shared` and are left out without it.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "../examples/honesty/offsets.rs"]
 mod offsets;
@@ -52,9 +52,12 @@ struct Row {
     seconds: f64,
 }
 
+/// The name of a family of pairs, and the function that makes them.
+type Family = (&'static str, fn() -> Vec<Pair>);
+
 fn main() {
     let family = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let families: [(&str, fn() -> Vec<Pair>); 4] = [
+    let families: [Family; 4] = [
         ("reference", reference_pairs),
         ("shapes", shape_pairs),
         ("soundness", soundness_pairs),

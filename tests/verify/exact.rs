@@ -65,7 +65,8 @@ impl Mul for Exact {
 
     fn mul(self, other: Self) -> Self {
         let mantissa = self.mantissa.checked_mul(other.mantissa).unwrap();
-        Self { mantissa, exponent: self.exponent + other.exponent }.reduced()
+        let exponent = [self.exponent, other.exponent].iter().sum();
+        Self { mantissa, exponent }.reduced()
     }
 }
 

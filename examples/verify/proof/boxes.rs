@@ -1,6 +1,6 @@
 //! A tree of the boxes of patches.
 
-use super::extract::Patch;
+use super::bezier::Patch;
 use super::interval::Interval;
 use super::vector::{Vector, difference, hull, norm};
 

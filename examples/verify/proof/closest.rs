@@ -1,7 +1,7 @@
 //! Near points of a model in plain float64: candidates that proofs begin with, not part of any.
 
+use super::bezier::Patch;
 use super::boxes::BoxTree;
-use super::extract::Patch;
 use super::interval::Interval;
 
 /// The Newton steps of one projection, and the halvings of a step that gains nothing.

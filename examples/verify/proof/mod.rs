@@ -4,13 +4,11 @@
 //! everything that follows, from the knots on, is enclosed. Near points are found in float64 first;
 //! what is proved holds for them whether they are the nearest or not.
 
+mod bezier;
 mod boxes;
 mod closest;
-mod curvature;
-mod extract;
 mod frame;
 pub(crate) mod interval;
-mod net;
 mod surface;
 mod target;
 mod upper;
@@ -20,7 +18,7 @@ pub(crate) use frame::Motion;
 pub(crate) use surface::Model;
 pub(crate) use upper::Witness;
 
-use extract::Patch;
+use bezier::Patch;
 use frame::Frame;
 use std::time::{Duration, Instant};
 use target::{Comparison, Target};
@@ -84,8 +82,8 @@ impl Report {
 pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settings: &Settings) -> Report {
     let deadline = Instant::now() + settings.time;
     let frame = Frame::new(a, motion, b);
-    let patches = extract::patches(a, &frame, motion);
-    let target = Target::new(extract::patches(b, &frame, &Motion::IDENTITY));
+    let patches = bezier::patches(a, &frame, motion);
+    let target = Target::new(bezier::patches(b, &frame, &Motion::IDENTITY));
     let slack = settings.slack * frame.diagonal;
     let mut report =
         Report { lower: Verdict::NotProved, upper: Verdict::NotProved, notes: Vec::new(), cells: 0 };

@@ -1,10 +1,10 @@
 //! The model that distances are measured to.
 
+use super::bezier::{Net, Patch, project};
 use super::boxes::box_distance;
 use super::closest::{Finder, Foot};
-use super::extract::Patch;
 use super::interval::Interval;
-use super::net::Net;
+
 use super::vector::{Vector, difference, dot, exactly, middle, norm};
 use std::time::Instant;
 
@@ -105,7 +105,7 @@ pub(crate) fn longer_axis(net: &Net) -> usize {
 /// of the patch's size where the patch is orthogonal to n.
 fn lower_bound(point: &Vector, net: &Net) -> f64 {
     let between_boxes = box_distance(point, &net.bounding_box());
-    let inner = super::net::project(&net.points[net.points.len() / 2]);
+    let inner = project(&net.points[net.points.len() / 2]);
     let towards = exactly(middle(&difference(&inner, point)));
     let length = norm(&towards);
     let along = |control: Vector| dot(&towards, &difference(&control, point)) / length;

@@ -1,10 +1,10 @@
 //! The proof that no point of A is farther than a limit from B.
 
 use super::closest::Foot;
-use super::curvature::SecondDerivatives;
-use super::extract::Patch;
+
+use super::bezier::{Net, Patch, SecondDerivatives};
 use super::interval::Interval;
-use super::net::Net;
+
 use super::target::{Comparison, Target, distance, longer_axis};
 use super::vector::{Vector, middle};
 use rayon::prelude::*;

@@ -1,8 +1,8 @@
 //! Bounds of the second derivatives of rational Bézier patches.
 
-use super::interval::Interval;
-use super::net::{Homogeneous, Net};
-use super::vector::{Vector, difference, exactly, middle, norm};
+use super::net::{Homogeneous, Net, project};
+use crate::proof::interval::Interval;
+use crate::proof::vector::{Vector, difference, exactly, middle, norm};
 
 /// Upper bounds of the norms of a patch's second derivatives over its domain [0, 1]².
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +31,7 @@ impl SecondDerivatives {
     /// bound them by the hull property, as the control points of f do F and the least weight w.
     /// Infinite where a weight may not be positive. O(size of the net).
     pub(crate) fn of(net: &Net) -> Self {
-        let center = exactly(middle(&super::net::project(&net.points[net.points.len() / 2])));
+        let center = exactly(middle(&project(&net.points[net.points.len() / 2])));
         let shifted: Vec<Homogeneous> = net
             .points
             .iter()

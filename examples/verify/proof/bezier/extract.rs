@@ -1,9 +1,9 @@
 //! Bézier patches of NURBS surfaces, by blossoming in intervals.
 
-use super::frame::{Frame, Motion, power_of_two};
-use super::interval::Interval;
 use super::net::{Homogeneous, Net, blend};
-use super::surface::{Model, Surface};
+use crate::proof::frame::{Frame, Motion, power_of_two};
+use crate::proof::interval::Interval;
+use crate::proof::surface::{Model, Surface};
 
 /// A Bézier patch and where it comes from.
 #[derive(Debug, Clone)]

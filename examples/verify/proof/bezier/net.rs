@@ -1,7 +1,7 @@
 //! Control nets of rational Bézier patches, in intervals.
 
-use super::interval::Interval;
-use super::vector::{Vector, hull};
+use crate::proof::interval::Interval;
+use crate::proof::vector::{Vector, hull};
 
 /// A control point multiplied by its weight, and the weight.
 pub(crate) type Homogeneous = [Interval; 4];
