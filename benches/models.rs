@@ -144,7 +144,7 @@ impl Table {
     }
 
     fn row(&mut self, name: &str, result: &DistanceResult, judgement: &str) {
-        let cells = result.certified.map_or(0, |details| details.cells);
+        let cells = result.certified().map_or(0, |details| details.cells);
         let wide = if result.converged { "" } else { ", not converged" };
         println!(
             "| {name} | {cells} | {:.1} | {:.1e}{wide} | {judgement} |",

@@ -12,7 +12,7 @@ use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{Axis, Model, RigidTransform};
 
 /// Rounds of which the fastest is told.
 const ROUNDS: usize = 3;
@@ -50,7 +50,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
         assert!(result.converged, "{}", pair.name);
         fastest = fastest.min(result.seconds.solve);
-        cells = result.certified.map_or(0, |details| details.cells);
+        cells = result.certified().map_or(0, |details| details.cells);
     }
     format!("{fastest:.2} | {cells}")
 }
@@ -60,9 +60,11 @@ fn pairs() -> Vec<Pair> {
     let [offset, copy] = [1.1, 1.0].map(|radius| sphere_parts([1.0, radius]).expect("parts of spheres"));
     let ring = |tube| torus(3.0, tube).expect("a torus");
     let sheet = shape("wavy-sheet").expect("a sheet");
-    let [[start, end], _] = sheet.surfaces()[0].domain();
-    let refined = insert_knot(&sheet.surfaces()[0], 0, start + 0.63 * (end - start), 1).expect("a knot");
-    let elevated = Model::new(None, vec![elevate_degree(&refined, 1).expect("a degree")]).expect("a model");
+    let [[start, end], _] = sheet.surfaces()[0].domain().intervals();
+    let refined =
+        insert_knot(&sheet.surfaces()[0], Axis::U, start + 0.63 * (end - start), 1).expect("a knot");
+    let elevated =
+        Model::new(None, vec![elevate_degree(&refined, Axis::V).expect("a degree")]).expect("a model");
     let pieces = cut_model(&sheet, [&[0.21, 0.77], &[0.43]]).expect("pieces");
     let turned = |axis: DVec3, angle| {
         RigidTransform::new(DQuat::from_axis_angle(axis.normalize(), angle), DVec3::ZERO).expect("a rotation")

@@ -89,7 +89,7 @@ fn main() {
             let options = Options { transform: *transform, max_cells, ..Options::default() };
             let result =
                 pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
-            cells += result.certified.map_or(0, |details| details.cells);
+            cells += result.certified().map_or(0, |details| details.cells);
             seconds += result.seconds.solve;
             ended += usize::from(!result.converged);
         }

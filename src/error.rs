@@ -1,34 +1,10 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
+use crate::axis::Axis;
 use thiserror::Error as ThisError;
 
 /// What a function of this crate returns when its input or machine may fail it.
 pub type Result<T> = std::result::Result<T, Error>;
-
-/// Where in a model an invalid value was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// The first parameter.
-    U,
-    /// The second parameter.
-    V,
-}
-
-impl std::fmt::Display for Direction {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.write_str(match self {
-            Self::U => "u",
-            Self::V => "v",
-        })
-    }
-}
-
-impl From<usize> for Direction {
-    /// 0 is u, everything else v.
-    fn from(index: usize) -> Self {
-        if index == 0 { Self::U } else { Self::V }
-    }
-}
 
 /// Everything that can go wrong, each naming the surface, the index, what was
 /// found and what was expected. [`Error::code`] is the part to match on.
@@ -70,12 +46,12 @@ pub enum Error {
         found: f64,
     },
     /// A knot is smaller than the one before it.
-    #[error("surface {surface}: knot {index} in {direction} is {found:?}, expected at least {expected:?}")]
+    #[error("surface {surface}: knot {index} in {axis} is {found:?}, expected at least {expected:?}")]
     KnotsDecreasing {
         /// Index of the surface in its model.
         surface: usize,
-        /// The knot vector.
-        direction: Direction,
+        /// The axis of the knot vector.
+        axis: Axis,
         /// Index of the knot.
         index: usize,
         /// The knot.
@@ -84,14 +60,12 @@ pub enum Error {
         expected: f64,
     },
     /// A knot vector is not of length count + degree + 1.
-    #[error(
-        "surface {surface}: {found} knots in {direction}, expected {expected} (control points + degree + 1)"
-    )]
+    #[error("surface {surface}: {found} knots in {axis}, expected {expected} (control points + degree + 1)")]
     KnotsLength {
         /// Index of the surface in its model.
         surface: usize,
-        /// The knot vector.
-        direction: Direction,
+        /// The axis of the knot vector.
+        axis: Axis,
         /// Its length.
         found: usize,
         /// The length that fits degree and net.
@@ -99,13 +73,13 @@ pub enum Error {
     },
     /// A knot is repeated more than degree + 1 times.
     #[error(
-        "surface {surface}: knot {index} in {direction} is repeated {found} times, expected at most {expected} (degree + 1)"
+        "surface {surface}: knot {index} in {axis} is repeated {found} times, expected at most {expected} (degree + 1)"
     )]
     KnotsMultiplicity {
         /// Index of the surface in its model.
         surface: usize,
-        /// The knot vector.
-        direction: Direction,
+        /// The axis of the knot vector.
+        axis: Axis,
         /// Index of the first of the equal knots.
         index: usize,
         /// How often it stands there.
@@ -114,14 +88,12 @@ pub enum Error {
         expected: usize,
     },
     /// The knots `[degree]` and `[count]`, which bound the domain, are equal.
-    #[error(
-        "surface {surface}: the domain in {direction} is [{start:?}, {end:?}], expected a positive length"
-    )]
+    #[error("surface {surface}: the domain in {axis} is [{start:?}, {end:?}], expected a positive length")]
     KnotsEmptyDomain {
         /// Index of the surface in its model.
         surface: usize,
-        /// The knot vector.
-        direction: Direction,
+        /// The axis of the knot vector.
+        axis: Axis,
         /// The first knot of the domain.
         start: f64,
         /// The last knot of the domain.
@@ -140,26 +112,24 @@ pub enum Error {
         expected: usize,
     },
     /// Fewer control points than degree + 1.
-    #[error(
-        "surface {surface}: {found} control points in {direction}, expected at least {expected} (degree + 1)"
-    )]
+    #[error("surface {surface}: {found} control points in {axis}, expected at least {expected} (degree + 1)")]
     TooFewControlPoints {
         /// Index of the surface in its model.
         surface: usize,
-        /// The direction.
-        direction: Direction,
+        /// The axis.
+        axis: Axis,
         /// The number of control points.
         found: usize,
         /// The least number.
         expected: usize,
     },
     /// A degree outside 1 to 15.
-    #[error("surface {surface}: degree {found} in {direction}, expected 1 to {}", crate::limits::MAX_DEGREE)]
+    #[error("surface {surface}: degree {found} in {axis}, expected 1 to {}", crate::limits::MAX_DEGREE)]
     DegreeOutOfRange {
         /// Index of the surface in its model.
         surface: usize,
-        /// The direction.
-        direction: Direction,
+        /// The axis.
+        axis: Axis,
         /// The degree.
         found: usize,
     },
@@ -256,11 +226,13 @@ pub enum Error {
 }
 
 impl Error {
-    pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
-        // As options are written: integers without a fraction.
-        let text = format!("{found:?}");
-        let found = text.strip_suffix(".0").unwrap_or(&text).to_owned();
-        Self::OptionOutOfRange { option, found, expected }
+    /// Returns [`Error::OptionOutOfRange`] with what was found as Rust prints it.
+    pub(crate) fn out_of_range(
+        option: &'static str,
+        found: impl std::fmt::Debug,
+        expected: &'static str,
+    ) -> Self {
+        Self::OptionOutOfRange { option, found: format!("{found:?}"), expected }
     }
 
     /// The stable code, the same in Rust, on the command line and in JavaScript.

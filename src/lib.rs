@@ -72,6 +72,8 @@
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
 )]
 
+mod axis;
+mod param_box;
 pub mod shapes;
 pub mod tessellate;
 
@@ -145,12 +147,14 @@ mod progress;
 #[doc(hidden)]
 pub mod progress;
 
+pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
     Backend, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
 };
-pub use error::{Direction, Error, Result};
+pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 
 /// The choices within [`Options`].
@@ -164,7 +168,8 @@ pub mod options {
 pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
-        Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, PatchCounts, Seconds, Stop,
+        Bounds, CertifiedDetails, Details, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor,
+        Seconds, Stop,
     };
     pub use crate::iteration::StatusCounts;
 }

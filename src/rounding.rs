@@ -1,14 +1,63 @@
-//! What float64 loses of lengths.
+//! Rounding errors of float64, and bounds that they or an overflow may spoil.
 
-/// Rounding of coordinates, boxes and roots relative to the largest
-/// coordinate: 128 units of 2^-53.
+/// Rounding error of coordinates, boxes and square roots, relative to the
+/// largest coordinate: 128 units of 2^-53.
 const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Squares of lengths below it are smaller than 1e-300, and near there float64
-/// has fewer digits or none.
+/// A length below this has a square below 1e-300, where float64 is subnormal
+/// and loses digits.
 const VANISHING_LENGTH: f64 = 1e-150;
 
-/// What a few sums and a root of squares of coordinates of at most `largest` may lose.
+/// An upper bound on the rounding error of a length that is the root of a few
+/// sums of squares of coordinates, each at most `largest` in size.
 pub(crate) fn coordinate_rounding(largest: f64) -> f64 {
     COORDINATE_ROUNDING * largest + VANISHING_LENGTH
+}
+
+/// Returns the larger of two upper bounds; NaN bounds nothing and counts as +∞.
+///
+/// `f64::max` would return the other bound, which then does not hold for both.
+#[inline]
+pub(crate) fn upper_max(largest: f64, bound: f64) -> f64 {
+    if bound <= largest {
+        largest
+    } else if bound > largest {
+        bound
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// Returns the smaller of a running minimum, which starts at +∞, and another
+/// lower bound; a bound that is NaN or +∞, which only overflows give, bounds
+/// nothing and counts as −∞.
+///
+/// Lower bounds on a distance are to be raised to 0 afterwards.
+#[inline]
+pub(crate) fn lower_min(least: f64, bound: f64) -> f64 {
+    if bound < f64::INFINITY { least.min(bound) } else { f64::NEG_INFINITY }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_upper_bound_that_is_nan_counts_as_infinite() {
+        assert_eq!(upper_max(1.0, 2.0), 2.0);
+        assert_eq!(upper_max(2.0, 1.0), 2.0);
+        assert_eq!(upper_max(1.0, f64::NAN), f64::INFINITY);
+        assert_eq!(upper_max(f64::NAN, 1.0), f64::INFINITY);
+        assert_eq!([1.0, f64::NAN, 2.0].into_iter().fold(0.0, upper_max), f64::INFINITY);
+        assert_eq!([f64::NAN, 3.0].into_iter().fold(0.0, upper_max), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_lower_bound_that_is_nan_or_overflowed_bounds_nothing() {
+        let fold = |bounds: &[f64]| bounds.iter().copied().fold(f64::INFINITY, lower_min);
+        assert_eq!(fold(&[3.0, -1.0, 2.0]), -1.0);
+        assert_eq!(fold(&[3.0, f64::NAN, 2.0]), f64::NEG_INFINITY);
+        assert_eq!(fold(&[f64::INFINITY, 2.0]), f64::NEG_INFINITY);
+        assert_eq!(fold(&[f64::NAN]).max(0.0), 0.0);
+    }
 }

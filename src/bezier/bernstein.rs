@@ -5,15 +5,16 @@ use crate::model::MAX_DEGREE;
 /// The largest number of control points of a patch along one direction.
 pub const MAX_ORDER: usize = MAX_DEGREE + 1;
 
-/// Values and first two derivatives of all Bernstein polynomials of one degree
-/// below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
+/// The values and the first two derivatives of all Bernstein polynomials of one
+/// degree below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
 pub(super) type Basis<const N: usize> = [[f64; N]; 3];
 
-/// For a degree from 1 at `t` in [0, 1], by the degree-raising recurrence,
-/// which adds numbers of one sign only and is therefore accurate to a few units
-/// in the last place; derivatives as differences of the lower degrees (Farin,
-/// *Curves and Surfaces for CAGD*, section 5.3). O(degree^2), written out where
-/// the degree is known.
+/// Evaluates the basis of a degree of at least 1 at `t` in [0, 1].
+///
+/// The degree-raising recurrence adds numbers of one sign only and is therefore
+/// accurate to a few units in the last place; derivatives are differences of
+/// polynomials of lower degree (Farin, *Curves and Surfaces for CAGD*, section
+/// 5.3). O(degree²), unrolled where the degree is a constant.
 #[inline(always)]
 pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
     let scale = degree as f64;
@@ -34,7 +35,7 @@ pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) 
     basis[0] = values;
 }
 
-/// Bernstein polynomials of degree `degree` into those of `degree + 1`.
+/// Turns the Bernstein polynomials of degree `degree` into those of `degree + 1`.
 #[inline(always)]
 fn raise(values: &mut [f64], degree: usize, t: f64) {
     let complement = 1.0 - t;
@@ -44,7 +45,7 @@ fn raise(values: &mut [f64], degree: usize, t: f64) {
     values[0] *= complement;
 }
 
-/// Values of degree `degree - 1` into derivatives of degree `degree`:
+/// Turns values of degree `degree - 1` into derivatives of degree `degree`:
 /// `B_i' = degree (B_(i-1) - B_i)`.
 #[inline(always)]
 fn differentiate(values: &mut [f64], degree: usize, scale: f64) {

@@ -1,12 +1,14 @@
-//! Bounds of a patch's derivatives from its control net.
+//! Upper bounds on a patch's derivatives from its control net.
 
 use super::Patch;
+use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 
-/// Upper bounds of the lengths of a patch's derivatives over [0, 1]^2, by (s, t).
+/// Upper bounds on the lengths of a patch's derivatives by (s, t) over [0, 1]²,
+/// or over the part of it that a function states.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DerivativeBounds {
-    /// Largest distance from the patch's centre.
+    /// The largest distance from the patch's centre.
     pub radius: f64,
     /// First derivatives by s and t.
     pub first: [f64; 2],
@@ -17,7 +19,7 @@ pub struct DerivativeBounds {
 }
 
 impl DerivativeBounds {
-    /// Makes these bounds hold where others do too.
+    /// Makes these bounds hold also where `other` holds; the radius stays.
     pub(super) fn enclose(&mut self, other: &Self) {
         let pairs = [
             (&mut self.first[..], &other.first[..]),
@@ -26,14 +28,14 @@ impl DerivativeBounds {
         ];
         for (own, other) in pairs {
             for (own, &other) in own.iter_mut().zip(other) {
-                // What is no number bounds nothing.
-                *own = if other.is_nan() { f64::INFINITY } else { own.max(other) };
+                *own = upper_max(*own, other);
             }
         }
     }
 
-    /// By parameters of which these are the parts h and k.
-    pub(super) fn slower(mut self, [h, k]: [f64; 2]) -> Self {
+    /// Returns the bounds by other parameters, of which an interval of length 1
+    /// of these parameters spans h and k.
+    pub(super) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
         for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {
             let order = bounds.len() - 1;
             for (index, bound) in bounds.iter_mut().enumerate() {
@@ -44,23 +46,23 @@ impl DerivativeBounds {
     }
 }
 
-/// Highest order of derivative bounded, plus one.
+/// The highest order of the derivatives bounded, plus one.
 const ORDERS: usize = 4;
 
-/// Binomial coefficients, by row.
+/// The binomial coefficients C(row, column).
 const BINOMIAL: [[f64; ORDERS]; ORDERS] =
     [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
 
-/// Room for the rounding of the differences and the recursion: more than
-/// 10^4 roundings of 2^-53 relative to the largest term.
-const ROUNDING_ROOM: f64 = 1.0 + 1e-12;
+/// A factor for the rounding of the differences and the recursion: more than
+/// 10^4 rounding errors of 2^-53 relative to the largest term.
+const ROUNDING_FACTOR: f64 = 1.0 + 1e-12;
 
 impl Patch<'_> {
-    /// Bounds of first to third derivatives.
+    /// Returns bounds on the first to third derivatives over [0, 1]².
     ///
     /// The derivative of order (a, b) of the homogeneous surface (X, w) has
     /// the control points `p!/(p-a)! q!/(q-b)!` times the differences of the
-    /// net, whose largest length bounds it: `X_ab`, `w_ab`. Differentiating
+    /// net, whose largest length is its upper bound: `X_ab`, `w_ab`. Differentiating
     /// `X = w x` by Leibniz' rule and solving for the last term,
     ///
     /// `x_ab <= (X_ab + sum C(a,i) C(b,j) w_ij x_(a-i)(b-j)) / w_min`
@@ -71,18 +73,18 @@ impl Patch<'_> {
         self.derivative_bounds_within([0.0; 2])
     }
 
-    /// As [`Patch::derivative_bounds`], for every patch with homogeneous
-    /// controls as near as `lost` to these, in space and by weight: a
-    /// difference of order n is then within `2^n lost` of this net's. Infinite
-    /// or no number where a weight may be 0.
-    pub(super) fn derivative_bounds_within(&self, lost: [f64; 2]) -> DerivativeBounds {
-        let least = |weight: f64| (weight - lost[1]).max(0.0);
+    /// Returns bounds as [`Patch::derivative_bounds`] that hold for every patch
+    /// whose homogeneous controls differ from these by at most `error`, in space
+    /// and in weight: a difference of order n then differs from this net's by at
+    /// most `2^n error`. The bounds are infinite or NaN where a weight may be 0.
+    pub(super) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
+        let least = |weight: f64| (weight - error[1]).max(0.0);
         let weight =
             self.controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(least(control.w)));
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
-        let differences = self.difference_bounds(lost);
-        let reach = |control: &DVec4| (control.xyz().length() + lost[0]) / least(control.w);
-        bounds[0][0] = self.controls.iter().map(reach).fold(0.0, f64::max);
+        let differences = self.difference_bounds(error);
+        let radius = |control: &DVec4| (control.xyz().length() + error[0]) / least(control.w);
+        bounds[0][0] = self.controls.iter().map(radius).fold(0.0, upper_max);
         for order in 1..ORDERS {
             for a in (0..=order).rev() {
                 let b = order - a;
@@ -95,7 +97,7 @@ impl Patch<'_> {
                         }
                     }
                 }
-                bounds[a][b] = sum / weight * ROUNDING_ROOM;
+                bounds[a][b] = sum / weight * ROUNDING_FACTOR;
             }
         }
         DerivativeBounds {
@@ -106,9 +108,9 @@ impl Patch<'_> {
         }
     }
 
-    /// Largest lengths of the controls of the derivatives of order (a, b), by
-    /// a and b: space, weight.
-    fn difference_bounds(&self, lost: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
+    /// Returns, for each order (a, b), the largest length and the largest
+    /// weight of the controls of that derivative.
+    fn difference_bounds(&self, error: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
         let [p, q] = self.degree;
         let columns = q + 1;
         let mut bounds = [[[0.0; 2]; ORDERS]; ORDERS];
@@ -129,7 +131,7 @@ impl Patch<'_> {
                 }
                 let scale = falling_factorial(p, a) * falling_factorial(q, b);
                 let terms = 2.0_f64.powi((a + b) as i32);
-                *bound = [scale * (space.sqrt() + terms * lost[0]), scale * (weight + terms * lost[1])];
+                *bound = [scale * (space.sqrt() + terms * error[0]), scale * (weight + terms * error[1])];
             }
             for index in 0..(p - a) * columns {
                 by_s[index] = by_s[index + columns] - by_s[index];

@@ -1,4 +1,4 @@
-//! Points and derivatives of a patch.
+//! Evaluation of points and derivatives of a patch.
 
 use super::MAX_ORDER;
 use super::Patch;
@@ -23,37 +23,38 @@ pub struct Jet {
 }
 
 impl Jet {
-    /// The unit normal s x t, or `None` where the derivatives are parallel or vanish.
+    /// Returns the unit normal s × t, or `None` where the derivatives are parallel or vanish.
     #[must_use]
     pub fn normal(&self) -> Option<DVec3> {
         normal(self.s, self.t)
     }
 }
 
-/// The unit normal s x t, or `None` where the derivatives are parallel or vanish.
+/// Returns the unit normal s × t, or `None` where the derivatives are parallel or vanish.
 pub(crate) fn normal(s: DVec3, t: DVec3) -> Option<DVec3> {
     let normal = s.cross(t);
-    // Below this sine the direction of the product is rounding noise.
+    // Below this sine, rounding determines the direction of the product.
     const MIN_SINE: f64 = 1e-10;
     (normal.length() > MIN_SINE * s.length() * t.length()).then(|| normal.normalize())
 }
 
 impl Patch<'_> {
-    /// The surface point at (s, t) in [0, 1]^2, accurate to about
-    /// 2 (p + q) units of rounding of the patch's radius. O(p q).
+    /// Returns the surface point at (s, t) in [0, 1]².
+    ///
+    /// Its error is about 2 (p + q) units of 2^-53 of the patch's radius. O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
         let sum = match self.degree {
-            [2, 2] => self.sum_of::<3, 3>(parameters),
-            [2, 3] => self.sum_of::<3, 4>(parameters),
-            [3, 2] => self.sum_of::<4, 3>(parameters),
-            [3, 3] => self.sum_of::<4, 4>(parameters),
+            [2, 2] => self.sum_unrolled::<3, 3>(parameters),
+            [2, 3] => self.sum_unrolled::<3, 4>(parameters),
+            [3, 2] => self.sum_unrolled::<4, 3>(parameters),
+            [3, 3] => self.sum_unrolled::<4, 4>(parameters),
             _ => self.sum(parameters),
         };
         self.center + sum.xyz() / sum.w
     }
 
-    /// The homogeneous point.
+    /// Returns the homogeneous point of a patch of any degrees.
     fn sum(&self, parameters: [f64; 2]) -> DVec4 {
         let basis = bases::<MAX_ORDER>(self.degree, parameters);
         let columns = self.degree[1] + 1;
@@ -64,9 +65,9 @@ impl Patch<'_> {
         sum
     }
 
-    /// The same of degrees N - 1 and M - 1.
+    /// Returns the homogeneous point of a patch of degrees N - 1 and M - 1.
     #[inline(always)]
-    fn sum_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> DVec4 {
+    fn sum_unrolled<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> DVec4 {
         let mut values = [DVec4::ZERO; N];
         for (value, row) in values.iter_mut().zip(self.controls.as_chunks::<M>().0) {
             [*value, ..] = casteljau(*row, t);
@@ -74,23 +75,25 @@ impl Patch<'_> {
         casteljau(values, s)[0]
     }
 
-    /// Point, first and second derivatives at (s, t) in [0, 1]^2, by the
-    /// quotient rule (Piegl and Tiller, *The NURBS Book*, eq. 4.20). O(p q).
+    /// Returns the point and the first and second derivatives at (s, t) in
+    /// [0, 1]², by the quotient rule (Piegl and Tiller, *The NURBS Book*, eq.
+    /// 4.20). O(p q).
     #[must_use]
     pub fn jet(&self, parameters: [f64; 2]) -> Jet {
-        // The most common degrees are unrolled: they are most of the evaluations.
+        // The most common degrees are unrolled; most evaluations are of these.
         match self.degree {
-            [2, 2] => self.jet_of::<3, 3>(parameters),
-            [2, 3] => self.jet_of::<3, 4>(parameters),
-            [3, 2] => self.jet_of::<4, 3>(parameters),
-            [3, 3] => self.jet_of::<4, 4>(parameters),
-            [0..8, 0..8] => self.jet_by::<8>(self.degree, parameters),
-            degree => self.jet_by::<MAX_ORDER>(degree, parameters),
+            [2, 2] => self.jet_unrolled::<3, 3>(parameters),
+            [2, 3] => self.jet_unrolled::<3, 4>(parameters),
+            [3, 2] => self.jet_unrolled::<4, 3>(parameters),
+            [3, 3] => self.jet_unrolled::<4, 4>(parameters),
+            [0..8, 0..8] => self.jet_from_bases::<8>(self.degree, parameters),
+            degree => self.jet_from_bases::<MAX_ORDER>(degree, parameters),
         }
     }
 
+    /// Evaluates the jet of a patch of these degrees, both below N.
     #[inline(always)]
-    fn jet_by<const N: usize>(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
+    fn jet_from_bases<const N: usize>(&self, degree: [usize; 2], parameters: [f64; 2]) -> Jet {
         let basis = bases::<N>(degree, parameters);
         let columns = degree[1] + 1;
         let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
@@ -107,21 +110,29 @@ impl Patch<'_> {
         self.quotient([h, s, t, ss, st, tt])
     }
 
-    /// The jet of degrees N - 1 in s and M - 1 in t, row by row and then across.
+    /// Evaluates the jet of a patch of degrees N - 1 in s and M - 1 in t by de
+    /// Casteljau's algorithm, first along the rows and then across them.
     #[inline(always)]
-    fn jet_of<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> Jet {
+    fn jet_unrolled<const N: usize, const M: usize>(&self, [s, t]: [f64; 2]) -> Jet {
         let [mut value, mut first, mut second] = [[DVec4::ZERO; N]; 3];
         for (i, row) in self.controls.as_chunks::<M>().0.iter().enumerate().take(N) {
             [value[i], first[i], second[i]] = casteljau(*row, t);
         }
         let [p, q] = [(N - 1) as f64, (M - 1) as f64];
-        let [h, of_s, of_ss] = casteljau(value, s);
-        let [of_t, of_st, _] = casteljau(first, s);
-        let [of_tt, ..] = casteljau(second, s);
-        self.quotient([h, p * of_s, q * of_t, p * (p - 1.0) * of_ss, p * q * of_st, q * (q - 1.0) * of_tt])
+        let [h, s_difference, ss_difference] = casteljau(value, s);
+        let [t_difference, st_difference, _] = casteljau(first, s);
+        let [tt_difference, ..] = casteljau(second, s);
+        self.quotient([
+            h,
+            p * s_difference,
+            q * t_difference,
+            p * (p - 1.0) * ss_difference,
+            p * q * st_difference,
+            q * (q - 1.0) * tt_difference,
+        ])
     }
 
-    /// The jet of the quotient of a homogeneous point and its derivatives.
+    /// Returns the jet of the quotient, given the homogeneous point and its derivatives.
     #[inline(always)]
     fn quotient(&self, [h, s, t, ss, st, tt]: [DVec4; 6]) -> Jet {
         let inverse = 1.0 / h.w;
@@ -139,8 +150,8 @@ impl Patch<'_> {
     }
 }
 
-/// The value at t, the first derivative over the degree N - 1 and the second
-/// over (N - 1)(N - 2), by de Casteljau's algorithm.
+/// Returns the value at t, the first derivative divided by the degree N - 1 and
+/// the second divided by (N - 1)(N - 2), by de Casteljau's algorithm.
 #[inline(always)]
 fn casteljau<const N: usize>(mut controls: [DVec4; N], t: f64) -> [DVec4; 3] {
     let between = |a: DVec4, b: DVec4| (1.0 - t) * a + t * b;
@@ -154,6 +165,7 @@ fn casteljau<const N: usize>(mut controls: [DVec4; N], t: f64) -> [DVec4; 3] {
     [between(low, high), high - low, (a - b) + (c - b)]
 }
 
+/// Evaluates the bases of both directions.
 #[inline(always)]
 fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>; 2] {
     let mut bases = [[[0.0; N]; 3]; 2];
@@ -162,6 +174,7 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
     bases
 }
 
+/// Returns the sum of the controls times the basis values.
 #[inline(always)]
 pub(super) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)

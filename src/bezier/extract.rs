@@ -1,59 +1,62 @@
-//! Bézier extraction: one patch for every non-empty knot rectangle.
+//! Bézier extraction: one patch per non-empty rectangle of knots.
 
 use super::{MAX_ORDER, Patch, PatchSet};
+use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
+use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4};
 
-/// Steps of the grid that patch centres lie on, along the model's diagonal
-/// rounded up to a power of two.
+/// The number of steps, along the model's diagonal rounded up to a power of
+/// two, of the grid on which patch centres lie.
 ///
 /// Centres are multiples of a power of two 22 bits below it, so that the
 /// difference of two of them is exact in float32, whose significand has 24
-/// bits, with one bit for the difference's carry.
+/// bits, one of them for the carry of the difference.
 const CENTERS_ON_DIAGONAL: f64 = (1_u32 << 22) as f64;
 
-/// The exponent of a float64: alone, the largest power of two up to a
-/// positive number's value.
+/// The exponent bits of a float64. Without its other bits, a positive number
+/// is the largest power of two not above it.
 const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 
-/// The operator that makes the Bézier controls of one knot span out of the
-/// span's degree + 1 control points, and the span itself.
+/// A non-empty knot span with the linear map from its degree + 1 control
+/// points to its Bézier controls.
 struct Span {
     first_control: usize,
     ends: [f64; 2],
-    /// `operator[k][i]`: weight of control point `first_control + i` in Bézier control k.
+    /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
     operator: Vec<[f64; MAX_ORDER]>,
 }
 
-/// The patches of one surface as a grid.
+/// The grid of the patches of one surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchGrid {
     /// Index of the surface's first patch; the others follow, v fastest.
     pub first: usize,
-    /// The distinct knots of the domain in u and v, one more than patches.
+    /// The distinct knots of the domain in u and v, one more each than patches.
     pub breaks: [Vec<f64>; 2],
 }
 
 impl PatchGrid {
-    /// Numbers of patches along u and v.
+    /// Returns the numbers of patches along u and v.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
     }
 
-    /// Which patch along `axis` (0: u, else v) the parameter lies on, and
-    /// where on it in [0, 1]. Parameters outside the domain go to its ends.
+    /// Returns the index along `axis` of the patch that contains the parameter,
+    /// and the patch parameter in [0, 1]. Parameters outside the domain are
+    /// moved to its nearer end.
     #[must_use]
-    pub fn locate(&self, axis: usize, parameter: f64) -> (usize, f64) {
-        let breaks = &self.breaks[usize::from(axis != 0)];
+    pub fn locate(&self, axis: Axis, parameter: f64) -> (usize, f64) {
+        let breaks = &self.breaks[axis];
         let span = breaks.partition_point(|&knot| knot <= parameter).clamp(1, breaks.len() - 1) - 1;
         let local = (parameter - breaks[span]) / (breaks[span + 1] - breaks[span]);
         (span, local.clamp(0.0, 1.0))
     }
 }
 
-/// A model as Bézier patches.
+/// A model as a set of Bézier patches.
 #[derive(Debug, Clone)]
 pub struct BezierModel {
     /// The patches, in order of surface, u, v.
@@ -62,13 +65,14 @@ pub struct BezierModel {
     pub grids: Vec<PatchGrid>,
 }
 
-/// The Bézier patches of every surface of `model`.
+/// Returns the Bézier patches of every surface of `model`.
 ///
 /// Exact up to rounding for every valid knot vector, clamped or not, with
-/// knots repeated or almost coincident: Bézier control k of the span [a, b] is
-/// the blossom at a (degree - k times) and b (k times) (Ramshaw 1989), and the
-/// de Boor triangle for arguments inside the span forms convex combinations
-/// only, so nothing is divided by a difference smaller than the span.
+/// repeated or almost coincident knots: Bézier control k of the span [a, b] is
+/// the blossom at a (degree - k times) and b (k times) (Ramshaw, *Blossoms are
+/// polar forms*, Computer Aided Geometric Design 6 (1989)). For arguments in the
+/// span, the de Boor triangle forms convex combinations only, so no divisor is
+/// smaller than the span.
 /// O(patches (p + q) p q).
 #[must_use]
 pub fn extract(model: &Model) -> BezierModel {
@@ -79,28 +83,30 @@ pub fn extract(model: &Model) -> BezierModel {
     BezierModel { patches, grids }
 }
 
-/// The spacing of the grid of patch centres for a model of this size.
+/// Returns the spacing of the grid of patch centres for a model of this diagonal.
 pub(crate) fn center_grid(diagonal: f64) -> f64 {
     let below = power_of_two_below(diagonal);
     let above = if below < diagonal { 2.0 * below } else { below };
     if above > 0.0 { above / CENTERS_ON_DIAGONAL } else { 1.0 }
 }
 
-/// The largest power of two up to a positive number that is not subnormal.
+/// Returns the largest power of two not above a positive normal number.
 pub(crate) fn power_of_two_below(number: f64) -> f64 {
     f64::from_bits(number.to_bits() & EXPONENT_BITS)
 }
 
-/// The grid point nearest to the middle of the points' box.
+/// Returns the grid point nearest to the middle of the points' box.
 pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
     let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
     (middle / grid).round() * grid
 }
 
+/// Appends the patches of one surface to `patches`.
 fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
     let first = patches.len();
     let degree = surface.degree();
-    let [in_u, in_v] = [0, 1].map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+    let [in_u, in_v] =
+        Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
     let (rows, columns) = (degree[0] + 1, degree[1] + 1);
     let mut net = vec![DVec4::ZERO; rows * columns];
     let mut partial = vec![DVec4::ZERO; rows * columns];
@@ -129,12 +135,12 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
                     controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
                 }
             }
-            // The net's weights, not the controls', which rounding can make differ.
+            // The net's weights decide, as rounding can make equal weights of controls differ.
             let weight = net[0].w;
             patches.push(Patch {
                 surface: index,
                 degree,
-                domain: [u.ends, v.ends],
+                domain: ParamBox::new(u.ends, v.ends),
                 center,
                 controls: &controls,
                 rational: net.iter().any(|control| control.w != weight),
@@ -144,21 +150,22 @@ fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mu
     PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] }
 }
 
-/// The sum of every `step`th control point times its weight.
-fn combined(weights: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
+/// Returns the sum of every `step`-th control point times its coefficient.
+fn combined(coefficients: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
     let mut sum = DVec4::ZERO;
-    for (weight, control) in weights.iter().zip(controls.iter().step_by(step)) {
-        sum += weight * control;
+    for (coefficient, control) in coefficients.iter().zip(controls.iter().step_by(step)) {
+        sum += coefficient * control;
     }
     sum
 }
 
-/// The ends of the spans, each once.
+/// Returns the ends of consecutive spans, each once.
 fn breaks(spans: &[Span]) -> Vec<f64> {
     let starts = spans.iter().map(|span| span.ends[0]);
     starts.chain(spans.last().map(|span| span.ends[1])).collect()
 }
 
+/// Returns the non-empty spans of the domain.
 fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
     (degree..count)
         .filter(|&index| knots[index] < knots[index + 1])
@@ -170,11 +177,11 @@ fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
         .collect()
 }
 
-/// The weights of the span's control points in the blossom at the span's
-/// start, degree - k times, and its end, k times.
+/// Returns the coefficients of the span's control points in the blossom at the
+/// span's start, degree - k times, and its end, k times.
 fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
-    let mut weights = [[0.0; MAX_ORDER]; MAX_ORDER];
-    for (index, row) in weights.iter_mut().enumerate().take(degree + 1) {
+    let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
+    for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
         row[index] = 1.0;
     }
     for level in 1..=degree {
@@ -182,11 +189,11 @@ fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORD
         for index in 0..=degree - level {
             let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
             let fraction = (argument - low) / (high - low);
-            let next = weights[index + 1];
-            for (weight, next) in weights[index].iter_mut().zip(next) {
-                *weight = (1.0 - fraction) * *weight + fraction * next;
+            let next = coefficients[index + 1];
+            for (coefficient, next) in coefficients[index].iter_mut().zip(next) {
+                *coefficient = (1.0 - fraction) * *coefficient + fraction * next;
             }
         }
     }
-    weights[0]
+    coefficients[0]
 }

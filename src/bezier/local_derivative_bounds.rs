@@ -1,51 +1,57 @@
-//! Bounds of a patch's derivatives over parts of it.
+//! Upper bounds on a patch's derivatives over parts of its domain.
 
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
+use crate::axis::Axis;
+use crate::param_box::ParamBox;
 use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
-/// Equal parts of a patch along each direction: on a sphere's patches, bounds
-/// of third derivatives over a part are up to twice as close.
+/// The number of equal parts of a patch along each axis. On the patches of a
+/// sphere, bounds on third derivatives over a part are up to twice as close.
 const PARTS: u32 = 4;
+/// The width of a part.
 const PART: f64 = 1.0 / PARTS as f64;
 
-/// Times that the part at a degenerate edge is halved. Derivatives along that
-/// edge vanish in proportion to the distance from it, which only bounds over
-/// ever narrower parts show; over still narrower ones rounding weighs more.
+/// The number of times that the part at a degenerate edge is halved towards the
+/// edge. Derivatives along that edge vanish in proportion to the distance from
+/// it, so bounds over narrower parts are closer, until rounding dominates.
 const GRADES: u32 = 8;
 
-/// Width of a box from which on bounds over parts are not worth their making.
-const WIDE: f64 = 0.25;
+/// The largest width of a box for which bounds over parts are computed; for
+/// wider boxes they gain too little to pay for themselves.
+const MAX_PART_WIDTH: f64 = 0.25;
 
-/// How far beyond an edge at which a patch was cut its controls are followed.
+/// The parameter distance by which a patch is extrapolated beyond an edge at which it was cut.
 pub(crate) const BEYOND: f64 = 0.125;
 
-/// Degrees in s and t together up to which they are followed: `|1 - x| + |x|`
-/// is at most 1.25 there, and 1.23 from there to the other edge's, so rounding
-/// grows by no more than `1.25^9 < 8`, and beyond both edges `1.53^9 < 46`.
+/// The largest sum of the degrees in s and t of a patch that is extrapolated.
+/// `|1 - x| + |x|` is at most 1.25 beyond one edge, and 1.23 from there to
+/// beyond the other, so rounding errors grow by at most `1.25^9 < 8`, and beyond
+/// both edges by at most `1.53^9 < 46`.
 pub(crate) const MAX_DEGREES: usize = 9;
 
-/// Rounding of a part's controls relative to the patch's largest: three of
-/// 2^-53 for each of two restrictions and each degree, or some hundred inside,
-/// which beyond both edges grow by less than 46.
+/// The rounding error of a part's controls relative to the patch's largest
+/// control: three errors of 2^-53 for each of two restrictions and each degree,
+/// about a hundred in all, which grow by less than 46 beyond both edges.
 const ROUNDING: f64 = 2048.0 * f64::EPSILON;
 
-/// Net points of an edge are one when this near, relative to the patch's radius.
-const DEGENERATE: f64 = 1e-12;
+/// The distance, relative to the patch's radius, up to which the control points
+/// of an edge count as one point.
+const DEGENERATE_EXTENT: f64 = 1e-12;
 
-/// Bounds over the whole patch, over all of its room, and over parts, made when
-/// first asked for.
+/// Bounds over a patch, over its extension, and over parts of it, each computed
+/// at its first use.
 #[derive(Debug)]
 pub struct LocalDerivativeBounds {
     whole: OnceLock<DerivativeBounds>,
-    roomy: OnceLock<DerivativeBounds>,
-    /// The parameters, by axis, at which the patch's controls tell points of
-    /// the model: [0, 1], and a little more where it was cut.
-    pub room: [[f64; 2]; 2],
+    extended: OnceLock<DerivativeBounds>,
+    /// The parameters on which the patch's controls give points of the model:
+    /// [0, 1]², and a little more beyond edges at which the patch was cut.
+    pub extension: ParamBox,
     parts: OnceLock<Parts>,
 }
 
-/// A grid of parts.
+/// The grid of parts, and the bounds over each.
 #[derive(Debug)]
 struct Parts {
     lines: [Vec<f64>; 2],
@@ -53,36 +59,38 @@ struct Parts {
 }
 
 impl LocalDerivativeBounds {
-    /// Of a patch for which `room` holds.
+    /// Makes the bounds of a patch with this extension; nothing is computed yet.
     #[must_use]
-    pub fn new(room: [[f64; 2]; 2]) -> Self {
-        Self { whole: OnceLock::new(), roomy: OnceLock::new(), room, parts: OnceLock::new() }
+    pub fn new(extension: ParamBox) -> Self {
+        Self { whole: OnceLock::new(), extended: OnceLock::new(), extension, parts: OnceLock::new() }
     }
 
-    /// Bounds over [0, 1]^2 of the patch that these are of. O(p q) at first.
+    /// Returns bounds over [0, 1]². `patch` must be the patch of these bounds.
+    /// O(p q) at the first use.
     pub fn whole(&self, patch: &Patch<'_>) -> &DerivativeBounds {
         self.whole.get_or_init(|| patch.derivative_bounds())
     }
 
-    /// Bounds over [0, 1]^2, or over the whole room where the box, which must
-    /// lie in it, does not lie in that. O(p q (p + q)) at first.
+    /// Returns bounds over [0, 1]², or over the whole extension if the box
+    /// [low, high], which must lie in the extension, leaves [0, 1]².
+    /// O(p q (p + q)) at the first use.
     pub fn about(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> &DerivativeBounds {
-        if low.into_iter().chain(high).all(|parameter| (0.0..=1.0).contains(&parameter)) {
+        if ParamBox::UNIT.contains(low) && ParamBox::UNIT.contains(high) {
             return self.whole(patch);
         }
-        self.roomy.get_or_init(|| patch.bounds_over(self.room[0], self.room[1]))
+        self.extended.get_or_init(|| patch.bounds_over(self.extension[0], self.extension[1]))
     }
 
-    /// Bounds over the box, which must lie in the room, of the patch that
-    /// these are of: those of all parts that it touches. O(parts touched), and
-    /// O(p q (p + q)) for each when it is first touched.
+    /// Returns bounds over the box [low, high], which must lie in the extension:
+    /// the largest over all parts that the box touches. O(parts touched), and
+    /// O(p q (p + q)) for each part at its first use.
     #[must_use]
     pub fn over(&self, patch: &Patch<'_>, low: [f64; 2], high: [f64; 2]) -> DerivativeBounds {
-        if (0..2).any(|axis| high[axis] - low[axis] > WIDE) {
+        if (0..2).any(|axis| high[axis] - low[axis] > MAX_PART_WIDTH) {
             return *self.about(patch, low, high);
         }
         let radius = self.whole(patch).radius;
-        let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.room));
+        let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.extension));
         let touched = [0, 1].map(|axis| {
             let lines = &lines[axis];
             let first = lines.partition_point(|&line| line <= low[axis]).clamp(1, lines.len() - 1) - 1;
@@ -102,9 +110,10 @@ impl LocalDerivativeBounds {
 }
 
 impl Parts {
-    fn new(patch: &Patch<'_>, radius: f64, room: [[f64; 2]; 2]) -> Self {
-        let lines = [0, 1].map(|axis| {
-            let [low, high] = room[axis];
+    /// Divides the extension of a patch, finer towards degenerate edges.
+    fn new(patch: &Patch<'_>, radius: f64, extension: ParamBox) -> Self {
+        let lines = Axis::BOTH.map(|axis| {
+            let [low, high] = extension[axis];
             let grades =
                 [0, 1].map(|end| if is_degenerate(patch, axis, end == 1, radius) { GRADES } else { 0 });
             let mut lines = vec![0.0];
@@ -132,33 +141,35 @@ impl Parts {
     }
 }
 
-/// Whether an edge along which `axis` is constant is a point.
-fn is_degenerate(patch: &Patch<'_>, axis: usize, at_end: bool, radius: f64) -> bool {
+/// Returns whether the edge at the start or the end of `axis` is a point.
+fn is_degenerate(patch: &Patch<'_>, axis: Axis, at_end: bool, radius: f64) -> bool {
     let columns = patch.degree[1] + 1;
-    let steps = patch.degree[1 - axis];
-    let (across, along) = if axis == 0 { (columns, 1) } else { (1, columns) };
+    let steps = patch.degree[axis.other()];
+    let (across, along) = if axis == Axis::U { (columns, 1) } else { (1, columns) };
     let first = if at_end { patch.degree[axis] * across } else { 0 };
     let point = |step: usize| {
         let control = patch.controls[first + step * along];
         control.xyz() / control.w
     };
-    (1..=steps).all(|step| point(step).distance(point(0)) <= DEGENERATE * radius)
+    (1..=steps).all(|step| point(step).distance(point(0)) <= DEGENERATE_EXTENT * radius)
 }
 
 impl Patch<'_> {
-    /// Bounds over a box by the patch's parameters: the recursion's excess is
-    /// proportional to the box's size, as its weights and its points about
-    /// its own centre then vary less.
+    /// Returns bounds over the box `s` × `t`, on derivatives by the patch's own
+    /// parameters.
+    ///
+    /// The excess of the recursion is proportional to the size of the box, as
+    /// weights, and points relative to the box's own centre, vary less over it.
     fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
         let controls = self.restricted(s, t);
         let part = Patch { controls: &controls, ..*self };
         let mut centered = PatchSet::default();
         centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
-        let mut lost = [0.0_f64; 2];
+        let mut error = [0.0_f64; 2];
         for control in self.controls {
             let size = [control.xyz().length(), control.w];
-            lost = [0, 1].map(|kind| lost[kind].max(ROUNDING * size[kind]));
+            error = [0, 1].map(|kind| error[kind].max(ROUNDING * size[kind]));
         }
-        centered.patch(0).derivative_bounds_within(lost).slower([s[1] - s[0], t[1] - t[0]])
+        centered.patch(0).derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
     }
 }

@@ -1,10 +1,10 @@
-//! Boxes along a patch's own directions.
+//! Boxes aligned with a patch's own directions.
 
 use super::Patch;
 use glam::{DVec3, Vec4Swizzles};
 
-/// A box around a patch along three directions square to each other, which for
-/// a patch that is nearly flat is little larger than the patch.
+/// A box around a patch along three orthogonal axes. For a nearly flat patch it
+/// is little larger than the patch.
 #[derive(Debug, Clone, Copy)]
 pub struct OrientedBox {
     /// The patch's centre.
@@ -16,22 +16,22 @@ pub struct OrientedBox {
 }
 
 impl OrientedBox {
-    /// Of the control points, along the longer mean direction of the net, near
-    /// the other one and square to both; along x, y and z where these are
-    /// parallel. O(p q).
+    /// Returns the box of the control points. Its first axis is the longer of the
+    /// net's two mean directions, its second lies in their plane; where they
+    /// are parallel, the axes are x, y and z. O(p q).
     #[must_use]
     pub fn new(patch: &Patch<'_>) -> Self {
         let (last, columns) = (patch.controls.len() - 1, patch.degree[1]);
-        let way = |from: usize, to: usize| {
+        let leg = |from: usize, to: usize| {
             let at = |index: usize| patch.controls[index].xyz() / patch.controls[index].w;
             at(to) - at(from)
         };
-        let [rising, falling] = [way(0, last), way(columns, last - columns)];
+        let [rising, falling] = [leg(0, last), leg(columns, last - columns)];
         let [s, t] = [rising + falling, rising - falling];
         let [long, short] = if s.length_squared() > t.length_squared() { [s, t] } else { [t, s] };
         let first = long.normalize_or_zero();
         let across = short - first.dot(short) * first;
-        // Once more, as little may be left of it but rounding.
+        // A second projection, as little but rounding may remain of nearly parallel directions.
         let second = (across - first.dot(across) * first).normalize_or_zero();
         let axes = if second == DVec3::ZERO {
             [DVec3::X, DVec3::Y, DVec3::Z]
@@ -40,34 +40,37 @@ impl OrientedBox {
         };
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for point in patch.local_points() {
-            let place = along(&axes, point);
-            (low, high) = (low.min(place), high.max(place));
+            let coordinates = coordinates(&axes, point);
+            (low, high) = (low.min(coordinates), high.max(coordinates));
         }
         Self { center: patch.center, axes, low, high }
     }
 
-    /// At most the squared distance from `point` to the patch, but for rounding,
-    /// by which its root may be off by 32 units of 2^-53 of the largest coordinate.
+    /// Returns a lower bound on the squared distance from `point` to the patch,
+    /// up to rounding: the error of its root is at most 32 units of 2^-53 of
+    /// the largest coordinate.
     #[must_use]
     pub fn min_distance_squared(&self, point: DVec3) -> f64 {
-        let place = along(&self.axes, point - self.center);
-        (self.low - place).max(place - self.high).max(DVec3::ZERO).length_squared()
+        let coordinates = coordinates(&self.axes, point - self.center);
+        (self.low - coordinates).max(coordinates - self.high).max(DVec3::ZERO).length_squared()
     }
 }
 
-fn along(axes: &[DVec3; 3], way: DVec3) -> DVec3 {
-    DVec3::new(axes[0].dot(way), axes[1].dot(way), axes[2].dot(way))
+/// Returns the coordinates of a vector along orthonormal axes.
+fn coordinates(axes: &[DVec3; 3], vector: DVec3) -> DVec3 {
+    DVec3::new(axes[0].dot(vector), axes[1].dot(vector), axes[2].dot(vector))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::OrientedBox;
     use crate::bezier::{Patch, extract};
+    use crate::param_box::ParamBox;
     use crate::shapes::shape;
     use glam::{DVec3, DVec4};
 
     /// The box contains the patch, so no point of it is nearer, and for nearly
-    /// flat patches askew to the axes it is closer than the aligned box.
+    /// flat patches oblique to the axes it is closer than the aligned box.
     #[test]
     fn no_point_of_a_patch_is_nearer_than_its_oriented_box() {
         let random = &mut fastrand::Rng::with_seed(7);
@@ -92,10 +95,10 @@ mod tests {
         assert!(2 * closer > count, "{closer} of {count}");
     }
 
-    /// Points, lines and nets whose diagonals are opposite have boxes along
-    /// directions square to each other too.
+    /// Points, lines and nets with opposite diagonals have boxes with orthogonal
+    /// axes too.
     #[test]
-    fn degenerate_nets_have_square_axes() {
+    fn degenerate_nets_have_orthogonal_axes() {
         let nets = [
             [[0.0; 3]; 4],
             [[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9], [0.4, 0.8, 1.2]],
@@ -107,7 +110,7 @@ mod tests {
             let patch = Patch {
                 surface: 0,
                 degree: [1, 1],
-                domain: [[0.0, 1.0]; 2],
+                domain: ParamBox::UNIT,
                 center: DVec3::ZERO,
                 controls: &controls,
                 rational: false,

@@ -1,11 +1,12 @@
-//! Storage of many Bézier patches.
+//! One Bézier patch, and the storage of many.
 
 use crate::bvh::Aabb;
+use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// One rational Bézier patch, borrowed from its set.
 ///
-/// The surface point at (s, t) in [0, 1]^2 is `center + (x, y, z) / w` with
+/// The surface point at (s, t) in [0, 1]² is `center + (x, y, z) / w` with
 /// (x, y, z, w) the Bernstein sum of `controls`.
 #[derive(Debug, Clone, Copy)]
 pub struct Patch<'a> {
@@ -13,31 +14,30 @@ pub struct Patch<'a> {
     pub surface: usize,
     /// Degrees in s and t.
     pub degree: [usize; 2],
-    /// The part of the surface's domain that (s, t) in [0, 1]^2 covers.
-    pub domain: [[f64; 2]; 2],
+    /// The part of the surface's domain that [0, 1]² is mapped to.
+    pub domain: ParamBox,
     /// The point that the controls are relative to.
     pub center: DVec3,
     /// Homogeneous controls `(w (p - center), w)`, t fastest, w > 0.
     pub controls: &'a [DVec4],
-    /// Whether the weights differ.
+    /// Whether the weights differ from each other.
     pub rational: bool,
 }
 
 impl Patch<'_> {
-    /// The surface parameters (u, v) of the patch parameters (s, t).
+    /// Returns the surface parameters (u, v) of the patch parameters (s, t).
     #[must_use]
-    pub fn surface_parameters(&self, [s, t]: [f64; 2]) -> [f64; 2] {
-        let at = |[start, end]: [f64; 2], x: f64| (1.0 - x) * start + x * end;
-        [at(self.domain[0], s), at(self.domain[1], t)]
+    pub fn surface_parameters(&self, parameters: [f64; 2]) -> [f64; 2] {
+        self.domain.at(parameters)
     }
 
-    /// The control points' positions relative to `center`.
+    /// Returns the positions of the control points relative to `center`.
     pub fn local_points(&self) -> impl Iterator<Item = DVec3> + '_ {
         self.controls.iter().map(|control| control.xyz() / control.w)
     }
 
-    /// The box of the control points, which contains the patch (convex hull
-    /// property, all weights being positive).
+    /// Returns the box of the control points, which contains the patch by the
+    /// convex hull property, as all weights are positive. O(p q).
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         let local = self.local_points().fold(Aabb::EMPTY, Aabb::with);
@@ -45,22 +45,23 @@ impl Patch<'_> {
     }
 }
 
-/// Homogeneous controls relative to `point` of what they were relative to.
+/// Returns the homogeneous controls of the same points relative to `point`.
 pub(crate) fn relative(controls: &[DVec4], point: DVec3) -> Vec<DVec4> {
     controls.iter().map(|control| (control.xyz() - control.w * point).extend(control.w)).collect()
 }
 
+/// A patch without its controls, which begin at index `first` of the set's.
 #[derive(Debug, Clone)]
 struct Entry {
     surface: u32,
     degree: [u8; 2],
     rational: bool,
     first: usize,
-    domain: [[f64; 2]; 2],
+    domain: ParamBox,
     center: DVec3,
 }
 
-/// Patches of any mixture of degrees, their controls in one array.
+/// A list of patches of any mixture of degrees, with all controls in one array.
 #[derive(Debug, Clone, Default)]
 pub struct PatchSet {
     entries: Vec<Entry>,
@@ -68,20 +69,20 @@ pub struct PatchSet {
 }
 
 impl PatchSet {
-    /// Number of patches.
+    /// Returns the number of patches.
     #[must_use]
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there is none.
+    /// Returns whether the set has no patches.
     #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// Patch `index`, which must be below [`PatchSet::len`].
+    /// Returns patch `index`, which must be below [`PatchSet::len`].
     #[must_use]
     pub fn patch(&self, index: usize) -> Patch<'_> {
         let entry = &self.entries[index];
@@ -97,7 +98,7 @@ impl PatchSet {
         }
     }
 
-    /// All patches in order.
+    /// Iterates over all patches in order.
     pub fn iter(&self) -> impl Iterator<Item = Patch<'_>> {
         (0..self.len()).map(|index| self.patch(index))
     }
@@ -117,13 +118,13 @@ impl PatchSet {
 
     /// Appends all patches of `other`.
     pub fn append(&mut self, other: &Self) {
-        let before = self.controls.len();
-        let moved = |entry: &Entry| Entry { first: entry.first + before, ..entry.clone() };
+        let offset = self.controls.len();
+        let moved = |entry: &Entry| Entry { first: entry.first + offset, ..entry.clone() };
         self.entries.extend(other.entries.iter().map(moved));
         self.controls.extend_from_slice(&other.controls);
     }
 
-    /// The box of all patches.
+    /// Returns the box of all patches. O(controls).
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         self.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()))

@@ -1,14 +1,14 @@
-//! A patch in powers of parameters about its middle.
+//! The power form of a patch, in parameters about its middle.
 
 use super::{MAX_ORDER, Patch};
 use glam::DVec4;
 
 impl Patch<'_> {
-    /// Homogeneous coefficients `c_ij` of `σ^i τ^j`, j fastest, with
+    /// Returns the homogeneous coefficients `c_ij` of `σ^i τ^j`, j fastest, with
     /// `s = (1 + σ)/2` and `t = (1 + τ)/2`, relative to the patch's centre.
     ///
-    /// The change of basis has dyadic entries whose sizes in a column add up
-    /// to at most `2^p`, so a coefficient is off by at most
+    /// The change of basis has dyadic entries, and the absolute values in one
+    /// column add up to at most `2^p`, so the error of a coefficient is at most
     /// `(p + q + 4) 2^(p + q - 53)` of the largest control. O(p q (p + q)).
     #[must_use]
     pub fn monomials(&self) -> Vec<DVec4> {
@@ -25,7 +25,7 @@ impl Patch<'_> {
     }
 }
 
-/// One line of controls, `stride` apart.
+/// Converts one line of controls, which lie `stride` apart.
 fn to_powers(line: &mut [DVec4], degree: usize, stride: usize) {
     let mut powers = [DVec4::ZERO; MAX_ORDER];
     for i in 0..=degree {
@@ -39,8 +39,8 @@ fn to_powers(line: &mut [DVec4], degree: usize, stride: usize) {
     }
 }
 
-/// `C(p,i) ((1 + σ)/2)^i ((1 - σ)/2)^(p-i)` in powers of σ: exact, as all
-/// entries are integers below 2^53 over `2^p`.
+/// Returns the coefficients of `C(p,i) ((1 + σ)/2)^i ((1 - σ)/2)^(p-i)` in powers
+/// of σ; they are exact, being integers below 2^53 divided by `2^p`.
 fn bernstein_in_powers(degree: usize, i: usize) -> [f64; MAX_ORDER] {
     let mut powers = [0.0; MAX_ORDER];
     powers[0] = (0..i).fold(1.0, |product, k| product * (degree - k) as f64 / (k + 1) as f64);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// The box of all points between two corners.
+/// An axis-aligned box, given by two opposite corners.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
     /// The corner of smallest coordinates.
@@ -12,52 +12,52 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box that contains nothing: neutral for [`Aabb::union`].
+    /// The empty box, neutral for [`Aabb::union`].
     pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
-    /// The smallest box that contains this one and `point`.
+    /// Returns the smallest box that contains this one and `point`.
     #[must_use]
     pub fn with(self, point: DVec3) -> Self {
         Self { min: self.min.min(point), max: self.max.max(point) }
     }
 
-    /// The smallest box that contains both.
+    /// Returns the smallest box that contains both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// This box, larger by `by` on every side.
+    /// Returns this box enlarged by `margin` on every side.
     #[must_use]
-    pub fn grown(self, by: f64) -> Self {
-        Self { min: self.min - by, max: self.max + by }
+    pub fn grown(self, margin: f64) -> Self {
+        Self { min: self.min - margin, max: self.max + margin }
     }
 
-    /// The middle.
+    /// Returns the centre.
     #[must_use]
     pub fn center(&self) -> DVec3 {
         0.5 * (self.min + self.max)
     }
 
-    /// The vector from the smallest to the largest corner.
+    /// Returns the vector from the smallest to the largest corner.
     #[must_use]
     pub fn extent(&self) -> DVec3 {
         self.max - self.min
     }
 
-    /// The length of the diagonal.
+    /// Returns the length of the diagonal.
     #[must_use]
     pub fn diagonal(&self) -> f64 {
         self.extent().length()
     }
 
-    /// Squared distance from `point` to the nearest point of the box, 0 inside.
+    /// Returns the squared distance from `point` to the nearest point of the box, 0 inside.
     #[must_use]
     pub fn min_distance_squared(&self, point: DVec3) -> f64 {
         (self.min - point).max(point - self.max).max(DVec3::ZERO).length_squared()
     }
 
-    /// Squared distance from `point` to the farthest corner of the box.
+    /// Returns the squared distance from `point` to the farthest corner of the box.
     #[must_use]
     pub fn max_distance_squared(&self, point: DVec3) -> f64 {
         (point - self.min).abs().max((self.max - point).abs()).length_squared()

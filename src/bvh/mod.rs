@@ -1,4 +1,4 @@
-//! Boxes around patches, and the tree that finds the near ones.
+//! Axis-aligned boxes, and the bounding volume hierarchy (BVH) over them.
 
 mod aabb;
 mod tree;

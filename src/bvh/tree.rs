@@ -1,28 +1,29 @@
-//! A binary tree of boxes over patches.
+//! The bounding volume hierarchy.
 
 use super::Aabb;
 use glam::DVec3;
 
-/// A node: an inner one has two children, a leaf one box.
+/// A node of a [`Bvh`]: an inner node has two children, a leaf one primitive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
-    /// Contains all boxes below.
+    /// A box that contains the boxes of all primitives below.
     pub aabb: Aabb,
-    /// Index of the second child; the first follows its parent. 0 in a leaf.
-    pub second: u32,
-    /// Place in [`Bvh::order`] of the leaf, of an inner node of the first leaf below.
-    pub first: u32,
+    /// The index of the right child, 0 in a leaf. The left child follows its parent.
+    pub right_child: u32,
+    /// The position in [`Bvh::order`] of the first primitive below.
+    pub first_leaf: u32,
 }
 
 impl Node {
-    /// Whether it has no children.
+    /// Returns whether the node has no children.
     #[must_use]
     pub fn is_leaf(&self) -> bool {
-        self.second == 0
+        self.right_child == 0
     }
 }
 
-/// A tree over boxes `0..n`, nodes in depth-first order, root first.
+/// A binary tree of boxes over the primitives `0..n`, with its nodes in
+/// depth-first order, root first.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bvh {
     nodes: Vec<Node>,
@@ -30,10 +31,12 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// Halves the boxes at the median of their centres along the longest axis,
-    /// so that the depth is at most `ceil(log2 n)`, down to single ones: what is
-    /// done with a patch costs more than the two box tests that spare one.
-    /// O(n log n) on average.
+    /// Builds the tree over the primitives' boxes, down to one primitive per leaf.
+    ///
+    /// Every node is split at the median of the boxes' centres along the longest
+    /// axis, so the depth is at most `ceil(log2 n)`. Leaves hold single
+    /// primitives because work on a patch costs more than the two box tests that
+    /// may avoid it. O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut tree =
@@ -46,64 +49,67 @@ impl Bvh {
         tree
     }
 
-    fn build(&mut self, boxes: &[Aabb], order: &mut [u32], first: u32) {
-        let of = |index: &u32| boxes[*index as usize];
-        let aabb = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.union(of(index)));
+    /// Appends the subtree over the primitives `order`, which begin at `first_leaf`.
+    fn build(&mut self, boxes: &[Aabb], order: &mut [u32], first_leaf: u32) {
+        let box_at = |index: &u32| boxes[*index as usize];
+        let aabb = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.union(box_at(index)));
         let node = self.nodes.len();
-        self.nodes.push(Node { aabb, second: 0, first });
+        self.nodes.push(Node { aabb, right_child: 0, first_leaf });
         if order.len() == 1 {
             return;
         }
-        let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(of(index).center()));
+        let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(box_at(index).center()));
         let axis = longest_axis(centers.extent());
         let middle = order.len() / 2;
         order.select_nth_unstable_by(middle, |&a, &b| {
             boxes[a as usize].center()[axis].total_cmp(&boxes[b as usize].center()[axis])
         });
-        let (low, high) = order.split_at_mut(middle);
-        self.build(boxes, low, first);
-        self.nodes[node].second = self.nodes.len() as u32;
-        self.build(boxes, high, first + middle as u32);
+        let (left, right) = order.split_at_mut(middle);
+        self.build(boxes, left, first_leaf);
+        self.nodes[node].right_child = self.nodes.len() as u32;
+        self.build(boxes, right, first_leaf + middle as u32);
     }
 
-    /// The nodes, root first; empty without boxes.
+    /// Returns the nodes, root first; without primitives there are none.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// The boxes' indices in the order of the leaves.
+    /// Returns the primitives in the order of the leaves.
     #[must_use]
     pub fn order(&self) -> &[u32] {
         &self.order
     }
 
-    /// Index of a leaf's box, of an inner node's first one below.
+    /// Returns the primitive of a leaf, or the first one below an inner node.
     #[must_use]
-    pub fn item(&self, node: &Node) -> u32 {
-        self.order[node.first as usize]
+    pub fn primitive(&self, node: &Node) -> u32 {
+        self.order[node.first_leaf as usize]
     }
 
-    /// The leaves whose boxes are at most the root of `reach_squared` from a point.
+    /// Returns the leaves whose boxes have a squared distance of at most
+    /// `radius_squared` from `point`. O(nodes visited).
     #[must_use]
-    pub fn leaves_within(&self, point: DVec3, reach_squared: f64) -> Vec<Node> {
+    pub fn leaves_within(&self, point: DVec3, radius_squared: f64) -> Vec<Node> {
         let mut leaves = Vec::new();
-        let mut waiting = vec![0];
-        while let Some(index) = waiting.pop() {
+        let mut stack = vec![0];
+        while let Some(index) = stack.pop() {
             let Some(node) = self.nodes.get(index) else { continue };
-            if node.aabb.min_distance_squared(point) > reach_squared {
+            if node.aabb.min_distance_squared(point) > radius_squared {
                 continue;
             }
             if node.is_leaf() {
                 leaves.push(*node);
             } else {
-                waiting.extend_from_slice(&[index + 1, node.second as usize]);
+                stack.extend_from_slice(&[index + 1, node.right_child as usize]);
             }
         }
         leaves
     }
 }
 
+/// Returns the index of the largest coordinate, the first of equals.
 fn longest_axis(extent: DVec3) -> usize {
     if extent.x >= extent.y && extent.x >= extent.z {
         0

@@ -7,8 +7,11 @@
 //! surface needs to be searched.
 
 use super::{Operand, Pair};
+use crate::axis::Axis;
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
 use crate::closest::Target;
+use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
 use crate::symmetry::Revolution;
 use glam::DVec4;
 
@@ -57,7 +60,7 @@ impl Generatrix {
                 }
                 Some(surface) if patch.domain[surface.round][0] == surface.start => {
                     push_generatrix(&mut patches, &patch, surface.round);
-                    bounds.push(LocalDerivativeBounds::new([[0.0, 1.0]; 2]));
+                    bounds.push(LocalDerivativeBounds::new(ParamBox::UNIT));
                 }
                 Some(_) => {}
             }
@@ -72,14 +75,14 @@ impl Generatrix {
 
 /// Appends the edge of a patch at the start of one parameter, as a patch of
 /// degree 1 in that parameter and constant along it.
-fn push_generatrix(patches: &mut PatchSet, patch: &Patch<'_>, round: usize) {
+fn push_generatrix(patches: &mut PatchSet, patch: &Patch<'_>, round: Axis) {
     let [p, q] = patch.degree;
-    let edge: Vec<DVec4> = if round == 0 {
+    let edge: Vec<DVec4> = if round == Axis::U {
         patch.controls[..=q].to_vec()
     } else {
         patch.controls.iter().step_by(q + 1).copied().collect()
     };
-    let (degree, controls) = if round == 0 {
+    let (degree, controls) = if round == Axis::U {
         ([1, q], edge.repeat(2))
     } else {
         ([p, 1], edge.iter().flat_map(|&control| [control; 2]).collect())
@@ -99,15 +102,17 @@ fn rotation_slack(of_a: &Revolution, pair: &Pair<'_>, max_slack: f64) -> f64 {
     for of_b in pair.b.revolutions {
         let of_surface = match of_b {
             Some(Revolution { sphere: Some(sphere), .. }) => {
-                2.0 * (sphere.off + axis.way_to(sphere.center).length())
+                2.0 * (sphere.deviation + axis.radial(sphere.center).length())
             }
-            Some(of_b) if of_b.full => 2.0 * of_b.off + axis.apart(&of_b.axis, of_a.reach),
+            Some(of_b) if of_b.full => {
+                2.0 * of_b.deviation + axis.rotation_difference(&of_b.axis, of_a.radius)
+            }
             _ => f64::INFINITY,
         };
-        slack = if of_surface.is_nan() { f64::INFINITY } else { slack.max(of_surface) };
+        slack = upper_max(slack, of_surface);
         if slack > max_slack {
             break;
         }
     }
-    2.0 * of_a.off + slack
+    2.0 * of_a.deviation + slack
 }

@@ -3,6 +3,7 @@
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
 use crate::closest::Target;
 use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
 use crate::symmetry::{Revolution, Sphere};
 use glam::DVec3;
 
@@ -68,8 +69,8 @@ impl<'a> Operand<'a> {
 
     /// The parameters, by axis, at which the patch's control net represents
     /// points of the model.
-    pub(crate) fn room(&self, index: u32) -> [[f64; 2]; 2] {
-        self.bounds[index as usize].room
+    pub(crate) fn room(&self, index: u32) -> ParamBox {
+        self.bounds[index as usize].extension
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::Cell;
 use super::Operand;
+
+use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
@@ -30,7 +32,7 @@ impl Place {
         2.0 * (parameter - self.low[axis]) / self.width[axis] - 1.0
     }
 
-    fn half(&self, axis: usize, upper: bool) -> Self {
+    fn half(&self, axis: Axis, upper: bool) -> Self {
         let mut half = *self;
         half.width[axis] *= 0.5;
         if upper {
@@ -91,7 +93,7 @@ impl Pieces {
             self.places.push(place);
             return self.places.len() <= most;
         }
-        let axis = usize::from(extent(&piece, 1) > extent(&piece, 0));
+        let axis = Axis::of_larger(Axis::BOTH.map(|axis| extent(&piece, axis)));
         let halves = piece.halves(axis);
         halvings > 0
             && halves.iter().enumerate().all(|(index, controls)| {
@@ -131,10 +133,10 @@ impl Pieces {
 }
 
 /// How long a net is along an axis: the sum of its longest steps.
-fn extent(patch: &Patch<'_>, axis: usize) -> f64 {
+fn extent(patch: &Patch<'_>, axis: Axis) -> f64 {
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
-    let (steps, lines, along, across) = if axis == 0 {
+    let (steps, lines, along, across) = if axis == Axis::U {
         (patch.degree[0], columns, columns, 1)
     } else {
         (patch.degree[1], patch.degree[0] + 1, 1, columns)

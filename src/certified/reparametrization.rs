@@ -1,6 +1,7 @@
 //! Linear maps from a cell into B's parameters.
 
 use crate::bezier::Jet;
+use crate::param_box::ParamBox;
 use glam::{DVec2, DVec3};
 
 /// `φ(σ, τ) = β + σ p + τ q`: the parameters on B's patch to which the cell's
@@ -32,7 +33,7 @@ impl Reparametrization {
     }
 
     /// The map scaled, each parameter by itself, so that φ([-1, 1]^2) lies in the domain.
-    pub(super) fn clamped_to(self, domain: [[f64; 2]; 2], foot: [f64; 2]) -> Self {
+    pub(super) fn clamped_to(self, domain: ParamBox, foot: [f64; 2]) -> Self {
         let extent = self.extent();
         let scale = DVec2::from_array([0, 1].map(|axis| {
             let margin = (foot[axis] - domain[axis][0]).min(domain[axis][1] - foot[axis]).max(0.0);

@@ -1,17 +1,17 @@
-//! Where an iteration on a patch starts.
+//! The start of an iteration on a patch.
 
 use crate::bezier::Patch;
 use glam::{DVec3, Vec4Swizzles};
 
-/// The parameters (i/p, j/q) of the control point nearest to `target` (the
-/// 2012 paper, section 4). O(p q).
+/// Returns the parameters (i/p, j/q) of the control point nearest to `target`,
+/// the start of the 2012 paper's projection. O(p q).
 #[must_use]
 pub fn nearest_control(patch: &Patch<'_>, target: DVec3) -> [f64; 2] {
     let local = target - patch.center;
     let mut nearest = (f64::INFINITY, 0);
     for (index, control) in patch.controls.iter().enumerate() {
-        let way = control.xyz() - control.w * local;
-        let distance_squared = way.length_squared() / (control.w * control.w);
+        let residual = control.xyz() - control.w * local;
+        let distance_squared = residual.length_squared() / (control.w * control.w);
         if distance_squared < nearest.0 {
             nearest = (distance_squared, index);
         }

@@ -1,4 +1,9 @@
-//! Foot points: the nearest point of a patch, and of a model.
+//! Closest points: the iterations on one patch, and the certified search over a model.
+//!
+//! The tangent-plane iteration and the choice of its start are those of I.
+//! Hanniel, A. Krishnamurthy and S. McMains, *Computing the Hausdorff distance
+//! between NURBS surfaces using numerical iteration on the GPU*, Graphical
+//! Models 74 (2012), 255–264, "the 2012 paper" below.
 
 mod branch_and_bound;
 mod distance_polynomial;
@@ -12,28 +17,28 @@ pub(crate) use branch_and_bound::closest_above;
 pub use branch_and_bound::{Closest, closest};
 pub use distance_polynomial::{CriticalPoint, SquaredDistance};
 pub use initial_guess::nearest_control;
-pub(crate) use nearby_patches::{Candidate, Candidates};
+pub(crate) use nearby_patches::{NearbyPatch, NearbyPatches};
 pub use newton::newton;
 pub(crate) use newton::newton_below;
 pub use tangent_plane::{contraction, tangent_plane};
 pub use target::Target;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-/// How the projection of one sample ended.
+/// The way in which the projection of one point on one patch ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[repr(u32)]
 pub enum Status {
     /// At a stationary point inside the patch.
     Converged = 0,
-    /// At the iteration limit, or where no step made the distance smaller.
+    /// At the iteration limit, or where no step reduced the distance.
     IterationLimit = 1,
-    /// At a stationary point of an edge of the patch, with the patch going on nearer outside.
+    /// At a stationary point of an edge of the patch; the distance would decrease beyond the edge.
     OnEdge = 2,
 }
 
 impl Status {
-    /// The status a kernel wrote as a number; unknown numbers are not converged.
+    /// Returns the status that a kernel wrote as a number; an unknown number counts as not converged.
     #[must_use]
     pub fn from_code(code: u32) -> Self {
         match code {
@@ -44,22 +49,23 @@ impl Status {
     }
 }
 
-/// A point of a patch that an iteration reached for a given target.
+/// The point of a patch at which an iteration for a given target ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foot {
-    /// (s, t) in [0, 1]^2.
+    /// (s, t) in [0, 1]².
     pub parameters: [f64; 2],
-    /// Squared distance from the target to the patch's point there, so never
-    /// less than the squared distance from the target to the patch.
+    /// The squared distance from the target to that point, an upper bound on the
+    /// squared distance to the patch.
     pub distance_squared: f64,
-    /// How the iteration ended.
+    /// The way in which the iteration ended.
     pub status: Status,
 }
 
-/// The two rules by which a step is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+/// The step that an iteration takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Projection {
-    /// Damped Newton with an active set at the patch's edges.
+    /// The damped Newton step with an active set at the patch's edges.
     #[default]
     Newton,
     /// The 2012 paper's tangent-plane step.

@@ -1,81 +1,83 @@
-//! The patches that can be nearest to points about one point.
+//! The patches that can be nearest to points in a neighbourhood.
 
 use super::{Target, nearest_control, newton};
 use crate::bvh::Aabb;
 use glam::DVec3;
 
-/// Newton steps from a start; the bounds hold wherever it stops.
-const ITERATIONS: u32 = 16;
+/// The largest number of Newton steps from a start; the bounds hold wherever it stops.
+const MAX_ITERATIONS: u32 = 16;
 
-/// A patch near the centre.
+/// A patch near the centre of a [`NearbyPatches`].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Candidate {
+pub(crate) struct NearbyPatch {
+    /// The index of the patch.
     pub(crate) patch: u32,
-    /// A point of it near the centre, (s, t).
+    /// The parameters (s, t) of a point of the patch near the centre.
     pub(crate) parameters: [f64; 2],
-    /// At most the patch's distance to the centre.
-    pub(crate) least: f64,
+    /// A lower bound on the distance from the centre to the patch.
+    pub(crate) lower_bound: f64,
     /// A box around the patch.
     pub(crate) aabb: Aabb,
 }
 
-/// All patches that may be nearer to a centre than `reach`, with bounds.
+/// All patches that may be nearer to a centre than `radius`, with lower bounds.
 ///
-/// Lemma. From a point x, a listed patch is at least its bound less `|x - c|`
-/// away, and every other patch `reach - |x - c|`.
+/// Lemma. From a point x, a listed patch has at least the distance of its lower
+/// bound less `|x - c|`, and every other patch at least `radius - |x - c|`.
 ///
 /// Proof. The distance to a set changes by no more than the point moves,
-/// `d(x, P) >= d(c, P) - |x - c|`; the bounds of d(c, P) are the boxes'. ∎
+/// `d(x, P) >= d(c, P) - |x - c|`, and d(c, P) is at least the distance to a box
+/// around P. ∎
 #[derive(Debug)]
-pub(crate) struct Candidates {
+pub(crate) struct NearbyPatches {
     pub(crate) center: DVec3,
-    pub(crate) reach: f64,
-    /// By rising bounds.
-    pub(crate) list: Vec<Candidate>,
+    pub(crate) radius: f64,
+    /// The patches by rising lower bound.
+    pub(crate) list: Vec<NearbyPatch>,
 }
 
-impl Candidates {
-    /// How much farther than the nearest patch the nearest unlisted one is, by its bound.
-    pub(crate) fn room(&self) -> f64 {
-        self.list.first().map_or(0.0, |nearest| self.reach - nearest.least)
+impl NearbyPatches {
+    /// Lists the patches near `center`. O(p q) for each whose boxes are within `radius`.
+    pub(crate) fn new(target: &Target, center: DVec3, radius: f64) -> Self {
+        let Target { patches, tree, boxes } = target;
+        let radius_squared = radius * radius;
+        let mut list = Vec::new();
+        for leaf in tree.leaves_within(center, radius_squared) {
+            let (index, aabb) = (tree.primitive(&leaf), leaf.aabb);
+            let oriented = boxes[index as usize].min_distance_squared(center);
+            let lower_squared = oriented.max(aabb.min_distance_squared(center));
+            if lower_squared < radius_squared {
+                let patch = patches.patch(index as usize);
+                let foot = newton(&patch, center, nearest_control(&patch, center), MAX_ITERATIONS);
+                let lower_bound = lower_squared.sqrt();
+                list.push(NearbyPatch { patch: index, parameters: foot.parameters, lower_bound, aabb });
+            }
+        }
+        list.sort_by(|a, b| a.lower_bound.total_cmp(&b.lower_bound));
+        Self { center, radius, list }
     }
 
-    /// At most the squared distance from `point` to a listed patch.
+    /// Returns the difference between the radius and the smallest lower bound of a listed patch.
+    pub(crate) fn margin(&self) -> f64 {
+        self.list.first().map_or(0.0, |nearest| self.radius - nearest.lower_bound)
+    }
+
+    /// Returns a lower bound on the squared distance from `point` to a listed patch.
     ///
-    /// Also by the box around the patch: with `δ = x - c`,
+    /// It uses the box around the patch as well: with `δ = x - c`,
     /// `|y - x|² = |y - c|² - 2 δ·(y - c) + |δ|²` for its points y.
-    pub(crate) fn least_squared(&self, candidate: &Candidate, point: DVec3) -> f64 {
+    pub(crate) fn lower_bound_squared(&self, candidate: &NearbyPatch, point: DVec3) -> f64 {
         let step = point - self.center;
         let [low, high] = [candidate.aabb.min - self.center, candidate.aabb.max - self.center];
         let along = (step * low).max(step * high).element_sum();
-        candidate.least * candidate.least - 2.0 * along + step.length_squared()
-    }
-
-    /// Of all patches about `center`. O(p q) for each whose boxes are within reach.
-    pub(crate) fn new(target: &Target, center: DVec3, reach: f64) -> Self {
-        let Target { patches, tree, boxes } = target;
-        let reach_squared = reach * reach;
-        let mut list = Vec::new();
-        for leaf in tree.leaves_within(center, reach_squared) {
-            let (index, aabb) = (tree.item(&leaf), leaf.aabb);
-            let of_box = boxes[index as usize].min_distance_squared(center);
-            let least = of_box.max(aabb.min_distance_squared(center));
-            if least < reach_squared {
-                let patch = patches.patch(index as usize);
-                let foot = newton(&patch, center, nearest_control(&patch, center), ITERATIONS);
-                let parameters = foot.parameters;
-                list.push(Candidate { patch: index, parameters, least: least.sqrt(), aabb });
-            }
-        }
-        list.sort_by(|a, b| a.least.total_cmp(&b.least));
-        Self { center, reach, list }
+        candidate.lower_bound * candidate.lower_bound - 2.0 * along + step.length_squared()
     }
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::super::{closest, closest_above};
-    use super::Candidates;
+    use super::NearbyPatches;
     use crate::bezier::extract;
     use crate::closest::Target;
     use crate::shapes::shape;
@@ -83,7 +85,7 @@ mod tests {
 
     const SIDE: usize = 24;
 
-    /// Points on a grid of each patch tell the least distance that it may have at most.
+    /// The nearest of a grid of points on a patch is an upper bound on the patch's distance.
     #[test]
     fn bounds_hold_for_points_about_the_centre() {
         let random = &mut fastrand::Rng::with_seed(17);
@@ -93,35 +95,36 @@ mod tests {
             let Ok(model) = shape(name) else { unreachable!() };
             let target = Target::new(extract(&model).patches);
             let Target { patches, tree, .. } = &target;
-            let box_ = tree.nodes()[0].aabb;
+            let root = tree.nodes()[0].aabb;
             for _ in 0..10 {
-                let center = box_.center() + 0.5 * box_.extent() * direction();
+                let center = root.center() + 0.5 * root.extent() * direction();
                 let Some(nearest) = closest(&target, center, 1e-9) else { unreachable!() };
-                let reach = nearest.upper + 0.1 * box_.diagonal();
-                let about = Candidates::new(&target, center, reach);
-                let point = center + 0.03 * box_.diagonal() * direction();
+                let radius = nearest.upper + 0.1 * root.diagonal();
+                let nearby = NearbyPatches::new(&target, center, radius);
+                let point = center + 0.03 * root.diagonal() * direction();
                 let moved = point.distance(center);
                 for index in 0..patches.len() {
                     let patch = patches.patch(index);
                     let grid = (0..SIDE * SIDE).map(|k| [k / SIDE, k % SIDE]);
-                    let place = |k: usize| k as f64 / (SIDE - 1) as f64;
+                    let parameter = |k: usize| k as f64 / (SIDE - 1) as f64;
                     let sampled = grid
-                        .map(|at| patch.point(at.map(place)).distance(point))
+                        .map(|at| patch.point(at.map(parameter)).distance(point))
                         .fold(f64::INFINITY, f64::min);
-                    let candidate = about.list.iter().find(|candidate| candidate.patch as usize == index);
-                    let least = candidate.map_or(about.reach, |candidate| candidate.least) - moved;
-                    assert!(least <= sampled + 1e-12, "{name}: patch {index}");
+                    let candidate = nearby.list.iter().find(|candidate| candidate.patch as usize == index);
+                    let lower_bound =
+                        candidate.map_or(nearby.radius, |candidate| candidate.lower_bound) - moved;
+                    assert!(lower_bound <= sampled + 1e-12, "{name}: patch {index}");
                     *(if candidate.is_some() { &mut listed } else { &mut unlisted }) += 1;
                 }
-                assert!(about.list.is_sorted_by_key(|candidate| candidate.least.to_bits()));
+                assert!(nearby.list.is_sorted_by_key(|candidate| candidate.lower_bound.to_bits()));
                 let by_tree = closest(&target, point, 1e-9);
                 let known = Some((nearest.patch as u32, nearest.parameters));
-                let by_list = closest_above(&target, point, 1e-9, known, 0.0, Some(&about));
+                let by_list = closest_above(&target, point, 1e-9, known, 0.0, Some(&nearby));
                 let (Some(by_tree), Some(by_list)) = (by_tree, by_list) else { unreachable!() };
                 assert!(by_list.lower <= by_tree.upper && by_tree.lower <= by_list.upper);
                 assert!(by_list.upper - by_list.lower < 2e-9);
                 let at_known = patches.patch(nearest.patch).point(nearest.parameters).distance(point);
-                used += usize::from(at_known <= reach - moved);
+                used += usize::from(at_known <= radius - moved);
             }
         }
         assert!(listed > 30 && unlisted > 30 && used > 10, "{listed} {unlisted} {used}");

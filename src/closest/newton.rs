@@ -1,59 +1,62 @@
-//! Damped Newton with an active set at the patch's edges.
+//! The damped Newton iteration with an active set at the patch's edges.
 
 use super::{Foot, Status};
 use crate::bezier::{Jet, Patch};
 use glam::DVec3;
 
-/// The cosine between the residual and a tangent below which a point is
-/// stationary: the distance's relative error is half its square, below
-/// float64's rounding.
+/// The cosine of the angle between the residual and a tangent below which a
+/// point is stationary: the relative error of the distance is half its square,
+/// below the rounding of float64.
 const STATIONARY_COSINE: f64 = 1e-8;
 
-/// Rounding of a residual relative to the patch's size, which the stationary
-/// test cannot see below.
+/// The rounding error of a residual relative to the patch's size; the test for
+/// stationary points cannot resolve less.
 const RESIDUAL_ROUNDING: f64 = 1e-15;
 
-/// A decrease predicted below this part of the squared distance is lost in its
-/// rounding: where no step makes such a distance smaller, it is stationary.
+/// A predicted decrease below this fraction of the squared distance is less
+/// than its rounding: where no step achieves it, the point is stationary.
 const STALLED_DECREASE: f64 = 1e-14;
 
-/// Decrease of the squared distance, relative to the next step's, that all
-/// steps together are expected not to exceed: steps converge quadratically.
-const GAIN_ROOM: f64 = 2.0;
+/// The decrease of the squared distance, relative to that predicted for the next
+/// step, which all further steps together are expected not to exceed, as steps
+/// converge quadratically.
+const MAX_GAIN_FACTOR: f64 = 2.0;
 
-/// A second derivative of this size relative to the other direction's is near a
-/// degenerate edge, where one step tells little of the next.
+/// Below this ratio of the second derivatives along the two axes the point is
+/// near a degenerate edge, where one step hardly predicts the next.
 const SKEWED_RATIO: f64 = 1e-3;
 
-/// Halvings of a step, at most.
+/// The largest number of halvings of a step.
 const MAX_HALVINGS: u32 = 8;
 
-/// A second derivative of this size relative to the other direction's is a
-/// degenerate edge, along which there is nothing to step.
+/// Below this ratio of the second derivatives along the two axes the point is on
+/// a degenerate edge, along which no step changes it.
 const DEGENERATE_RATIO: f64 = 1e-14;
 
-/// Minimises `½ |S - target|^2` over the patch from `start`.
+/// Minimises `½ |S - target|²` over the patch from `start`.
 ///
-/// Guarantee: the result's distance is that of a point of the patch, and no
-/// larger than the start's. Steps use the Hessian where it is positive definite,
-/// else the sizes of the second derivatives; a parameter at an edge with the gradient
-/// pushing out is frozen; a step leaving the patch is cut at the edge and the
-/// other parameter solved again; steps are halved until the distance falls.
-/// `iterations` at most, each O(p q).
+/// Guarantee: the result's distance is that of a point of the patch, and at most
+/// that of the start. Steps use the Hessian where it is positive definite, else
+/// the absolute values of its diagonal. A parameter at an edge is frozen while
+/// the gradient pushes it outwards. A step that leaves the patch is clamped to
+/// the edge, and the other parameter is solved for again. Steps are halved until
+/// the distance falls. At most `iterations` steps, each O(p q).
 #[must_use]
 pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32) -> Foot {
     newton_below(patch, target, start, iterations, f64::INFINITY).0
 }
 
-/// As [`newton`], given up where even [`GAIN_ROOM`] times the decrease that
-/// the step promises would leave the squared distance above `most`; with the
-/// squared distance that no further steps are expected to go below.
+/// Minimises as [`newton`] does, and stops once even [`MAX_GAIN_FACTOR`] times the
+/// predicted decrease would leave the squared distance above `threshold`.
+///
+/// Also returns the squared distance that further steps are not expected to go
+/// below, an estimate and no bound.
 pub(crate) fn newton_below(
     patch: &Patch<'_>,
     target: DVec3,
     start: [f64; 2],
     iterations: u32,
-    most: f64,
+    threshold: f64,
 ) -> (Foot, f64) {
     let mut at = start;
     let mut jet = patch.jet(at);
@@ -69,10 +72,13 @@ pub(crate) fn newton_below(
         let full = step(at, gradient, &hessian, free);
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
-        let even = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
-        let least = value - GAIN_ROOM * decrease;
-        if even && least > most {
-            return (Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }, least);
+        let balanced = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
+        let expected = value - MAX_GAIN_FACTOR * decrease;
+        if balanced && expected > threshold {
+            return (
+                Foot { parameters: at, distance_squared: value, status: Status::IterationLimit },
+                expected,
+            );
         }
         let mut scale = 1.0;
         let mut halvings = 0;
@@ -85,12 +91,12 @@ pub(crate) fn newton_below(
                 break;
             }
             halvings += 1;
-            // No shorter step decreases it beyond rounding either.
+            // A shorter step would not decrease it by more than rounding either.
             let stalled = decrease <= STALLED_DECREASE * value;
             if stalled || halvings > MAX_HALVINGS {
                 let status = if stalled { settled(free) } else { Status::IterationLimit };
-                let least = if stalled { value } else { f64::NEG_INFINITY };
-                return (Foot { parameters: at, distance_squared: value, status }, least);
+                let expected = if stalled { value } else { f64::NEG_INFINITY };
+                return (Foot { parameters: at, distance_squared: value, status }, expected);
             }
             scale *= 0.5;
         }
@@ -98,26 +104,28 @@ pub(crate) fn newton_below(
     (Foot { parameters: at, distance_squared: value, status: Status::IterationLimit }, f64::NEG_INFINITY)
 }
 
+/// Returns the status of a stationary point with these parameters free.
 fn settled(free: [bool; 2]) -> Status {
     if free[0] && free[1] { Status::Converged } else { Status::OnEdge }
 }
 
+/// Returns whether descent would leave the patch at this parameter.
 fn pushes_out(parameter: f64, gradient: f64) -> bool {
     (parameter <= 0.0 && gradient > 0.0) || (parameter >= 1.0 && gradient < 0.0)
 }
 
-/// Whether the cosines between the residual and the free tangents are small, rounding taken off.
+/// Returns whether the residual is orthogonal to the free tangents, up to [`STATIONARY_COSINE`] and rounding.
 fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]) -> bool {
     let size = residual.length();
     let tangents = [jet.s.length(), jet.t.length()];
     let rounding = RESIDUAL_ROUNDING * (tangents[0] + tangents[1] + size);
-    let most = rounding + STATIONARY_COSINE * size;
-    (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * most))
+    let threshold = rounding + STATIONARY_COSINE * size;
+    (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * threshold))
 }
 
-/// `[ss, st, tt]` of ½|S - target|² if positive definite, else the absolute
-/// values of the second derivatives alone: where the distance is bent
-/// downwards, its gradient tells the way down and how far it stays one.
+/// Returns the Hessian `[ss, st, tt]` of ½|S - target|² if it is positive
+/// definite, else the absolute values of its diagonal alone: where the distance
+/// is concave, that gives a descent direction and a step of a sensible length.
 fn hessian(jet: &Jet, residual: DVec3) -> [f64; 3] {
     let ss = jet.s.dot(jet.s) + residual.dot(jet.ss);
     let st = jet.s.dot(jet.t) + residual.dot(jet.st);
@@ -125,8 +133,8 @@ fn hessian(jet: &Jet, residual: DVec3) -> [f64; 3] {
     if ss > 0.0 && ss * tt > st * st { [ss, st, tt] } else { [ss.abs(), 0.0, tt.abs()] }
 }
 
-/// The minimum of the quadratic model inside the patch, as far as one cut at
-/// an edge finds it.
+/// Returns the step to the minimum of the quadratic model inside the patch; a
+/// minimum outside is clamped to one edge and solved for once more.
 fn step(at: [f64; 2], gradient: [f64; 2], hessian: &[f64; 3], free: [bool; 2]) -> [f64; 2] {
     let [ss, st, tt] = *hessian;
     let weight = [ss, tt];

@@ -5,7 +5,7 @@ use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, flatten, rooms};
+use crate::flatness::{Flatness, extensions, flatten};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuCells;
 use crate::gpu::{GpuSampling, GpuTarget, Resident};
@@ -43,8 +43,8 @@ impl PreparedTarget {
     /// The patches as method `certified` wants them, which were cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || {
-            let rooms = rooms(&model.bezier.patches, &self.target.patches);
-            rooms.into_iter().map(LocalDerivativeBounds::new).collect()
+            let extensions = extensions(&model.bezier.patches, &self.target.patches);
+            extensions.into_iter().map(LocalDerivativeBounds::new).collect()
         };
         Operand::new(&self.target, self.bounds.get_or_init(bounds)).with_revolutions(&model.revolutions)
     }

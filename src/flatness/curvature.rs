@@ -1,14 +1,15 @@
-//! A criterion from curvature: how far the parameter lines turn.
+//! Flatness by the curvature of the parameter lines.
 
 use super::{SAMPLES, sample_parameter};
 use crate::bezier::Patch;
 use glam::DVec3;
 
-/// How far the s- and t-lines turn, in radians, if either by more than `tolerance`.
+/// Returns the largest turning of the s-lines and of the t-lines, in radians, if
+/// either exceeds `tolerance`.
 ///
 /// A curve of curvature at most k and length L turns by at most k L; both are
-/// taken at samples. One number a direction says directly which cut helps,
-/// where the normal span has to compare all normals.
+/// taken at samples. One number per axis states directly which cut helps, where
+/// the criterion of normals has to compare all pairs of them.
 pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
     let mut turning = [0.0_f64; 2];
     for fixed in 0..SAMPLES {
@@ -29,7 +30,7 @@ pub(super) fn excess(patch: &Patch<'_>, tolerance: f64) -> Option<[f64; 2]> {
     (turning[0].max(turning[1]) > tolerance).then_some(turning)
 }
 
-/// Curvature of a curve with these derivatives; 0 where it stands still.
+/// Returns the curvature of a curve with these derivatives, 0 where the first vanishes.
 fn line_curvature(first: DVec3, second: DVec3) -> f64 {
     let speed = first.length();
     if speed > 0.0 { first.cross(second).length() / (speed * speed * speed) } else { 0.0 }

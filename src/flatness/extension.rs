@@ -1,37 +1,36 @@
-//! How far the controls of a flat piece tell points of the patch it was cut from.
+//! The extensions of flat pieces beyond the edges at which they were cut.
 
 use crate::bezier::{BEYOND, MAX_DEGREES, Patch, PatchSet};
+use crate::param_box::ParamBox;
 
-/// For every piece of `flat`, which [`flatten`](super::flatten) made of
-/// `patches`, the parameters at which its controls tell points of `patches`:
-/// [0, 1] by axis, and an eighth more where a sibling follows. O(pieces).
+/// Returns, for every piece of `flat`, which [`flatten`](super::flatten) made of
+/// `patches`, the parameters at which its controls give points of its patch:
+/// [0, 1] along each axis, and an eighth more where a sibling follows. O(pieces).
 ///
-/// A piece's controls are those of its patch by other parameters, so that the
-/// same polynomials go on beyond its edges. Its width is a part 2^-n of the
-/// patch's, so a sibling that follows is at least as wide.
+/// A piece has the same polynomials as its patch, in other parameters, so they
+/// continue beyond the edges of the piece. Its width is 2^-n of the patch's, so a
+/// sibling that follows is at least as wide.
 #[must_use]
-pub fn rooms(patches: &PatchSet, flat: &PatchSet) -> Vec<[[f64; 2]; 2]> {
-    let mut rooms = Vec::with_capacity(flat.len());
-    let mut whole = 0;
+pub fn extensions(patches: &PatchSet, flat: &PatchSet) -> Vec<ParamBox> {
+    let mut extensions = Vec::with_capacity(flat.len());
+    let mut parent = 0;
     for piece in flat.iter() {
-        while whole + 1 < patches.len() && !is_part(&piece, &patches.patch(whole)) {
-            whole += 1;
+        while parent + 1 < patches.len() && !is_part(&piece, &patches.patch(parent)) {
+            parent += 1;
         }
-        let patch = patches.patch(whole);
-        let follows = is_part(&piece, &patch) && piece.degree[0] + piece.degree[1] <= MAX_DEGREES;
-        rooms.push([0, 1].map(|axis| {
-            let beyond = |cut: bool| if follows && cut { BEYOND } else { 0.0 };
+        let patch = patches.patch(parent);
+        let extrapolated = is_part(&piece, &patch) && piece.degree[0] + piece.degree[1] <= MAX_DEGREES;
+        let extension = [0, 1].map(|axis| {
+            let beyond = |cut: bool| if extrapolated && cut { BEYOND } else { 0.0 };
             let ([start, end], [first, last]) = (piece.domain[axis], patch.domain[axis]);
             [-beyond(start > first), 1.0 + beyond(end < last)]
-        }));
+        });
+        extensions.push(extension.into());
     }
-    rooms
+    extensions
 }
 
+/// Returns whether the piece lies on the patch, by its domain.
 fn is_part(piece: &Patch<'_>, patch: &Patch<'_>) -> bool {
-    let inside = |axis: usize| {
-        let ([start, end], [first, last]) = (piece.domain[axis], patch.domain[axis]);
-        first <= start && end <= last
-    };
-    piece.surface == patch.surface && inside(0) && inside(1)
+    piece.surface == patch.surface && patch.domain.contains_box(&piece.domain)
 }

@@ -1,54 +1,66 @@
-//! Cutting Bézier patches until each is flat enough for an iteration started
-//! at its nearest control point.
+//! Subdivision of Bézier patches until each is flat enough for an iteration
+//! that starts at its nearest control point.
+//!
+//! Flatness by the angle between normals is the criterion of I. Hanniel, A.
+//! Krishnamurthy and S. McMains, *Computing the Hausdorff distance between NURBS
+//! surfaces using numerical iteration on the GPU*, Graphical Models 74 (2012),
+//! 255–264, "the 2012 paper" below.
 
 mod curvature;
 mod extension;
 mod normal_cone;
 
-pub use extension::rooms;
+pub use extension::extensions;
 
+use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
+use serde::Deserialize;
 
-/// When a patch counts as flat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+/// The criterion by which a patch counts as flat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Flatness {
-    /// Always: Bézier extraction alone (the 2012 paper's "knots only").
+    /// Every patch is flat: Bézier extraction alone (the 2012 paper's "knots only").
     None,
-    /// Normals sampled on the patch span at most 45°.
+    /// The angle between any two sampled normals is at most 45°.
     #[default]
     Loose,
-    /// Normals sampled on the patch span at most 25°.
+    /// The angle between any two sampled normals is at most 25°.
     Tight,
-    /// No parameter line turns by more than 45°, by its largest sampled
-    /// curvature times its length.
+    /// The largest sampled curvature of every parameter line, times its length,
+    /// is at most 45°.
     Curvature,
 }
 
-/// Halvings of one patch along all directions together, at most: 256 pieces.
-/// Where normals jump at a point, as at a cone's apex, no cut makes a patch flat.
+/// The largest number of halvings of a patch, along both axes together: 256
+/// pieces. Where normals jump at a point, as at a cone's apex, no number suffices.
 const MAX_HALVINGS: u32 = 8;
 
-/// Samples along each direction of a patch at which normals and curvatures are
-/// taken. They steer the cutting only; no bound rests on them.
+/// The number of samples of normals and curvatures along each axis of a patch.
+/// They only steer the subdivision; no bound depends on them.
 const SAMPLES: usize = 4;
 
+/// The angles, in degrees, of the three criteria.
+const LOOSE_DEGREES: f64 = 45.0;
+const TIGHT_DEGREES: f64 = 25.0;
+const CURVATURE_DEGREES: f64 = 45.0;
+
 impl Flatness {
-    /// The direction to halve `patch` along, or `None` if it is flat.
-    fn direction(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<usize> {
-        let [s, t] = match self {
+    /// Returns the axis along which to halve `patch`, or `None` if it is flat.
+    fn split_axis(self, patch: &Patch<'_>, basis: &GridBasis<SAMPLES>) -> Option<Axis> {
+        let excess = match self {
             Self::None => return None,
-            Self::Loose => normal_cone::excess(patch, basis, 45_f64.to_radians())?,
-            Self::Tight => normal_cone::excess(patch, basis, 25_f64.to_radians())?,
-            Self::Curvature => curvature::excess(patch, 45_f64.to_radians())?,
+            Self::Loose => normal_cone::excess(patch, basis, LOOSE_DEGREES.to_radians())?,
+            Self::Tight => normal_cone::excess(patch, basis, TIGHT_DEGREES.to_radians())?,
+            Self::Curvature => curvature::excess(patch, CURVATURE_DEGREES.to_radians())?,
         };
-        Some(usize::from(t > s))
+        Some(Axis::of_larger(excess))
     }
 }
 
-/// `patches`, each replaced by its flat pieces in place.
-///
-/// The pieces cover the same points. O(pieces p q).
+/// Returns `patches` with each replaced, in place, by flat pieces that together
+/// are the same surface. O(pieces p q (p + q)).
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
     if flatness == Flatness::None {
@@ -61,8 +73,8 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
         for index in range {
             let patch = patches.patch(index);
             let basis = GridBasis::new(patch.degree, sample_parameter);
-            let cutting = Cutting { flatness, basis, grid };
-            cutting.cut(&mut part, patch, MAX_HALVINGS);
+            let subdivision = Subdivision { flatness, basis, grid };
+            subdivision.append_pieces(&mut part, patch, MAX_HALVINGS);
         }
         part
     }) {
@@ -71,17 +83,18 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
     flat
 }
 
-/// How patches of one pair of degrees are cut.
-struct Cutting {
+/// The subdivision of patches of one pair of degrees.
+struct Subdivision {
     flatness: Flatness,
     basis: GridBasis<SAMPLES>,
     grid: f64,
 }
 
-impl Cutting {
-    fn cut(&self, flat: &mut PatchSet, patch: Patch<'_>, halvings: u32) {
-        let direction = if halvings > 0 { self.flatness.direction(&patch, &self.basis) } else { None };
-        let Some(axis) = direction else {
+impl Subdivision {
+    /// Appends the flat pieces of a patch, cut at most `halvings` times.
+    fn append_pieces(&self, flat: &mut PatchSet, patch: Patch<'_>, halvings: u32) {
+        let split_axis = if halvings > 0 { self.flatness.split_axis(&patch, &self.basis) } else { None };
+        let Some(axis) = split_axis else {
             if halvings == MAX_HALVINGS {
                 flat.push(patch)
             } else {
@@ -89,13 +102,13 @@ impl Cutting {
             }
             return;
         };
-        for (controls, domain) in patch.halves(axis).iter().zip(patch.half_domains(axis)) {
-            self.cut(flat, Patch { controls, domain, ..patch }, halvings - 1);
+        for (controls, domain) in patch.halves(axis).iter().zip(patch.domain.halves(axis)) {
+            self.append_pieces(flat, Patch { controls, domain, ..patch }, halvings - 1);
         }
     }
 }
 
-/// The parameter of sample `index` of a patch.
+/// Returns the parameter of sample `index` along an axis.
 fn sample_parameter(index: usize) -> f64 {
     index as f64 / (SAMPLES - 1) as f64
 }

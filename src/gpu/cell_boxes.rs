@@ -8,7 +8,7 @@ use super::work::Work;
 use super::{Frame, Gpu, GpuDescent};
 use crate::bezier::extract;
 use crate::bvh::Aabb;
-use crate::hierarchy::{GridTree, Part, boxes, pyramid};
+use crate::hierarchy::{CellPart, GridTree, boxes, pyramid};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};
 use crate::shapes::shape;
@@ -61,7 +61,7 @@ fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: u
     let frame = Frame { transform, slack: 64.0 * f64::EPSILON * coordinate };
     let descent = pollster::block_on(GpuDescent::new(gpu, sides, &frame, &mut progress)).unwrap();
     let (bezier, tree) = (&models[0], &trees[0]);
-    let of_part = |part: &Part| boxes(&bezier.patches.patch(part.patch), part, &transform, 0.0);
+    let of_part = |part: &CellPart| boxes(&bezier.patches.patch(part.patch), part, &transform, 0.0);
     let in_float64 = pyramid(&tree.levels, tree.parts.iter().map(of_part).collect());
     let unscaled = |corner: [f32; 4]| {
         let [x, y, z, _] = corner.map(|value| f64::from(value) / descent.scale);

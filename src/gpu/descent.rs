@@ -11,7 +11,7 @@ use super::stages::ROUNDINGS;
 use super::upload_cells::{GpuCells, PartGroup};
 use super::work::{Dispatch, Extent, Work};
 use crate::error::Result;
-use crate::hierarchy::Distances;
+use crate::hierarchy::DistanceBounds;
 use crate::hierarchy::LevelBounds;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
@@ -300,7 +300,7 @@ impl GpuDescent {
             (self.pairs, self.pair_count, self.bounds, self.totals) = (next, pairs as usize, bounds, totals);
             self.level += 1;
         }
-        Ok(LevelBounds::new(u64::from(pairs), Distances { near: squared(near), far }))
+        Ok(LevelBounds::new(u64::from(pairs), DistanceBounds { near: squared(near), far }))
     }
 
     /// Stage `farthest`: on the last level, the cell of A that is the farthest

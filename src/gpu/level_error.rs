@@ -14,6 +14,7 @@ use crate::certified::{BranchAndBound, Domain, Operand, Pair, Pieces};
 use crate::closest::Target;
 use crate::closest::closest;
 use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
 use bytemuck::{Zeroable, bytes_of};
 use glam::{DQuat, DVec3, DVec4};
 
@@ -38,7 +39,7 @@ fn set(patches: &[Vec<DVec4>], degree: [usize; 2]) -> PatchSet {
         set.push(crate::bezier::Patch {
             surface: 0,
             degree,
-            domain: [[0.0, 1.0]; 2],
+            domain: ParamBox::UNIT,
             center: DVec3::ZERO,
             controls,
             rational,
@@ -48,7 +49,7 @@ fn set(patches: &[Vec<DVec4>], degree: [usize; 2]) -> PatchSet {
 }
 
 fn bounds(set: &PatchSet) -> Vec<LocalDerivativeBounds> {
-    set.iter().map(|_| LocalDerivativeBounds::new([[0.0, 1.0]; 2])).collect()
+    set.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect()
 }
 
 /// The jets at the cells' centres as the kernel `cell` computes them, in (σ, τ).

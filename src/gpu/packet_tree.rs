@@ -32,7 +32,7 @@ pub(super) fn packet_nodes(
             let Some(place) = largest else { break };
             let opened = children[place];
             children[place] = opened + 1;
-            children.push(of(opened).second);
+            children.push(of(opened).right_child);
         }
         for &child in &children {
             let place = if of(child).is_leaf() {

@@ -47,7 +47,7 @@ impl Gpu {
             for (place, &patch) in members.iter().enumerate() {
                 places[patch as usize] = Some(place as u32);
             }
-            let in_group = |(node, part): (usize, &hierarchy::Part)| {
+            let in_group = |(node, part): (usize, &hierarchy::CellPart)| {
                 let growth = part.growth + patch_error(&model.patches.patch(part.patch));
                 Some(Part {
                     s: part.s.map(|s| s as f32),
@@ -67,8 +67,9 @@ impl Gpu {
                 parts: self.upload("parts", &parts),
             });
         }
-        let node = |&hierarchy::Children { first, count }: &hierarchy::Children| Children { first, count };
-        let level = |nodes: &Vec<hierarchy::Children>| {
+        let node =
+            |&hierarchy::ChildRange { first, count }: &hierarchy::ChildRange| Children { first, count };
+        let level = |nodes: &Vec<hierarchy::ChildRange>| {
             self.upload("nodes", &nodes.iter().map(node).collect::<Vec<_>>())
         };
         GpuCells {

@@ -123,7 +123,7 @@ fn add_row(
     let patches = &model.grids[surface];
     let in_v = patches.counts()[1];
     let Patch { degree, .. } = model.patches.patch(patches.first);
-    let (patch_row, s) = grid.places[0][grid.row_and_column(first_sample).0];
+    let (patch_row, s) = grid.locations[0][grid.row_and_column(first_sample).0];
     let open = drafts
         .iter()
         .position(|draft| draft.degree == degree && draft.patches.len() + in_v <= most_patches(degree));
@@ -147,7 +147,7 @@ fn add_row(
         _ => {
             let first = draft.places.len() as u32;
             let place = |&(column, t): &(usize, f64)| Place { patch_column: column as u32, t: t as f32 };
-            draft.places.extend(grid.places[1].iter().map(place));
+            draft.places.extend(grid.locations[1].iter().map(place));
             draft.last_places = Some((surface, first));
             first
         }

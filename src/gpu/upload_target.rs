@@ -88,7 +88,7 @@ impl Gpu {
 
 /// What tells the kernels a leaf's patch: odd, where an inner node's place is even.
 pub(super) fn leaf_place(leaf: &crate::bvh::Node) -> u32 {
-    2 * leaf.first + 1
+    2 * leaf.first_leaf + 1
 }
 
 /// Bound of the error of a point of `patch` computed in float32 from rounded
@@ -109,6 +109,6 @@ fn node(node: &crate::bvh::Node, place: u32, origin: DVec3, scale: f64) -> Node 
         box_min: (scale * (node.aabb.min - origin)).to_array().map(rounded_down),
         place,
         box_max: (scale * (node.aabb.max - origin)).to_array().map(rounded_up),
-        second: node.second,
+        second: node.right_child,
     }
 }

@@ -1,6 +1,7 @@
-//! The cells of a regular grid on every surface, and the tree above them.
+//! The tree over the cells of a regular grid on every surface.
 
-use super::Part;
+use super::CellPart;
+use crate::axis::Axis;
 use crate::bezier::BezierModel;
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
@@ -8,64 +9,65 @@ use crate::iteration::{cell_pieces, uniform};
 use crate::parallel::map;
 use glam::DVec3;
 
-/// A cell of the grid of a surface.
+/// A cell of the grid of one surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Cell {
-    /// Index of the surface.
+pub struct GridCell {
+    /// The index of the surface.
     pub surface: u32,
-    /// Its place along u.
+    /// Its index along u.
     pub row: u32,
-    /// Its place along v.
+    /// Its index along v.
     pub column: u32,
 }
 
-/// A node's children: neighbours on the level below.
+/// The children of a node: consecutive nodes of the level below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Children {
-    /// The first.
+pub struct ChildRange {
+    /// The index of the first child.
     pub first: u32,
-    /// How many; at least 1.
+    /// The number of children, at least 1.
     pub count: u32,
 }
 
-impl Children {
-    /// Their indices.
+impl ChildRange {
+    /// Returns their indices.
     #[must_use]
     pub fn range(self) -> std::ops::Range<usize> {
         self.first as usize..(self.first + self.count) as usize
     }
 }
 
-/// Cells of a model, at most: what their boxes take then fits one binding of the GPU.
+/// The largest number of cells of a model, whose boxes then fit one binding of the GPU.
 pub const MAX_CELLS: usize = 1 << 22;
 
-/// Parts below a node, at most: kernels loop over them, and llvmpipe ends
-/// long loops. Cells of more get levels in between.
+/// The largest number of parts below a node. Kernels loop over them, and
+/// llvmpipe terminates long loops; cells with more parts get levels in between.
 pub const MAX_CHILDREN: usize = 64;
 
-/// Children of a node above the cells: two by two, or four surfaces.
+/// The number of children of a node above the cells: two by two cells, or four
+/// surfaces.
 const BRANCHING: usize = 4;
 
 /// The tree over a model's cells.
 #[derive(Debug, Clone)]
 pub struct GridTree {
-    /// Cells along each direction of a surface.
+    /// The number of cells along each axis of a surface.
     pub grid: usize,
-    /// Levels from the root's down; the children of the last are parts.
-    pub levels: Vec<Vec<Children>>,
-    /// The level of the cells.
+    /// The levels from the root down; the children of the last are parts.
+    pub levels: Vec<Vec<ChildRange>>,
+    /// The index of the level of the cells.
     pub finest: usize,
-    /// The cells, in the order of their level.
-    pub cells: Vec<Cell>,
+    /// The cells in the order of their level.
+    pub cells: Vec<GridCell>,
     /// The parts of all cells.
-    pub parts: Vec<Part>,
+    pub parts: Vec<CellPart>,
 }
 
 impl GridTree {
-    /// `grid` x `grid` cells, 1 or more, on every surface, even in the
-    /// parameters. Near surfaces come under a common node.
+    /// Builds the tree over `grid` × `grid` cells, at least 1 × 1, evenly spaced in
+    /// the parameters of every surface. Nearby surfaces share ancestors.
     ///
-    /// O(cells + patches), times p q.
+    /// O(cells + patches) times p q.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for more than [`MAX_CELLS`].
@@ -81,55 +83,55 @@ impl GridTree {
         Ok(tree)
     }
 
-    /// The surface's parameters at the middle of a cell, and the point there.
+    /// Returns the surface parameters of the middle of a cell, and the point there.
     #[must_use]
     pub fn middle(&self, model: &BezierModel, cell: usize) -> ([f64; 2], DVec3) {
-        let Cell { surface, row, column } = self.cells[cell];
+        let GridCell { surface, row, column } = self.cells[cell];
         let grid = &model.grids[surface as usize];
-        let at = |axis: usize, place: u32| {
+        let at = |axis: Axis, index: u32| {
             let breaks = &grid.breaks[axis];
-            let fraction = (f64::from(place) + 0.5) / self.grid as f64;
+            let fraction = (f64::from(index) + 0.5) / self.grid as f64;
             (1.0 - fraction) * breaks[0] + fraction * breaks[breaks.len() - 1]
         };
-        let parameters = [at(0, row), at(1, column)];
-        let [(i, s), (j, t)] = [0, 1].map(|axis| grid.locate(axis, parameters[axis]));
+        let parameters = [at(Axis::U, row), at(Axis::V, column)];
+        let [(i, s), (j, t)] = Axis::BOTH.map(|axis| grid.locate(axis, parameters[axis]));
         let patch = model.patches.patch(grid.first + i * grid.counts()[1] + j);
         (parameters, patch.point([s, t]))
     }
 
-    /// The levels above the surfaces, in the order of a tree over their boxes.
+    /// Adds the levels above the surfaces, grouped in the order of a BVH over their boxes.
     fn add_surfaces(&mut self, model: &BezierModel) {
         let mut aabbs = vec![Aabb::EMPTY; model.grids.len()];
         for patch in model.patches.iter() {
             aabbs[patch.surface] = aabbs[patch.surface].union(patch.bounding_box());
         }
         let order = Bvh::new(&aabbs);
-        self.cells = order.order().iter().map(|&surface| Cell { surface, row: 0, column: 0 }).collect();
+        self.cells = order.order().iter().map(|&surface| GridCell { surface, row: 0, column: 0 }).collect();
         let mut count = self.cells.len();
         while count > 1 {
             let starts = (0..count).step_by(BRANCHING);
             let children =
-                |first| Children { first: first as u32, count: BRANCHING.min(count - first) as u32 };
+                |first| ChildRange { first: first as u32, count: BRANCHING.min(count - first) as u32 };
             self.levels.insert(0, starts.map(children).collect());
             count = count.div_ceil(BRANCHING);
         }
     }
 
-    /// The levels from one node a surface to its cells, halving both sides.
+    /// Adds the levels from one node per surface down to its cells, halving along both axes.
     fn add_grids(&mut self) {
         let depth = self.grid.next_power_of_two().ilog2();
         for level in 1..=depth {
             let side = self.grid.div_ceil(1 << (depth - level)) as u32;
             let mut below = Vec::with_capacity(BRANCHING * self.cells.len());
             let mut children = Vec::with_capacity(self.cells.len());
-            for &Cell { surface, row, column } in &self.cells {
+            for &GridCell { surface, row, column } in &self.cells {
                 let first = below.len() as u32;
                 for row in 2 * row..(2 * row + 2).min(side) {
                     for column in 2 * column..(2 * column + 2).min(side) {
-                        below.push(Cell { surface, row, column });
+                        below.push(GridCell { surface, row, column });
                     }
                 }
-                children.push(Children { first, count: below.len() as u32 - first });
+                children.push(ChildRange { first, count: below.len() as u32 - first });
             }
             self.levels.push(children);
             self.cells = below;
@@ -137,19 +139,19 @@ impl GridTree {
         self.finest = self.levels.len();
     }
 
-    /// The parts of every cell, and levels in between where they are many.
+    /// Adds the parts of every cell, with levels in between where there are many.
     fn add_parts(&mut self, model: &BezierModel) {
         let patches = &model.patches;
         let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
-        let of_surface = |surface: usize| {
+        let cell_intervals = |surface: usize| {
             let grid = &model.grids[surface];
-            [0, 1].map(|axis| {
+            Axis::BOTH.map(|axis| {
                 let parameters = uniform(&grid.breaks[axis], self.grid + 1);
-                let places: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
-                cell_pieces(&places)
+                let locations: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
+                cell_pieces(&locations)
             })
         };
-        let strips = map(model.grids.len(), of_surface);
+        let strips = map(model.grids.len(), cell_intervals);
         let mut level = Vec::with_capacity(self.cells.len());
         for cell in &self.cells {
             let first = self.parts.len() as u32;
@@ -158,10 +160,10 @@ impl GridTree {
             for &(u, s) in &rows[cell.row as usize] {
                 for &(v, t) in &columns[cell.column as usize] {
                     let index = grid.first + u * grid.counts()[1] + v;
-                    self.parts.push(Part::new(index, &patches.patch(index), &bounds[index], s, t));
+                    self.parts.push(CellPart::new(index, &patches.patch(index), &bounds[index], s, t));
                 }
             }
-            level.push(Children { first, count: self.parts.len() as u32 - first });
+            level.push(ChildRange { first, count: self.parts.len() as u32 - first });
         }
         while level.iter().any(|children| children.count as usize > MAX_CHILDREN) {
             let (above, groups) = grouped(&level);
@@ -172,17 +174,17 @@ impl GridTree {
     }
 }
 
-/// A level between: the children of each node in groups of [`MAX_CHILDREN`],
-/// which are the node's new children.
-fn grouped(level: &[Children]) -> (Vec<Children>, Vec<Children>) {
+/// Inserts a level: groups of at most [`MAX_CHILDREN`] children become the new
+/// children of each node. Returns the nodes with their groups, and the groups.
+fn grouped(level: &[ChildRange]) -> (Vec<ChildRange>, Vec<ChildRange>) {
     let (mut above, mut groups) = (Vec::with_capacity(level.len()), Vec::new());
     for children in level {
         let first = groups.len() as u32;
         for start in children.range().step_by(MAX_CHILDREN) {
             let count = MAX_CHILDREN.min(children.range().end - start);
-            groups.push(Children { first: start as u32, count: count as u32 });
+            groups.push(ChildRange { first: start as u32, count: count as u32 });
         }
-        above.push(Children { first, count: groups.len() as u32 - first });
+        above.push(ChildRange { first, count: groups.len() as u32 - first });
     }
     (above, groups)
 }

@@ -1,21 +1,22 @@
-//! What one level of the descent bounds.
+//! The bounds that one level of the traversal gives.
 
-use super::Distances;
+use super::DistanceBounds;
 
-/// What one level's descent found.
+/// The outcome of stages `bound`, `extremes` and `cull` on one level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LevelBounds {
-    /// Pairs left after culling, also where they are too many to keep.
+    /// The number of pairs left after culling, counted even if they are too many to keep.
     pub(crate) pairs: u64,
-    /// At most the distance, in model units.
+    /// A lower bound on the directed distance, in model units.
     pub(crate) lower: f64,
-    /// At least the distance.
+    /// An upper bound on the directed distance, in model units.
     pub(crate) upper: f64,
 }
 
 impl LevelBounds {
-    /// Of squared bounds in model units; what is beyond float64 bounds nothing from below.
-    pub(crate) fn new(pairs: u64, Distances { near, far }: Distances) -> Self {
+    /// Makes the bounds from squared bounds in model units; a lower bound that
+    /// overflowed counts as 0.
+    pub(crate) fn new(pairs: u64, DistanceBounds { near, far }: DistanceBounds) -> Self {
         Self { pairs, lower: if near.is_finite() { near.sqrt() } else { 0.0 }, upper: far.sqrt() }
     }
 }

@@ -1,15 +1,16 @@
-//! Method `hierarchy`: the 2011 paper's boxes and pairs.
+//! Method `hierarchy`: a traversal of pairs of boxes of two models.
 //!
-//! A. Krishnamurthy, S. McMains, I. Hanniel, *GPU-accelerated Hausdorff
-//! distance computation between dynamic deformable NURBS surfaces*,
-//! Computer-Aided Design 43 (2011). Stages, each with the same name in the
-//! kernels: `boxes` around the parts of a regular grid's cells, the `pyramid`
-//! of boxes of four boxes each, and down its levels `bound` (each box of A
-//! from its pairs), `extremes` (the bounds of the distance) and `cull` (the
-//! pairs of the next level).
+//! The method is that of A. Krishnamurthy, S. McMains and I. Hanniel,
+//! *GPU-accelerated Hausdorff distance computation between dynamic deformable
+//! NURBS surfaces*, Computer-Aided Design 43 (2011), 1370–1379, "the 2011 paper"
+//! below. Its stages have the same names in the kernels: `boxes` encloses the
+//! parts of the cells of a regular grid, `pyramid` builds boxes of four boxes
+//! each, and on every level `bound` bounds the distance of each box of A by its
+//! pairs, `extremes` bounds the directed distance, and `cull` selects the pairs of
+//! the next level.
 //!
-//! Every bound holds for what is inside the boxes, so the interval is certain
-//! wherever the descent ends.
+//! Every bound holds for the contents of the boxes, so the interval is valid on
+//! whichever level the traversal ends.
 
 mod box_distance;
 mod boxes;
@@ -18,13 +19,13 @@ mod level_bounds;
 mod pyramid;
 mod traversal;
 
-pub use box_distance::Distances;
-pub use boxes::{Part, boxes};
+pub use box_distance::DistanceBounds;
+pub use boxes::{CellPart, boxes};
+pub use grid_tree::{ChildRange, GridTree};
 #[cfg(feature = "internals")]
-pub use grid_tree::{Cell, MAX_CELLS, MAX_CHILDREN};
-pub use grid_tree::{Children, GridTree};
+pub use grid_tree::{GridCell, MAX_CELLS, MAX_CHILDREN};
 pub(crate) use level_bounds::LevelBounds;
 pub use pyramid::pyramid;
 #[cfg(feature = "internals")]
-pub use traversal::Bound;
+pub use traversal::NodeBounds;
 pub use traversal::{Pairs, Traversal, extremes};

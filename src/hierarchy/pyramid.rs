@@ -1,16 +1,16 @@
-//! Stage `pyramid`: the box of every node, from those of its children.
+//! Stage `pyramid`: the box of every node, from the boxes of its children.
 
-use super::Children;
+use super::ChildRange;
 use crate::bvh::Aabb;
 
-/// The boxes of every level above `parts`, the root's level first. O(nodes).
+/// Returns the boxes of every level above `parts`, the root's level first. O(nodes).
 #[must_use]
-pub fn pyramid(levels: &[Vec<Children>], parts: Vec<Aabb>) -> Vec<Vec<Aabb>> {
+pub fn pyramid(levels: &[Vec<ChildRange>], parts: Vec<Aabb>) -> Vec<Vec<Aabb>> {
     let mut boxes = vec![parts];
     for level in levels.iter().rev() {
         let below = &boxes[boxes.len() - 1];
         let union =
-            |children: &Children| below[children.range()].iter().copied().fold(Aabb::EMPTY, Aabb::union);
+            |children: &ChildRange| below[children.range()].iter().copied().fold(Aabb::EMPTY, Aabb::union);
         boxes.push(level.iter().map(union).collect());
     }
     boxes.reverse();

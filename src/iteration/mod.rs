@@ -1,8 +1,12 @@
-//! Method `iteration`: the 2012 paper's sampling and projection.
+//! Method `iteration`: sampling of one model and projection on the other.
 //!
-//! Stages, each with the same name in the kernels: `sample` the moving model,
-//! `project` every sample on the other model's flat patches, `reduce` to the
-//! largest distance. The bounds `k_a` come with the samples.
+//! The method is that of I. Hanniel, A. Krishnamurthy and S. McMains, *Computing
+//! the Hausdorff distance between NURBS surfaces using numerical iteration on the
+//! GPU*, Graphical Models 74 (2012), 255–264, "the 2012 paper" below. Its stages
+//! have the same names in the kernels: `sample` evaluates points of the moving
+//! model, `project` finds the foot of every sample on the other model's flat
+//! patches, and `reduce` finds the largest distance. The sampling error, the
+//! paper's K_A, is computed with the sampling ([`CoveringRadius`]).
 
 mod covering_radius;
 mod project;
@@ -23,49 +27,50 @@ pub use sampling::{SampleGrid, Sampling, SamplingRule};
 use crate::closest::{Projection, Status};
 use serde::Serialize;
 
-/// What the projection of one sample found.
+/// The projection of one sample on the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projected {
-    /// Squared distance from the sample to the foot.
+    /// The squared distance from the sample to its foot.
     pub distance_squared: f64,
-    /// Index of the flat patch the foot lies on.
+    /// The index of the flat patch on which the foot lies.
     pub patch: usize,
-    /// The foot's (s, t) on it.
+    /// The parameters (s, t) of the foot on it.
     pub parameters: [f64; 2],
-    /// How the iteration on that patch ended.
+    /// The way in which the iteration on that patch ended.
     pub status: Status,
 }
 
-/// How samples are projected.
+/// The parameters of the projection of samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rule {
-    /// The step.
+    /// The step of the iteration.
     pub projection: Projection,
-    /// Steps on one patch, at most.
+    /// The largest number of steps on one patch.
     pub iterations: u32,
-    /// The change of distance that ends the tangent-plane iteration.
+    /// The change of distance below which the tangent-plane iteration ends, the paper's E_B.
     pub step_tolerance: f64,
-    /// Which patches are tried.
+    /// The choice of patches that a sample is projected on.
     pub culling: Culling,
 }
 
-/// A sample that may be the farthest.
+/// A sample that may be the farthest one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Candidate {
-    /// Index of the sample in its sampling.
+    /// The index of the sample in its sampling.
     pub(crate) sample: usize,
-    /// What its projection found.
+    /// Its projection.
     pub(crate) projected: Projected,
 }
 
-/// Numbers of samples by how their projection ended.
+/// The numbers of samples by the status of their projection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct StatusCounts {
-    /// At a stationary point.
+    /// Projections that ended at a stationary point.
     pub converged: usize,
-    /// At the iteration limit.
+    /// Projections that ended at the iteration limit.
     pub iteration_limit: usize,
-    /// At a patch's edge.
+    /// Projections that ended at an edge of a patch.
     pub on_edge: usize,
 }
 

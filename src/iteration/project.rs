@@ -1,26 +1,28 @@
-//! Stage `project`: the nearest foot of every sample.
+//! Stage `project`: the nearest foot of a sample.
 
 use super::{Projected, Rule};
 use crate::bezier::Patch;
 use crate::closest::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
+use serde::Deserialize;
 
-/// Which patches a sample is projected on. The distances are the same: a
-/// patch is left out only if its box is no nearer than a foot already found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+/// The choice of patches that a sample is projected on. It does not change the
+/// distances: a patch is pruned only if its box is no nearer than a foot found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Culling {
-    /// Those that a bounding-box tree does not rule out.
+    /// The patches that a bounding volume hierarchy does not prune.
     #[default]
     Tree,
-    /// All, as in the paper.
+    /// All patches, as in the 2012 paper.
     None,
 }
 
-/// The least distance from `sample` that the rule's iterations find on the
-/// target's patches; infinite only for a target without patches.
+/// Returns the nearest foot of `sample` that the rule's iterations find on the
+/// target's patches; its distance is infinite only for a target without patches.
 ///
-/// Never less than the sample's distance to the target. With the tree,
-/// O(log patches) in general position; else O(patches).
+/// The distance is an upper bound on the sample's distance to the target. With
+/// the hierarchy O(log patches) in general position, else O(patches).
 #[must_use]
 pub fn project(target: &Target, sample: DVec3, rule: &Rule) -> Projected {
     let mut best = Projected {
@@ -32,14 +34,15 @@ pub fn project(target: &Target, sample: DVec3, rule: &Rule) -> Projected {
     match rule.culling {
         Culling::None => {
             for (index, patch) in target.patches.iter().enumerate() {
-                offer(&mut best, index, project_on(&patch, sample, rule));
+                propose(&mut best, index, project_on(&patch, sample, rule));
             }
         }
-        Culling::Tree => descend(target, sample, rule, &mut best),
+        Culling::Tree => search_tree(target, sample, rule, &mut best),
     }
     best
 }
 
+/// Projects a sample on one patch.
 fn project_on(patch: &Patch<'_>, sample: DVec3, rule: &Rule) -> Foot {
     let start = nearest_control(patch, sample);
     match rule.projection {
@@ -48,7 +51,8 @@ fn project_on(patch: &Patch<'_>, sample: DVec3, rule: &Rule) -> Foot {
     }
 }
 
-fn offer(best: &mut Projected, patch: usize, foot: Foot) {
+/// Replaces `best` by a nearer foot.
+fn propose(best: &mut Projected, patch: usize, foot: Foot) {
     if foot.distance_squared < best.distance_squared {
         *best = Projected {
             distance_squared: foot.distance_squared,
@@ -59,28 +63,29 @@ fn offer(best: &mut Projected, patch: usize, foot: Foot) {
     }
 }
 
-/// Depth first, the nearer child first.
-fn descend(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
+/// Searches the hierarchy depth first, the nearer child first.
+fn search_tree(target: &Target, sample: DVec3, rule: &Rule, best: &mut Projected) {
     let nodes = target.tree.nodes();
-    let least = |index: usize| nodes[index].aabb.min_distance_squared(sample);
+    let lower_bound = |index: usize| nodes[index].aabb.min_distance_squared(sample);
     if nodes.is_empty() {
         return;
     }
-    let mut stack = vec![(least(0), 0)];
+    let mut stack = vec![(lower_bound(0), 0)];
     while let Some((distance_squared, index)) = stack.pop() {
         if distance_squared >= best.distance_squared {
             continue;
         }
         let node = &nodes[index];
         if !node.is_leaf() {
-            let mut children = [index + 1, node.second as usize].map(|child| (least(child), child));
+            let mut children =
+                [index + 1, node.right_child as usize].map(|child| (lower_bound(child), child));
             if children[0].0 < children[1].0 {
                 children.swap(0, 1);
             }
             stack.extend_from_slice(&children);
             continue;
         }
-        let patch = target.tree.item(node) as usize;
-        offer(best, patch, project_on(&target.patches.patch(patch), sample, rule));
+        let patch = target.tree.primitive(node) as usize;
+        propose(best, patch, project_on(&target.patches.patch(patch), sample, rule));
     }
 }

@@ -1,24 +1,24 @@
-//! Stage `reduce`: the largest of the least distances, and where it is.
+//! Stage `reduce`: the largest distance of a sample, and the sample.
 
 use super::Projected;
 
-/// Samples of a block.
+/// The number of samples in a block.
 const BLOCK_SIZE: usize = 1024;
 
-/// The index of the largest squared distance of every block of samples, the
-/// first of equals; the largest block first. O(n).
+/// Returns the index of the farthest sample of every block, the first of equals;
+/// the indices are sorted by falling distance. O(n).
 #[must_use]
 pub fn reduce(projected: &[Projected]) -> Vec<usize> {
-    let of_block = |(block, members): (usize, &[Projected])| {
-        let mut largest = 0;
-        for (index, this) in members.iter().enumerate() {
-            if this.distance_squared > members[largest].distance_squared {
-                largest = index;
+    let farthest_of_block = |(block, samples): (usize, &[Projected])| {
+        let mut farthest = 0;
+        for (index, sample) in samples.iter().enumerate() {
+            if sample.distance_squared > samples[farthest].distance_squared {
+                farthest = index;
             }
         }
-        block * BLOCK_SIZE + largest
+        block * BLOCK_SIZE + farthest
     };
-    let mut blocks: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(of_block).collect();
-    blocks.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
-    blocks
+    let mut farthest: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(farthest_of_block).collect();
+    farthest.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
+    farthest
 }

@@ -1,90 +1,95 @@
-//! Where a model is sampled.
+//! The samples of a model.
 
+use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchGrid};
+use serde::Deserialize;
 use std::ops::Range;
 
 use super::CoveringRadius;
 
-/// How the n parameters of a direction are spread over the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+/// The distribution of the parameters along one axis over the domain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SamplingRule {
-    /// Evenly in the parameter, as in the paper.
+    /// Evenly spaced parameters, as in the 2012 paper.
     #[default]
     Uniform,
-    /// Evenly in arc length, averaged over lines across the surface.
+    /// Even spacing in arc length, averaged over a few parameter lines.
     ArcLength,
 }
 
 /// The tensor grid of samples of one surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampleGrid {
-    /// The parameters in u and v, rising, the domain's ends included.
+    /// The parameters in u and v, rising, including the ends of the domain.
     pub parameters: [Vec<f64>; 2],
-    /// For every parameter, the patch along its direction and the place on it in [0, 1].
-    pub places: [Vec<(usize, f64)>; 2],
-    /// Index of the surface's first sample; v runs fastest.
+    /// For every parameter, the index of the patch along its axis and the patch
+    /// parameter in [0, 1].
+    pub locations: [Vec<(usize, f64)>; 2],
+    /// The index of the surface's first sample; v runs fastest.
     pub first: usize,
 }
 
-/// All samples of a model, with the radii of the cells between them.
+/// All samples of a model, with their covering radius.
 #[derive(Debug, Clone)]
 pub struct Sampling {
     /// One grid a surface.
     pub grids: Vec<SampleGrid>,
-    /// The largest cell radii over all surfaces.
+    /// The covering radius over all surfaces.
     pub radius: CoveringRadius,
 }
 
-/// Samples of a page, at most: buffers of a few MiB on the GPU, and grids of
-/// the default size enough to keep it busy.
+/// The largest number of samples of a page, unless one row has more: buffers of a
+/// few MiB on the GPU, and enough work to keep it busy.
 pub const PAGE_SAMPLES: usize = 1 << 18;
 
-/// Lines across the surface that an arc length is averaged over.
+/// The number of parameter lines over which arc length is averaged.
 const ARC_LENGTH_LINES: usize = 9;
 
-/// Chords a patch's side is measured by.
+/// The number of chords that approximate a parameter line on one patch.
 const ARC_LENGTH_CHORDS: usize = 8;
 
 impl Sampling {
-    /// `samples` x `samples` parameters on every surface of `model`; at least 2.
+    /// Places a grid of `samples` × `samples` parameters, at least 2 × 2, on every
+    /// surface of `model`.
     ///
-    /// O(surfaces samples^2 + patches).
+    /// O(surfaces samples² + patches).
     #[must_use]
     pub fn new(model: &BezierModel, samples: usize, rule: SamplingRule) -> Self {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
         for grid in &model.grids {
-            let parameters = [0, 1].map(|axis| match rule {
+            let parameters = Axis::BOTH.map(|axis| match rule {
                 SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
                 SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
             });
-            let places = [0, 1]
+            let locations = Axis::BOTH
                 .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
-            grids.push(SampleGrid { parameters, places, first: grids.len() * samples * samples });
+            grids.push(SampleGrid { parameters, locations, first: grids.len() * samples * samples });
         }
-        let radius = CoveringRadius::of_all(model, &grids);
+        let radius = CoveringRadius::of_model(model, &grids);
         Self { grids, radius }
     }
 
-    /// Number of samples.
+    /// Returns the number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
         self.grids.iter().map(SampleGrid::len).sum()
     }
 
-    /// Whether there is none.
+    /// Returns whether there are no samples.
     #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The surface of sample `index`.
+    /// Returns the surface of sample `index`.
     #[must_use]
     pub fn surface(&self, index: usize) -> usize {
         self.grids.partition_point(|grid| grid.first <= index).max(1) - 1
     }
 
-    /// The (u, v) of sample `index` on its surface.
+    /// Returns the parameters (u, v) of sample `index` on its surface.
     #[must_use]
     pub fn parameters(&self, index: usize) -> [f64; 2] {
         let grid = &self.grids[self.surface(index)];
@@ -92,8 +97,8 @@ impl Sampling {
         [grid.parameters[0][i], grid.parameters[1][j]]
     }
 
-    /// Ranges of samples, whole rows of a grid each, of at most
-    /// [`PAGE_SAMPLES`] (or one row), in order: what is worked on at a time.
+    /// Returns consecutive ranges of samples to process at a time: whole rows of
+    /// grids, at most [`PAGE_SAMPLES`] or one row each.
     #[must_use]
     pub fn pages(&self) -> Vec<Range<usize>> {
         let mut pages: Vec<Range<usize>> = Vec::new();
@@ -112,26 +117,26 @@ impl Sampling {
 }
 
 impl SampleGrid {
-    /// Numbers of samples along u and v.
+    /// Returns the numbers of samples along u and v.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [self.parameters[0].len(), self.parameters[1].len()]
     }
 
-    /// Number of samples.
+    /// Returns the number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
         self.parameters[0].len() * self.parameters[1].len()
     }
 
-    /// Whether there is none.
+    /// Returns whether there are no samples.
     #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Along u and v, the place in the grid of the model's sample `index`.
+    /// Returns the indices along u and v of the model's sample `index`.
     #[must_use]
     pub fn row_and_column(&self, index: usize) -> (usize, usize) {
         let columns = self.parameters[1].len();
@@ -139,7 +144,7 @@ impl SampleGrid {
     }
 }
 
-/// `samples` parameters evenly from the first of `breaks` to the last.
+/// Returns `samples` evenly spaced parameters from the first of `breaks` to the last.
 pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     (0..samples)
@@ -150,23 +155,24 @@ pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Parameters that cut the summed length of a few lines along `axis` evenly.
-fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize) -> Vec<f64> {
+/// Returns parameters that divide the summed length of a few parameter lines
+/// along `axis` evenly.
+fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: Axis, samples: usize) -> Vec<f64> {
     let breaks = &grid.breaks[axis];
     let mut knots = vec![breaks[0]];
     let mut lengths = vec![0.0];
-    let across = uniform(&grid.breaks[1 - axis], ARC_LENGTH_LINES);
-    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(1 - axis, parameter)).collect();
+    let across = uniform(&grid.breaks[axis.other()], ARC_LENGTH_LINES);
+    let across: Vec<_> = across.into_iter().map(|parameter| grid.locate(axis.other(), parameter)).collect();
     for span in 0..breaks.len() - 1 {
         for chord in 1..=ARC_LENGTH_CHORDS {
             let ends = [chord - 1, chord].map(|end| end as f64 / ARC_LENGTH_CHORDS as f64);
             let length: f64 = across
                 .iter()
-                .map(|&(other_span, other)| {
-                    let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == 0 {
-                        ([span, other_span], ends.map(|end| [end, other]))
+                .map(|&(across_span, across)| {
+                    let (spans, at): ([usize; 2], [[f64; 2]; 2]) = if axis == Axis::U {
+                        ([span, across_span], ends.map(|end| [end, across]))
                     } else {
-                        ([other_span, span], ends.map(|end| [other, end]))
+                        ([across_span, span], ends.map(|end| [across, end]))
                     };
                     let patch = model.patches.patch(grid.first + spans[0] * grid.counts()[1] + spans[1]);
                     patch.point(at[0]).distance(patch.point(at[1]))
@@ -182,14 +188,14 @@ fn arc_length(model: &BezierModel, grid: &PatchGrid, axis: usize, samples: usize
     }
     let mut parameters: Vec<f64> = uniform(&[0.0, total], samples)
         .into_iter()
-        .map(|wanted| {
-            let next = lengths.partition_point(|&length| length <= wanted).clamp(1, lengths.len() - 1);
+        .map(|target| {
+            let next = lengths.partition_point(|&length| length <= target).clamp(1, lengths.len() - 1);
             let (low, high) = (lengths[next - 1], lengths[next]);
-            let fraction = if high > low { ((wanted - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
+            let fraction = if high > low { ((target - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
             (1.0 - fraction) * knots[next - 1] + fraction * knots[next]
         })
         .collect();
-    // Lines that stand still at an end of the domain say nothing of what is between the lines.
+    // Lines of zero length at an end of the domain must not remove the end from the samples.
     parameters[0] = breaks[0];
     parameters[samples - 1] = breaks[breaks.len() - 1];
     parameters

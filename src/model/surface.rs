@@ -1,8 +1,10 @@
 //! One validated NURBS surface.
 
 use super::knots;
-use crate::error::{Direction, Error, Result};
+use crate::axis::Axis;
+use crate::error::{Error, Result};
 use crate::limits::{MIN_WEIGHT, is_in_range, out_of_range};
+use crate::param_box::ParamBox;
 
 /// A surface as plain arrays, not yet validated.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,14 +37,8 @@ impl NurbsSurface {
     /// multiplicity), ragged net, coordinates that are not finite or more than
     /// 1e100 in size, weights outside 1e-100 to 1e100. O(size).
     pub fn new(index: usize, arrays: SurfaceArrays) -> Result<Self> {
-        for axis in 0..2 {
-            knots::validate(
-                index,
-                Direction::from(axis),
-                arrays.degree[axis],
-                arrays.counts[axis],
-                &arrays.knots[axis],
-            )?;
+        for axis in Axis::BOTH {
+            knots::validate(index, axis, arrays.degree[axis], arrays.counts[axis], &arrays.knots[axis])?;
         }
         // The knots' length already ties both counts to vectors in memory, so the product is small.
         let expected = arrays.counts[0] * arrays.counts[1];
@@ -71,10 +67,10 @@ impl NurbsSurface {
         self.arrays.degree
     }
 
-    /// The knot vector in u (`axis` 0) or v (every other value).
+    /// Returns the knot vector along `axis`.
     #[must_use]
-    pub fn knots(&self, axis: usize) -> &[f64] {
-        &self.arrays.knots[usize::from(axis != 0)]
+    pub fn knots(&self, axis: Axis) -> &[f64] {
+        &self.arrays.knots[axis]
     }
 
     /// Numbers of control points along u and v.
@@ -91,11 +87,13 @@ impl NurbsSurface {
 
     /// The parameter ranges `[[u0, u1], [v0, v1]]`, each of positive length.
     #[must_use]
-    pub fn domain(&self) -> [[f64; 2]; 2] {
-        [0, 1].map(|axis| {
-            let knots = &self.arrays.knots[axis];
-            [knots[self.arrays.degree[axis]], knots[self.arrays.counts[axis]]]
-        })
+    pub fn domain(&self) -> ParamBox {
+        Axis::BOTH
+            .map(|axis| {
+                let knots = self.knots(axis);
+                [knots[self.arrays.degree[axis]], knots[self.arrays.counts[axis]]]
+            })
+            .into()
     }
 
     /// The surface as plain arrays again.

@@ -4,13 +4,14 @@ use super::operations::{part, transformed};
 use super::{named, sphere};
 use crate::error::Result;
 use crate::model::{Model, RigidTransform};
+use crate::param_box::ParamBox;
 use glam::{DQuat, DVec3};
 
 /// What of A is taken, of its turn about the axis and along the profile.
-const OF_A: [[f64; 2]; 2] = [[0.25, 0.5], [0.25, 0.75]];
+const OF_A: ParamBox = ParamBox::new([0.25, 0.5], [0.25, 0.75]);
 
 /// What of B is taken: it contains A's nearest points with room to spare.
-const OF_B: [[f64; 2]; 2] = [[0.0, 0.75], [0.0, 1.0]];
+const OF_B: ParamBox = ParamBox::new([0.0, 0.75], [0.0, 1.0]);
 
 /// How A is turned against B: about this axis by so many radians.
 const AXIS: DVec3 = DVec3::new(1.0, 2.0, 3.0);

@@ -3,6 +3,7 @@
 use super::interpolation::interpolate;
 use super::operations::cut_surface;
 use super::{Naca4, PlaneCurve, named, net_surface, positive};
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -68,16 +69,16 @@ fn trailing_edge(skin: &NurbsSurface) -> Result<NurbsSurface> {
     let ribs = skin.counts()[1];
     let net = skin.control_points();
     let edges = [0, net.len() - ribs];
-    net_surface([1, 1], [skin.knots(1), &RULED], [ribs, 2], &|rib, edge| net[edges[edge] + rib])
+    net_surface([1, 1], [skin.knots(Axis::V), &RULED], [ribs, 2], &|rib, edge| net[edges[edge] + rib])
 }
 
 /// The flat cap of rib `rib`, ruled between the lower and the upper side.
 fn rib_cap(skin: &NurbsSurface, rib: usize, downward: bool) -> Result<NurbsSurface> {
-    let middle = 0.5 * (skin.domain()[0][0] + skin.domain()[0][1]);
-    let [lower, upper] = cut_surface(skin, 0, middle)?;
+    let middle = skin.domain().middle()[Axis::U];
+    let [lower, upper] = cut_surface(skin, Axis::U, middle)?;
     let [rows, columns] = upper.counts();
     // The knots are symmetric about the leading edge, so the upper side's serve both.
-    net_surface([upper.degree()[0], 1], [upper.knots(0), &RULED], [rows, 2], &|i, j| {
+    net_surface([upper.degree()[0], 1], [upper.knots(Axis::U), &RULED], [rows, 2], &|i, j| {
         let (side, row) = if (j == 0) == downward { (&upper, i) } else { (&lower, rows - 1 - i) };
         side.control_points()[row * columns + rib]
     })

@@ -1,38 +1,44 @@
-//! Spheres.
+//! Spheres among surfaces of revolution.
 
-use super::axis::Line;
-use crate::bezier::{Patch, lengths, relative};
+use super::axis::RotationAxis;
+use crate::bezier::{Patch, length_bounds, relative};
+use crate::rounding::upper_max;
 use glam::DVec3;
 
-/// A sphere that lies on a surface whole.
+/// A sphere all of whose points lie on a surface, up to `deviation`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sphere {
     pub(crate) center: DVec3,
     pub(crate) radius: f64,
-    /// At least how far its points are from the surface.
-    pub(crate) off: f64,
+    /// An upper bound on the distance of its points from the surface.
+    pub(crate) deviation: f64,
 }
 
 impl Sphere {
-    /// The sphere that a half circle of these patches, from `ends[0]` to
-    /// `ends[1]` on the axis, sweeps in a full turn: the half circle is
-    /// covered, as the profile is continuous up to `off`.
+    /// Returns the sphere that a half circle, the profile of these patches from
+    /// `ends[0]` to `ends[1]` on the axis, sweeps in a full turn.
+    ///
+    /// The profile covers the half circle, as it is continuous up to `deviation`.
     pub(super) fn swept<'a>(
-        axis: &Line,
+        axis: &RotationAxis,
         ends: [DVec3; 2],
         profile: impl Iterator<Item = Patch<'a>>,
-        mut off: f64,
+        mut deviation: f64,
     ) -> Self {
-        off += axis.way_to(ends[0]).length().max(axis.way_to(ends[1]).length());
-        let sphere = Self { center: ends[0].midpoint(ends[1]), radius: 0.5 * ends[0].distance(ends[1]), off };
-        Self { off: profile.fold(off, |apart, patch| apart.max(sphere.farthest(&patch))), ..sphere }
+        deviation += ends.map(|end| axis.radial(end).length()).into_iter().fold(0.0, upper_max);
+        let sphere =
+            Self { center: ends[0].midpoint(ends[1]), radius: 0.5 * ends[0].distance(ends[1]), deviation };
+        let deviation =
+            profile.fold(deviation, |largest, patch| upper_max(largest, sphere.distance_bound(&patch)));
+        Self { deviation, ..sphere }
     }
 
-    /// At least the distance of every point of the patch to the surface:
-    /// `| |a - c| - r |`, with `|a - c|` between the lengths that the controls
-    /// relative to the centre allow. O(p^2 q^2).
-    pub(crate) fn farthest(&self, patch: &Patch<'_>) -> f64 {
-        let [least, largest] = lengths(patch.degree, &relative(patch.controls, self.center - patch.center));
-        (largest - self.radius).max(self.radius - least) + self.off
+    /// Returns an upper bound on the distance from any point a of the patch to the
+    /// surface: the largest `| |a - c| - r |`, with bounds on `|a - c|` from the
+    /// controls relative to the centre c, and the deviation. O(p² q²).
+    pub(crate) fn distance_bound(&self, patch: &Patch<'_>) -> f64 {
+        let [least, largest] =
+            length_bounds(patch.degree, &relative(patch.controls, self.center - patch.center));
+        upper_max(largest - self.radius, self.radius - least) + self.deviation
     }
 }

@@ -1,10 +1,11 @@
-//! How often a closed polygon goes round the origin.
+//! The winding number of a closed polygon.
 
 use glam::DVec2;
 
-/// The winding number of the closed polygon with these corners, of which no
-/// side may pass through the origin: counts where sides cross the negative
-/// x axis. O(corners).
+/// Returns the winding number about the origin of the closed polygon with these
+/// corners; no side may pass through the origin.
+///
+/// It counts the crossings of the negative x axis with their signs. O(corners).
 pub(super) fn winding(corners: &[DVec2]) -> i32 {
     let mut turns = 0;
     for (index, from) in corners.iter().enumerate() {
@@ -27,7 +28,7 @@ mod tests {
     }
 
     #[test]
-    fn polygons_around_and_beside_the_origin() {
+    fn polygons_around_and_next_to_the_origin() {
         for corners in [3, 4, 5, 8, 9] {
             assert_eq!(winding(&regular(corners, 1.0, DVec2::ZERO)), 1);
             assert_eq!(winding(&regular(corners, -1.0, DVec2::ZERO)), -1);
@@ -35,7 +36,7 @@ mod tests {
             assert_eq!(winding(&regular(corners, 1.0, DVec2::new(-3.0, 0.0))), 0);
         }
         assert_eq!(winding(&regular(9, 2.0, DVec2::ZERO)), 2);
-        // Half a circle and back.
+        // Half a circle forth and back.
         let there = regular(8, 0.5, DVec2::ZERO);
         let back: Vec<_> = there.iter().chain(there.iter().rev()).copied().collect();
         assert_eq!(winding(&back), 0);

@@ -1,5 +1,6 @@
 //! How finely each knot span is divided.
 
+use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, PatchGrid};
 
 /// Triangles of a model, about and at most, unless it has more patches: what
@@ -85,7 +86,7 @@ fn parts_of(patch: &Patch<'_>, tolerance: f64, halvings: u32) -> [f64; 2] {
     if halvings == 0 || parts.iter().all(|&parts| parts <= ENOUGH) {
         return parts.map(f64::ceil);
     }
-    let axis = usize::from(parts[1] > parts[0]);
+    let axis = Axis::of_larger(parts);
     let mut of_halves = [0.0_f64; 2];
     for controls in patch.halves(axis) {
         let half = Patch { controls: &controls, ..*patch };

@@ -124,8 +124,8 @@ fn a_limit_is_decided_by_the_interval_of_iteration_too() {
     let sheet = shape_file("limit", "wavy-sheet");
     let moved = ["--translate", "0,0,0.5", "--method", "iteration", "--backend", "cpu"];
     for (limit, status) in [("0.499", 1), ("0.501", 3), ("2", 0)] {
-        let run = run(&[&["distance", &sheet, &sheet, "--max", limit], &moved[..]].concat());
-        assert_eq!(run.status, status, "--max {limit}: {}{}", run.stdout, run.stderr);
+        let run = run(&[&["distance", &sheet, &sheet, "--limit", limit], &moved[..]].concat());
+        assert_eq!(run.status, status, "--limit {limit}: {}{}", run.stdout, run.stderr);
     }
 }
 
@@ -133,7 +133,7 @@ fn a_limit_is_decided_by_the_interval_of_iteration_too() {
 fn a_budget_leaves_a_limit_undecided() {
     let sheet = shape_file("budget", "wavy-sheet");
     let other = shape_file("budget-b", "wavy-sheet-b");
-    let budget = ["--translate", "0,0,0.5", "--max", "2", "--max-cells", "1"];
+    let budget = ["--translate", "0,0,0.5", "--limit", "2", "--max-cells", "1"];
     let run = run(&[&["distance", &sheet, &other], &budget[..]].concat());
     assert_eq!(run.status, 3, "{}{}", run.stdout, run.stderr);
     for told in ["ended by the budget of cells", "converged  no"] {

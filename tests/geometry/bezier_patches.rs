@@ -7,7 +7,7 @@ use glam::{DVec3, DVec4};
 use nurbs_hausdorff::bezier::{BezierModel, Jet, Patch, extract};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::shapes::{list, shape};
-use nurbs_hausdorff::{Model, NurbsSurface, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, ParamBox, SurfaceArrays};
 
 /// Part of the diagonal by which points may differ; derivatives by the degree
 /// and by its square times that, as differentiating scales rounding.
@@ -42,11 +42,11 @@ impl Subject {
     fn patches(&self) -> impl Iterator<Item = Patch<'_>> {
         let stride = self.bezier.patches.len().div_ceil(PATCHES);
         self.bezier.patches.iter().enumerate().filter_map(move |(index, patch)| {
-            let range = |axis: usize| {
+            let range = |axis: Axis| {
                 let [start, end] = self.model.surfaces()[patch.surface].domain()[axis];
                 (patch.domain[axis][1] - patch.domain[axis][0]) / (end - start)
             };
-            let short = range(0).min(range(1)) < 1e-9;
+            let short = range(Axis::U).min(range(Axis::V)) < 1e-9;
             (index % stride == 0 || short).then_some(patch)
         })
     }
@@ -54,10 +54,10 @@ impl Subject {
     /// What the textbook says of the patch at `parameters`, by its own (s, t).
     fn expected(&self, patch: &Patch<'_>, parameters: [f64; 2]) -> Jet {
         let surface = &self.model.surfaces()[patch.surface];
-        let spans = [0, 1]
+        let spans = Axis::BOTH
             .map(|axis| surface.knots(axis).iter().rposition(|&knot| knot <= patch.domain[axis][0]).unwrap());
         let [u, v] = patch.surface_parameters(parameters);
-        let [h, k] = patch.domain.map(|[start, end]| end - start);
+        let [h, k] = patch.domain.lengths();
         let found = evaluate_on_span(surface, spans, u, v, patch.center.into());
         Jet {
             point: DVec3::from(found.point),
@@ -105,7 +105,7 @@ fn patches_tile_the_domain() {
         let mut index = 0;
         for (number, (surface, grid)) in model.surfaces().iter().zip(&bezier.grids).enumerate() {
             assert_eq!(grid.first, index, "{name}");
-            for axis in 0..2 {
+            for axis in Axis::BOTH {
                 let [start, end] = surface.domain()[axis];
                 let mut distinct = surface.knots(axis).to_vec();
                 distinct.retain(|&knot| (start..=end).contains(&knot));
@@ -116,7 +116,7 @@ fn patches_tile_the_domain() {
                 for v in grid.breaks[1].windows(2) {
                     let patch = bezier.patches.patch(index);
                     assert_eq!(patch.surface, number, "{name}");
-                    assert_eq!(patch.domain, [[u[0], u[1]], [v[0], v[1]]], "{name}");
+                    assert_eq!(patch.domain.intervals(), [[u[0], u[1]], [v[0], v[1]]], "{name}");
                     assert_eq!(patch.degree, surface.degree(), "{name}");
                     index += 1;
                 }
@@ -130,7 +130,7 @@ fn patches_tile_the_domain() {
 fn parameters_are_located_on_their_patch() {
     for Subject { name, model, bezier, .. } in subjects("parameters_are_located_on_their_patch") {
         for (surface, grid) in model.surfaces().iter().zip(&bezier.grids) {
-            for axis in 0..2 {
+            for axis in Axis::BOTH {
                 let [start, end] = surface.domain()[axis];
                 for step in 0..=40 {
                     let parameter = (start + f64::from(step) / 40.0 * (end - start)).min(end);
@@ -178,7 +178,7 @@ fn weights_are_positive_and_differ_only_on_rational_patches() {
 fn halves_and_restrictions_keep_the_points() {
     for subject in subjects("halves_and_restrictions_keep_the_points") {
         for patch in subject.patches() {
-            for axis in 0..2 {
+            for axis in Axis::BOTH {
                 for (half, controls) in patch.halves(axis).iter().enumerate() {
                     let piece = Patch { controls, ..patch };
                     for at in grid() {
@@ -208,7 +208,7 @@ fn flat_pieces_tile_the_patches_and_keep_the_points() {
             let flat = flatten(&subject.bezier.patches, flatness);
             assert!(flat.len() >= subject.bezier.patches.len(), "{}", subject.name);
             let area = |patch: Patch<'_>| {
-                let [[u0, u1], [v0, v1]] = patch.domain;
+                let [[u0, u1], [v0, v1]] = patch.domain.intervals();
                 (u1 - u0) * (v1 - v0)
             };
             let (whole, pieces): (f64, f64) =
@@ -230,7 +230,7 @@ impl Subject {
     fn original(&self, piece: &Patch<'_>) -> Patch<'_> {
         let grid = &self.bezier.grids[piece.surface];
         let [i, j] =
-            [0, 1].map(|axis| grid.locate(axis, 0.5 * (piece.domain[axis][0] + piece.domain[axis][1])).0);
+            Axis::BOTH.map(|axis| grid.locate(axis, 0.5 * (piece.domain[axis][0] + piece.domain[axis][1])).0);
         self.bezier.patches.patch(grid.first + i * grid.counts()[1] + j)
     }
 
@@ -301,7 +301,7 @@ fn derivative_bounds_of_a_polynomial_are_its_largest_derivatives() {
     let patch = Patch {
         surface: 0,
         degree: [3, 3],
-        domain: [[0.0, 1.0]; 2],
+        domain: ParamBox::UNIT,
         center: DVec3::ZERO,
         controls: &controls,
         rational: false,

@@ -30,15 +30,15 @@ fn contains(outer: &Aabb, inner: &Aabb) -> bool {
 fn check(tree: &Bvh, boxes: &[Aabb], index: usize) -> (Vec<u32>, usize, u32) {
     let node = tree.nodes()[index];
     let (members, end, depth) = if node.is_leaf() {
-        (vec![tree.item(&node)], index + 1, 0)
+        (vec![tree.primitive(&node)], index + 1, 0)
     } else {
         let (mut members, second, low) = check(tree, boxes, index + 1);
-        assert_eq!(node.second as usize, second, "the second child follows the first's nodes");
+        assert_eq!(node.right_child as usize, second, "the second child follows the first's nodes");
         let (more, end, high) = check(tree, boxes, second);
         members.extend(more);
         (members, end, low.max(high) + 1)
     };
-    assert_eq!(members[0], tree.item(&node));
+    assert_eq!(members[0], tree.primitive(&node));
     let union = members.iter().fold(Aabb::EMPTY, |union, &member| union.union(boxes[member as usize]));
     assert_eq!(node.aabb, union);
     assert!(members.iter().all(|&member| contains(&node.aabb, &boxes[member as usize])));
@@ -92,7 +92,7 @@ proptest! {
     ) {
         let tree = Bvh::new(&boxes);
         let mut found: Vec<u32> =
-            tree.leaves_within(point, reach * reach).iter().map(|leaf| tree.item(leaf)).collect();
+            tree.leaves_within(point, reach * reach).iter().map(|leaf| tree.primitive(leaf)).collect();
         found.sort_unstable();
         let is_within = |index: &u32| boxes[*index as usize].min_distance_squared(point) <= reach * reach;
         prop_assert_eq!(found, (0..boxes.len() as u32).filter(is_within).collect::<Vec<_>>());

@@ -162,7 +162,7 @@ proptest! {
                 CriticalPoint { parameters, distance_squared: residual.length_squared(), gradient }
             };
             let foot = newton(&patch, point, about, 32).parameters;
-            let least = [about, foot].iter().fold(form.least(), |least, &at| least.max(form.least_about(&known(at))));
+            let least = [about, foot].iter().fold(form.lower_bound(), |least, &at| least.max(form.lower_bound_about(&known(at))));
             for index in 0..15 * 15 {
                 let at = [index / 15, index % 15].map(|index| f64::from(index) / 14.0);
                 let [u, v] = patch.surface_parameters(at);

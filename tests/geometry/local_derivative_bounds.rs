@@ -2,8 +2,9 @@
 //! hold for the patches that these were cut from.
 
 use crate::support::models;
+use nurbs_hausdorff::ParamBox;
 use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract};
-use nurbs_hausdorff::flatness::{Flatness, flatten, rooms};
+use nurbs_hausdorff::flatness::{Flatness, extensions, flatten};
 use nurbs_hausdorff::shapes::{list, shape};
 
 /// Part of the diagonal by which points may differ, times the degree for every
@@ -18,7 +19,7 @@ const BOXES: usize = 24;
 struct Piece<'a> {
     piece: Patch<'a>,
     patch: Patch<'a>,
-    room: [[f64; 2]; 2],
+    extension: ParamBox,
     name: &'a str,
     diagonal: f64,
 }
@@ -28,12 +29,12 @@ fn for_each_piece(test: &str, mut look: impl FnMut(&Piece<'_>)) {
     for (name, model) in shapes.chain(models::all(test)) {
         let patches = extract(&model).patches;
         let flat = flatten(&patches, Flatness::Loose);
-        let rooms = rooms(&patches, &flat);
+        let extensions = extensions(&patches, &flat);
         let diagonal = model.bounding_box().diagonal();
         for index in (0..flat.len()).step_by(flat.len().div_ceil(PIECES)) {
             let piece = flat.patch(index);
             let patch = original(&patches, &piece);
-            look(&Piece { piece, patch, room: rooms[index], name: &name, diagonal });
+            look(&Piece { piece, patch, extension: extensions[index], name: &name, diagonal });
         }
     }
 }
@@ -121,10 +122,10 @@ impl Piece<'_> {
 fn bounds_over_parts_hold() {
     let random = &mut fastrand::Rng::with_seed(5);
     for_each_piece("bounds_over_parts_hold", |piece| {
-        let bounds = LocalDerivativeBounds::new(piece.room);
+        let bounds = LocalDerivativeBounds::new(piece.extension);
         for _ in 0..BOXES {
             // Of all sizes, often at an edge, where there may be a pole.
-            let [s, t] = piece.room.map(|[low, high]| {
+            let [s, t] = piece.extension.intervals().map(|[low, high]| {
                 let width = 0.5_f64.powi(random.i32(1..15)).min(high - low);
                 let start = match random.u8(0..4) {
                     0 => low,
@@ -145,7 +146,7 @@ fn bounds_over_parts_hold() {
 fn bounds_shrink_towards_a_pole() {
     let patches = extract(&shape("sphere").unwrap()).patches;
     let patch = patches.patch(0);
-    let bounds = LocalDerivativeBounds::new([[0.0, 1.0]; 2]);
+    let bounds = LocalDerivativeBounds::new(ParamBox::UNIT);
     let columns = patch.degree[1] + 1;
     let points: Vec<_> = patch.local_points().collect();
     // Which axis runs along the pole, and at which end it is.
@@ -177,7 +178,7 @@ fn controls_followed_beyond_a_cut_tell_the_patch() {
     let mut followed = 0;
     for_each_piece("controls_followed_beyond_a_cut_tell_the_patch", |piece| {
         for axis in 0..2 {
-            for (start, end) in [(piece.room[axis][0], 0.0), (1.0, piece.room[axis][1])] {
+            for (start, end) in [(piece.extension[axis][0], 0.0), (1.0, piece.extension[axis][1])] {
                 if start == end {
                     continue;
                 }

@@ -2,7 +2,7 @@
 //! a text that says where, what was found and what was expected.
 
 use crate::support::models;
-use nurbs_hausdorff::{Error, Model, NurbsSurface, SurfaceArrays};
+use nurbs_hausdorff::{Error, Model, NurbsSurface, ParamBox, SurfaceArrays};
 
 /// A valid surface of degree 2 x 1 with 4 x 3 control points.
 fn valid() -> SurfaceArrays {
@@ -59,7 +59,7 @@ fn the_example_is_valid() {
     let model = Model::from_json(&json(&[valid(), valid()])).unwrap();
     assert_eq!(model.surfaces().len(), 2);
     assert_eq!(model.surfaces()[1].clone().into_arrays(), valid());
-    assert_eq!(model.surfaces()[0].domain(), [[0.0, 1.0], [0.0, 1.0]]);
+    assert_eq!(model.surfaces()[0].domain(), ParamBox::UNIT);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::support::models;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::operations::{cut_model, cut_surface, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{list, shape};
-use nurbs_hausdorff::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, RigidTransform, SurfaceArrays};
 
 /// Part of the diagonal by which points may differ.
 const TOLERANCE: f64 = 1e-12;
@@ -54,7 +54,7 @@ fn assert_same(name: &str, whole: &NurbsSurface, part: &NurbsSurface, diagonal: 
 /// Fractions of a domain that are no round parameters.
 const FRACTIONS: [f64; 3] = [0.137, 0.5, 0.861];
 
-fn at(surface: &NurbsSurface, axis: usize, fraction: f64) -> f64 {
+fn at(surface: &NurbsSurface, axis: Axis, fraction: f64) -> f64 {
     let [start, end] = surface.domain()[axis];
     (1.0 - fraction) * start + fraction * end
 }
@@ -65,7 +65,7 @@ fn inserted_knots_keep_the_surface() {
         let diagonal = model.bounding_box().diagonal();
         for surface in model.surfaces().iter().take(SURFACES) {
             let mut refined = surface.clone();
-            for axis in 0..2 {
+            for axis in Axis::BOTH {
                 for fraction in FRACTIONS {
                     let knot = at(surface, axis, fraction);
                     if !surface.knots(axis).contains(&knot) {
@@ -84,7 +84,7 @@ fn elevated_degrees_keep_the_surface() {
         let diagonal = model.bounding_box().diagonal();
         for surface in model.surfaces().iter().take(SURFACES) {
             let mut elevated = surface.clone();
-            for axis in [0, 1, 1] {
+            for axis in [Axis::U, Axis::V, Axis::V] {
                 elevated = elevate_degree(&elevated, axis).unwrap();
             }
             let [p, q] = surface.degree();
@@ -100,7 +100,7 @@ fn cut_surfaces_keep_their_points() {
     for (name, model) in shapes_and_models("cut_surfaces_keep_their_points") {
         let diagonal = model.bounding_box().diagonal();
         for surface in model.surfaces().iter().take(SURFACES) {
-            for axis in 0..2 {
+            for axis in Axis::BOTH {
                 for fraction in FRACTIONS {
                     let parameter = at(surface, axis, fraction);
                     let pieces = cut_surface(surface, axis, parameter).unwrap();
@@ -125,7 +125,7 @@ fn cutting_at_a_full_knot_takes_the_sides_apart() {
         counts: [4, 2],
         control_points: (0..8).map(|k| [f64::from(k / 2), f64::from(k % 2), 0.0, 1.0]).collect(),
     };
-    let pieces = cut_surface(&NurbsSurface::new(0, arrays).unwrap(), 0, 1.0).unwrap();
+    let pieces = cut_surface(&NurbsSurface::new(0, arrays).unwrap(), Axis::U, 1.0).unwrap();
     assert_eq!(point(&pieces[0], 1.0, 0.0), [1.0, 0.0, 0.0]);
     assert_eq!(point(&pieces[1], 1.0, 0.0), [2.0, 0.0, 0.0]);
 }
@@ -137,7 +137,7 @@ fn cut_models_have_all_pieces() {
     assert_eq!(cut.surfaces().len(), 3 * 3 * 2);
     assert_eq!(cut.name(), model.name());
     let area = |surface: &NurbsSurface| {
-        let [[u0, u1], [v0, v1]] = surface.domain();
+        let [[u0, u1], [v0, v1]] = surface.domain().intervals();
         (u1 - u0) * (v1 - v0)
     };
     for (whole, pieces) in model.surfaces().iter().zip(cut.surfaces().chunks(6)) {
@@ -151,7 +151,7 @@ fn cut_models_have_all_pieces() {
 #[test]
 fn equal_weights_stay_equal() {
     let sheet = shape("wavy-sheet").unwrap().surfaces()[0].clone();
-    let refined = insert_knot(&elevate_degree(&sheet, 0).unwrap(), 1, 0.123, 3).unwrap();
+    let refined = insert_knot(&elevate_degree(&sheet, Axis::U).unwrap(), Axis::V, 0.123, 3).unwrap();
     assert!(refined.control_points().iter().all(|point| point[3] == 1.0));
 }
 
@@ -170,7 +170,7 @@ fn transformed_models_are_moved() {
 #[test]
 fn elevated_surfaces_have_the_same_derivatives() {
     let surface = unclamped();
-    let elevated = elevate_degree(&elevate_degree(&surface, 0).unwrap(), 1).unwrap();
+    let elevated = elevate_degree(&elevate_degree(&surface, Axis::U).unwrap(), Axis::V).unwrap();
     for [u, v] in parameters(&surface, 8) {
         let [a, b] = [&surface, &elevated].map(|surface| evaluate(surface, u, v, [0.0; 3]));
         for (a, b) in [(a.u, b.u), (a.v, b.v), (a.uu, b.uu), (a.uv, b.uv), (a.vv, b.vv)] {
@@ -183,21 +183,21 @@ fn elevated_surfaces_have_the_same_derivatives() {
 fn operations_refuse_what_is_out_of_range() {
     let surface = unclamped();
     for (knot, times) in [(0.24, 1), (3.1, 1), (f64::NAN, 1), (0.5, 4), (1.0, 2)] {
-        assert_eq!(insert_knot(&surface, 0, knot, times).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+        assert_eq!(insert_knot(&surface, Axis::U, knot, times).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
     for parameter in [0.25, 3.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(cut_surface(&surface, 0, parameter).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+        assert_eq!(cut_surface(&surface, Axis::U, parameter).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
     let mut highest = surface;
     while highest.degree()[0] < 15 {
-        highest = elevate_degree(&highest, 0).unwrap();
+        highest = elevate_degree(&highest, Axis::U).unwrap();
     }
     assert_same("degree 15", &unclamped(), &highest, 10.0);
-    assert_eq!(elevate_degree(&highest, 0).unwrap_err().code(), "DEGREE_OUT_OF_RANGE");
+    assert_eq!(elevate_degree(&highest, Axis::U).unwrap_err().code(), "DEGREE_OUT_OF_RANGE");
 }
 
 #[test]
 fn inserting_nothing_changes_nothing() {
     let surface = unclamped();
-    assert_eq!(insert_knot(&surface, 1, 0.5, 0).unwrap(), surface);
+    assert_eq!(insert_knot(&surface, Axis::V, 0.5, 0).unwrap(), surface);
 }

@@ -1,10 +1,10 @@
 //! Method `certified` with its cells on the GPU, against truths and float64.
 
 use crate::support::gpu::{engine, measure};
-use nurbs_hausdorff::engine::{Backend, Options, Stop};
+use nurbs_hausdorff::engine::{Backend, Options, Processor, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{Axis, Model, RigidTransform};
 
 /// Rounding of the truths below, of size 0 to 1.
 const ROUNDING: f64 = 1e-12;
@@ -15,7 +15,7 @@ fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: 
     for backend in [Backend::Cpu, Backend::Gpu] {
         let options = Options { tolerance, transform, backend, ..Options::default() };
         let result = measure(&engine, a, b, &options);
-        let details = result.certified.unwrap();
+        let details = result.certified().unwrap();
         println!(
             "{name}, {backend:?}: [{:.9}, {:.9}], {} cells, {} of them on the CPU, {} levels, {:.3} s",
             result.lower,
@@ -32,7 +32,7 @@ fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: 
             Backend::Gpu => assert!(2 * details.cpu_cells < details.cells, "{name}"),
             _ => assert_eq!(details.cpu_cells, details.cells, "{name}"),
         }
-        assert_eq!(result.backend, if backend == Backend::Gpu { "gpu" } else { "cpu" });
+        assert_eq!(result.backend, if backend == Backend::Gpu { Processor::Gpu } else { Processor::Cpu });
         assert_eq!(result.adapter.is_some(), backend == Backend::Gpu);
     }
 }
@@ -52,14 +52,17 @@ fn a_copy_by_other_parameters() {
 #[test]
 fn degrees_of_several_kinds() {
     // An exact offset, in pieces of several degrees on either side.
-    let raised = |part: &Model, by: &[usize]| {
+    let raised = |part: &Model, by: &[Axis]| {
         let pieces = cut_model(part, [&[0.37], &[0.61]]).unwrap();
         let surfaces = pieces.surfaces().iter().zip(by);
         let surfaces = surfaces.map(|(surface, &by)| elevate_degree(surface, by).unwrap_or(surface.clone()));
         Model::new(None, surfaces.collect()).unwrap()
     };
     let [a, b] = sphere_parts([1.0, 1.05]).unwrap();
-    let (a, b) = (raised(&a, &[0, 1, 2, 0]), raised(&b, &[1, 0, 0, 2]));
+    let (a, b) = (
+        raised(&a, &[Axis::U, Axis::V, Axis::V, Axis::U]),
+        raised(&b, &[Axis::V, Axis::U, Axis::U, Axis::V]),
+    );
     both("of several degrees", &a, &b, RigidTransform::IDENTITY, 1e-6, 0.05);
 }
 
@@ -71,7 +74,7 @@ fn float64_does_what_float32_is_too_coarse_for() {
     let options =
         Options { tolerance: 3e-8, max_cells: Some(40_000), backend: Backend::Gpu, ..Options::default() };
     let result = measure(&engine, &one, &larger, &options);
-    let details = result.certified.unwrap();
+    let details = result.certified().unwrap();
     assert_eq!((details.cells, details.stop), (details.cpu_cells, Stop::Cells));
     assert!(result.lower <= 0.5 && 0.5 <= result.upper);
 }

@@ -9,7 +9,7 @@ use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::{shape, sphere};
-use nurbs_hausdorff::{Model, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, SurfaceArrays};
 
 /// What the backends may differ by, relative to the diagonal: some tens of
 /// roundings of float32.
@@ -30,7 +30,7 @@ fn on(engine: &Engine, backend: Backend, a: &Model, b: &Model, options: &Options
 fn mapped(model: &Model, map: impl Fn([f64; 4]) -> [f64; 4]) -> Model {
     let arrays = model.surfaces().iter().map(|surface| SurfaceArrays {
         degree: surface.degree(),
-        knots: [0, 1].map(|axis| surface.knots(axis).to_vec()),
+        knots: Axis::BOTH.map(|axis| surface.knots(axis).to_vec()),
         counts: surface.counts(),
         control_points: surface.control_points().iter().map(|&point| map(point)).collect(),
     });
@@ -51,7 +51,7 @@ fn assert_distance(result: &DistanceResult, truth: f64, name: &str) {
         lower <= truth + rounding && truth - rounding <= upper,
         "{name}: {truth} not in [{lower}, {upper}]"
     );
-    let radius = result.iteration.unwrap().bounds.k_a_rigorous;
+    let radius = result.iteration().unwrap().bounds.k_a_rigorous;
     assert!(upper - lower <= radius + FLOAT32 * result.diagonal, "{name}: [{lower}, {upper}]");
     assert!(converged, "{name}");
 }
@@ -127,7 +127,7 @@ fn degree_15_is_measured() {
     let elevated = |radius: f64| {
         let ball = sphere(DVec3::ZERO, radius).unwrap();
         let mut surface = ball.surfaces()[0].clone();
-        for axis in [0, 1] {
+        for axis in Axis::BOTH {
             while surface.degree()[axis] < 15 {
                 surface = elevate_degree(&surface, axis).unwrap();
             }

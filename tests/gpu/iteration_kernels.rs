@@ -3,7 +3,7 @@
 use crate::support::gpu::{engine, measure};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
 use nurbs_hausdorff::progress::NoMonitor;
@@ -74,7 +74,7 @@ fn distances(result: &DistanceResult) -> Vec<f64> {
 fn both(engine: &Engine, a: &Model, b: &Model, options: &Options) -> (DistanceResult, DistanceResult, f64) {
     let gpu = measure(engine, a, b, &on(Backend::Gpu, options));
     let cpu = measure(engine, a, b, &on(Backend::Cpu, options));
-    assert_eq!((gpu.backend, cpu.backend), ("gpu", "cpu"));
+    assert_eq!((gpu.backend, cpu.backend), (Processor::Gpu, Processor::Cpu));
     let pairs = distances(&gpu).into_iter().zip(distances(&cpu));
     let difference = pairs.map(|(gpu, cpu)| (gpu - cpu).abs()).fold(0.0, f64::max);
     let relative = difference / cpu.diagonal;
@@ -99,7 +99,7 @@ fn kernels_find_the_distances_that_float64_finds() {
         assert!(difference < FLOAT32, "seed {seed}: {difference}");
         assert!((gpu.computed - cpu.computed).abs() <= FLOAT32 * cpu.diagonal);
         for result in [&gpu, &cpu] {
-            let details = result.iteration.unwrap();
+            let details = result.iteration().unwrap();
             let statuses = details.statuses;
             assert_eq!(statuses.converged + statuses.iteration_limit + statuses.on_edge, details.samples);
             assert!(statuses.iteration_limit * 50 < details.samples, "{statuses:?}");
@@ -179,7 +179,7 @@ fn many_pages_and_blocks_are_reduced_to_the_farthest() {
     let ground: Vec<SurfaceArrays> = (0..5).map(|index| flat(f64::from(index), 0.0)).collect();
     let options = Options { samples: 300, field: false, ..iteration() };
     let result = measure(&engine, &model(squares), &model(ground), &on(Backend::Gpu, &options));
-    assert!(result.iteration.unwrap().samples > PAGE_SAMPLES);
+    assert!(result.iteration().unwrap().samples > PAGE_SAMPLES);
     assert_eq!(result.computed, 1.5);
     assert_eq!((result.witness.a.surface, result.witness.a.u, result.witness.a.v), (4, 1.0, 1.0));
 }

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-12;
 
 fn measured(a: &Model, b: &Model, options: &Options) -> (DistanceResult, usize) {
     let result = measure(a, b, options);
-    let cells = result.certified.unwrap().cells;
+    let cells = result.certified().unwrap().cells;
     (result, cells)
 }
 

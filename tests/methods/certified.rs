@@ -8,7 +8,7 @@ use nurbs_hausdorff::engine::{
 use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
-use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
 const ROUNDING: f64 = 1e-12;
@@ -20,7 +20,7 @@ fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -
 }
 
 fn details(result: &DistanceResult) -> CertifiedDetails {
-    result.certified.unwrap()
+    result.certified().unwrap()
 }
 
 /// Converges, is as narrow as asked, and contains the truth.
@@ -88,9 +88,9 @@ fn other_seams_and_poles() {
 #[test]
 fn copies() {
     let sheet = shape("wavy-sheet").unwrap();
-    let [[start, end], _] = sheet.surfaces()[0].domain();
-    let refined = insert_knot(&sheet.surfaces()[0], 0, start + 0.63 * (end - start), 1).unwrap();
-    let elevated = Model::new(None, vec![elevate_degree(&refined, 1).unwrap()]).unwrap();
+    let [[start, end], _] = sheet.surfaces()[0].domain().intervals();
+    let refined = insert_knot(&sheet.surfaces()[0], Axis::U, start + 0.63 * (end - start), 1).unwrap();
+    let elevated = Model::new(None, vec![elevate_degree(&refined, Axis::V).unwrap()]).unwrap();
     let cut = cut_model(&sheet, [&[0.21, 0.77], &[0.43]]).unwrap();
     let identity = RigidTransform::IDENTITY;
     contains("a sheet", &sheet, &sheet, identity, 1e-6, 0.0);

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DistanceResult, Options};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, RigidTransform, SurfaceArrays};
 
 /// Cells that are few: halving down to cells of the tolerance takes some
 /// hundred thousand.
@@ -22,7 +22,7 @@ fn compared(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> 
 fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {
     for tolerance in [1e-6, 1e-10] {
         let result = compared(a, b, transform, tolerance);
-        let cells = result.certified.unwrap().cells;
+        let cells = result.certified().unwrap().cells;
         println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         assert!(result.converged && result.lower == 0.0, "{name}: {result:?}");
         assert!(result.upper <= (tolerance + ROUNDING) * result.diagonal, "{name}: {}", result.upper);
@@ -31,7 +31,7 @@ fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {
 }
 
 /// With the axes taken in the order `axes`, each backwards or not.
-fn by_other_parameters(surface: &NurbsSurface, axes: [usize; 2], backwards: [bool; 2]) -> Model {
+fn by_other_parameters(surface: &NurbsSurface, axes: [Axis; 2], backwards: [bool; 2]) -> Model {
     let counts = axes.map(|axis| surface.counts()[axis]);
     let knots = [0, 1].map(|axis| {
         let knots = surface.knots(axes[axis]);
@@ -43,7 +43,7 @@ fn by_other_parameters(surface: &NurbsSurface, axes: [usize; 2], backwards: [boo
         for column in 0..counts[1] {
             let place = [row, column];
             let turned = [0, 1].map(|k| if backwards[k] { counts[k] - 1 - place[k] } else { place[k] });
-            let [i, j] = if axes == [0, 1] { turned } else { [turned[1], turned[0]] };
+            let [i, j] = if axes == Axis::BOTH { turned } else { [turned[1], turned[0]] };
             control_points.push(surface.control_points()[i * surface.counts()[1] + j]);
         }
     }
@@ -58,16 +58,16 @@ fn copies_by_other_parameters_and_degrees() {
         let surface = &model.surfaces()[0];
         is_a_copy(name, &model, &model, RigidTransform::IDENTITY);
         for (axes, backwards) in [
-            ([0, 1], [true, false]),
-            ([0, 1], [true, true]),
-            ([1, 0], [false, false]),
-            ([1, 0], [false, true]),
+            (Axis::BOTH, [true, false]),
+            (Axis::BOTH, [true, true]),
+            ([Axis::V, Axis::U], [false, false]),
+            ([Axis::V, Axis::U], [false, true]),
         ] {
             let other = by_other_parameters(surface, axes, backwards);
             let name = format!("{name} {axes:?} {backwards:?}");
             is_a_copy(&name, &other, &model, RigidTransform::IDENTITY);
         }
-        let elevated = Model::new(None, vec![elevate_degree(surface, 1).unwrap()]).unwrap();
+        let elevated = Model::new(None, vec![elevate_degree(surface, Axis::V).unwrap()]).unwrap();
         is_a_copy(&format!("{name} elevated"), &elevated, &model, RigidTransform::IDENTITY);
         is_a_copy(&format!("{name} to its elevated"), &model, &elevated, RigidTransform::IDENTITY);
     }
@@ -91,7 +91,7 @@ fn a_moved_copy_takes_few_cells() {
         for way in [DVec3::new(0.0, 0.0, 0.3), DVec3::new(1e-3, 0.0, 2e-3), DVec3::new(0.0, 1e-7, 0.0)] {
             let transform = RigidTransform::translation(way).unwrap();
             let result = compared(&model, &model, transform, 1e-6);
-            let cells = result.certified.unwrap().cells;
+            let cells = result.certified().unwrap().cells;
             println!("{name} moved by {way}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
             assert!(result.converged && result.lower <= way.length() + ROUNDING);
             assert!(result.upper <= way.length() + 1e-6 * result.diagonal);
@@ -114,7 +114,7 @@ fn an_edited_copy_takes_few_cells() {
     let edited = Model::from_arrays(None, vec![arrays]).unwrap();
     for (a, b) in [(&model, &edited), (&edited, &model)] {
         let result = compared(a, b, RigidTransform::IDENTITY, 1e-6);
-        let cells = result.certified.unwrap().cells;
+        let cells = result.certified().unwrap().cells;
         println!("an edited sheet: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
         // A bump is lower than its control point is raised.
         assert!(result.converged && result.lower > 0.0 && result.lower < 0.1 && cells < FEW, "{cells}");

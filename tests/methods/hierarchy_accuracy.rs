@@ -3,9 +3,7 @@
 use crate::support::fixtures::{model, square, translation, turned};
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{
-    Backend, DistanceResult, Engine, HierarchyDetails, Method, Options, PreparedModel,
-};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
 use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::transformed;
 use nurbs_hausdorff::shapes::{figure5_cylinder, figure5_plane, shape, sphere};
@@ -42,7 +40,7 @@ fn parallel_planes_are_their_heights_apart() {
         let most = (9.0 + 2.0 * (2.0_f64 / 64.0).powi(2)).sqrt();
         assert!(result.upper <= most + 1e-4, "{}", result.upper);
         assert!(result.lower >= 3.0 - 1e-4, "{}", result.lower);
-        assert_eq!(result.hierarchy.unwrap().levels, 7);
+        assert_eq!(result.hierarchy().unwrap().levels, 7);
     }
 }
 
@@ -54,6 +52,7 @@ fn spheres_are_known() {
     let options = Options { transform: translation(0.0, 0.3, 0.75), symmetric: true, ..hierarchy() };
     let moved = 0.75_f64.hypot(0.3);
     for result in on_both("a_moved_sphere", &a, &a, &options, moved) {
+        let both: Vec<u64> = result.hierarchy().unwrap().pairs.clone();
         let (forward, reverse) = (result.forward.unwrap(), result.reverse.unwrap());
         assert_eq!(result.lower, forward.lower.max(reverse.lower));
         assert_eq!(result.upper, forward.upper.max(reverse.upper));
@@ -61,9 +60,8 @@ fn spheres_are_known() {
         let [on_a, on_b] = [&reverse.witness.a, &reverse.witness.b].map(|end| DVec3::from_array(end.point));
         assert!(((on_a - DVec3::new(0.0, 0.3, 0.75)).length() - 1.0).abs() < ROUNDING);
         assert!((on_b.length() - 1.0).abs() < ROUNDING);
-        let both: HierarchyDetails = result.hierarchy.unwrap();
-        let pairs = [forward, reverse].map(|directed| directed.hierarchy.unwrap().pairs);
-        assert_eq!(both.pairs[6], pairs[0][6] + pairs[1][6]);
+        let pairs = [forward, reverse].map(|directed| directed.hierarchy().unwrap().pairs[6]);
+        assert_eq!(both[6], pairs[0] + pairs[1]);
     }
 }
 
@@ -153,12 +151,12 @@ fn both_backends_descend_alike() {
             let options = Options { transform: turned(), grid, ..hierarchy() };
             let on = |backend| measure(&engine, &a, &b, &Options { backend, ..options.clone() });
             let (gpu, cpu) = (on(Backend::Gpu), on(Backend::Cpu));
-            assert_eq!((gpu.backend, cpu.backend), ("gpu", "cpu"));
+            assert_eq!((gpu.backend, cpu.backend), (Processor::Gpu, Processor::Cpu));
             // Boxes of the GPU contain those of the CPU, and not much more.
             let room = 2e-4 * cpu.diagonal;
             assert!(gpu.lower <= cpu.lower && cpu.lower - gpu.lower < room, "{} {}", gpu.lower, cpu.lower);
             assert!(gpu.upper >= cpu.upper && gpu.upper - cpu.upper < room, "{} {}", gpu.upper, cpu.upper);
-            let (gpu, cpu) = (gpu.hierarchy.unwrap(), cpu.hierarchy.unwrap());
+            let (gpu, cpu) = (gpu.hierarchy().unwrap(), cpu.hierarchy().unwrap());
             assert_eq!((gpu.grid, gpu.levels), (cpu.grid, cpu.levels));
             for (gpu, cpu) in gpu.pairs.iter().zip(&cpu.pairs) {
                 assert!(gpu.abs_diff(*cpu) <= 2 + cpu / 20, "{gpu} {cpu}");
@@ -210,7 +208,7 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
         assert_eq!((expected, mebibytes), ((1 << 20) / 16, 1));
         assert!(found > expected && text.contains(&format!("wants {found} pairs")), "{text}");
         // With room for it the level has as many pairs as were wanted.
-        let pairs = run(256).unwrap().hierarchy.unwrap().pairs;
+        let pairs = run(256).unwrap().hierarchy().unwrap().pairs.clone();
         assert_eq!(pairs[level], found);
         assert!(pairs[..level].iter().all(|&pairs| pairs <= expected));
         found

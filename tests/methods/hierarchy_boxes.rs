@@ -6,7 +6,8 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
 use nurbs_hausdorff::bvh::Aabb;
 use nurbs_hausdorff::hierarchy::{
-    Cell, Children, Distances, GridTree, MAX_CHILDREN, Pairs, Part, Traversal, boxes, extremes, pyramid,
+    CellPart, ChildRange, DistanceBounds, GridCell, GridTree, MAX_CHILDREN, Pairs, Traversal, boxes,
+    extremes, pyramid,
 };
 use nurbs_hausdorff::shapes::{WavySheet, shape, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -36,7 +37,7 @@ fn many_spans() -> Model {
 }
 
 fn boxes_of(bezier: &BezierModel, tree: &GridTree, transform: &RigidTransform) -> Vec<Vec<Aabb>> {
-    let of_part = |part: &Part| boxes(&bezier.patches.patch(part.patch), part, transform, 0.0);
+    let of_part = |part: &CellPart| boxes(&bezier.patches.patch(part.patch), part, transform, 0.0);
     pyramid(&tree.levels, tree.parts.iter().map(of_part).collect())
 }
 
@@ -62,7 +63,7 @@ fn boxes_of_cells_contain_their_points() {
             let boxes = boxes_of(&bezier, &tree, &transform);
             for (cell, aabb) in tree.cells.iter().zip(&boxes[tree.finest]) {
                 let surface = &model.surfaces()[cell.surface as usize];
-                let [u, v] = surface.domain();
+                let [u, v] = surface.domain().intervals();
                 let (u, v) = (ends(u, cell.row, grid), ends(v, cell.column, grid));
                 for step in 0..49 {
                     let at = |[start, end]: [f64; 2], k: usize| start + (end - start) * k as f64 / 6.0;
@@ -104,12 +105,12 @@ fn every_cell_of_every_surface_is_a_leaf_once() {
     for grid in [2, 3, 5, 8, 13] {
         let tree = GridTree::new(&extract(&tiles), grid).unwrap();
         let mut found: Vec<(u32, u32, u32)> =
-            tree.cells.iter().map(|&Cell { surface, row, column }| (surface, row, column)).collect();
+            tree.cells.iter().map(|&GridCell { surface, row, column }| (surface, row, column)).collect();
         found.sort_unstable();
         let side = grid as u32;
         let all = (0..9).flat_map(|s| (0..side).flat_map(move |i| (0..side).map(move |j| (s, i, j))));
         assert_eq!(found, all.collect::<Vec<_>>());
-        // Children follow one another without gap or overlap.
+        // ChildRange follow one another without gap or overlap.
         for (level, nodes) in tree.levels.iter().enumerate() {
             let mut next = 0;
             for children in nodes {
@@ -130,13 +131,13 @@ fn cells_of_many_spans_get_levels_in_between() {
     assert_eq!(tree.parts.len(), 40 * 38);
     assert_eq!((tree.cells.len(), tree.finest), (4, 1));
     assert_eq!(tree.levels.len(), 3);
-    let most = |level: &Vec<Children>| level.iter().map(|node| node.count).max();
+    let most = |level: &Vec<ChildRange>| level.iter().map(|node| node.count).max();
     assert!(tree.levels.iter().all(|level| most(level).unwrap() as usize <= MAX_CHILDREN));
 }
 
 /// Descends on the CPU without a budget.
-fn descend(mut traversal: Traversal<'_>) -> Distances {
-    let mut found = Distances::UNKNOWN;
+fn descend(mut traversal: Traversal<'_>) -> DistanceBounds {
+    let mut found = DistanceBounds::UNKNOWN;
     while traversal.level < traversal.finest() {
         let bounds = traversal.bound(0..traversal.pairs().nodes());
         found = extremes(&bounds);
@@ -168,10 +169,12 @@ fn culling_drops_no_pair_that_matters() {
         // All pairs of cells.
         let [of_a, of_b] = [0, 1].map(|side| &boxes[side][trees[side].finest]);
         let nearest = |aabb: &Aabb| {
-            of_b.iter().map(|other| Distances::of(aabb, other)).fold(Distances::UNKNOWN, Distances::nearest)
+            of_b.iter()
+                .map(|other| DistanceBounds::between(aabb, other))
+                .fold(DistanceBounds::UNKNOWN, DistanceBounds::nearest)
         };
-        let all: Vec<Distances> = of_a.iter().map(nearest).collect();
-        let largest = |of: fn(&Distances) -> f64| all.iter().map(of).fold(0.0, f64::max);
+        let all: Vec<DistanceBounds> = of_a.iter().map(nearest).collect();
+        let largest = |of: fn(&DistanceBounds) -> f64| all.iter().map(of).fold(0.0, f64::max);
         assert_eq!(found.near, largest(|distances| distances.near), "{a} {b}");
         assert_eq!(found.far, largest(|distances| distances.far), "{a} {b}");
     }
@@ -184,7 +187,7 @@ fn distances_of_boxes_are_those_of_their_points() {
     for _ in 0..500 {
         let mut aabb = || Aabb::EMPTY.with(corner()).with(corner());
         let (a, b) = (aabb(), aabb());
-        let Distances { near, far } = Distances::of(&a, &b);
+        let DistanceBounds { near, far } = DistanceBounds::between(&a, &b);
         // From the points of a on a grid of cells of diagonal at most 0.58.
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for index in 0..1000 {

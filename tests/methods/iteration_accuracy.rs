@@ -7,7 +7,7 @@ use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, 
 use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::{elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{FIGURE5_SAMPLES, figure5_cylinder, figure5_plane, shape, sphere};
-use nurbs_hausdorff::{Error, Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Error, Model, RigidTransform, SurfaceArrays};
 
 /// Rounding of a distance of models of size 1 to 10 in float64.
 const ROUNDING: f64 = 1e-9;
@@ -105,9 +105,9 @@ fn moving_by_the_option_is_moving_the_control_points() {
 #[test]
 fn refined_and_elevated_copies_are_at_distance_zero() {
     let sheet = shape("wavy-sheet").unwrap();
-    let [[start, end], _] = sheet.surfaces()[0].domain();
-    let refined = insert_knot(&sheet.surfaces()[0], 0, start + 0.37 * (end - start), 1).unwrap();
-    let elevated = Model::new(None, vec![elevate_degree(&refined, 1).unwrap()]).unwrap();
+    let [[start, end], _] = sheet.surfaces()[0].domain().intervals();
+    let refined = insert_knot(&sheet.surfaces()[0], Axis::U, start + 0.37 * (end - start), 1).unwrap();
+    let elevated = Model::new(None, vec![elevate_degree(&refined, Axis::V).unwrap()]).unwrap();
     for (a, b) in [(&sheet, &elevated), (&elevated, &sheet), (&sheet, &sheet)] {
         for result in on_both("copies", a, b, &iteration(), 0.0) {
             assert!(result.computed <= ROUNDING, "{}", result.computed);
@@ -136,7 +136,7 @@ fn figure_5_of_the_paper() {
         let Some(engine) = engine("figure_5") else { return };
         for backend in [Backend::Gpu, Backend::Cpu] {
             let result = measure(&engine, &plane, &cylinder, &Options { backend, ..options.clone() });
-            let bounds = result.iteration.unwrap().bounds;
+            let bounds = result.iteration().unwrap().bounds;
             assert!((result.computed - 310.42).abs() < 0.01, "{}", result.computed);
             // Half the diagonal of a flat cell of side 16.
             assert!((bounds.k_a - 16.0 * 0.5_f64.sqrt()).abs() < 1e-6, "{}", bounds.k_a);

@@ -61,7 +61,7 @@ fn parameters_rise_from_end_to_end() {
         for rule in RULES {
             let sampling = Sampling::new(&extract(&model), 9, rule);
             for (surface, grid) in model.surfaces().iter().zip(&sampling.grids) {
-                for (parameters, domain) in grid.parameters.iter().zip(surface.domain()) {
+                for (parameters, domain) in grid.parameters.iter().zip(surface.domain().intervals()) {
                     assert_eq!([parameters[0], parameters[8]], domain, "{name} {rule:?}");
                     assert!(parameters.windows(2).all(|pair| pair[0] < pair[1]), "{name} {rule:?}");
                 }

@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-12;
 /// Whether the truth is in the interval, and how many cells that took.
 fn cells(name: &str, a: &Model, b: &Model, truth: f64, tolerance: f64) -> usize {
     let result = measure(a, b, &Options { tolerance, max_seconds: Some(60.0), ..Options::default() });
-    let cells = result.certified.unwrap().cells;
+    let cells = result.certified().unwrap().cells;
     println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
     let rounding = ROUNDING * result.diagonal;
     assert!(result.converged, "{name}");
@@ -40,7 +40,7 @@ fn moved(model: &Model, by: [f64; 3]) -> Model {
 /// The first half of its parameters along one axis.
 fn half(model: &Model, axis: usize) -> Model {
     let fractions = if axis == 0 { [[0.0, 0.5], [0.0, 1.0]] } else { [[0.0, 1.0], [0.0, 0.5]] };
-    Model::new(None, vec![part(&model.surfaces()[0], fractions).unwrap()]).unwrap()
+    Model::new(None, vec![part(&model.surfaces()[0], fractions.into()).unwrap()]).unwrap()
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn parts_that_do_not_go_round() {
 fn three_quarters_that_do_not_go_round() {
     let missing = (2.0 - 2.0_f64.sqrt()).sqrt();
     let three_quarters = |model: &Model| {
-        let part = part(&model.surfaces()[0], [[0.0, 0.75], [0.0, 1.0]]).unwrap();
+        let part = part(&model.surfaces()[0], [[0.0, 0.75], [0.0, 1.0]].into()).unwrap();
         Model::new(None, vec![part]).unwrap()
     };
     let whole = Model::new(None, vec![lateral([1.0, 1.0], [0.0, 2.0]).unwrap()]).unwrap();

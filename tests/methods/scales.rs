@@ -35,7 +35,7 @@ fn assert_honest(result: &DistanceResult, truth: f64, tolerance: f64, name: &str
     assert!(lower <= truth + rounding && truth - rounding <= upper, "{told}");
     assert!(lower <= computed && computed <= upper, "{told}");
     assert!(result.witness.a.point.iter().chain(&result.witness.b.point).all(|x| x.is_finite()), "{told}");
-    if converged && result.certified.is_some() {
+    if converged && result.certified().is_some() {
         assert!(upper - lower <= tolerance * result.diagonal, "{told}");
     }
 }

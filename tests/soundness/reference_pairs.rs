@@ -83,7 +83,7 @@ fn samples_and_bounds_agree_with_every_reference() {
             let options = Options { backend, samples: SAMPLES, ..reference.options(Method::Iteration) };
             let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
             let rounding = ROUNDING * result.diagonal;
-            let bounds = result.iteration.unwrap().bounds;
+            let bounds = result.iteration().unwrap().bounds;
             assert!(result.converged, "{name}");
             assert!(result.computed <= reference.upper + rounding, "{name}: {}", result.computed);
             // Samples miss the farthest point by up to the radius of a cell.
@@ -94,7 +94,7 @@ fn samples_and_bounds_agree_with_every_reference() {
         });
         assert!((gpu.computed - cpu.computed).abs() <= FLOAT32 * cpu.diagonal, "{name}");
         // The published K_B speaks of the projection alone, and of samples that include the farthest point.
-        let k_b = cpu.iteration.unwrap().bounds.k_b;
+        let k_b = cpu.iteration().unwrap().bounds.k_b;
         if k_b.is_none_or(|k_b| cpu.computed < reference.lower - k_b) {
             beyond_published.push(format!("{name}: {} short, K_B {k_b:?}", reference.lower - cpu.computed));
         }
@@ -114,7 +114,7 @@ fn certified_intervals_overlap_every_reference() {
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let options = reference.options(Method::Certified);
         let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
-        let details = result.certified.unwrap();
+        let details = result.certified().unwrap();
         assert!(result.converged, "{name}: {:?}", details.stop);
         assert!(result.upper - result.lower <= details.tolerance + ROUNDING * result.diagonal, "{name}");
         let overlap = result.lower <= reference.upper && reference.lower <= result.upper;

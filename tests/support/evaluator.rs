@@ -1,7 +1,7 @@
 //! NURBS surfaces by definition: the Cox-de Boor recursion, written down as it
 //! stands in the textbook and with nothing of the crate's own evaluation.
 
-use nurbs_hausdorff::NurbsSurface;
+use nurbs_hausdorff::{Axis, NurbsSurface};
 
 pub type Vector = [f64; 3];
 
@@ -64,8 +64,8 @@ fn span(knots: &[f64], degree: usize, count: usize, t: f64) -> usize {
 /// At a knot the span above it is meant, at the domain's end the last one.
 pub fn evaluate(surface: &NurbsSurface, u: f64, v: f64, origin: Vector) -> Evaluation {
     let at =
-        |axis: usize, t: f64| span(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], t);
-    evaluate_on_span(surface, [at(0, u), at(1, v)], u, v, origin)
+        |axis: Axis, t: f64| span(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], t);
+    evaluate_on_span(surface, [at(Axis::U, u), at(Axis::V, v)], u, v, origin)
 }
 
 /// As [`evaluate`], by the polynomial piece of the spans that begin at knots `spans`.
@@ -77,13 +77,13 @@ pub fn evaluate_on_span(
     origin: Vector,
 ) -> Evaluation {
     let degree = surface.degree();
-    let of_axis = |axis: usize, order: usize, t: f64| -> Vec<f64> {
+    let of_axis = |axis: Axis, order: usize, t: f64| -> Vec<f64> {
         (spans[axis] - degree[axis]..=spans[axis])
             .map(|i| derivative(surface.knots(axis), spans[axis], i, degree[axis], order, t))
             .collect()
     };
-    let in_u = [0, 1, 2].map(|order| of_axis(0, order, u));
-    let in_v = [0, 1, 2].map(|order| of_axis(1, order, v));
+    let in_u = [0, 1, 2].map(|order| of_axis(Axis::U, order, u));
+    let in_v = [0, 1, 2].map(|order| of_axis(Axis::V, order, v));
     let sum = |a: usize, b: usize| {
         let mut sum = [0.0; 4];
         for (i, n) in in_u[a].iter().enumerate() {
@@ -122,7 +122,7 @@ pub fn point(surface: &NurbsSurface, u: f64, v: f64) -> Vector {
 
 /// `count` x `count` parameters evenly over the domain, its ends included.
 pub fn parameters(surface: &NurbsSurface, count: usize) -> Vec<[f64; 2]> {
-    let [u, v] = surface.domain();
+    let [u, v] = surface.domain().intervals();
     let at = |[start, end]: [f64; 2], index: usize| {
         let fraction = index as f64 / (count - 1) as f64;
         (1.0 - fraction) * start + fraction * end

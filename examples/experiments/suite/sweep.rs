@@ -96,7 +96,7 @@ pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
         for Outcome { position, result } in &curve.outcomes {
             let found = result.as_ref().ok();
             let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
-            let bounds = found.and_then(|result| result.iteration).map(|details| details.bounds);
+            let bounds = found.and_then(|result| result.iteration()).map(|details| details.bounds);
             table.rows.push(vec![
                 (*position).into(),
                 curve.method.name.into(),
@@ -109,7 +109,7 @@ pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
                 found.map(|result| if result.converged { "yes" } else { "no" }).into(),
                 number(&|result| result.seconds.solve),
                 number(&|result| result.seconds.prepare),
-                found.and_then(|result| result.certified).map(|details| details.cells).into(),
+                found.and_then(|result| result.certified()).map(|details| details.cells).into(),
                 found.map(|result| result.patches.b).into(),
                 result.as_ref().err().copied().into(),
             ]);

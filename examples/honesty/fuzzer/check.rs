@@ -60,7 +60,7 @@ pub(crate) fn check(seed: u64) -> Outcome {
     }
     Outcome {
         converged: result.converged,
-        cells: result.certified.unwrap().cells,
+        cells: result.certified().unwrap().cells,
         violations: violations
             .into_iter()
             .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
@@ -114,7 +114,7 @@ impl<'a> Direction<'a> {
             violations.push(format!("{truth} is not in [{lower}, {upper}]"));
         }
         self.check_witness(&mut violations);
-        let details = self.result.certified.unwrap();
+        let details = self.result.certified().unwrap();
         let wide = upper - lower > details.tolerance + 200.0 * self.rounding;
         if self.result.converged && self.limit.is_none() && wide {
             violations.push(format!("converged, but [{lower}, {upper}] is {} wide", upper - lower));
@@ -139,7 +139,7 @@ impl<'a> Direction<'a> {
             // Parameters are told in float64, whose rounding moves the point.
             let [du, dv] = [told.u, told.v].map(|parameter| 2.0 * f64::EPSILON * parameter.abs());
             let at = place(told.u, told.v);
-            let [[u0, u1], [v0, v1]] = surface.domain();
+            let [[u0, u1], [v0, v1]] = surface.domain().intervals();
             let slack = [-1.0, 1.0].map(|sign| {
                 let along_u = place((told.u + sign * du).clamp(u0, u1), told.v).distance(at);
                 along_u + place(told.u, (told.v + sign * dv).clamp(v0, v1)).distance(at)

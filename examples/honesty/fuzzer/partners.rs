@@ -3,7 +3,7 @@
 use super::surfaces::{direction, magnitude};
 use fastrand::Rng;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
-use nurbs_hausdorff::{Model, NurbsSurface, SurfaceArrays};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, SurfaceArrays};
 
 /// The same nets with control points moved by up to `size`.
 pub(crate) fn near(rng: &mut Rng, a: &[SurfaceArrays], size: f64) -> Vec<SurfaceArrays> {
@@ -39,10 +39,10 @@ pub(crate) fn refined(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> 
     a.iter()
         .map(|arrays| {
             let surface = NurbsSurface::new(0, arrays.clone()).unwrap();
-            let [[start, end], _] = surface.domain();
+            let [[start, end], _] = surface.domain().intervals();
             let knot = start + (0.1 + 0.8 * rng.f64()) * (end - start);
-            let refined = insert_knot(&surface, 0, knot, 1).unwrap_or(surface);
-            elevate_degree(&refined, 1).unwrap_or(refined).into_arrays()
+            let refined = insert_knot(&surface, Axis::U, knot, 1).unwrap_or(surface);
+            elevate_degree(&refined, Axis::V).unwrap_or(refined).into_arrays()
         })
         .collect()
 }

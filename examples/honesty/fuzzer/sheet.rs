@@ -5,7 +5,7 @@
 //! by the quotient rule. The library extracts Bézier patches instead.
 
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
-use nurbs_hausdorff::{Model, NurbsSurface};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, ParamBox};
 
 /// Degree 15, plus one, plus one.
 const ROOM: usize = 17;
@@ -17,7 +17,7 @@ pub(crate) struct Sheet {
     knots: [Vec<f64>; 2],
     columns: usize,
     net: Vec<DVec4>,
-    pub(crate) domain: [[f64; 2]; 2],
+    pub(crate) domain: ParamBox,
 }
 
 /// A point with first derivatives by u and v.
@@ -43,7 +43,7 @@ impl Sheet {
         let homogeneous = |&[x, y, z, w]: &[f64; 4]| (w * (DVec3::new(x, y, z) - origin)).extend(w);
         Self {
             degree: surface.degree(),
-            knots: [0, 1].map(|axis| surface.knots(axis).to_vec()),
+            knots: Axis::BOTH.map(|axis| surface.knots(axis).to_vec()),
             columns: surface.counts()[1],
             net: surface.control_points().iter().map(homogeneous).collect(),
             domain: surface.domain(),
@@ -52,28 +52,25 @@ impl Sheet {
 
     /// The place in the domain for fractions in [0, 1]^2.
     pub(crate) fn at(&self, fractions: [f64; 2]) -> DVec2 {
-        let at = |[start, end]: [f64; 2], x: f64| (1.0 - x) * start + x * end;
-        DVec2::new(at(self.domain[0], fractions[0]), at(self.domain[1], fractions[1]))
+        self.domain.at(fractions).into()
     }
 
     pub(crate) fn clamp(&self, place: DVec2) -> DVec2 {
-        let [u, v] = self.domain;
-        place.clamp(DVec2::new(u[0], v[0]), DVec2::new(u[1], v[1]))
+        place.clamp(self.domain.low().into(), self.domain.high().into())
     }
 
     pub(crate) fn extent(&self) -> DVec2 {
-        let [u, v] = self.domain;
-        DVec2::new(u[1] - u[0], v[1] - v[0])
+        self.domain.lengths().into()
     }
 
     pub(crate) fn point(&self, place: DVec2) -> DVec3 {
-        let [u, v] = [self.basis(0, place.x), self.basis(1, place.y)];
+        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         sum.xyz() / sum.w
     }
 
     pub(crate) fn tangents(&self, place: DVec2) -> Tangents {
-        let [u, v] = [self.basis(0, place.x), self.basis(1, place.y)];
+        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         let by_u = self.sum(&u, &u.derivatives, &v, &v.values);
         let by_v = self.sum(&u, &u.values, &v, &v.derivatives);
@@ -93,7 +90,7 @@ impl Sheet {
         sum
     }
 
-    fn basis(&self, axis: usize, t: f64) -> Basis {
+    fn basis(&self, axis: Axis, t: f64) -> Basis {
         let (p, knots) = (self.degree[axis], &self.knots[axis]);
         let [start, end] = self.domain[axis];
         let reach = if t < end { t.max(start) } else { end };

@@ -1,4 +1,4 @@
-//! Reading models.
+//! Reads models.
 
 use crate::failure::Failure;
 use nurbs_hausdorff::{Error, Model, Result};
@@ -27,7 +27,7 @@ fn text(path: &Path) -> Result<String> {
     if length > Model::MAX_JSON_BYTES {
         return Err(too_large(length));
     }
-    // A pipe or a device tells no length, and a file may grow.
+    // A pipe or a device has no length, and a file may grow.
     let mut bytes = Vec::new();
     file.take(Model::MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > Model::MAX_JSON_BYTES {

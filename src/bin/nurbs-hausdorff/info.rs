@@ -4,11 +4,12 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Model, NurbsSurface, PreparedModel};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, PreparedModel};
 use serde::Serialize;
 use std::fmt::Write;
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct Info {
     name: Option<String>,
     surfaces: Vec<SurfaceInfo>,
@@ -18,6 +19,7 @@ struct Info {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct SurfaceInfo {
     degree: [usize; 2],
     counts: [usize; 2],
@@ -27,7 +29,7 @@ struct SurfaceInfo {
     patches: usize,
 }
 
-/// Prints what the model consists of.
+/// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = info(&read(&arguments.model)?);
     if arguments.json {
@@ -68,9 +70,9 @@ fn info(model: &Model) -> Info {
         SurfaceInfo {
             degree: surface.degree(),
             counts: surface.counts(),
-            domain: surface.domain(),
+            domain: surface.domain().intervals(),
             rational: surface.control_points().iter().any(|point| point[3] != weight),
-            clamped: [0, 1].map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
+            clamped: Axis::BOTH.map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
             patches: rows * columns,
         }
     };

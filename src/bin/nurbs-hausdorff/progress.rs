@@ -6,7 +6,7 @@ use nurbs_hausdorff::Monitor;
 /// Steps of the bar.
 const STEPS: u64 = 1000;
 
-/// A bar on standard error if that is a terminal, else nothing.
+/// A bar on standard error, drawn only if that is a terminal.
 pub(crate) struct Bar(ProgressBar);
 
 impl Bar {

@@ -24,7 +24,7 @@ pub(super) fn adjacent_patches(
     let tolerance_squared = (JOIN_TOLERANCE * root.aabb.diagonal()).powi(2);
     let point = operand.patch(index).point(parameters);
     for leaf in tree.leaves_within(point, tolerance_squared) {
-        let other = tree.item(&leaf);
+        let other = tree.primitive(&leaf);
         if other == index {
             continue;
         }

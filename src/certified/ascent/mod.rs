@@ -62,5 +62,5 @@ pub(super) fn starting_points(pair: &Pair<'_>, nearest: &NearestPoint<'_>) -> Op
         Sample { patch, parameters, foot: nearest.nearest(target, Foot::start(0, [0.5; 2]), 0.0) }
     };
     let support = support_point(&pair.a, direction).unwrap_or((0, [0.5; 2]));
-    Some([start(support), start((tree.item(root_a), [0.5; 2]))])
+    Some([start(support), start((tree.primitive(root_a), [0.5; 2]))])
 }

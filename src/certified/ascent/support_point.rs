@@ -21,20 +21,20 @@ pub(super) fn support_point(operand: &Operand<'_>, direction: DVec3) -> Option<(
             continue;
         }
         if !node.is_leaf() {
-            let [left, right] = [index + 1, node.second as usize];
+            let [left, right] = [index + 1, node.right_child as usize];
             let [of_left, of_right] =
                 [left, right].map(|child| support_value(&tree.nodes()[child].aabb, direction));
             stack.extend_from_slice(&if of_left > of_right { [right, left] } else { [left, right] });
             continue;
         }
-        let patch = operand.patch(tree.item(node));
+        let patch = operand.patch(tree.primitive(node));
         let [p, q] = patch.degree;
         for (index, control) in patch.controls.iter().enumerate() {
             let value = (patch.center + control.xyz() / control.w).dot(direction);
             if value > best.0 {
                 let (i, j) = (index / (q + 1), index % (q + 1));
                 let parameters = [i as f64 / p as f64, j as f64 / q as f64];
-                best = (value, Some((tree.item(node), parameters)));
+                best = (value, Some((tree.primitive(node), parameters)));
             }
         }
     }

@@ -55,7 +55,7 @@ pub(in crate::certified) fn bvh_node(
 ) -> (f64, Sample) {
     let tree = &pair.a.target.tree;
     let node = &tree.nodes()[index as usize];
-    let (patch, parameters) = (tree.item(node), [0.5; 2]);
+    let (patch, parameters) = (tree.primitive(node), [0.5; 2]);
     let local = pair.a.patch(patch).point(parameters);
     let target = pair.transform.apply(local);
     let radius = node.aabb.max_distance_squared(local).sqrt();

@@ -30,5 +30,5 @@ pub(super) fn upper_bound(
     let controls = patch.restricted(s, t);
     // The sphere is moved against the patch: its centre is one point.
     let sphere = Sphere { center: transform.apply_inverse(sphere.center), ..*sphere };
-    sphere.farthest(&Patch { controls: &controls, ..*patch })
+    sphere.distance_bound(&Patch { controls: &controls, ..*patch })
 }

@@ -15,6 +15,7 @@ use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::{CellContext, Quadratic, UpperBound};
 use crate::bezier::{DerivativeBounds, Jet};
+use crate::param_box::ParamBox;
 use glam::DVec3;
 
 /// The bound from the nearest known foot: by Lipschitz continuity where that
@@ -54,7 +55,7 @@ pub(super) struct CellPair<'a> {
     /// B's jet at the foot.
     jet: Jet,
     /// Where B's patch and its extension end.
-    domain: [[f64; 2]; 2],
+    domain: ParamBox,
     /// The parameters that are constant under the map: the foot is on an edge
     /// beyond which B would be nearer.
     frozen: [bool; 2],

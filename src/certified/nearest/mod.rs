@@ -10,7 +10,7 @@ pub(crate) use feet::Foot;
 pub(super) use feet::{Feet, Sample};
 
 use super::Operand;
-use crate::closest::{self, Candidate, closest_above, nearest_control, newton_below};
+use crate::closest::{self, NearbyPatch, closest_above, nearest_control, newton_below};
 use glam::DVec3;
 use shortlist::Shortlist;
 
@@ -146,20 +146,20 @@ impl<'a> Traversal<'a> {
     fn examine_shortlist(&mut self) -> bool {
         let Some(nearby) = &self.service.shortlist.nearby else { return false };
         let moved = nearby.center.distance(self.query.target);
-        if moved >= nearby.room() {
+        if moved >= nearby.margin() {
             return false;
         }
         for candidate in &nearby.list {
-            let Candidate { patch, parameters, least, .. } = *candidate;
+            let NearbyPatch { patch, parameters, lower_bound: least, .. } = *candidate;
             let lower_bound = (least - moved).max(0.0);
             if lower_bound * lower_bound >= self.bound_squared || self.is_done() {
                 break;
             }
-            if nearby.least_squared(candidate, self.query.target) < self.bound_squared {
+            if nearby.lower_bound_squared(candidate, self.query.target) < self.bound_squared {
                 self.examine(patch, parameters);
             }
         }
-        self.bound_squared.sqrt() <= nearby.reach - moved
+        self.bound_squared.sqrt() <= nearby.radius - moved
     }
 
     fn examine_tree(&mut self) {
@@ -177,7 +177,7 @@ impl<'a> Traversal<'a> {
             }
             let node = &nodes[index];
             if !node.is_leaf() {
-                let (left, right) = (index + 1, node.second as usize);
+                let (left, right) = (index + 1, node.right_child as usize);
                 let (to_left, to_right) = (to_box(left), to_box(right));
                 let children = if to_left <= to_right {
                     [(to_right, right), (to_left, left)]
@@ -192,7 +192,7 @@ impl<'a> Traversal<'a> {
                 }
                 continue;
             }
-            let patch = operand.target.tree.item(node);
+            let patch = operand.target.tree.primitive(node);
             if operand.target.boxes[patch as usize].min_distance_squared(target) < self.bound_squared {
                 self.examine(patch, nearest_control(&operand.patch(patch), target));
             }

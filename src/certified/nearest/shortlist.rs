@@ -1,6 +1,6 @@
 //! The patches of B near the incumbent's witness, around which the last cells lie.
 
-use crate::closest::{Candidates, Target};
+use crate::closest::{NearbyPatches, Target};
 use glam::DVec3;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -19,7 +19,7 @@ const MAX_RELATIVE_MARGIN: f64 = 0.03;
 /// A list of nearby patches, and the queries since it was made.
 #[derive(Debug, Default)]
 pub(super) struct Shortlist {
-    pub(super) nearby: Option<Candidates>,
+    pub(super) nearby: Option<NearbyPatches>,
     queries: AtomicUsize,
 }
 
@@ -38,11 +38,11 @@ impl Shortlist {
     /// this radius, where so many queries were made that it pays and the
     /// present list is not about a point within a radius.
     pub(super) fn update(&mut self, target: &Target, witness: DVec3, distance: f64, radius: f64) {
-        let is_stale = |nearby: &Candidates| nearby.center.distance(witness) > radius;
+        let is_stale = |nearby: &NearbyPatches| nearby.center.distance(witness) > radius;
         if *self.queries.get_mut() >= MIN_QUERIES && self.nearby.as_ref().is_none_or(is_stale) {
             self.reset_queries();
             let margin = (MARGIN_IN_RADII * radius).min(MAX_RELATIVE_MARGIN * distance);
-            self.nearby = Some(Candidates::new(target, witness, distance + margin));
+            self.nearby = Some(NearbyPatches::new(target, witness, distance + margin));
         }
     }
 }

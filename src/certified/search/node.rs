@@ -40,11 +40,11 @@ impl SearchNode {
                 let tree = &a.target.tree;
                 let node = &tree.nodes()[*index as usize];
                 if node.is_leaf() {
-                    push(Domain::Cell(Cell::whole(tree.item(node))), foot);
+                    push(Domain::Cell(Cell::whole(tree.primitive(node))), foot);
                 } else {
                     // The left child's first patch is this node's, whose foot is known.
                     push(Domain::BvhNode(*index + 1), foot);
-                    push(Domain::BvhNode(node.second), Foot::start(foot.patch, foot.parameters));
+                    push(Domain::BvhNode(node.right_child), Foot::start(foot.patch, foot.parameters));
                 }
             }
             Domain::Cell(cell) => {

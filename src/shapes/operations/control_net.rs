@@ -1,5 +1,6 @@
 //! Linear maps of a surface's net along one direction.
 
+use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use crate::shapes::net_surface;
@@ -12,7 +13,7 @@ use glam::{DVec4, Vec4Swizzles};
 /// equal: `map`'s coefficients sum to 1, but in floating point only almost.
 pub(super) fn map_lines(
     surface: &NurbsSurface,
-    axis: usize,
+    axis: Axis,
     degree: usize,
     knots: &[f64],
     map: &dyn Fn(&[DVec4]) -> Vec<DVec4>,
@@ -28,8 +29,8 @@ pub(super) fn map_lines(
         [xyz.x, xyz.y, xyz.z, w]
     };
     let [rows, columns] = surface.counts();
-    let (lines, along) = if axis == 0 { (columns, rows) } else { (rows, columns) };
-    let (across, step) = if axis == 0 { (1, columns) } else { (columns, 1) };
+    let (lines, along) = if axis == Axis::U { (columns, rows) } else { (rows, columns) };
+    let (across, step) = if axis == Axis::U { (1, columns) } else { (columns, 1) };
     let mapped: Vec<Vec<DVec4>> = (0..lines)
         .map(|line| {
             let line: Vec<DVec4> =
@@ -39,8 +40,9 @@ pub(super) fn map_lines(
         .collect();
     let mut counts = surface.counts();
     let mut degrees = surface.degree();
-    let mut all: [&[f64]; 2] = [surface.knots(0), surface.knots(1)];
-    let axis = usize::from(axis != 0);
+    let mut all: [&[f64]; 2] = Axis::BOTH.map(|axis| surface.knots(axis));
     (counts[axis], degrees[axis], all[axis]) = (mapped.first().map_or(0, Vec::len), degree, knots);
-    net_surface(degrees, all, counts, &|i, j| lower(if axis == 0 { mapped[j][i] } else { mapped[i][j] }))
+    net_surface(degrees, all, counts, &|i, j| {
+        lower(if axis == Axis::U { mapped[j][i] } else { mapped[i][j] })
+    })
 }

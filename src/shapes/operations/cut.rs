@@ -1,8 +1,10 @@
 //! Cutting surfaces along parameter lines.
 
 use super::insert_knot;
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::param_box::ParamBox;
 use crate::shapes::net_surface;
 
 /// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
@@ -13,8 +15,7 @@ use crate::shapes::net_surface;
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless `parameter` is inside the domain, its ends excluded.
-pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Result<[NurbsSurface; 2]> {
-    let axis = usize::from(axis != 0);
+pub fn cut_surface(surface: &NurbsSurface, axis: Axis, parameter: f64) -> Result<[NurbsSurface; 2]> {
     let [start, end] = surface.domain()[axis];
     if !(parameter > start && parameter < end) {
         return Err(Error::out_of_range("parameter", parameter, "a parameter inside the domain"));
@@ -38,10 +39,10 @@ pub fn cut_surface(surface: &NurbsSurface, axis: usize, parameter: f64) -> Resul
 ///
 /// # Errors
 /// As [`cut_surface`].
-pub fn part(surface: &NurbsSurface, fractions: [[f64; 2]; 2]) -> Result<NurbsSurface> {
+pub fn part(surface: &NurbsSurface, fractions: ParamBox) -> Result<NurbsSurface> {
     let mut part = surface.clone();
-    for (axis, [from, to]) in fractions.into_iter().enumerate() {
-        let [start, end] = surface.domain()[axis];
+    for axis in Axis::BOTH {
+        let ([start, end], [from, to]) = (surface.domain()[axis], fractions[axis]);
         let at = |fraction: f64| (1.0 - fraction) * start + fraction * end;
         if to < 1.0 {
             let [below, _] = cut_surface(&part, axis, at(to))?;
@@ -62,8 +63,8 @@ pub fn part(surface: &NurbsSurface, fractions: [[f64; 2]; 2]) -> Result<NurbsSur
 /// As [`cut_surface`].
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
     let mut pieces = model.surfaces().to_vec();
-    for (axis, fractions) in fractions.into_iter().enumerate() {
-        let mut fractions = fractions.to_vec();
+    for axis in Axis::BOTH {
+        let mut fractions = fractions[axis].to_vec();
         fractions.sort_by(f64::total_cmp);
         let mut cut = Vec::new();
         for mut rest in pieces {
@@ -83,13 +84,13 @@ pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
 /// The surface of control points `first..end` along `axis` with these knots.
 fn piece(
     surface: &NurbsSurface,
-    axis: usize,
+    axis: Axis,
     knots: &[f64],
     first: usize,
     end: usize,
 ) -> Result<NurbsSurface> {
     let columns = surface.counts()[1];
-    let mut all: [&[f64]; 2] = [surface.knots(0), surface.knots(1)];
+    let mut all: [&[f64]; 2] = Axis::BOTH.map(|axis| surface.knots(axis));
     let (mut counts, mut skipped) = (surface.counts(), [0; 2]);
     (all[axis], counts[axis], skipped[axis]) = (knots, end - first, first);
     net_surface(surface.degree(), all, counts, &|i, j| {

@@ -1,6 +1,7 @@
 //! Degree elevation.
 
 use super::control_net::map_lines;
+use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use glam::DVec4;
@@ -14,8 +15,7 @@ use glam::DVec4;
 ///
 /// # Errors
 /// `DEGREE_OUT_OF_RANGE` if the degree is 15 already.
-pub fn elevate_degree(surface: &NurbsSurface, axis: usize) -> Result<NurbsSurface> {
-    let axis = usize::from(axis != 0);
+pub fn elevate_degree(surface: &NurbsSurface, axis: Axis) -> Result<NurbsSurface> {
     let degree = surface.degree()[axis];
     let knots = surface.knots(axis);
     let elevated = elevated_knots(knots, degree, surface.domain()[axis]);

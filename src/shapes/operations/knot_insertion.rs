@@ -1,6 +1,7 @@
 //! Knot insertion.
 
 use super::control_net::map_lines;
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
 use glam::DVec4;
@@ -14,8 +15,7 @@ use glam::DVec4;
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` if `knot` is outside the domain or would then be
 /// repeated more than the degree.
-pub fn insert_knot(surface: &NurbsSurface, axis: usize, knot: f64, times: usize) -> Result<NurbsSurface> {
-    let axis = usize::from(axis != 0);
+pub fn insert_knot(surface: &NurbsSurface, axis: Axis, knot: f64, times: usize) -> Result<NurbsSurface> {
     let [start, end] = surface.domain()[axis];
     if !(start..=end).contains(&knot) {
         return Err(Error::out_of_range("knot", knot, "a parameter in the domain"));

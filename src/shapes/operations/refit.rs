@@ -1,33 +1,33 @@
-//! Refits: what a fitter or a translator makes of a surface.
+//! Refits of surfaces, as fitters and translators of CAD data make them.
 
-use crate::error::{Direction, Error, Result};
+use crate::axis::Axis;
+use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
 use crate::shapes::interpolation::{DEGREE, UniformSpline, basis};
 use crate::shapes::net_surface;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The polynomial bicubic B-spline surface through the points of `surface` at
-/// `counts[0]` by `counts[1]` uniform parameters of its domain, each count at
-/// least 4; its domain is [0, 1]^2.
+/// Returns the polynomial bicubic B-spline surface over [0, 1]² that interpolates
+/// `surface` at `counts[0]` × `counts[1]` evenly spaced parameters of its domain.
 ///
 /// Tensor-product global interpolation (Piegl and Tiller, *The NURBS Book*,
-/// algorithm A9.4). Where `surface` is a polynomial of degree 3 at most between
-/// every two knots and its knots are among the refit's, the refit is the same
-/// surface. O(n^2 m + n m^2) for n by m points.
+/// algorithm A9.4). Where `surface` is a polynomial of degree at most 3 between
+/// any two knots and its knots are among the refit's, the refit is the same
+/// surface. O(n² m + n m²) for n × m points.
 ///
 /// # Errors
 /// `TOO_FEW_CONTROL_POINTS` for a count below 4.
 pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<NurbsSurface> {
-    for (axis, found) in counts.into_iter().enumerate() {
+    for axis in Axis::BOTH {
+        let found = counts[axis];
         if found <= DEGREE {
-            let direction = Direction::from(axis);
-            return Err(Error::TooFewControlPoints { surface: 0, direction, found, expected: DEGREE + 1 });
+            return Err(Error::TooFewControlPoints { surface: 0, axis, found, expected: DEGREE + 1 });
         }
     }
     let [rows, columns] = counts;
-    let parameters = [0, 1].map(|axis| {
+    let basis_values = Axis::BOTH.map(|axis| {
         let [start, end] = surface.domain()[axis];
-        let count = [rows, columns][axis];
+        let count = counts[axis];
         let parameter = |index: usize| {
             let fraction = index as f64 / (count - 1) as f64;
             (1.0 - fraction) * start + fraction * end
@@ -39,9 +39,9 @@ pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<Nurbs
             .collect::<Vec<_>>()
     });
     let [along_u, along_v] = [rows, columns].map(UniformSpline::new);
-    let fitted_rows: Vec<Vec<DVec3>> = parameters[0]
+    let fitted_rows: Vec<Vec<DVec3>> = basis_values[0]
         .iter()
-        .map(|basis_u| along_v.through(parameters[1].iter().map(|v| point(surface, basis_u, v)).collect()))
+        .map(|basis_u| along_v.through(basis_values[1].iter().map(|v| point(surface, basis_u, v)).collect()))
         .collect();
     let fitted: Vec<Vec<DVec3>> = (0..columns)
         .map(|column| along_u.through(fitted_rows.iter().map(|row| row[column]).collect()))
@@ -51,7 +51,7 @@ pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<Nurbs
     })
 }
 
-/// Every surface of `model` refitted through `count` by `count` points.
+/// Returns `model` with every surface refitted through `count` × `count` points.
 ///
 /// # Errors
 /// As [`refit_surface`].
@@ -60,7 +60,7 @@ pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
     Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)
 }
 
-/// The surface point of these values of the basis functions.
+/// Returns the surface point for these values of the basis functions.
 fn point(surface: &NurbsSurface, basis_u: &[f64], basis_v: &[f64]) -> DVec3 {
     let columns = surface.counts()[1];
     let mut sum = DVec4::ZERO;
@@ -79,12 +79,12 @@ mod tests {
     use crate::shapes::{shape, wavy_sheet};
 
     fn at(surface: &NurbsSurface, [u, v]: [f64; 2]) -> DVec3 {
-        let [of_u, of_v] = [0, 1].map(|axis| {
+        let [basis_u, basis_v] = Axis::BOTH.map(|axis| {
             let [start, end] = surface.domain()[axis];
             let parameter = start + [u, v][axis] * (end - start);
             basis(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], parameter)
         });
-        point(surface, &of_u, &of_v)
+        point(surface, &basis_u, &basis_v)
     }
 
     #[test]
@@ -96,8 +96,8 @@ mod tests {
             let mut largest = 0.0_f64;
             for k in 0..count {
                 let site = [k as f64 / (count - 1) as f64, 0.5 * f64::from(u8::from(k % 2 == 0))];
-                let off = (at(&refit, [site[0], 0.0]) - at(&torus, [site[0], 0.0])).length();
-                assert!(off < 1e-12, "{off}");
+                let error = (at(&refit, [site[0], 0.0]) - at(&torus, [site[0], 0.0])).length();
+                assert!(error < 1e-12, "{error}");
                 let between = [(k as f64 + 0.5) / count as f64, site[1]];
                 largest = largest.max((at(&refit, between) - at(&torus, between)).length());
             }
@@ -119,8 +119,8 @@ mod tests {
         let patch = &sheet.surfaces()[0];
         let refit = refit_surface(patch, [7, 9]).unwrap();
         for k in 0..50 {
-            let place = [0.02 * f64::from(k), (0.37 * f64::from(k)).fract()];
-            assert!(at(&refit, place).distance(at(patch, place)) < 1e-13);
+            let fractions = [0.02 * f64::from(k), (0.37 * f64::from(k)).fract()];
+            assert!(at(&refit, fractions).distance(at(patch, fractions)) < 1e-13);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Moving a model.
 
+use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use glam::DVec3;
@@ -18,7 +19,7 @@ pub fn transformed(model: &Model, transform: &RigidTransform) -> Result<Model> {
         .iter()
         .map(|surface| SurfaceArrays {
             degree: surface.degree(),
-            knots: [surface.knots(0).to_vec(), surface.knots(1).to_vec()],
+            knots: Axis::BOTH.map(|axis| surface.knots(axis).to_vec()),
             counts: surface.counts(),
             control_points: surface.control_points().iter().map(move_point).collect(),
         })

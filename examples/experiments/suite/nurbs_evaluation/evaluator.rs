@@ -1,8 +1,8 @@
 //! A NURBS surface evaluated from its own knots and control points.
 
 use glam::{DVec3, DVec4, Vec4Swizzles};
-use nurbs_hausdorff::NurbsSurface;
 use nurbs_hausdorff::bezier::MAX_ORDER;
+use nurbs_hausdorff::{Axis, NurbsSurface};
 
 /// A surface with homogeneous control points and the parameters that each is
 /// near to.
@@ -17,7 +17,7 @@ type Values = [f64; MAX_ORDER];
 impl<'a> NurbsEvaluator<'a> {
     pub(super) fn new(surface: &'a NurbsSurface) -> Self {
         let homogeneous = |&[x, y, z, w]: &[f64; 4]| DVec4::new(w * x, w * y, w * z, w);
-        let greville = [0, 1].map(|axis| {
+        let greville = Axis::BOTH.map(|axis| {
             let degree = surface.degree()[axis];
             let [start, end] = surface.domain()[axis];
             let mean = |knots: &[f64]| knots.iter().sum::<f64>() / degree as f64;
@@ -31,7 +31,7 @@ impl<'a> NurbsEvaluator<'a> {
     /// The point at (u, v) and its first derivatives (Piegl and Tiller, *The
     /// NURBS Book*, algorithms A2.1 and A2.3, eq. 4.20).
     fn jet(&self, at: [f64; 2]) -> [DVec3; 3] {
-        let [(row, in_u), (column, in_v)] = [0, 1].map(|axis| self.basis(axis, at[axis]));
+        let [(row, in_u), (column, in_v)] = Axis::BOTH.map(|axis| self.basis(axis, at[axis]));
         let degree = self.surface.degree();
         let columns = self.surface.counts()[1];
         let [mut h, mut u, mut v] = [DVec4::ZERO; 3];
@@ -51,7 +51,7 @@ impl<'a> NurbsEvaluator<'a> {
 
     /// The first basis function of the span of `t`, and the values and
     /// derivatives of those that do not vanish there.
-    fn basis(&self, axis: usize, t: f64) -> (usize, [Values; 2]) {
+    fn basis(&self, axis: Axis, t: f64) -> (usize, [Values; 2]) {
         let knots = self.surface.knots(axis);
         let (degree, count) = (self.surface.degree()[axis], self.surface.counts()[axis]);
         let span = knots[degree..count].partition_point(|&knot| knot <= t).max(1) - 1 + degree;

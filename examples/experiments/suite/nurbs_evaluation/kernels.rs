@@ -1,9 +1,8 @@
 //! Evaluations a second of the two kernels of `evaluation.wgsl`.
 
 use crate::suite::Anyhow;
-use nurbs_hausdorff::Model;
-use nurbs_hausdorff::NurbsSurface;
 use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use std::time::Instant;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -109,7 +108,7 @@ impl Gpu {
     fn bind(&self, surface: &NurbsSurface, sums: &wgpu::Buffer) -> Anyhow<wgpu::BindGroup> {
         let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<f32>>();
         let controls = single(surface.control_points().as_flattened());
-        let knots = single(&[surface.knots(0), surface.knots(1)].concat());
+        let knots = single(&Axis::BOTH.map(|axis| surface.knots(axis)).concat());
         let bezier = extract(&Model::new(None, vec![surface.clone()])?);
         let patches = bezier.patches.iter().flat_map(|patch| {
             let center = patch.center;

@@ -1,6 +1,7 @@
 //! The two rules: the same criterion, another place to cut at.
 
 use glam::DVec3;
+use nurbs_hausdorff::Axis;
 use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
 
 /// Samples of normals along each direction of a patch.
@@ -17,7 +18,7 @@ const MIN_PART: f64 = 0.15;
 const DEGENERATE_RATIO: f64 = 1e-6;
 
 type Normals = [[Option<DVec3>; SAMPLES]; SAMPLES];
-pub(super) type Cut = fn(&Normals, usize) -> f64;
+pub(super) type Cut = fn(&Normals, Axis) -> f64;
 
 /// Where a patch is cut along an axis.
 pub(super) const CUTS: [(&str, Cut); 2] =
@@ -38,14 +39,14 @@ fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: 
         pieces.push(patch);
         return;
     }
-    let spans = [0, 1].map(|axis| {
+    let spans = Axis::BOTH.map(|axis| {
         let across = |fixed| span((0..SAMPLES).map(|moving| along(&normals, axis, fixed, moving)));
         (0..SAMPLES).map(across).fold(0.0, f64::max)
     });
-    let axis = usize::from(spans[1] > spans[0]);
+    let axis = Axis::of_larger(spans);
     let place = cut(&normals, axis).clamp(MIN_PART, 1.0 - MIN_PART);
     for range in [[0.0, place], [place, 1.0]] {
-        let ranges = if axis == 0 { [range, [0.0, 1.0]] } else { [[0.0, 1.0], range] };
+        let ranges = if axis == Axis::U { [range, [0.0, 1.0]] } else { [[0.0, 1.0], range] };
         let controls = patch.restricted(ranges[0], ranges[1]);
         let mut domain = patch.domain;
         let [start, end] = patch.domain[axis];
@@ -72,7 +73,7 @@ fn normals(patch: &Patch<'_>) -> Normals {
 
 /// Where the normals have turned by half of what they turn along the axis,
 /// summed over the lines across: the integral of the normal curvature.
-fn halves_turning(normals: &Normals, axis: usize) -> f64 {
+fn halves_turning(normals: &Normals, axis: Axis) -> f64 {
     let mut turned = [0.0; SAMPLES];
     for moving in 1..SAMPLES {
         let step = |fixed| span([moving - 1, moving].into_iter().map(|k| along(normals, axis, fixed, k)));
@@ -89,8 +90,8 @@ fn at(index: usize) -> f64 {
     index as f64 / (SAMPLES - 1) as f64
 }
 
-fn along(normals: &Normals, axis: usize, fixed: usize, moving: usize) -> &Option<DVec3> {
-    if axis == 0 { &normals[moving][fixed] } else { &normals[fixed][moving] }
+fn along(normals: &Normals, axis: Axis, fixed: usize, moving: usize) -> &Option<DVec3> {
+    if axis == Axis::U { &normals[moving][fixed] } else { &normals[fixed][moving] }
 }
 
 /// The largest angle between two of the normals.

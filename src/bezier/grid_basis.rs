@@ -1,21 +1,22 @@
-//! Tangents of a patch on a grid.
+//! First derivatives of many patches on one grid of parameters.
 
 use super::bernstein::{Basis, fill};
 use super::evaluate::contract;
 use super::{MAX_ORDER, Patch};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The Bernstein polynomials in s and t at N parameters.
+/// The Bernstein polynomials in s and t at N parameters each.
 #[derive(Debug)]
 pub(crate) struct GridBasis<const N: usize>([[Basis<MAX_ORDER>; N]; 2]);
 
 impl<const N: usize> GridBasis<N> {
-    /// Of these degrees. O(N (p^2 + q^2)).
-    pub(crate) fn new(degree: [usize; 2], at: impl Fn(usize) -> f64) -> Self {
+    /// Evaluates the polynomials of these degrees at `parameter(0)` to
+    /// `parameter(N - 1)` in both directions. O(N (p² + q²)).
+    pub(crate) fn new(degree: [usize; 2], parameter: impl Fn(usize) -> f64) -> Self {
         let mut bases = [[[[0.0; MAX_ORDER]; 3]; N]; 2];
         for (bases, degree) in bases.iter_mut().zip(degree) {
             for (index, basis) in bases.iter_mut().enumerate() {
-                fill(basis, degree, at(index));
+                fill(basis, degree, parameter(index));
             }
         }
         Self(bases)
@@ -23,13 +24,13 @@ impl<const N: usize> GridBasis<N> {
 }
 
 impl Patch<'_> {
-    /// The first derivatives by s and t on the grid of parameters of `basis`,
-    /// which must be of the patch's degrees: of the i-th and the j-th in place
-    /// `i N + j`, as of [`Patch::jet`]. O(N p q + N^2 p).
+    /// Returns the first derivatives by s and t, as [`Patch::jet`] does, on the
+    /// grid of `basis`, which must be of the patch's degrees: entry `i N + j`
+    /// belongs to the i-th s and the j-th t. O(N p q + N² p).
     pub(crate) fn tangents<const N: usize>(&self, GridBasis(bases): &GridBasis<N>) -> Vec<[DVec3; 2]> {
         let columns = self.degree[1] + 1;
         let mut tangents = vec![[DVec3::ZERO; 2]; N * N];
-        // By row: the points and the derivatives by t.
+        // The points and the derivatives by t of every row of controls.
         let mut rows = [[DVec4::ZERO; MAX_ORDER]; 2];
         for (j, in_t) in bases[1].iter().enumerate() {
             for (index, row) in self.controls.chunks_exact(columns).enumerate() {

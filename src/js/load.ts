@@ -8,8 +8,8 @@ let loading: Promise<void> | undefined;
 let loaded = false;
 
 /**
- * Loads the wasm module once, from beside this file unless told otherwise;
- * after a failure, again.
+ * Loads the wasm module once, by default from the folder of this file; after a
+ * failure it can be loaded again.
  * @internal
  */
 export async function load(module?: ModuleSource): Promise<void> {

@@ -1,4 +1,4 @@
-//! Progress to a JavaScript function, cancelling from an `AbortSignal`.
+//! Progress to a JavaScript function, cancelling by an `AbortSignal`.
 
 use crate::progress::Monitor;
 use js_sys::{Array, Function};
@@ -6,25 +6,25 @@ use wasm_bindgen::JsValue;
 use web_sys::AbortSignal;
 
 /// The caller's signal and function, both optional.
-pub(super) struct Watch {
+pub(super) struct JsMonitor {
     signal: Option<AbortSignal>,
     on_progress: Option<Function>,
     interval: Option<[f64; 2]>,
     thrown: Option<JsValue>,
 }
 
-impl Watch {
+impl JsMonitor {
     pub(super) fn new(signal: Option<AbortSignal>, on_progress: Option<Function>) -> Self {
         Self { signal, on_progress, interval: None, thrown: None }
     }
 
-    /// What the function threw, which also cancelled the work.
+    /// The value that the function threw, which also cancelled the work.
     pub(super) fn into_thrown(self) -> Option<JsValue> {
         self.thrown
     }
 }
 
-impl Monitor for Watch {
+impl Monitor for JsMonitor {
     fn progress(&mut self, fraction: f64) {
         let interval = self
             .interval
