@@ -1,13 +1,12 @@
-//! The interchange JSON, in and out.
+//! Reading and writing of the interchange JSON.
 
 use super::{Model, NurbsSurface, SurfaceArrays};
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
-/// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million
-/// control points, beyond which a 32-bit wasm memory could not hold text and
-/// model together.
+/// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million control
+/// points. A 32-bit wasm memory could not hold a longer text and its model together.
 pub const MAX_JSON_BYTES: u64 = 256 << 20;
 
 #[derive(Serialize, Deserialize)]
@@ -52,11 +51,11 @@ impl InterchangeSurface {
 impl Model {
     /// Parses `{"name"?, "surfaces": [{"degree": [pu, pv], "knots_u", "knots_v",
     /// "ctrl": [[[x, y, z, w], …], …]}]}` with `ctrl[i][j]`, i along u, points
-    /// not multiplied by w. Other keys are ignored.
+    /// not multiplied by w. Other keys are ignored. O(size).
     ///
     /// # Errors
     /// [`Error::FileTooLarge`] over [`MAX_JSON_BYTES`], [`Error::JsonShape`]
-    /// for anything that is not of this shape, else as [`NurbsSurface::new`].
+    /// for text that is not of this shape, else the errors of [`NurbsSurface::new`].
     pub fn from_json(text: &str) -> Result<Self> {
         let found = text.len() as u64;
         if found > MAX_JSON_BYTES {
@@ -73,10 +72,10 @@ impl Model {
         Self::from_arrays(parsed.name, surfaces)
     }
 
-    /// The model as interchange JSON, every number to full precision.
+    /// Returns the model as interchange JSON, with every number in full precision.
     ///
     /// # Errors
-    /// [`Error::JsonShape`] if the writer fails, which valid models do not make it do.
+    /// [`Error::JsonShape`] if the writer fails, which it does not for valid models.
     pub fn to_json(&self) -> Result<String> {
         let model = InterchangeModel {
             name: self.name().map(str::to_owned),
