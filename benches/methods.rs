@@ -5,8 +5,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
-#[path = "support/shared.rs"]
-mod shared;
+mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
@@ -15,7 +14,7 @@ use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes;
-use shared::Reference;
+use support::shared::{self, Reference};
 
 /// Rounds of which the median is told.
 const ROUNDS: usize = 5;
@@ -57,9 +56,9 @@ fn measure(engine: &Engine, pair: &Pair) {
         pollster::block_on(engine.distance(&pair.a, &pair.b, options, &mut NoMonitor)).expect("a distance")
     };
     let first = run(&certified);
-    let samples = run(&iteration).iteration.expect("an iteration").samples;
+    let samples = run(&iteration).iteration().expect("an iteration").samples;
     let all = samples * first.patches.b <= MAX_PROJECTIONS;
-    let helped = run(&on_gpu).certified.map_or(0, |details| details.cells - details.cpu_cells);
+    let helped = run(&on_gpu).certified().map_or(0, |details| details.cells - details.cpu_cells);
     let mut times = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
     for round in 0..ROUNDS {
         times[0].push(run(&certified).seconds.solve);
@@ -81,7 +80,7 @@ fn measure(engine: &Engine, pair: &Pair) {
         pair.name,
         first.patches.b,
         certified.unwrap_or_default() * 1e3,
-        first.certified.map_or(0, |details| details.cells),
+        first.certified().map_or(0, |details| details.cells),
         on_gpu.map_or("not used".to_owned(), |seconds| format!("{:.1} ({helped})", seconds * 1e3)),
         cell(iteration),
         cell(published),

@@ -7,16 +7,15 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
-#[path = "support/shared.rs"]
-mod shared;
+mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
-use shared::Reference;
 use std::collections::BTreeMap;
 use std::path::Path;
+use support::shared::{self, Reference};
 
 /// Rounds of which the fastest is told, as other work only adds.
 const ROUNDS: usize = 3;
@@ -145,7 +144,7 @@ impl Table {
     }
 
     fn row(&mut self, name: &str, result: &DistanceResult, judgement: &str) {
-        let cells = result.certified.map_or(0, |details| details.cells);
+        let cells = result.certified().map_or(0, |details| details.cells);
         let wide = if result.converged { "" } else { ", not converged" };
         println!(
             "| {name} | {cells} | {:.1} | {:.1e}{wide} | {judgement} |",

@@ -3,7 +3,7 @@
 //! `cargo bench --bench offsets [-- NAME]`: pairs whose names contain NAME.
 //! Prints a Markdown table of solve times and cells, in float64 and, where
 //! there is an adapter, with the kernels. The pairs are those of
-//! `tests/certified.rs`, at the default tolerance.
+//! `tests/methods/certified.rs`, at the default tolerance.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
@@ -50,7 +50,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
         assert!(result.converged, "{}", pair.name);
         fastest = fastest.min(result.seconds.solve);
-        cells = result.certified.map_or(0, |details| details.cells);
+        cells = result.certified().map_or(0, |details| details.cells);
     }
     format!("{fastest:.2} | {cells}")
 }

@@ -7,18 +7,8 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "support/clock.rs"]
-mod clock;
-#[path = "support/flops.rs"]
-mod flops;
-#[path = "support/levels.rs"]
-mod levels;
-#[path = "support/models.rs"]
-mod models;
-#[path = "support/peak.rs"]
-mod peak;
+mod support;
 
-use clock::Stopwatch;
 use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::closest::{Projection, Target};
@@ -29,6 +19,8 @@ use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
+use support::clock::Stopwatch;
+use support::{flops, levels, models, peak};
 
 const ROUNDS: usize = 40;
 

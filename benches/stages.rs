@@ -7,10 +7,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "support/levels.rs"]
-mod levels;
-#[path = "support/models.rs"]
-mod models;
+mod support;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -28,6 +25,7 @@ use rayon::prelude::*;
 use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Duration;
+use support::{levels, models};
 
 /// Degrees that `project` is measured for.
 const DEGREES: [[usize; 2]; 5] = [[1, 1], [2, 2], [3, 3], [2, 5], [5, 5]];
@@ -170,7 +168,7 @@ fn certify(c: &mut Criterion) {
         let run = || {
             pollster::block_on(engine.distance(&model, &model, &options, &mut NoMonitor)).expect("a distance")
         };
-        let cells = run().certified.expect("cells").cells;
+        let cells = run().certified().expect("cells").cells;
         let mut group = group(c, "certify", cells);
         group
             .bench_function(BenchmarkId::new("cpu", format!("{}x{}", degree[0], degree[1])), |b| b.iter(run));

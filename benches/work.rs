@@ -8,8 +8,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
-#[path = "support/shared.rs"]
-mod shared;
+mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
@@ -18,6 +17,7 @@ use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::rc::Rc;
+use support::shared;
 
 /// Shapes of every kind; each is measured against every other.
 const SHAPES: [&str; 10] = [
@@ -66,6 +66,9 @@ struct Pair {
     transform: RigidTransform,
 }
 
+/// A name, and what makes the pairs.
+type Set = (&'static str, fn() -> Vec<Pair>);
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let prepare_only = arguments.iter().any(|argument| argument == "--prepare-only");
@@ -76,7 +79,7 @@ fn main() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
     println!("| set | pairs | cells | seconds | not converged |");
     println!("|---|---|---|---|---|");
-    let sets: [(&str, fn() -> Vec<Pair>); 4] =
+    let sets: [Set; 4] =
         [("references", references), ("shapes", shapes), ("sweeps", sweeps), ("refits", refits)];
     for (name, pairs) in sets.into_iter().filter(|(name, _)| chosen(name)) {
         let pairs = pairs();
@@ -86,7 +89,7 @@ fn main() {
             let options = Options { transform: *transform, max_cells, ..Options::default() };
             let result =
                 pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
-            cells += result.certified.map_or(0, |details| details.cells);
+            cells += result.certified().map_or(0, |details| details.cells);
             seconds += result.seconds.solve;
             ended += usize::from(!result.converged);
         }

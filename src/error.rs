@@ -226,11 +226,13 @@ pub enum Error {
 }
 
 impl Error {
-    /// Returns [`Error::OptionOutOfRange`] with whole numbers written without a fraction.
-    pub(crate) fn out_of_range(option: &'static str, found: f64, expected: &'static str) -> Self {
-        let digits = format!("{found:?}");
-        let found = digits.strip_suffix(".0").unwrap_or(&digits).to_owned();
-        Self::OptionOutOfRange { option, found, expected }
+    /// Returns [`Error::OptionOutOfRange`] with what was found as Rust prints it.
+    pub(crate) fn out_of_range(
+        option: &'static str,
+        found: impl std::fmt::Debug,
+        expected: &'static str,
+    ) -> Self {
+        Self::OptionOutOfRange { option, found: format!("{found:?}"), expected }
     }
 
     /// The stable code, the same in Rust, on the command line and in JavaScript.

@@ -1,29 +1,175 @@
-//! How far apart are two NURBS models?
+//! The Hausdorff distance between NURBS models, as an interval that contains it.
+//!
+//! `h(A, B) = max over a in A of min over b in B of |a - b|`, and with
+//! [`Options::symmetric`] the larger of `h(A, B)` and `h(B, A)`. Every method
+//! returns `lower <= h <= upper`, whether or not its iterations converged, on
+//! the GPU in float32 as on the CPU in float64: rounding is part of the bounds.
+//!
+//! ```
+//! use nurbs_hausdorff::{Backend, Engine, Model, NoMonitor, Options, PreparedModel, Result};
+//!
+//! // The unit square at a height; control points are x, y, z and weight, v fastest.
+//! let square = |z: f64| {
+//!     Model::from_json(&format!(
+//!         r#"{{"surfaces": [{{"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1],
+//!             "ctrl": [[[0, 0, {z}, 1], [0, 1, {z}, 1]], [[1, 0, {z}, 1], [1, 1, {z}, 1]]]}}]}}"#
+//!     ))
+//! };
+//! let (a, b) = (PreparedModel::new(&square(0.0)?), PreparedModel::new(&square(3.0)?));
+//! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
+//! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
+//! assert!(result.lower <= 3.0 && 3.0 <= result.upper && result.upper - result.lower < 1e-5);
+//! # Result::Ok(())
+//! ```
+//!
+//! The same from arrays; [`shapes`] makes models from formulas.
+//!
+//! ```
+//! use nurbs_hausdorff::{Backend, Engine, Model, NoMonitor, Options, PreparedModel, SurfaceArrays};
+//!
+//! // The parabolic sheet z = x^2 over the unit square, and the square.
+//! let sheet = SurfaceArrays {
+//!     degree: [2, 1],
+//!     knots: [vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+//!     counts: [3, 2],
+//!     control_points: [[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]]
+//!         .map(|[x, z]| [[x, 0.0, z, 1.0], [x, 1.0, z, 1.0]])
+//!         .concat(),
+//! };
+//! let mut flat = sheet.clone();
+//! flat.control_points.iter_mut().for_each(|point| point[2] = 0.0);
+//! let [a, b] = [sheet, flat].map(|arrays| Model::from_arrays(None, vec![arrays]));
+//! let (a, b) = (PreparedModel::new(&a?), PreparedModel::new(&b?));
+//! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
+//! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
+//! // The edge x = 1 is 1 above the plane.
+//! assert!(result.lower <= 1.0 && 1.0 <= result.upper && result.upper - result.lower < 1e-5);
+//! # nurbs_hausdorff::Result::Ok(())
+//! ```
+//!
+//! # Map
+//!
+//! A [`Model`] is valid once it is made. A [`PreparedModel`] keeps what is
+//! computed from it between distances: Bézier patches, trees, samples, and
+//! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
+//!
+//! - [`Method::Certified`]: branch and bound, to any tolerance that float64 resolves;
+//! - [`Method::Iteration`]: samples with Newton or tangent-plane steps, after Hanniel,
+//!   Krishnamurthy and McMains 2012, and a rigorous bound besides;
+//! - [`Method::Hierarchy`]: pairs of boxes, after Krishnamurthy, McMains and Hanniel 2011.
+//!
+//! [`options`] and [`result`] hold the types of the fields of [`Options`] and
+//! [`DistanceResult`]. `docs/method.md` in the repository states the theorem,
+//! every bound with its proof, the float32 error budget, and the literature.
+//!
+//! # Features
+//!
+//! `internals` shows the remaining modules to the crate's own tests, benchmarks
+//! and examples. It promises no stability.
+
+#![cfg_attr(
+    not(feature = "internals"),
+    allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
+)]
 
 mod axis;
-pub mod bezier;
-pub mod bvh;
-pub mod certified;
-pub mod closest;
-pub mod engine;
-pub mod error;
-pub mod flatness;
-pub mod gpu;
-pub mod hierarchy;
-pub mod iteration;
-mod limits;
-pub mod model;
-mod parallel;
 mod param_box;
-pub mod progress;
-mod rounding;
 pub mod shapes;
-mod symmetry;
 pub mod tessellate;
+
+mod limits;
+mod parallel;
+mod rounding;
+mod symmetry;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+// With the feature `internals` the crate's own tests, benchmarks and examples
+// see the modules below.
+#[cfg(not(feature = "internals"))]
+mod bezier;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod bezier;
+#[cfg(not(feature = "internals"))]
+mod bvh;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod bvh;
+#[cfg(not(feature = "internals"))]
+mod certified;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod certified;
+#[cfg(not(feature = "internals"))]
+mod closest;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod closest;
+#[cfg(not(feature = "internals"))]
+mod engine;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod engine;
+#[cfg(not(feature = "internals"))]
+mod error;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod error;
+#[cfg(not(feature = "internals"))]
+mod flatness;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod flatness;
+#[cfg(not(feature = "internals"))]
+mod gpu;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod gpu;
+#[cfg(not(feature = "internals"))]
+mod hierarchy;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod hierarchy;
+#[cfg(not(feature = "internals"))]
+mod iteration;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod iteration;
+#[cfg(not(feature = "internals"))]
+mod model;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod model;
+#[cfg(not(feature = "internals"))]
+mod progress;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod progress;
+
 pub use axis::Axis;
+pub use bvh::Aabb;
+pub use engine::{
+    Backend, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
+};
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
+pub use progress::{Monitor, NoMonitor};
+
+/// The choices within [`Options`].
+pub mod options {
+    pub use crate::closest::Projection;
+    pub use crate::flatness::Flatness;
+    pub use crate::iteration::{Culling, SamplingRule};
+}
+
+/// The parts of a [`DistanceResult`].
+pub mod result {
+    pub use crate::closest::Status;
+    pub use crate::engine::{
+        Bounds, CertifiedDetails, Details, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor,
+        Seconds, Stop,
+    };
+    pub use crate::iteration::StatusCounts;
+}

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{RigidTransform, shapes};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -39,7 +39,7 @@ async fn gpu_and_cpu_agree() {
     for [a, b] in [["sphere", "torus"], ["wavy-sheet", "wavy-sheet-b"]] {
         let gpu = measure(&engine, a, b, &options(Backend::Gpu)).await;
         let cpu = measure(&engine, a, b, &options(Backend::Cpu)).await;
-        assert_eq!((gpu.backend, cpu.backend), ("gpu", "cpu"));
+        assert_eq!((gpu.backend, cpu.backend), (Processor::Gpu, Processor::Cpu));
         let off = (gpu.computed - cpu.computed).abs() / cpu.diagonal;
         assert!(off < AGREEMENT, "{a} and {b}: {} and {}", gpu.computed, cpu.computed);
     }
@@ -49,7 +49,7 @@ async fn gpu_and_cpu_agree() {
 async fn concentric_spheres_are_the_difference_of_their_radii_apart() {
     let engine = Engine::new(Backend::Auto).await.unwrap();
     let result = measure(&engine, "sphere", "sphere-larger", &options(Backend::Auto)).await;
-    assert_eq!(result.backend, "gpu");
+    assert_eq!(result.backend, Processor::Gpu);
     assert!((result.computed - 0.2).abs() < 1e-12, "{}", result.computed);
     assert!(result.lower <= 0.2 && 0.2 <= result.upper);
 }

@@ -1,6 +1,6 @@
 //! A level of cells of method `certified`, for the kernels to work on.
 
-use crate::models;
+use super::models;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::engine::PreparedModel;

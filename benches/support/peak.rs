@@ -1,7 +1,7 @@
 //! The float32 peak of the GPU at hand, as a kernel of nothing but
 //! multiply-adds reaches it.
 
-use crate::clock::Stopwatch;
+use super::clock::Stopwatch;
 use wgpu::util::DeviceExt;
 
 /// Multiply-adds of one accumulator written out in the loop's body.

@@ -12,7 +12,6 @@ pub(crate) struct Reference {
     pub(crate) b: String,
     /// What A is moved by.
     pub(crate) translation: DVec3,
-    #[allow(dead_code, reason = "not every benchmark compares")]
     pub(crate) interval: [f64; 2],
 }
 

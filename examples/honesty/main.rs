@@ -13,18 +13,12 @@
 //! Exit status 1 if any pair is dishonest.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
-mod brute;
-mod check;
-#[path = "../../tests/support/evaluator.rs"]
-#[allow(dead_code, unreachable_pub, reason = "shared with the tests, which use more of it")]
-mod evaluator;
-mod offsets;
-mod pairs;
-mod partners;
-mod sheet;
-mod surfaces;
+mod fuzzer;
+#[path = "../../tests/support/mod.rs"]
+mod support;
 
 use clap::Parser;
+use fuzzer::check::{Outcome, check};
 use rayon::prelude::*;
 use std::process::ExitCode;
 
@@ -42,7 +36,7 @@ struct Arguments {
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
-    let outcomes: Vec<check::Outcome> = seeds.into_par_iter().map(check::check).collect();
+    let outcomes: Vec<Outcome> = seeds.into_par_iter().map(check).collect();
     let converged = outcomes.iter().filter(|outcome| outcome.converged).count();
     let mut cells: Vec<usize> = outcomes.iter().map(|outcome| outcome.cells).collect();
     cells.sort_unstable();

@@ -76,6 +76,7 @@ impl PatchSet {
     }
 
     /// Returns whether the set has no patches.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()

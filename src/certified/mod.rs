@@ -31,5 +31,6 @@ pub(crate) use operand::{Operand, Pair};
 pub(crate) use pieces::{Pieces, Place};
 pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
 
+#[cfg(feature = "internals")]
 pub use bounds::Quadratic;
 pub use search::Stop;

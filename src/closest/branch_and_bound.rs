@@ -117,6 +117,10 @@ pub(crate) fn closest_above(
     } else {
         search.push(root.aabb.min_distance_squared(point), Region::Node(0));
     }
+    // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
+    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(point.abs()).max_element();
+    let rounding = coordinate_rounding(coordinate);
+    let gap = gap.max(rounding);
     let mut sub_patches = 0;
     let mut lower_squared = f64::INFINITY;
     while let Some(QueueEntry { lower_bound, region }) = search.queue.pop() {
@@ -136,9 +140,8 @@ pub(crate) fn closest_above(
         }
     }
     let (index, parameters, distance_squared) = search.incumbent?;
-    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(point.abs()).max_element();
     let upper = distance_squared.sqrt();
-    let lower = (lower_squared.sqrt().min(upper) - coordinate_rounding(coordinate)).max(0.0);
+    let lower = (lower_squared.sqrt().min(upper) - rounding).max(0.0);
     let point = search.patch(index).point(parameters);
     Some(Closest { patch: index as usize, parameters, point, upper, lower })
 }

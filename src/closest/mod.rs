@@ -23,7 +23,7 @@ pub(crate) use newton::newton_below;
 pub use tangent_plane::{contraction, tangent_plane};
 pub use target::Target;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The way in which the projection of one point on one patch ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -62,11 +62,12 @@ pub struct Foot {
 }
 
 /// The step that an iteration takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Projection {
-    /// The damped Newton step with an active set at the patch's edges ([`newton`]).
+    /// The damped Newton step with an active set at the patch's edges.
     #[default]
     Newton,
-    /// The 2012 paper's tangent-plane step ([`tangent_plane`]).
+    /// The 2012 paper's tangent-plane step.
     TangentPlane,
 }

@@ -1,7 +1,7 @@
 //! One direction of method `certified`, within its budgets.
 
 use super::iteration::{Directed, surface_point};
-use super::{Backend, CertifiedDetails, Options, Stop};
+use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, Levels};
@@ -72,8 +72,7 @@ pub(super) async fn certified(
             to.surface_parameters(witness.closest.parameters),
             witness.closest.point,
         ),
-        iteration: None,
-        certified: Some(CertifiedDetails {
+        details: Details::Certified(CertifiedDetails {
             tolerance,
             cells: work.cells,
             cpu_cells: work.cells - work.kernel_cells,
@@ -81,7 +80,6 @@ pub(super) async fn certified(
             stop,
             within,
         }),
-        hierarchy: None,
         field: Vec::new(),
     };
     Ok(Some((directed, notice)))

@@ -1,4 +1,4 @@
-//! The deviation field: what every sample found, and its statistics.
+//! The deviation field: the foot and the distance of every sample, and their statistics.
 
 use super::Field;
 use super::iteration::Direction;
@@ -7,9 +7,10 @@ use crate::iteration::{Projected, SampleGrid};
 use glam::DVec3;
 use serde::Serialize;
 
-/// Statistics of the deviation over the area of the sampled model. Estimates:
-/// sums over samples, bounded by nothing.
+/// Statistics of the deviation over the area of the sampled model. They are
+/// estimates: sums over samples without error bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Statistics {
     /// Always true: a reminder in the data that these are not certified.
     pub estimate: bool,
@@ -110,7 +111,7 @@ fn weight(parameters: &[f64], index: usize) -> f64 {
     0.5 * (after - before)
 }
 
-/// The distance, negative behind the foot's normal; no number where there is none.
+/// The distance, negative behind the foot's normal; NaN where there is no normal.
 fn signed(point: DVec3, foot: &Jet) -> f64 {
     let offset = point - foot.point;
     foot.normal().map_or(f64::NAN, |normal| offset.length().copysign(offset.dot(normal)))

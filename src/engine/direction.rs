@@ -5,8 +5,8 @@ use super::iteration::{Directed, Direction};
 use super::iteration_backend::Stages;
 use super::iteration_cpu::CpuStages;
 use super::{
-    DistanceResult, Method, Options, PatchCounts, PreparedModel, Seconds, Statistics, Stop, SurfacePoint,
-    Witness,
+    DistanceResult, Method, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop,
+    SurfacePoint, Witness,
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
@@ -33,7 +33,7 @@ pub(super) struct Ends<'a> {
 /// What one direction found, on which backend, how fast.
 pub(super) struct Run {
     pub(super) directed: Directed,
-    pub(super) backend: &'static str,
+    pub(super) backend: Processor,
     pub(super) adapter: Option<String>,
     pub(super) notice: Option<String>,
     pub(super) diagonal: f64,
@@ -87,7 +87,7 @@ impl Ends<'_> {
         let directed = direction.run(&mut stages, progress).await?.ok_or(Error::EmptyModel)?;
         Ok(Run {
             directed,
-            backend: if gpu.is_some() { "gpu" } else { "cpu" },
+            backend: if gpu.is_some() { Processor::Gpu } else { Processor::Cpu },
             adapter: gpu.and_then(|gpu| gpu.adapter()),
             notice,
             diagonal,
@@ -121,10 +121,10 @@ impl Ends<'_> {
         let directed =
             certified(Pair { a, b, transform: self.transform }, diagonal, options, gpu, progress).await?;
         let (directed, notice) = directed.ok_or(Error::EmptyModel)?;
-        let helped = directed.certified.is_some_and(|details| details.cpu_cells < details.cells);
+        let helped = directed.details.certified().is_some_and(|details| details.cpu_cells < details.cells);
         Ok(Run {
             directed,
-            backend: if helped { "gpu" } else { "cpu" },
+            backend: if helped { Processor::Gpu } else { Processor::Cpu },
             adapter: gpu.filter(|_| helped).and_then(|gpu| gpu.adapter()),
             notice,
             diagonal,
@@ -142,7 +142,7 @@ impl Ends<'_> {
 impl Run {
     /// Whether the caller ended it early.
     pub(super) fn is_cancelled(&self) -> bool {
-        self.directed.certified.is_some_and(|certified| certified.stop == Stop::Cancelled)
+        self.directed.details.certified().is_some_and(|certified| certified.stop == Stop::Cancelled)
     }
 
     /// This run with another's samples.
@@ -153,10 +153,10 @@ impl Run {
     }
 
     /// From A to B.
-    pub(super) fn into_forward(self, options: &Options) -> DistanceResult {
+    pub(super) fn into_forward(self) -> DistanceResult {
         let witness = Witness { a: self.directed.from, b: self.directed.to };
         let patches = PatchCounts { a: self.sampled_patches, b: self.target_patches };
-        self.into_result(options, witness, patches)
+        self.into_result(witness, patches)
     }
 
     /// From B to A: found in A's own frame, told in B's.
@@ -173,14 +173,13 @@ impl Run {
             }
         }
         let patches = PatchCounts { a: self.target_patches, b: self.sampled_patches };
-        self.into_result(options, witness, patches)
+        self.into_result(witness, patches)
     }
 
-    fn into_result(self, options: &Options, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let Directed { computed, lower, upper, converged, iteration, certified, hierarchy, field, .. } =
-            self.directed;
+    fn into_result(self, witness: Witness, patches: PatchCounts) -> DistanceResult {
+        let Directed { computed, lower, upper, converged, details, field, .. } = self.directed;
         DistanceResult {
-            method: options.method,
+            details,
             backend: self.backend,
             adapter: self.adapter,
             diagonal: self.diagonal,
@@ -189,9 +188,6 @@ impl Run {
             upper,
             converged,
             witness,
-            iteration,
-            certified,
-            hierarchy,
             patches,
             seconds: self.seconds,
             notice: self.notice,

@@ -77,7 +77,7 @@ impl Engine {
         options.validate()?;
         let mut progress = Progress::new(monitor, options.symmetric);
         let forward = Ends { from: a, to: b, transform: options.transform };
-        let forward = self.directed(&forward, options, &mut progress).await?.into_forward(options);
+        let forward = self.directed(&forward, options, &mut progress).await?.into_forward();
         if !options.symmetric {
             progress.finish();
             return Ok(forward);
@@ -168,6 +168,7 @@ impl Engine {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::engine::Processor;
     use crate::progress::NoMonitor;
     use crate::shapes::{shape, sphere_parts};
 
@@ -192,13 +193,13 @@ mod tests {
         let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
         let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
         let lose = || engine.gpu.borrow().as_ref().unwrap().destroy();
-        assert_eq!(run().backend, "gpu");
+        assert_eq!(run().backend, Processor::Gpu);
         lose();
         let second = run();
-        assert_eq!((second.backend, second.notice), ("gpu", None));
+        assert_eq!((second.backend, second.notice), (Processor::Gpu, None));
         lose();
         let third = run();
-        assert_eq!(third.backend, "cpu");
+        assert_eq!(third.backend, Processor::Cpu);
         assert!(third.notice.unwrap().contains("lost: 2 times"));
         assert!((third.computed - second.computed).abs() < 1e-9);
         assert!(!engine.has_gpu());
@@ -221,14 +222,14 @@ mod tests {
         };
         let offend = || engine.gpu.borrow().as_ref().unwrap().offend();
         let sound = run(Backend::Gpu).unwrap();
-        let details = sound.certified.unwrap();
+        let details = sound.certified().unwrap();
         assert!(details.cpu_cells < details.cells, "nothing to fail at");
         assert_eq!(sound.notice, None);
 
         offend();
         let failed = run(Backend::Auto).unwrap();
-        let details = failed.certified.unwrap();
-        assert_eq!((failed.backend, failed.adapter), ("cpu", None));
+        let details = failed.certified().unwrap();
+        assert_eq!((failed.backend, failed.adapter), (Processor::Cpu, None));
         assert_eq!(details.cpu_cells, details.cells);
         assert!(failed.converged && failed.lower < 0.1 + ROUNDING && 0.1 - ROUNDING < failed.upper);
         let notice = failed.notice.unwrap();

@@ -2,7 +2,7 @@
 
 use super::hierarchy_cpu::descend;
 use super::iteration::{Directed, surface_point};
-use super::{HierarchyDetails, Options, PreparedModel};
+use super::{Details, HierarchyDetails, Options, PreparedModel};
 use crate::error::{Error, Result};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gpu::GpuDescent;
@@ -109,9 +109,7 @@ impl Descent<'_> {
             converged: upper - lower <= tolerance,
             from: surface_point(surface(0), a_parameters, a),
             to: surface_point(surface(1), b_parameters, b),
-            iteration: None,
-            certified: None,
-            hierarchy: Some(HierarchyDetails { grid: options.grid, levels: pairs.len(), pairs }),
+            details: Details::Hierarchy(HierarchyDetails { grid: options.grid, levels: pairs.len(), pairs }),
             field: Vec::new(),
         })
     }

@@ -3,7 +3,7 @@
 use super::direction::{Ends, Run};
 use super::hierarchy_backend::{Descending, Descent};
 use super::hierarchy_cpu::boxes_of;
-use super::{Options, Seconds};
+use super::{Options, Processor, Seconds};
 use crate::bvh::Aabb;
 use crate::error::Result;
 use crate::gpu::Gpu;
@@ -53,7 +53,7 @@ impl Ends<'_> {
                 (Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes)), None, prepared)
             }
         };
-        let backend = if matches!(stages, Descending::Cpu(_)) { "cpu" } else { "gpu" };
+        let backend = if matches!(stages, Descending::Cpu(_)) { Processor::Cpu } else { Processor::Gpu };
         let descent = Descent {
             models: [self.from, self.to],
             trees: [&a.tree, &b.tree],
@@ -66,7 +66,7 @@ impl Ends<'_> {
             backend,
             adapter,
             // Natively there are kernels wherever there is a GPU.
-            notice: (gpu.is_some() && backend == "cpu").then(|| ON_CPU.to_owned()),
+            notice: (gpu.is_some() && backend == Processor::Cpu).then(|| ON_CPU.to_owned()),
             diagonal: descent.diagonal,
             sampled_patches: self.from.bezier().patches.len(),
             target_patches: self.to.bezier().patches.len(),

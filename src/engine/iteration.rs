@@ -2,8 +2,8 @@
 
 use super::iteration_backend::Stages;
 use super::{
-    Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, Options, PreparedModel,
-    PreparedSampling, PreparedTarget, SurfacePoint,
+    Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
+    SurfacePoint,
 };
 use crate::closest::{Closest, Projection, Status, closest, contraction, nearest_control};
 use crate::error::Result;
@@ -45,9 +45,7 @@ pub(super) struct Directed {
     pub(super) converged: bool,
     pub(super) from: SurfacePoint,
     pub(super) to: SurfacePoint,
-    pub(super) iteration: Option<IterationDetails>,
-    pub(super) certified: Option<CertifiedDetails>,
-    pub(super) hierarchy: Option<HierarchyDetails>,
+    pub(super) details: Details,
     pub(super) field: Vec<Field>,
 }
 
@@ -210,13 +208,11 @@ impl Direction<'_> {
             converged,
             from: self.sample_point(farthest.sample, farthest.point),
             to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),
-            iteration: Some(IterationDetails {
+            details: Details::Iteration(IterationDetails {
                 bounds: Bounds { k_a: radius.published, k_a_rigorous: radius.rigorous, k_b },
                 samples: self.sampling.sampling.len(),
                 statuses,
             }),
-            certified: None,
-            hierarchy: None,
             field,
         }
     }

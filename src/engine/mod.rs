@@ -20,8 +20,8 @@ pub use dispatch::Engine;
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{
-    Bounds, CertifiedDetails, DistanceResult, Field, HierarchyDetails, IterationDetails, PatchCounts,
-    Seconds, Stop, SurfacePoint, Witness,
+    Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
+    PatchCounts, Processor, Seconds, Stop, SurfacePoint, Witness,
 };
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

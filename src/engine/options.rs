@@ -1,27 +1,29 @@
-//! What a caller may choose.
+//! The options of a distance.
 
 use crate::closest::Projection;
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
-use serde::Serialize;
+use serde::Deserialize;
+use std::fmt::Debug;
 
 /// How the distance is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// An interval to the tolerance asked for.
+    /// Branch and bound to an interval of the requested width.
     #[default]
     Certified,
     /// The 2012 paper's sampling and projection.
     Iteration,
-    /// The 2011 paper's pairs of boxes.
+    /// The 2011 paper's hierarchy of pairs of boxes.
     Hierarchy,
 }
 
 /// Where the kernels run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Backend {
     /// On the GPU if there is one, else on the CPU, and the result says why.
     #[default]
@@ -32,33 +34,39 @@ pub enum Backend {
     Cpu,
 }
 
-/// Options of [`super::Engine::distance`], with the defaults of the paper.
-#[derive(Debug, Clone, PartialEq)]
+/// Options of [`super::Engine::distance`], with the defaults of the 2012 paper.
+///
+/// They can be deserialized from names in camelCase. The ranges are checked by
+/// [`Self::validate`].
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Options {
     /// How the distance is computed.
     pub method: Method,
-    /// `certified`: the width asked of the interval, positive; `hierarchy`
-    /// only says whether its interval is as narrow.
+    /// `certified`: the requested width of the interval, positive. `hierarchy`
+    /// only reports whether its interval is as narrow.
     pub tolerance: f64,
     /// Whether `tolerance` is in model units; else it is relative to the
     /// larger diagonal of the two models' control-net boxes.
     pub absolute: bool,
-    /// `certified`: only whether the distance is at most this is asked, in
-    /// model units, 0 or more; the search ends as soon as it is known.
+    /// `certified`: the search only decides whether the distance is at most this
+    /// limit, in model units, 0 or more, and ends as soon as that is known.
     pub limit: Option<f64>,
-    /// `certified`: seconds after which the interval so far is returned, positive.
+    /// `certified`: seconds a direction after which the interval so far is
+    /// returned, positive.
     pub max_seconds: Option<f64>,
-    /// `certified`: cells after which the interval so far is returned, 1 or more.
+    /// `certified`: cells a direction after which the interval so far is
+    /// returned, 1 or more.
     pub max_cells: Option<usize>,
     /// `iteration`: samples along each direction of every surface, 2 to 1024.
     pub samples: usize,
-    /// `iteration`: how they are spread.
+    /// `iteration`: the rule by which they are spread.
     pub sampling: SamplingRule,
-    /// How flat the patches are cut.
+    /// The flatness to which patches of B are cut.
     pub flatness: Flatness,
     /// The step of the projection.
     pub projection: Projection,
-    /// Which patches are tried.
+    /// The patches on which a sample is projected.
     pub culling: Culling,
     /// Steps on one patch, 1 to 300.
     pub iterations: u32,
@@ -73,12 +81,14 @@ pub struct Options {
     pub memory_budget: usize,
     /// Whether both directions are measured.
     pub symmetric: bool,
-    /// Moves A before it is measured.
+    /// Moves A before it is measured. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
     pub transform: RigidTransform,
     /// Where the kernels run.
     pub backend: Backend,
-    /// Whether every sample of the grid and its foot are returned, with
-    /// statistics; also with method `certified`.
+    /// Whether the deviation at every sample of a grid is returned, with
+    /// statistics; for all methods.
     pub field: bool,
 }
 
@@ -108,18 +118,27 @@ impl Default for Options {
     }
 }
 
-/// MiB for pairs, at most: two lists, each in one binding of the GPU.
+/// Largest memory for pairs, in MiB: two lists, each in one binding of the GPU.
 const MAX_MEMORY: usize = 256;
 
-/// Samples or cells along a direction, at most: a million a surface.
+/// Largest number of samples or cells along a direction: a million a surface.
 const MAX_SAMPLES: usize = 1024;
 
-/// Steps on one patch, at most: far beyond any that still help, and few enough
-/// that one patch of the highest degree stays within a kernel's turns.
+/// Largest number of steps on one patch: far beyond any that still help, and few
+/// enough that one patch of the highest degree stays within a kernel's turns.
 const MAX_ITERATIONS: u32 = 300;
 
-const POSITIVE: &str = "a positive finite number";
-const AT_LEAST_0: &str = "a finite number of at least 0";
+/// # Errors
+/// [`Error::OptionOutOfRange`] unless the option is `valid`.
+fn require(option: &'static str, valid: bool, found: impl Debug, expected: &'static str) -> Result<()> {
+    if valid { Ok(()) } else { Err(Error::out_of_range(option, found, expected)) }
+}
+
+/// # Errors
+/// [`Error::OptionOutOfRange`] unless the option is positive and finite.
+fn positive(option: &'static str, found: f64) -> Result<()> {
+    require(option, found.is_finite() && found > 0.0, found, "a positive finite number")
+}
 
 impl Options {
     /// Checks every range.
@@ -127,32 +146,22 @@ impl Options {
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option.
     pub fn validate(&self) -> Result<()> {
-        let positive = |found: f64| found.is_finite() && found > 0.0;
-        let at_least_0 = |found: f64| found.is_finite() && found >= 0.0;
         let counts = 2..=MAX_SAMPLES;
         let memory = (1..=MAX_MEMORY).contains(&self.memory_budget);
         let iterations = (1..=MAX_ITERATIONS).contains(&self.iterations);
-        // One list, as every call that may fail is code of the wasm module.
-        let checks = [
-            ("samples", counts.contains(&self.samples), self.samples as f64, "2 to 1024"),
-            ("grid", counts.contains(&self.grid), self.grid as f64, "2 to 1024"),
-            ("memory budget", memory, self.memory_budget as f64, "1 to 256 MiB"),
-            ("iterations", iterations, self.iterations.into(), "1 to 300"),
-            ("tolerance", positive(self.tolerance), self.tolerance, POSITIVE),
-            ("limit", self.limit.is_none_or(at_least_0), self.limit.unwrap_or_default(), AT_LEAST_0),
-            (
-                "max seconds",
-                self.max_seconds.is_none_or(positive),
-                self.max_seconds.unwrap_or_default(),
-                POSITIVE,
-            ),
-            ("max cells", self.max_cells != Some(0), 0.0, "at least 1"),
-            ("step tolerance", positive(self.step_tolerance), self.step_tolerance, POSITIVE),
-        ];
-        match checks.into_iter().find(|(_, valid, ..)| !valid) {
-            Some((option, _, found, expected)) => Err(Error::out_of_range(option, found, expected)),
-            None => Ok(()),
+        require("samples", counts.contains(&self.samples), self.samples, "2 to 1024")?;
+        require("grid", counts.contains(&self.grid), self.grid, "2 to 1024")?;
+        require("memory budget", memory, self.memory_budget, "1 to 256 MiB")?;
+        require("iterations", iterations, self.iterations, "1 to 300")?;
+        positive("tolerance", self.tolerance)?;
+        positive("step tolerance", self.step_tolerance)?;
+        if let Some(limit) = self.limit {
+            require("limit", limit.is_finite() && limit >= 0.0, limit, "a finite number of at least 0")?;
         }
+        if let Some(seconds) = self.max_seconds {
+            positive("max seconds", seconds)?;
+        }
+        require("max cells", self.max_cells != Some(0), 0, "at least 1")
     }
 
     pub(crate) fn rule(&self) -> Rule {

@@ -1,6 +1,6 @@
 //! A model with everything computed from it once.
 
-use crate::bezier::{BezierModel, LocalDerivativeBounds, extract};
+use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract};
 use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
@@ -91,9 +91,12 @@ impl PreparedModel {
         self.name.as_deref()
     }
 
-    /// The model's Bézier patches.
-    #[must_use]
-    pub fn bezier(&self) -> &BezierModel {
+    /// The numbers of Bézier patches along u and v, one entry a surface.
+    pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
+        self.bezier.grids.iter().map(PatchGrid::counts)
+    }
+
+    pub(crate) fn bezier(&self) -> &BezierModel {
         &self.bezier
     }
 

@@ -1,52 +1,68 @@
-//! The answer, in the shape that the command line and JavaScript hand on.
+//! The result of a distance, which the command line and JavaScript pass on as it is.
 
 use super::{Method, Statistics};
 pub use crate::certified::Stop;
 use crate::iteration::StatusCounts;
 use serde::Serialize;
+use std::fmt::{Display, Formatter};
+
+/// The processor that computed a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Processor {
+    /// A GPU, at least in part.
+    Gpu,
+    /// The CPU alone, in float64.
+    Cpu,
+}
+
+impl Display for Processor {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Gpu => "gpu",
+            Self::Cpu => "cpu",
+        })
+    }
+}
 
 /// The distance of two models.
 ///
-/// `lower <= true distance <= upper` whatever converged or not; `computed` is
-/// the method's own number.
+/// Guarantee: `lower <= true distance <= upper`, whether the method converged
+/// or not; `computed` is the method's own number. As JSON the names are in
+/// camelCase, and the key `method` names the variant of [`Details`], whose
+/// fields stand next to those here.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct DistanceResult {
-    /// The method used.
-    pub method: Method,
-    /// `"gpu"` or `"cpu"`.
-    pub backend: &'static str,
+    /// The method, with the results that only it has.
+    #[serde(flatten)]
+    pub details: Details,
+    /// The processor that computed the result.
+    pub backend: Processor,
     /// The GPU's name, if it has one and was used.
     pub adapter: Option<String>,
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,
     /// The distance of the witness, which the method takes for the farthest point.
     pub computed: f64,
-    /// At most the true distance.
+    /// A lower bound on the true distance.
     pub lower: f64,
-    /// At least the true distance.
+    /// An upper bound on the true distance.
     pub upper: f64,
-    /// `certified`: whether the interval is as narrow as asked, or the limit
-    /// is decided. `iteration`: whether `computed` is the largest distance of
-    /// all samples to rounding, or with the tangent-plane step whether the
-    /// witness's iteration ended by its step tolerance. `hierarchy`: whether
-    /// the interval, whose width the grid decides, is as narrow as asked.
+    /// `certified`: whether the interval is as narrow as requested, or the
+    /// limit is decided. `iteration`: whether `computed` is the largest
+    /// distance of all samples up to rounding, or with the tangent-plane step
+    /// whether the witness's iteration ended by its step tolerance.
+    /// `hierarchy`: whether the interval, whose width follows from the grid, is
+    /// as narrow as requested.
     pub converged: bool,
     /// Where the distance is attained.
     pub witness: Witness,
-    /// What only method `iteration` tells.
-    #[serde(flatten)]
-    pub iteration: Option<IterationDetails>,
-    /// What only method `certified` tells.
-    #[serde(flatten)]
-    pub certified: Option<CertifiedDetails>,
-    /// What only method `hierarchy` tells.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hierarchy: Option<HierarchyDetails>,
     /// Numbers of patches.
     pub patches: PatchCounts,
     /// Where the time went.
     pub seconds: Seconds,
-    /// Why the GPU was not used although it was not ruled out.
+    /// The reason why the GPU was not used although the options allow it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub notice: Option<String>,
     /// With `symmetric`: from A to B.
@@ -64,38 +80,101 @@ pub struct DistanceResult {
     pub field: Vec<Field>,
 }
 
-/// What method `iteration` tells besides the interval.
+impl DistanceResult {
+    /// The method used.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.details.method()
+    }
+
+    /// The results that only method `certified` has.
+    #[must_use]
+    pub fn certified(&self) -> Option<CertifiedDetails> {
+        self.details.certified()
+    }
+
+    /// The results that only method `iteration` has.
+    #[must_use]
+    pub fn iteration(&self) -> Option<IterationDetails> {
+        self.details.iteration()
+    }
+
+    /// The results that only method `hierarchy` has.
+    #[must_use]
+    pub fn hierarchy(&self) -> Option<&HierarchyDetails> {
+        self.details.hierarchy()
+    }
+}
+
+/// The results that only one method has.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "method", rename_all = "kebab-case")]
+pub enum Details {
+    /// Of method `certified`.
+    Certified(CertifiedDetails),
+    /// Of method `iteration`.
+    Iteration(IterationDetails),
+    /// Of method `hierarchy`.
+    Hierarchy(HierarchyDetails),
+}
+
+impl Details {
+    pub(super) fn method(&self) -> Method {
+        match self {
+            Self::Certified(_) => Method::Certified,
+            Self::Iteration(_) => Method::Iteration,
+            Self::Hierarchy(_) => Method::Hierarchy,
+        }
+    }
+
+    pub(super) fn certified(&self) -> Option<CertifiedDetails> {
+        if let Self::Certified(details) = self { Some(*details) } else { None }
+    }
+
+    fn iteration(&self) -> Option<IterationDetails> {
+        if let Self::Iteration(details) = self { Some(*details) } else { None }
+    }
+
+    fn hierarchy(&self) -> Option<&HierarchyDetails> {
+        if let Self::Hierarchy(details) = self { Some(details) } else { None }
+    }
+}
+
+/// The results that only method `iteration` has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct IterationDetails {
-    /// The paper's bounds, and the one that holds.
+    /// The paper's bounds, and the rigorous one.
     pub bounds: Bounds,
     /// Number of samples.
     pub samples: usize,
-    /// How their projections ended.
+    /// Numbers of samples by how their projections ended.
     pub statuses: StatusCounts,
 }
 
-/// What method `certified` tells besides the interval.
+/// The results that only method `certified` has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct CertifiedDetails {
-    /// The width asked of the interval, in model units.
+    /// The requested width of the interval, in model units.
     pub tolerance: f64,
     /// Number of cells bounded.
     pub cells: usize,
     /// Number of those bounded in float64 on the CPU.
     pub cpu_cells: usize,
-    /// Halvings from the whole model to the smallest cell.
+    /// Number of halvings from the whole model to the smallest cell.
     pub levels: u32,
     /// Why the search ended.
     pub stop: Stop,
     /// With a limit: whether the distance is at most the limit, absent if the
-    /// search ended before it was known.
+    /// search ended before that was known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<bool>,
 }
 
-/// What method `hierarchy` tells besides the interval.
+/// The results that only method `hierarchy` has.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct HierarchyDetails {
     /// Cells along each direction of every surface.
     pub grid: usize,
@@ -105,12 +184,13 @@ pub struct HierarchyDetails {
     pub pairs: Vec<u64>,
 }
 
-/// How far `computed` can be from the true distance.
+/// Bounds on the difference between `computed` and the true distance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Bounds {
     /// The 2012 paper's `K_A`, half the largest diagonal of a cell's box. Not rigorous.
     pub k_a: f64,
-    /// What a point between the samples can add, certainly.
+    /// A rigorous bound on what a point between the samples can add.
     pub k_a_rigorous: f64,
     /// The 2012 paper's `K_B = α / (1 - α) E_B` with α observed at the
     /// witness; absent where α was not below 1. An estimate, not a guarantee.
@@ -181,10 +261,10 @@ pub struct Field {
     /// Their distances.
     pub distances: Vec<f64>,
     /// The distances, negative behind the normal (u x v) of the other model's
-    /// surface at the foot; no number where that has no normal.
+    /// surface at the foot; NaN where it has no normal.
     pub signed: Vec<f64>,
     /// The area of the surface that each sample stands for.
     pub areas: Vec<f64>,
-    /// How the projections ended: [`crate::closest::Status`] as a number.
+    /// The ends of the projections: [`crate::result::Status`] as a number.
     pub statuses: Vec<u8>,
 }

@@ -1,18 +1,18 @@
-//! Two directed results into the symmetric one.
+//! The symmetric result of two directed ones.
 
-use super::{Bounds, CertifiedDetails, DistanceResult, HierarchyDetails, IterationDetails, Stop};
+use super::{Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails, Stop};
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
     /// is their maximum, so its interval is that of the maxima.
     pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let &Self { method, backend, diagonal, computed, witness, patches, .. } = larger;
+        let &Self { backend, diagonal, computed, witness, patches, .. } = larger;
         let (adapter, notice) = (larger.adapter.clone(), larger.notice.clone());
         let mut seconds = forward.seconds;
         seconds += reverse.seconds;
         Self {
-            method,
+            details: forward.details.combined(&reverse.details),
             backend,
             adapter,
             diagonal,
@@ -21,13 +21,6 @@ impl DistanceResult {
             upper: forward.upper.max(reverse.upper),
             converged: forward.converged && reverse.converged,
             witness,
-            iteration: forward.iteration.zip(reverse.iteration).map(IterationDetails::combined),
-            certified: forward.certified.zip(reverse.certified).map(CertifiedDetails::combined),
-            hierarchy: forward
-                .hierarchy
-                .as_ref()
-                .zip(reverse.hierarchy.as_ref())
-                .map(HierarchyDetails::combined),
             patches,
             seconds,
             notice,
@@ -39,8 +32,28 @@ impl DistanceResult {
     }
 }
 
+impl Details {
+    /// The details of both directions, which are of one method.
+    fn combined(&self, reverse: &Self) -> Self {
+        match (self, reverse) {
+            (Self::Certified(forward), Self::Certified(reverse)) => {
+                Self::Certified(forward.combined(reverse))
+            }
+            (Self::Iteration(forward), Self::Iteration(reverse)) => {
+                Self::Iteration(forward.combined(reverse))
+            }
+            (Self::Hierarchy(forward), Self::Hierarchy(reverse)) => {
+                Self::Hierarchy(forward.combined(reverse))
+            }
+            // One call measures both directions by the method of its options.
+            _ => self.clone(),
+        }
+    }
+}
+
 impl IterationDetails {
-    fn combined((forward, reverse): (Self, Self)) -> Self {
+    fn combined(&self, reverse: &Self) -> Self {
+        let forward = self;
         let mut statuses = forward.statuses;
         statuses += reverse.statuses;
         Self {
@@ -60,15 +73,16 @@ impl IterationDetails {
 }
 
 impl HierarchyDetails {
-    /// The trees are the same two, so both directions have as many levels.
-    fn combined((forward, reverse): (&Self, &Self)) -> Self {
-        let pairs = forward.pairs.iter().zip(&reverse.pairs).map(|(forward, reverse)| forward + reverse);
-        Self { pairs: pairs.collect(), ..forward.clone() }
+    /// The two trees are the same in both directions, and so is the number of levels.
+    fn combined(&self, reverse: &Self) -> Self {
+        let pairs = self.pairs.iter().zip(&reverse.pairs).map(|(forward, reverse)| forward + reverse);
+        Self { pairs: pairs.collect(), ..*self }
     }
 }
 
 impl CertifiedDetails {
-    fn combined((forward, reverse): (Self, Self)) -> Self {
+    fn combined(&self, reverse: &Self) -> Self {
+        let forward = self;
         Self {
             tolerance: forward.tolerance,
             cells: forward.cells + reverse.cells,

@@ -15,9 +15,11 @@ pub use extension::extensions;
 use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
+use serde::Deserialize;
 
 /// The criterion by which a patch counts as flat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Flatness {
     /// Every patch is flat: Bézier extraction alone (the 2012 paper's "knots only").
     None,

@@ -3,7 +3,7 @@
 //! Those of method `hierarchy` are natively only: they would take 12 KiB of the
 //! gzipped wasm module's 150, which every page pays that only wants a distance.
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 mod bench;
 #[cfg(not(target_arch = "wasm32"))]
 mod box_kernels;
@@ -21,7 +21,7 @@ mod kept_text;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod kernel_error;
 mod layouts;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 mod level_bench;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod level_error;
@@ -45,14 +45,12 @@ mod upload_sampling;
 mod upload_target;
 mod work;
 
-#[cfg(not(target_arch = "wasm32"))]
-#[doc(hidden)]
+#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 pub use bench::StageBench;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use descent::{Frame, GpuDescent};
 pub use device::Gpu;
-#[cfg(not(target_arch = "wasm32"))]
-#[doc(hidden)]
+#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 pub use level_bench::{LevelBench, LevelStage};
 pub(crate) use levels::Levels;
 pub(crate) use resident::Resident;

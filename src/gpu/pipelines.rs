@@ -169,7 +169,7 @@ impl Pipelines {
     }
 
     /// Makes the kernel's pipeline of another text.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
     pub(super) fn replace(&self, kernel: Kernel, text: String) {
         let pipeline = Rc::new(self.make(kernel, text));
         let mut made = self.made.borrow_mut();

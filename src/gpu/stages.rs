@@ -217,13 +217,13 @@ impl GpuStages {
     }
 
     /// Stage `sample` alone, for `benches`.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
     pub(super) async fn sample(&self, index: usize) -> Result<()> {
         self.sampled(index).await?.submit().await
     }
 
     /// The kernels of stage `project`, for `benches`.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
     pub(super) fn project_kernels(&self) -> Vec<Kernel> {
         let mut kernels: Vec<Kernel> = Vec::new();
         for group in &self.target.groups {
@@ -236,7 +236,7 @@ impl GpuStages {
     }
 
     /// `Best.s` of the page as the kernel wrote it, for `benches`.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
     pub(super) async fn written(&self) -> Result<Vec<f32>> {
         let work = Work::new(&self.gpu, &self.buffers.params);
         let bytes = (self.page.len() * size_of::<Best>()) as u64;

@@ -21,7 +21,11 @@ mod traversal;
 
 pub use box_distance::DistanceBounds;
 pub use boxes::{CellPart, boxes};
-pub use grid_tree::{ChildRange, GridCell, GridTree, MAX_CELLS, MAX_CHILDREN};
+pub use grid_tree::{ChildRange, GridTree};
+#[cfg(feature = "internals")]
+pub use grid_tree::{GridCell, MAX_CELLS, MAX_CHILDREN};
 pub(crate) use level_bounds::LevelBounds;
 pub use pyramid::pyramid;
-pub use traversal::{NodeBounds, Pairs, Traversal, extremes};
+#[cfg(feature = "internals")]
+pub use traversal::NodeBounds;
+pub use traversal::{Pairs, Traversal, extremes};

@@ -59,18 +59,6 @@ impl Pairs {
         self.nodes.len()
     }
 
-    /// Returns the number of pairs.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.partners.len()
-    }
-
-    /// Returns whether there are no pairs.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.partners.is_empty()
-    }
-
     fn partners(&self, position: usize) -> &[u32] {
         &self.partners[self.starts[position]..self.starts[position + 1]]
     }

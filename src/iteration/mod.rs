@@ -19,8 +19,10 @@ pub(crate) use covering_radius::cell_pieces;
 pub use project::{Culling, project};
 pub use reduce::reduce;
 pub use sample::sample;
+#[cfg(feature = "internals")]
+pub use sampling::PAGE_SAMPLES;
 pub(crate) use sampling::uniform;
-pub use sampling::{PAGE_SAMPLES, SampleGrid, Sampling, SamplingRule};
+pub use sampling::{SampleGrid, Sampling, SamplingRule};
 
 use crate::closest::{Projection, Status};
 use serde::Serialize;
@@ -62,6 +64,7 @@ pub(crate) struct Candidate {
 
 /// The numbers of samples by the status of their projection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct StatusCounts {
     /// Projections that ended at a stationary point.
     pub converged: usize,

@@ -4,10 +4,12 @@ use super::{Projected, Rule};
 use crate::bezier::Patch;
 use crate::closest::{Foot, Projection, Status, Target, nearest_control, newton, tangent_plane};
 use glam::DVec3;
+use serde::Deserialize;
 
 /// The choice of patches that a sample is projected on. It does not change the
 /// distances: a patch is pruned only if its box is no nearer than a foot found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Culling {
     /// The patches that a bounding volume hierarchy does not prune.
     #[default]

@@ -2,12 +2,14 @@
 
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchGrid};
+use serde::Deserialize;
 use std::ops::Range;
 
 use super::CoveringRadius;
 
 /// The distribution of the parameters along one axis over the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SamplingRule {
     /// Evenly spaced parameters, as in the 2012 paper.
     #[default]
@@ -75,6 +77,7 @@ impl Sampling {
     }
 
     /// Returns whether there are no samples.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -127,6 +130,7 @@ impl SampleGrid {
     }
 
     /// Returns whether there are no samples.
+    #[cfg(feature = "internals")]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

@@ -6,8 +6,8 @@
  *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
- * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` wants more pairs of boxes than
- *   its `memoryBudget` holds; the message says how many;
+ * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
+ *   its `memoryBudget` holds; the message states how many;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
  * - `DISPOSED`: used after `dispose()`.
@@ -40,7 +40,7 @@ export type ErrorCode =
   | "MODULE_NOT_LOADED"
   | "DISPOSED";
 
-/** Every error that the package raises on purpose. */
+/** The class of all errors that the package raises on purpose. */
 export class HausdorffError extends Error {
   readonly code: ErrorCode;
 
@@ -52,7 +52,7 @@ export class HausdorffError extends Error {
 }
 
 /**
- * The error for what the wasm module threw; what is not of its making stays.
+ * The error for a value that the wasm module threw; other values are returned as they are.
  * @internal
  */
 export function translated(thrown: unknown, cause?: unknown): unknown {

@@ -1,11 +1,9 @@
-import type { SurfaceArrays } from "./arrays.js";
 import { HausdorffError, translated, translating } from "./error.js";
-import { prepare } from "./input.js";
-import type { InterchangeModel } from "./interchange.js";
-import { type NurbsModel, unwrap, wrap } from "./model.js";
-import { load, type ModuleSource, requireLoaded } from "./module.js";
+import { load, type ModuleSource, requireLoaded } from "./load.js";
+import { NurbsModel } from "./model.js";
 import { type Backend, type DistanceOptions, split } from "./options.js";
 import type { DistanceResult } from "./result.js";
+import { type InterchangeModel, prepare, type SurfaceArrays } from "./surface.js";
 import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
@@ -33,7 +31,7 @@ export interface ShapeInfo {
  */
 export class Hausdorff {
   #engine: Engine | undefined;
-  // Settled when no distance is in work.
+  // Settled when no distance is being computed.
   #turn: Promise<unknown> = Promise.resolve();
 
   private constructor(engine: Engine) {
@@ -60,12 +58,12 @@ export class Hausdorff {
     return this.#open().hasGpu ? "gpu" : "cpu";
   }
 
-  /** The GPU's name, if there is a GPU and it tells. */
+  /** The GPU's name, if there is a GPU and the platform reports it. */
   get adapter(): string | null {
     return this.#open().adapter ?? null;
   }
 
-  /** Why there is no GPU, if one was looked for. */
+  /** The reason why there is no GPU, if one was looked for. */
   get notice(): string | null {
     return this.#open().notice ?? null;
   }
@@ -78,7 +76,7 @@ export class Hausdorff {
    */
   model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
     this.#open();
-    return translating(() => wrap(prepare(input)));
+    return translating(() => NurbsModel.of(prepare(input)));
   }
 
   /**
@@ -88,7 +86,7 @@ export class Hausdorff {
    */
   shape(name: string): NurbsModel {
     this.#open();
-    return translating(() => wrap(PreparedModel.shape(`${name}`)));
+    return translating(() => NurbsModel.of(PreparedModel.shape(`${name}`)));
   }
 
   /**
@@ -102,9 +100,9 @@ export class Hausdorff {
   }
 
   /**
-   * The directed distance from `a`, moved by `transform`, to `b`: how far the
-   * farthest point of `a` is from `b`. With `symmetric`, the larger of both
-   * directions. Distances asked for at once are computed in turn.
+   * The directed distance from `a`, moved by `transform`, to `b`: the largest
+   * distance from a point of `a` to `b`. With `symmetric`, the larger of both
+   * directions. Distances requested at once are computed in turn.
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
@@ -117,11 +115,12 @@ export class Hausdorff {
     options: DistanceOptions = {},
   ): Promise<DistanceResult> {
     const engine = this.#open();
-    const { plain, signal, onProgress } = split(options);
+    const { plain, transform, signal, onProgress } = split(options);
     const result = engine.distance(
-      unwrap(a, "a"),
-      unwrap(b, "b"),
+      prepared(a, "a"),
+      prepared(b, "b"),
       plain,
+      transform,
       signal,
       onProgress,
       this.#turn,
@@ -134,7 +133,7 @@ export class Hausdorff {
     }
   }
 
-  /** Lets the device go; distances in work still end well. */
+  /** Releases the device; distances being computed still end well. */
   dispose(): void {
     this.#engine?.free();
     this.#engine = undefined;
@@ -150,4 +149,11 @@ export class Hausdorff {
     }
     return this.#engine;
   }
+}
+
+function prepared(model: NurbsModel, name: string): PreparedModel {
+  if (!(model instanceof NurbsModel)) {
+    throw new HausdorffError("ARGUMENT_INVALID", `${name} is not a NurbsModel`);
+  }
+  return model.prepared;
 }

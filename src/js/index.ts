@@ -1,10 +1,8 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
-export type { Numbers, SurfaceArrays } from "./arrays.js";
 export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
-export type { ControlPoint, InterchangeModel, InterchangeSurface } from "./interchange.js";
+export type { ModuleSource } from "./load.js";
 export { NurbsModel } from "./model.js";
-export type { ModuleSource } from "./module.js";
 export type { Backend, DistanceOptions, OnProgress, Transform, Vector3 } from "./options.js";
 export type {
   CertifiedResult,
@@ -15,4 +13,11 @@ export type {
   Statistics,
   SurfacePoint,
 } from "./result.js";
+export type {
+  ControlPoint,
+  InterchangeModel,
+  InterchangeSurface,
+  Numbers,
+  SurfaceArrays,
+} from "./surface.js";
 export type { Tessellation } from "./tessellation.js";

@@ -3,11 +3,6 @@ import type { Vector3 } from "./options.js";
 import type { Tessellation } from "./tessellation.js";
 import type { PreparedModel } from "./wasm/nurbs_hausdorff.js";
 
-/** @internal */
-export let wrap: (prepared: PreparedModel) => NurbsModel;
-/** @internal */
-export let unwrap: (model: NurbsModel, name: string) => PreparedModel;
-
 /**
  * One or more NURBS surfaces, measured as one set of points; made by
  * `Hausdorff.model` and `Hausdorff.shape`.
@@ -18,45 +13,52 @@ export let unwrap: (model: NurbsModel, name: string) => PreparedModel;
 export class NurbsModel {
   #prepared: PreparedModel | undefined;
 
-  static {
-    wrap = (prepared) => new NurbsModel(prepared);
-    unwrap = (model, name) => {
-      if (typeof model !== "object" || model === null || !(#prepared in model)) {
-        throw new HausdorffError("ARGUMENT_INVALID", `${name} is not a NurbsModel`);
-      }
-      return model.#open();
-    };
-  }
-
   private constructor(prepared: PreparedModel) {
     this.#prepared = prepared;
   }
 
+  /** @internal */
+  static of(prepared: PreparedModel): NurbsModel {
+    return new NurbsModel(prepared);
+  }
+
+  /**
+   * The module's model.
+   * @internal
+   */
+  get prepared(): PreparedModel {
+    if (this.#prepared === undefined) {
+      throw new HausdorffError("DISPOSED", "the model was disposed of");
+    }
+    return this.#prepared;
+  }
+
   /** The name in the model's JSON, or the shape's. */
   get name(): string | null {
-    return this.#open().name ?? null;
+    return this.prepared.name ?? null;
   }
 
   /** Number of surfaces, at least 1. */
   get surfaceCount(): number {
-    return this.#open().surfaceCount;
+    return this.prepared.surfaceCount;
   }
 
   /** The box of all control points, which contains the model. */
   get boundingBox(): { min: Vector3; max: Vector3 } {
-    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.#open().boundingBox;
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.prepared.boundingBox;
     return { min: [a, b, c], max: [d, e, f] };
   }
 
   /**
-   * Triangles at most `tolerance` (in model units; by default 2e-4 of the
-   * model's diagonal) off the model, as long as about a million suffice.
+   * Triangles that deviate from the model by at most `tolerance` (in model
+   * units; by default 2e-4 of the model's diagonal), provided that about a
+   * million of them suffice.
    *
    * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless `tolerance` is
    * positive and finite.
    */
   tessellate({ tolerance }: { tolerance?: number } = {}): Tessellation {
-    const prepared = this.#open();
+    const prepared = this.prepared;
     if (tolerance !== undefined && typeof tolerance !== "number") {
       throw new HausdorffError(
         "OPTION_INVALID",
@@ -66,7 +68,7 @@ export class NurbsModel {
     return translating(() => prepared.tessellate(tolerance) as Tessellation);
   }
 
-  /** Frees its memory; distances in work on it still end well. */
+  /** Frees its memory; distances that use it still end well. */
   dispose(): void {
     this.#prepared?.free();
     this.#prepared = undefined;
@@ -74,12 +76,5 @@ export class NurbsModel {
 
   [Symbol.dispose](): void {
     this.dispose();
-  }
-
-  #open(): PreparedModel {
-    if (this.#prepared === undefined) {
-      throw new HausdorffError("DISPOSED", "the model was disposed of");
-    }
-    return this.#prepared;
   }
 }

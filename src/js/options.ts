@@ -1,6 +1,6 @@
 import { HausdorffError } from "./error.js";
 
-/** Where to compute: `auto` is the GPU if there is one, else the CPU. */
+/** The processor to compute on: `auto` is the GPU if there is one, else the CPU. */
 export type Backend = "auto" | "gpu" | "cpu";
 
 export type Vector3 = [x: number, y: number, z: number];
@@ -18,91 +18,94 @@ export interface Transform {
  */
 export interface DistanceOptions {
   /**
-   * How the distance is computed: `certified` (default), the 2012 paper's
-   * `iteration` or the 2011 paper's `hierarchy`.
+   * The method that computes the distance: `certified` (default), the 2012
+   * paper's `iteration` or the 2011 paper's `hierarchy`.
    */
   method?: "certified" | "iteration" | "hierarchy";
   /**
-   * `certified`: the width asked of the interval; default 1e-6. `hierarchy`
-   * only says whether its interval is as narrow.
+   * `certified`: the requested width of the interval; default 1e-6. `hierarchy`
+   * only reports whether its interval is as narrow.
    */
   tolerance?: number;
   /** Whether `tolerance` is in model units; else (default) it is relative to the larger diagonal. */
   absolute?: boolean;
-  /** `certified`: ask only whether the distance is at most this; see `within` of the result. */
+  /** `certified`: only decide whether the distance is at most this; see `within` of the result. */
   limit?: number;
-  /** `certified`: seconds a direction after which the interval so far is the result. */
+  /** `certified`: seconds per direction after which the interval reached is the result. */
   maxSeconds?: number;
-  /** `certified`: cells a direction after which the interval so far is the result. */
+  /** `certified`: cells per direction after which the interval reached is the result. */
   maxCells?: number;
   /** Samples along each direction of every surface, 2 to 1024; default 64. */
   samples?: number;
-  /** How they are spread: evenly in the parameter (default) or in arc length. */
+  /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
   sampling?: "uniform" | "arc-length";
-  /** How flat the other model's patches are cut; default `loose`, normals within 45°. */
+  /** The flatness to which the other model's patches are cut; default `loose`, normals within 45°. */
   flatness?: "none" | "loose" | "tight" | "curvature";
-  /** The step of the projection: damped Newton (default) or the paper's own. */
+  /** The step of the projection: damped Newton (default) or the paper's tangent-plane step. */
   projection?: "newton" | "tangent-plane";
-  /** Patches tried for a sample: those near enough (default), or all as in the paper. */
+  /** The patches on which a sample is projected: those near enough (default), or all as in the paper. */
   culling?: "tree" | "none";
-  /** Steps on one patch, 1 to 300; default 5. */
+  /** Largest number of steps on one patch, 1 to 300; default 5. */
   iterations?: number;
   /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
   stepTolerance?: number;
   /**
-   * `hierarchy`: cells along each direction of every surface, 2 to 1024 as
-   * long as a model has at most 2^22 cells; default 64.
+   * `hierarchy`: cells along each direction of every surface, 2 to 1024
+   * provided that a model has at most 2^22 cells; default 64.
    */
   grid?: number;
   /** `hierarchy`: MiB for pairs of boxes, 1 to 256; default 256. */
   memoryBudget?: number;
-  /** Whether the distance from B to A is measured too; default no. */
+  /** Whether the distance from B to A is computed too; default no. */
   symmetric?: boolean;
-  /** Moves A before it is measured; costs no upload. */
+  /** Moves A before it is measured, without an upload. */
   transform?: Transform;
-  /** Where to compute this distance; default `auto`. */
+  /** The processor for this distance; default `auto`. */
   backend?: Backend;
   /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
   field?: boolean;
   /**
-   * Cancels: all but `certified` then reject with code `CANCELLED`, and so does
-   * what has not begun; `certified` resolves to the interval so far, with `stop`
-   * `cancelled`.
+   * Cancels the work: distances that have not begun and all methods but
+   * `certified` then reject with code `CANCELLED`; `certified` resolves to the
+   * interval reached, with `stop` `cancelled`.
    */
   signal?: AbortSignal;
   /**
-   * Told the part of the work done, rising to 1, and but by `iteration` the
-   * interval so far. What it throws cancels the work.
+   * Called with the fraction of the work done, rising to 1, and by all methods
+   * but `iteration` with the interval reached. An error that it throws cancels
+   * the work.
    */
   onProgress?: OnProgress;
 }
 
-/** What `onProgress` is. */
+/** The type of `onProgress`. */
 export type OnProgress = (fraction: number, interval?: [lower: number, upper: number]) => void;
 
 /** @internal */
 export interface SplitOptions {
   plain: object;
+  transform: Transform | undefined;
   signal: AbortSignal | undefined;
   onProgress: OnProgress | undefined;
 }
 
 /**
- * The options that are data, which the module checks, and those that are not.
+ * The options that are plain data and the transform, which the module checks,
+ * and those that are objects of JavaScript.
  * @internal
  */
 export function split(options: DistanceOptions): SplitOptions {
   if (typeof options !== "object" || options === null) {
     throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
   }
-  const { signal, onProgress, ...plain } = options;
+  const { transform, signal, onProgress, ...plain } = options;
   if (signal !== undefined && typeof signal?.aborted !== "boolean") {
-    throw invalid("signal is no AbortSignal");
+    throw invalid("signal is not an AbortSignal");
   }
   if (onProgress !== undefined && typeof onProgress !== "function") {
     throw invalid(`onProgress is ${typeof onProgress}, expected a function`);
   }
-  return { plain, signal, onProgress };
+  return { plain, transform, signal, onProgress };
 }
 
 function invalid(message: string): HausdorffError {

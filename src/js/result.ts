@@ -26,7 +26,7 @@ export interface Field {
   signed: Float64Array<ArrayBuffer>;
   /** The area that each sample stands for. */
   areas: Float64Array<ArrayBuffer>;
-  /** How the projections ended: 0 converged, 1 iteration limit, 2 on an edge. */
+  /** The ends of the projections: 0 converged, 1 iteration limit, 2 on an edge. */
   statuses: Uint8Array<ArrayBuffer>;
 }
 
@@ -36,16 +36,19 @@ export interface Statistics {
   area: number;
   mean: number;
   rms: number;
-  signed_mean: number;
+  signedMean: number;
   median: number;
-  percentile_95: number;
-  percentile_99: number;
+  percentile95: number;
+  percentile99: number;
 }
 
-/** What all methods tell. Guaranteed whatever converged: `lower <= true distance <= upper`. */
+/**
+ * The results of all methods. Guarantee: `lower <= true distance <= upper`,
+ * whether the method converged or not.
+ */
 interface Common {
   backend: "gpu" | "cpu";
-  /** The GPU's name; browsers keep it to themselves. */
+  /** The GPU's name; browsers do not report it. */
   adapter: string | null;
   /** The larger diagonal of the two models' boxes. */
   diagonal: number;
@@ -58,7 +61,7 @@ interface Common {
   /** Numbers of Bézier patches after cutting. */
   patches: { a: number; b: number };
   seconds: { prepare: number; compile: number; solve: number };
-  /** Why the CPU was used although the GPU was not ruled out. */
+  /** The reason why the CPU was used although the options allow the GPU. */
   notice?: string;
   /** With `field`, where there is an area. */
   statistics?: Statistics;
@@ -69,18 +72,19 @@ interface Common {
 /** A distance by method `certified`. */
 export interface CertifiedResult extends Common {
   method: "certified";
-  /** Whether the interval is as narrow as asked, or the limit is decided. */
+  /** Whether the interval is as narrow as requested, or the limit is decided. */
   converged: boolean;
-  /** The width asked of the interval, in model units. */
+  /** The requested width of the interval, in model units. */
   tolerance: number;
-  /** Number of cells bounded, and of those the number bounded in float64. */
+  /** Number of cells bounded. */
   cells: number;
-  cpu_cells: number;
+  /** Number of those bounded in float64 on the CPU. */
+  cpuCells: number;
   /** Halvings from the whole model to the smallest cell. */
   levels: number;
   /** Why the search ended. */
   stop: "converged" | "cells" | "time" | "precision" | "cancelled";
-  /** With `limit`: whether the distance is at most the limit, if that is known. */
+  /** With `limit`: whether the distance is at most the limit, absent if that was not decided. */
   within?: boolean;
   /** With `symmetric`: from A to B. The result itself is the larger's. */
   forward?: CertifiedResult;
@@ -91,17 +95,17 @@ export interface CertifiedResult extends Common {
 /** A distance by method `iteration`. */
 export interface IterationResult extends Common {
   method: "iteration";
-  /** Whether `computed` is the largest distance of all samples to rounding. */
+  /** Whether `computed` is the largest distance of all samples up to rounding. */
   converged: boolean;
   /**
    * The paper's bounds K_A and K_B (the latter null where it does not apply),
-   * and what a point between the samples can add for certain.
+   * and a rigorous bound on what a point between the samples can add.
    */
-  bounds: { k_a: number; k_a_rigorous: number; k_b: number | null };
+  bounds: { kA: number; kARigorous: number; kB: number | null };
   /** Number of samples. */
   samples: number;
-  /** Numbers of samples by how their projection ended. */
-  statuses: { converged: number; iteration_limit: number; on_edge: number };
+  /** Numbers of samples by the end of their projection. */
+  statuses: { converged: number; iterationLimit: number; onEdge: number };
   /** With `symmetric`: from A to B. The result itself is the larger's. */
   forward?: IterationResult;
   /** With `symmetric`: from B to A; its witness is still named by a and b. */
@@ -111,16 +115,14 @@ export interface IterationResult extends Common {
 /** A distance by method `hierarchy`. */
 export interface HierarchyResult extends Common {
   method: "hierarchy";
-  /** Whether the interval, whose width the grid decides, is as narrow as `tolerance` asks. */
+  /** Whether the interval, whose width follows from the grid, is as narrow as `tolerance`. */
   converged: boolean;
-  hierarchy: {
-    /** Cells along each direction of every surface. */
-    grid: number;
-    /** Levels of boxes, from the whole models to the cells. */
-    levels: number;
-    /** On every level, the pairs of boxes left after culling. */
-    pairs: number[];
-  };
+  /** Cells along each direction of every surface. */
+  grid: number;
+  /** Levels of boxes, from the whole models to the cells. */
+  levels: number;
+  /** On every level, the pairs of boxes left after culling. */
+  pairs: number[];
   /** With `symmetric`: from A to B. The result itself is the larger's, its pairs those of both. */
   forward?: HierarchyResult;
   /** With `symmetric`: from B to A; its witness is still named by a and b. */

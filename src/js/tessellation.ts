@@ -1,4 +1,4 @@
-/** Triangles to show a model by; nothing is measured on them. */
+/** Triangles that display a model; nothing is measured on them. */
 export interface Tessellation {
   /** x, y, z of every vertex, relative to `origin`. */
   positions: Float32Array<ArrayBuffer>;
@@ -8,6 +8,6 @@ export interface Tessellation {
   indices: Uint32Array<ArrayBuffer>;
   /** The point that positions are relative to, in float64. */
   origin: [x: number, y: number, z: number];
-  /** The part of `indices` that is each surface's. */
+  /** The range of `indices` of each surface. */
   surfaces: { firstIndex: number; indexCount: number }[];
 }

@@ -6,7 +6,6 @@ mod rigid_transform;
 mod surface;
 
 pub use crate::limits::MAX_DEGREE;
-pub use json::MAX_JSON_BYTES;
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 

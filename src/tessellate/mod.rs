@@ -4,8 +4,9 @@ mod divisions;
 mod triangles;
 mod vertex_grid;
 
-use crate::bezier::BezierModel;
+use crate::bezier::{BezierModel, extract};
 use crate::error::{Error, Result};
+use crate::model::Model;
 use divisions::Divisions;
 use glam::DVec3;
 use std::ops::Range;
@@ -42,7 +43,12 @@ pub struct Tessellation {
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number.
-pub fn tessellate(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessellation> {
+pub fn tessellate(model: &Model, tolerance: Option<f64>) -> Result<Tessellation> {
+    tessellate_patches(&extract(model), tolerance)
+}
+
+/// As [`tessellate`], of patches that are extracted already.
+pub(crate) fn tessellate_patches(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessellation> {
     if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
         return Err(Error::out_of_range("tolerance", found, "a positive finite number"));
     }

@@ -1,30 +1,29 @@
-//! The class that measures.
+//! The class that computes distances.
 
+use super::convert;
 use super::model::PreparedModel;
-use super::monitor::Watch;
-use super::{options, result};
+use super::progress::JsMonitor;
 use crate::engine;
 use crate::error::Error;
 use crate::progress::Monitor;
 use js_sys::{Function, Promise};
-use std::pin::Pin;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
 use web_sys::AbortSignal;
 
-/// One device. The promises it gives own what they need, so that disposing of
-/// engine or models while they run is safe.
+/// One device. The promises that it returns own what they need, so that
+/// engine and models may be disposed of while they run.
 #[wasm_bindgen]
-pub struct Engine(Rc<distance::Engine>);
+pub struct Engine(Rc<engine::Engine>);
 
 #[wasm_bindgen]
 impl Engine {
     /// `backend`: `"auto"`, `"gpu"` or `"cpu"`; undefined is `"auto"`.
     #[wasm_bindgen(unchecked_return_type = "Promise<Engine>")]
     pub fn create(backend: &JsValue) -> Promise {
-        let backend = options::backend(backend);
-        promise(Box::pin(async move { Ok(Self(Rc::new(distance::Engine::new(backend?).await?)).into()) }))
+        let backend = convert::option("backend", backend);
+        future_to_promise(async move { Ok(Self(Rc::new(engine::Engine::new(backend?).await?)).into()) })
     }
 
     #[wasm_bindgen(getter, js_name = hasGpu)]
@@ -49,31 +48,27 @@ impl Engine {
         a: &PreparedModel,
         b: &PreparedModel,
         options: &JsValue,
+        transform: &JsValue,
         signal: Option<AbortSignal>,
         on_progress: Option<Function>,
         turn: Promise,
     ) -> Promise {
         let engine = Rc::clone(&self.0);
         let (a, b) = (a.inner(), b.inner());
-        let options = options::distance(options);
-        promise(Box::pin(async move {
+        let options = convert::options(options, transform);
+        future_to_promise(async move {
             let options = options?;
-            // However the distance before ended, it is this one's turn.
+            // The turn comes however the previous distance ended.
             let _ = JsFuture::from(turn).await;
-            let mut watch = Watch::new(signal, on_progress);
-            if watch.cancelled() {
+            let mut monitor = JsMonitor::new(signal, on_progress);
+            if monitor.cancelled() {
                 return Err(Error::Cancelled.into());
             }
-            let measured = engine.distance(&a, &b, &options, &mut watch).await;
-            match (watch.into_thrown(), measured) {
-                (Some(thrown), _) => Err(thrown),
-                (None, measured) => result::of(&measured?),
+            let result = engine.distance(&a, &b, &options, &mut monitor).await;
+            match monitor.into_thrown() {
+                Some(thrown) => Err(thrown),
+                None => convert::result(&result?),
             }
-        }))
+        })
     }
-}
-
-/// Of work of any kind, so that what drives it is compiled once.
-fn promise(work: Pin<Box<dyn Future<Output = Result<JsValue, JsValue>>>>) -> Promise {
-    future_to_promise(work)
 }

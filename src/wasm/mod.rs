@@ -1,15 +1,17 @@
-//! What JavaScript sees of the crate. The package's own API, in `src/js`, is
-//! made of these classes and hides them.
+//! The classes that JavaScript sees of the crate. The package's own API, in
+//! `src/js`, is built on these classes and hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
+mod convert;
 mod engine;
-mod failure;
 mod model;
-mod monitor;
-mod object;
-mod options;
-mod plain;
-mod result;
+mod progress;
 mod surfaces;
-mod tessellation;
-mod value;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Runs when the module is loaded: panics print their message to the console.
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}

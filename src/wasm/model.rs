@@ -1,26 +1,36 @@
 //! The class of models.
 
-use super::object::object;
+use super::convert;
 use super::surfaces::Surfaces;
-use super::tessellation::plain;
-use crate::distance;
-use crate::error::Result;
-use crate::model::Model;
-use crate::shapes::{ShapeInfo, list, shape};
-use crate::tessellate::tessellate;
-use js_sys::Array;
+use crate::engine;
+use crate::error::{Error, Result};
+use crate::model::{MAX_JSON_BYTES, Model};
+use crate::shapes::{list, shape};
+use crate::tessellate::tessellate_patches;
+use js_sys::JsString;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// A model ready to be measured, shared with the distances in work on it.
+/// A model ready to be measured, shared with the distances that use it.
 #[wasm_bindgen]
-pub struct PreparedModel(Rc<distance::PreparedModel>);
+pub struct PreparedModel(Rc<engine::PreparedModel>);
 
 #[wasm_bindgen]
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
-    pub fn from_arrays(name: Option<String>, surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_arrays(name, surfaces.into_inner())?))
+    pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
+        Ok(Self::new(&Model::from_arrays(None, surfaces.into_inner())?))
+    }
+
+    /// A model of interchange JSON.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &JsString) -> Result<PreparedModel> {
+        // No text has fewer bytes than characters: a longer one is not copied into the module's memory.
+        let found = u64::from(text.length());
+        if found > MAX_JSON_BYTES {
+            return Err(Error::FileTooLarge { found, expected: MAX_JSON_BYTES });
+        }
+        Ok(Self::new(&Model::from_json(&String::from(text))?))
     }
 
     /// One of [`shapes`].
@@ -38,7 +48,7 @@ impl PreparedModel {
         self.0.bezier().grids.len()
     }
 
-    /// The least x, y, z, then the greatest.
+    /// The smallest x, y, z, then the largest.
     #[wasm_bindgen(getter, js_name = boundingBox)]
     pub fn bounding_box(&self) -> Vec<f64> {
         let aabb = self.0.bounding_box();
@@ -46,27 +56,23 @@ impl PreparedModel {
     }
 
     /// Undefined is the default tolerance.
-    pub fn tessellate(&self, tolerance: Option<f64>) -> Result<JsValue> {
-        Ok(plain(&tessellate(self.0.bezier(), tolerance)?))
+    pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
+        convert::tessellation(&tessellate_patches(self.0.bezier(), tolerance)?)
     }
 }
 
 impl PreparedModel {
     fn new(model: &Model) -> Self {
-        Self(Rc::new(distance::PreparedModel::new(model)))
+        Self(Rc::new(engine::PreparedModel::new(model)))
     }
 
-    pub(super) fn inner(&self) -> Rc<distance::PreparedModel> {
+    pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
         Rc::clone(&self.0)
     }
 }
 
-/// The shapes there are, each with its name and title.
+/// The shapes that the crate makes, each with its name and title.
 #[wasm_bindgen]
-pub fn shapes() -> Array {
-    let all = Array::new();
-    for ShapeInfo { name, title } in list() {
-        all.push(&object(&[("name", name.into()), ("title", title.into())]));
-    }
-    all
+pub fn shapes() -> std::result::Result<JsValue, JsValue> {
+    convert::to_object(&list().collect::<Vec<_>>())
 }

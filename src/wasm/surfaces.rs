@@ -1,12 +1,12 @@
-//! Surfaces on their way in, as typed arrays.
+//! Surfaces from typed arrays.
 
 use crate::model::SurfaceArrays;
 use wasm_bindgen::prelude::*;
 
-/// Numbers of a control point: x, y, z, w.
+/// Number of values of a control point: x, y, z, w.
 const POINT_LENGTH: usize = 4;
 
-/// The surfaces of a model in the making, not yet validated.
+/// The surfaces of a model, not yet validated.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Surfaces(Vec<SurfaceArrays>);
@@ -18,8 +18,8 @@ impl Surfaces {
         Self::default()
     }
 
-    /// Appends one; `control_points` is x, y, z, w of each point, v fastest,
-    /// and what is left over of it after the last whole point is ignored.
+    /// Appends a surface; `control_points` is x, y, z, w of each point, v fastest,
+    /// and values after the last whole point are ignored.
     pub fn push(
         &mut self,
         degree_u: usize,

@@ -55,13 +55,13 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   const { min, max } = c.boundingBox;
   console.log(x, y, z, feet, adapter, min[0], max[2], hd.backend, hd.notice, d.name);
   if (result.method === "iteration") return ofIteration(result);
-  if (result.method === "hierarchy") return result.hierarchy.pairs[0] ?? 0;
+  if (result.method === "hierarchy") return result.pairs[0] ?? 0;
   const within: boolean | undefined = result.within;
   return within ? result.lower : result.upper;
 }
 
 function ofIteration({ bounds, forward }: IterationResult): number {
-  return (forward?.bounds.k_b ?? 0) + bounds.k_a_rigorous;
+  return (forward?.bounds.kB ?? 0) + bounds.kARigorous;
 }
 
 export function show(model: NurbsModel): Tessellation {

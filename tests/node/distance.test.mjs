@@ -49,7 +49,7 @@ for (const [nameA, nameB] of [
     assert.equal(cpu.adapter, null);
     assert.equal(cpu.notice, undefined);
     near(gpu.computed, cpu.computed, agreement * cpu.diagonal);
-    near(gpu.bounds.k_a_rigorous, cpu.bounds.k_a_rigorous, agreement * cpu.diagonal);
+    near(gpu.bounds.kARigorous, cpu.bounds.kARigorous, agreement * cpu.diagonal);
     for (const { lower, computed, upper } of [gpu, cpu]) {
       assert.ok(lower <= computed && computed <= upper);
     }

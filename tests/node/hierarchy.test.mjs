@@ -23,7 +23,7 @@ test("boxes contain the distance of parallel squares", async () => {
     assert.ok(result.lower <= 0.25 && 0.25 <= result.upper && result.upper < 0.3);
     assert.ok(result.lower <= result.computed && result.computed <= result.upper);
     assert.equal(result.converged, false);
-    const { grid, levels, pairs } = result.hierarchy;
+    const { grid, levels, pairs } = result;
     assert.deepEqual([grid, levels, pairs.length, pairs[0]], [16, 5, 5, 1]);
     assert.ok(pairs[4] >= 256);
     assert.deepEqual(intervals.at(-1), [result.lower, result.upper]);
@@ -34,13 +34,11 @@ test("both directions have pairs, which the whole adds up", async () => {
   const a = hd.shape("sphere");
   const b = hd.shape("torus");
   const options = { ...hierarchy, symmetric: true, transform: { translation: [0, 0, 1] } };
-  const { hierarchy: whole, forward, reverse, lower, upper } = await hd.distance(a, b, options);
+  const { pairs: whole, forward, reverse, lower, upper } = await hd.distance(a, b, options);
   assert.equal(lower, Math.max(forward.lower, reverse.lower));
   assert.equal(upper, Math.max(forward.upper, reverse.upper));
-  const sums = forward.hierarchy.pairs.map(
-    (pairs, level) => pairs + reverse.hierarchy.pairs[level],
-  );
-  assert.deepEqual(whole.pairs, sums);
+  const sums = forward.pairs.map((pairs, level) => pairs + reverse.pairs[level]);
+  assert.deepEqual(whole, sums);
 });
 
 test("more pairs than the budget holds are refused by their number", async () => {

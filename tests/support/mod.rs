@@ -10,5 +10,6 @@
 
 pub mod cpu;
 pub mod evaluator;
+pub mod fixtures;
 pub mod gpu;
 pub mod models;

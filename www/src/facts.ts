@@ -41,7 +41,7 @@ function methods(result: DistanceResult): Fact[] {
     ];
   }
   if (result.method === "hierarchy") {
-    const { grid, pairs } = result.hierarchy;
+    const { grid, pairs } = result;
     return [
       ["cells a surface", `${grid} × ${grid}`],
       ["pairs of boxes, at most", grouped(Math.max(...pairs))],
@@ -49,13 +49,13 @@ function methods(result: DistanceResult): Fact[] {
   }
   const { bounds, samples, statuses } = result;
   return [
-    ["K_A, as published", bounds.k_a.toPrecision(4)],
-    ["K_A, rigorous", bounds.k_a_rigorous.toPrecision(4)],
-    ["K_B, observed", bounds.k_b === null ? "does not apply" : rough(bounds.k_b)],
+    ["K_A, as published", bounds.kA.toPrecision(4)],
+    ["K_A, rigorous", bounds.kARigorous.toPrecision(4)],
+    ["K_B, observed", bounds.kB === null ? "does not apply" : rough(bounds.kB)],
     ["samples", grouped(samples)],
     ["converged", grouped(statuses.converged)],
-    ["on an edge", grouped(statuses.on_edge)],
-    ["at the iteration limit", grouped(statuses.iteration_limit)],
+    ["on an edge", grouped(statuses.onEdge)],
+    ["at the iteration limit", grouped(statuses.iterationLimit)],
   ];
 }
 
@@ -66,10 +66,10 @@ export function estimatesOf({ forward, diagonal, ...directed }: DistanceResult):
   const about = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   return [
     ["mean", about(statistics.mean)],
-    ["signed mean", `≈ ${signedText(statistics.signed_mean, diagonal)}`],
+    ["signed mean", `≈ ${signedText(statistics.signedMean, diagonal)}`],
     ["RMS", about(statistics.rms)],
     ["median", about(statistics.median)],
-    ["95th percentile", about(statistics.percentile_95)],
-    ["99th percentile", about(statistics.percentile_99)],
+    ["95th percentile", about(statistics.percentile95)],
+    ["99th percentile", about(statistics.percentile99)],
   ];
 }

@@ -29,7 +29,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
             ..Options::default()
         };
         let result = setup.measure(&a, &b, &options)?;
-        let bounds = result.iteration.map(|details| details.bounds).ok_or("no bounds")?;
+        let bounds = result.iteration().map(|details| details.bounds).ok_or("no bounds")?;
         let spacing = side / (samples - 1) as f64;
         let reach = [0.0, bounds.k_a, bounds.k_a_rigorous];
         for (curve, reach) in curves.iter_mut().zip(reach) {

@@ -92,7 +92,7 @@ fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[
             ..certified()
         };
         let result = setup.measure(&a, &b, &options)?;
-        let Some(details) = result.certified.filter(|_| result.converged) else { break };
+        let Some(details) = result.certified().filter(|_| result.converged) else { break };
         points.push(Some([tolerance, details.cells as f64]));
         table.rows.push(vec![
             case.name.replace(',', ":").as_str().into(),

@@ -53,7 +53,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let prepare = results[0].seconds.prepare;
         results.sort_by(|a, b| a.seconds.solve.total_cmp(&b.seconds.solve));
         let fastest = &results[0];
-        let cells = fastest.certified.map_or(0, |details| details.cells);
+        let cells = fastest.certified().map_or(0, |details| details.cells);
         let patches = fastest.patches.b;
         curves[0].push(Some([patches as f64, cells as f64]));
         curves[1].push(Some([patches as f64, fastest.seconds.solve * MILLISECONDS]));

@@ -34,7 +34,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
                 let options =
                     Options { method: Method::Iteration, samples, sampling, transform, ..Options::default() };
                 let result = setup.measure(&a, &b, &options)?;
-                let bounds = result.iteration.map(|details| details.bounds).ok_or("no bounds")?;
+                let bounds = result.iteration().map(|details| details.bounds).ok_or("no bounds")?;
                 let error = truth - result.computed;
                 curves[0].push(Some([samples as f64, bounds.k_a]));
                 curves[1].push(Some([samples as f64, error]));

@@ -64,7 +64,8 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
 /// Projections that a method takes which tries every patch that extraction
 /// gives; flatter patches are more.
 fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize {
-    a.bezier().grids.len() * options.samples * options.samples * b.bezier().patches.len()
+    let patches: usize = b.patch_counts().map(|[rows, columns]| rows * columns).sum();
+    a.patch_counts().len() * options.samples * options.samples * patches
 }
 
 /// The result with the shortest of the times, as other work on the machine
@@ -95,7 +96,7 @@ pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
         for Outcome { position, result } in &curve.outcomes {
             let found = result.as_ref().ok();
             let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
-            let bounds = found.and_then(|result| result.iteration).map(|details| details.bounds);
+            let bounds = found.and_then(|result| result.iteration()).map(|details| details.bounds);
             table.rows.push(vec![
                 (*position).into(),
                 curve.method.name.into(),
@@ -108,7 +109,7 @@ pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
                 found.map(|result| if result.converged { "yes" } else { "no" }).into(),
                 number(&|result| result.seconds.solve),
                 number(&|result| result.seconds.prepare),
-                found.and_then(|result| result.certified).map(|details| details.cells).into(),
+                found.and_then(|result| result.certified()).map(|details| details.cells).into(),
                 found.map(|result| result.patches.b).into(),
                 result.as_ref().err().copied().into(),
             ]);

@@ -69,7 +69,7 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
     let less = |index: usize, value: f64| truth[index].map(|truth| value - truth);
     let mut all = each(curves, Style::Line, |result, index| less(index, result.computed));
-    let of = |result: &DistanceResult| result.iteration.map(|details| details.bounds);
+    let of = |result: &DistanceResult| result.iteration().map(|details| details.bounds);
     for (color, curve) in curves.iter().enumerate() {
         let dashed = |suffix: &str, value: &dyn Fn(&DistanceResult) -> Option<f64>| {
             series(color, curve, Style::Dashed, suffix, |result, index| less(index, value(result)?))
@@ -90,7 +90,7 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
 /// How far from the certified distance each method is; that one's interval is half as wide.
 fn sizes(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
-    each(curves, Style::Line, |result, index| match result.method {
+    each(curves, Style::Line, |result, index| match result.method() {
         Method::Certified => Some(0.5 * (result.upper - result.lower)),
         _ => truth[index].map(|truth| (result.computed - truth).abs()),
     })

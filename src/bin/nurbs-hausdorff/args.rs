@@ -3,11 +3,8 @@
 use crate::motion::{Rotation, Translation};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, Method, Options};
-use nurbs_hausdorff::flatness::Flatness;
-use nurbs_hausdorff::iteration::{Culling, SamplingRule};
-use nurbs_hausdorff::{Result, RigidTransform};
+use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
+use nurbs_hausdorff::{Backend, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are interchange JSON files.
@@ -20,12 +17,12 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Measures the Hausdorff distance from A to B.
+    /// Computes the Hausdorff distance from A to B.
     ///
-    /// Exit status: 0 done, or within --max; 1 beyond --max; 2 bad input;
-    /// 3 undecided about --max.
+    /// Exit status: 0 if the distance was computed or is within --limit, 1 if it
+    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided.
     Distance(Box<DistanceArguments>),
-    /// Tells what a model consists of.
+    /// Prints the surfaces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Prints a completion script.
     Completions {
@@ -36,71 +33,71 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct DistanceArguments {
-    /// The model measured from.
+    /// The model whose points are measured.
     pub(crate) a: PathBuf,
-    /// The model measured to.
+    /// The model to which the distances are measured.
     pub(crate) b: PathBuf,
-    /// How the distance is computed.
+    /// The method that computes the distance.
     #[arg(long, value_enum, default_value_t = MethodName::Certified)]
     method: MethodName,
-    /// certified: width of the interval, relative to the larger diagonal.
+    /// certified: requested width of the interval, relative to the larger diagonal.
     #[arg(long, default_value_t = 1e-6)]
     tolerance: f64,
     /// certified: the tolerance is in model units.
     #[arg(long)]
     absolute: bool,
-    /// Only whether the distance is at most LIMIT; exit status 0 yes, 1 no, 3 undecided.
+    /// Decides whether the distance is at most LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
     #[arg(long, value_name = "LIMIT")]
-    pub(crate) max: Option<f64>,
-    /// certified: seconds a direction after which the interval so far is told.
+    pub(crate) limit: Option<f64>,
+    /// certified: seconds per direction after which the interval reached is the result.
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
-    /// certified: cells a direction after which the interval so far is told.
+    /// certified: cells per direction after which the interval reached is the result.
     #[arg(long, value_name = "CELLS")]
     max_cells: Option<usize>,
-    /// iteration: samples along each direction of every surface.
+    /// iteration: samples along each parameter direction of every surface.
     #[arg(long, default_value_t = 64)]
     samples: usize,
-    /// iteration: how the samples are spread.
+    /// iteration: the rule by which the samples are spread.
     #[arg(long, value_enum, default_value_t = SamplingName::Uniform)]
     sampling: SamplingName,
-    /// iteration: how flat B's patches are cut.
+    /// iteration: the flatness to which the patches of B are cut.
     #[arg(long, value_enum, default_value_t = FlatnessName::Loose)]
     flatness: FlatnessName,
-    /// iteration: the step of the projection, damped Newton or the 2012 paper's own.
+    /// iteration: the step of the projection, damped Newton or the tangent-plane step of the 2012 paper.
     #[arg(long, value_enum, default_value_t = ProjectionName::Newton)]
     projection: ProjectionName,
-    /// iteration: the patches tried, those near enough or all as in the paper.
+    /// iteration: the patches on which a sample is projected, those near enough or all as in the paper.
     #[arg(long, value_enum, default_value_t = CullingName::Tree)]
     culling: CullingName,
-    /// iteration: steps on one patch.
+    /// iteration: largest number of steps on one patch.
     #[arg(long, default_value_t = 5)]
     iterations: u32,
     /// iteration: change of distance that ends the tangent-plane step, in model units.
     #[arg(long, default_value_t = 0.01)]
     step_tolerance: f64,
-    /// hierarchy: cells along each direction of every surface.
+    /// hierarchy: cells along each parameter direction of every surface.
     #[arg(long, default_value_t = 64)]
     grid: usize,
-    /// hierarchy: memory for pairs of boxes, in MiB.
+    /// hierarchy: memory for the pairs of boxes, in MiB.
     #[arg(long, value_name = "MIB", default_value_t = 256)]
     memory_budget: usize,
-    /// Both directions; the distance is the larger.
+    /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
-    /// Turns A about an axis through the origin before it is moved.
+    /// Rotates A about an axis through the origin, before --translate moves it.
     #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
     rotate: Rotation,
-    /// Statistics of the deviation at the samples; estimates.
+    /// Adds statistics of the deviation at a grid of samples; they are estimates.
     #[arg(long)]
-    statistics: bool,
-    /// Where iteration and hierarchy work and samples are projected; certified is float64 work on the CPU.
+    field: bool,
+    /// The processor for the kernels; auto is the GPU if there is one, except for method certified.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
-    /// Prints one JSON object.
+    /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -109,7 +106,7 @@ pub(crate) struct DistanceArguments {
 pub(crate) struct InfoArguments {
     /// The model.
     pub(crate) model: PathBuf,
-    /// Prints one JSON object.
+    /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -118,13 +115,13 @@ impl DistanceArguments {
     /// The library's options.
     ///
     /// # Errors
-    /// As [`RigidTransform::new`]; ranges are the library's to check.
+    /// As [`RigidTransform::new`]; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<Options> {
         Ok(Options {
             method: self.method.into(),
             tolerance: self.tolerance,
             absolute: self.absolute,
-            limit: self.max,
+            limit: self.limit,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
             samples: self.samples,
@@ -139,7 +136,7 @@ impl DistanceArguments {
             symmetric: self.symmetric,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
-            field: self.statistics,
+            field: self.field,
         })
     }
 }

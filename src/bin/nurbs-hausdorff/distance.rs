@@ -6,22 +6,22 @@ use crate::files::read;
 use crate::output::{print, print_json};
 use crate::progress::Bar;
 use crate::report;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, PreparedModel};
+use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method, PreparedModel};
 
-/// Exit statuses with `--max`.
+/// Exit statuses with `--limit`.
 const WITHIN: u8 = 0;
 const BEYOND: u8 = 1;
 const UNDECIDED: u8 = 3;
 
-/// Measures, prints, and returns the exit status.
+/// Computes and prints the distance, and returns the exit status.
 pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    // Most certificates are found in float64 before a GPU would be awake.
+    // Method certified usually ends in float64 before a GPU could be initialised.
     let staged = options.method != Method::Certified || options.field;
-    let awake = staged || options.backend == Backend::Gpu;
-    let backend = if awake { options.backend } else { Backend::Cpu };
+    let uses_gpu = staged || options.backend == Backend::Gpu;
+    let backend = if uses_gpu { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
     let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));
     let mut bar = Bar::new();
@@ -32,10 +32,10 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     } else {
         print(&report::text(&result))?;
     }
-    Ok(arguments.max.map_or(WITHIN, |limit| verdict(&result, limit)))
+    Ok(arguments.limit.map_or(WITHIN, |limit| verdict(&result, limit)))
 }
 
-/// Whether the distance is at most the limit, as far as the interval of either method tells.
+/// The exit status that follows from the interval and the limit, for all methods.
 fn verdict(result: &DistanceResult, limit: f64) -> u8 {
     if result.upper <= limit {
         WITHIN

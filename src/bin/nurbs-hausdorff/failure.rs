@@ -1,19 +1,19 @@
-//! What ends the program early, as told on standard error.
+//! The failures that end the program, printed on standard error.
 
 use nurbs_hausdorff::Error;
 use std::fmt::{Display, Formatter};
 use std::path::PathBuf;
 
-/// An error, and whose it is.
+/// An error and its origin.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// Of the arguments, or of the machine.
+    /// In the arguments or the machine.
     Plain(Error),
-    /// Of a model's file.
+    /// In a model's file.
     Model {
-        /// As given.
+        /// The path as given.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The error in it.
         error: Error,
     },
     /// Standard output could not be written.
@@ -21,7 +21,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The library's code, or the one code of the command line's own.
+    /// The library's code, or the one code that only the command line has.
     pub(crate) fn code(&self) -> &'static str {
         match self {
             Self::Plain(error) | Self::Model { error, .. } => error.code(),
@@ -33,7 +33,7 @@ impl Failure {
 impl Display for Failure {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
-            // These name the path themselves.
+            // These errors contain the path.
             Self::Plain(error) | Self::Model { error: error @ Error::FileUnreadable { .. }, .. } => {
                 write!(formatter, "{error}")
             }

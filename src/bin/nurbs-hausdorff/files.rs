@@ -1,7 +1,6 @@
-//! Reading models.
+//! Reads models.
 
 use crate::failure::Failure;
-use nurbs_hausdorff::model::MAX_JSON_BYTES;
 use nurbs_hausdorff::{Error, Model, Result};
 use std::fs::File;
 use std::io::Read;
@@ -22,16 +21,16 @@ fn text(path: &Path) -> Result<String> {
         path: path.display().to_string(),
         found: error.to_string(),
     };
-    let too_large = |found| Error::FileTooLarge { found, expected: MAX_JSON_BYTES };
+    let too_large = |found| Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES };
     let file = File::open(path).map_err(unreadable)?;
     let length = file.metadata().map_err(unreadable)?.len();
-    if length > MAX_JSON_BYTES {
+    if length > Model::MAX_JSON_BYTES {
         return Err(too_large(length));
     }
-    // A pipe or a device tells no length, and a file may grow.
+    // A pipe or a device has no length, and a file may grow.
     let mut bytes = Vec::new();
-    file.take(MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > MAX_JSON_BYTES {
+    file.take(Model::MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > Model::MAX_JSON_BYTES {
         return Err(too_large(bytes.len() as u64));
     }
     String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })

@@ -4,13 +4,12 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::Axis;
-use nurbs_hausdorff::engine::PreparedModel;
-use nurbs_hausdorff::{Model, NurbsSurface};
+use nurbs_hausdorff::{Axis, Model, NurbsSurface, PreparedModel};
 use serde::Serialize;
 use std::fmt::Write;
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct Info {
     name: Option<String>,
     surfaces: Vec<SurfaceInfo>,
@@ -20,6 +19,7 @@ struct Info {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct SurfaceInfo {
     degree: [usize; 2],
     counts: [usize; 2],
@@ -29,7 +29,7 @@ struct SurfaceInfo {
     patches: usize,
 }
 
-/// Prints what the model consists of.
+/// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = info(&read(&arguments.model)?);
     if arguments.json {
@@ -65,9 +65,8 @@ fn lines(out: &mut String, info: &Info) -> std::fmt::Result {
 fn info(model: &Model) -> Info {
     let prepared = PreparedModel::new(model);
     let bounding_box = model.bounding_box();
-    let surface = |(index, surface): (usize, &NurbsSurface)| {
+    let surface = |(surface, [rows, columns]): (&NurbsSurface, [usize; 2])| {
         let weight = surface.control_points()[0][3];
-        let [rows, columns] = prepared.bezier().grids[index].counts();
         SurfaceInfo {
             degree: surface.degree(),
             counts: surface.counts(),
@@ -79,8 +78,8 @@ fn info(model: &Model) -> Info {
     };
     Info {
         name: model.name().map(str::to_owned),
-        surfaces: model.surfaces().iter().enumerate().map(surface).collect(),
-        patches: prepared.bezier().patches.len(),
+        surfaces: model.surfaces().iter().zip(prepared.patch_counts()).map(surface).collect(),
+        patches: prepared.patch_counts().map(|[rows, columns]| rows * columns).sum(),
         bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
         diagonal: bounding_box.diagonal(),
     }

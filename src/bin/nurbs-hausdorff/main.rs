@@ -1,33 +1,20 @@
 //! The command line of `nurbs-hausdorff`.
 
-#[cfg(not(target_arch = "wasm32"))]
 mod args;
-#[cfg(not(target_arch = "wasm32"))]
 mod completions;
-#[cfg(not(target_arch = "wasm32"))]
 mod distance;
-#[cfg(not(target_arch = "wasm32"))]
 mod failure;
-#[cfg(not(target_arch = "wasm32"))]
 mod files;
-#[cfg(not(target_arch = "wasm32"))]
 mod info;
-#[cfg(not(target_arch = "wasm32"))]
 mod motion;
-#[cfg(not(target_arch = "wasm32"))]
 mod output;
-#[cfg(not(target_arch = "wasm32"))]
 mod progress;
-#[cfg(not(target_arch = "wasm32"))]
 mod report;
-#[cfg(not(target_arch = "wasm32"))]
 mod usage;
 
 /// Exit status of bad arguments, bad input or a failed machine.
-#[cfg(not(target_arch = "wasm32"))]
 const FAILED: u8 = 2;
 
-#[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
     use args::Command;
     let arguments = match usage::arguments() {
@@ -45,7 +32,3 @@ fn main() -> std::process::ExitCode {
     });
     std::process::ExitCode::from(status)
 }
-
-/// The command line is native only.
-#[cfg(target_arch = "wasm32")]
-fn main() {}

@@ -1,4 +1,4 @@
-//! How A is moved, as it is written in an argument.
+//! The arguments that move A.
 
 use glam::{DQuat, DVec3};
 use std::str::FromStr;
@@ -35,7 +35,7 @@ impl FromStr for Rotation {
     }
 }
 
-/// Finite numbers between commas.
+/// N finite numbers, separated by commas.
 fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
     let found = numbers.len();

@@ -1,4 +1,4 @@
-//! Writing the answer.
+//! Writes the result.
 
 use crate::failure::Failure;
 use nurbs_hausdorff::Error;
@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Write};
 /// Writes text to standard output.
 ///
 /// # Errors
-/// [`Failure::Output`]; a reader that left early, such as `head`, is none.
+/// [`Failure::Output`], but not if the reader has gone, as `head` does.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     let mut output = std::io::stdout().lock();
     match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {

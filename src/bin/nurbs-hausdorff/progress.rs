@@ -1,12 +1,12 @@
 //! The progress bar.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use nurbs_hausdorff::progress::Monitor;
+use nurbs_hausdorff::Monitor;
 
 /// Steps of the bar.
 const STEPS: u64 = 1000;
 
-/// A bar on standard error if that is a terminal, else nothing.
+/// A bar on standard error, drawn only if that is a terminal.
 pub(crate) struct Bar(ProgressBar);
 
 impl Bar {

@@ -1,10 +1,11 @@
-//! A result as text for people.
+//! A result as text for people to read.
 
-use nurbs_hausdorff::engine::{DistanceResult, Stop, SurfacePoint};
+use nurbs_hausdorff::result::{CertifiedDetails, Details, HierarchyDetails, IterationDetails, Stop};
+use nurbs_hausdorff::{DistanceResult, SurfacePoint};
 use std::fmt::{Result, Write};
 
-/// Some lines, the distance first. Distances, bounds and points are printed to
-/// full precision, so that rounding cannot make an interval untrue.
+/// Returns some lines, the distance first. Distances, bounds and points are
+/// printed to full precision, so that rounding cannot make an interval untrue.
 pub(crate) fn text(result: &DistanceResult) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
@@ -23,9 +24,11 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
             statistics(out, directed)?;
         }
     }
-    certified(out, result)?;
-    iteration(out, result)?;
-    hierarchy(out, result)?;
+    match &result.details {
+        Details::Certified(details) => certified(out, details)?,
+        Details::Iteration(details) => iteration(out, details)?,
+        Details::Hierarchy(details) => hierarchy(out, details)?,
+    }
     statistics(out, result)?;
     writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
     writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
@@ -35,7 +38,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
 fn interval(out: &mut String, result: &DistanceResult) -> Result {
     write!(out, "interval   [{:?}, {:?}]", result.lower, result.upper)?;
     let width = (result.upper - result.lower) / result.diagonal;
-    // Models of one point have no diagonal.
+    // The diagonal of models of one point is 0.
     if width.is_finite() {
         write!(out, ", width {width:.1e} of the diagonal {}", short(result.diagonal))?;
     }
@@ -47,8 +50,7 @@ fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
     writeln!(out, "{name}       surface {surface} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }
 
-fn certified(out: &mut String, result: &DistanceResult) -> Result {
-    let Some(details) = &result.certified else { return Ok(()) };
+fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
     let stop = match details.stop {
         Stop::Converged => "done",
         Stop::Cells => "ended by the budget of cells",
@@ -58,14 +60,13 @@ fn certified(out: &mut String, result: &DistanceResult) -> Result {
     };
     writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
     match details.within {
-        Some(true) => writeln!(out, "limit      kept"),
-        Some(false) => writeln!(out, "limit      exceeded"),
+        Some(true) => writeln!(out, "limit      the distance is within it"),
+        Some(false) => writeln!(out, "limit      the distance is beyond it"),
         None => Ok(()),
     }
 }
 
-fn iteration(out: &mut String, result: &DistanceResult) -> Result {
-    let Some(details) = &result.iteration else { return Ok(()) };
+fn iteration(out: &mut String, details: &IterationDetails) -> Result {
     let bounds = &details.bounds;
     let k_b = bounds.k_b.map_or("none observed".to_owned(), |k_b| format!("{} observed", short(k_b)));
     let (published, rigorous) = (short(bounds.k_a), short(bounds.k_a_rigorous));
@@ -78,8 +79,7 @@ fn iteration(out: &mut String, result: &DistanceResult) -> Result {
     )
 }
 
-fn hierarchy(out: &mut String, result: &DistanceResult) -> Result {
-    let Some(details) = &result.hierarchy else { return Ok(()) };
+fn hierarchy(out: &mut String, details: &HierarchyDetails) -> Result {
     let pairs: Vec<String> = details.pairs.iter().map(u64::to_string).collect();
     let grid = details.grid;
     writeln!(out, "hierarchy  {grid} x {grid} cells a surface; pairs of boxes by level {}", pairs.join(", "))
@@ -109,7 +109,7 @@ fn machine(out: &mut String, result: &DistanceResult) -> Result {
     result.notice.as_ref().map_or(Ok(()), |notice| writeln!(out, "notice     {notice}"))
 }
 
-/// To six digits, without the zeros that they end in.
+/// The number to six digits without trailing zeros.
 fn short(number: f64) -> String {
     let rounded = format!("{number:.5e}");
     rounded.parse::<f64>().map_or(rounded, |number| format!("{number:?}"))

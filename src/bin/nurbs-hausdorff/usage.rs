@@ -1,21 +1,21 @@
-//! The arguments as given, or why they are none.
+//! Parses the arguments and prints their errors.
 
 use crate::FAILED;
 use crate::args::Arguments;
 use clap::Parser;
 use std::process::ExitCode;
 
-/// The code of arguments that are not understood, as for options in JavaScript.
+/// The code of arguments that cannot be parsed, as for options in JavaScript.
 const CODE: &str = "OPTION_INVALID";
 
 /// The program's arguments.
 ///
 /// # Errors
-/// The exit status, once help or what is wrong has been printed.
+/// The exit status, after the help or the error has been printed.
 pub(crate) fn arguments() -> Result<Arguments, ExitCode> {
     Arguments::try_parse().map_err(|error| {
         if !error.use_stderr() {
-            // A reader of the help that left early is no failure.
+            // It is no failure if the reader of the help has gone.
             let _ = error.print();
             return ExitCode::SUCCESS;
         }

@@ -21,8 +21,8 @@ pub(super) struct Step {
 /// The trust region problem is the maximum of the minimum of the squared
 /// distances to all known feet. To first order that is a [`maximin`]; where
 /// three patches are equally near, its solution is Newton's method for the
-/// maximum. Where one patch or two carry it, second derivatives count: Newton's
-/// step for the one, or along the bisector of the two.
+/// maximum. Where the nearest patch alone carries it, second derivatives count:
+/// the step is Newton's for its distance.
 pub(super) fn newton_step(
     b: &Operand<'_>,
     at: [f64; 2],
@@ -39,22 +39,13 @@ pub(super) fn newton_step(
     let Maximin { multipliers, argmax, value } = maximin(&to_first_order.collect::<Vec<_>>());
     let [low, high] = [low, high].map(DVec2::from_array);
     let nearest = feet.nearest().distance_squared;
-    let model = |index: usize| {
-        let foot = &feet.all()[index];
-        LocalModel::new(jet, &b.patch(foot.patch).jet(foot.parameters))
-    };
-    let [(first, of_first), (second, _), (_, of_third)] = multipliers;
+    let (first, of_first) = multipliers[0];
     // The nearest patch's function is the first.
     if of_first == 1.0 && first == 0 {
-        let model = model(0);
+        let foot = feet.nearest();
+        let model = LocalModel::new(jet, &b.patch(foot.patch).jet(foot.parameters));
         let step = model.ascent_step(at, radius, jet)?.max(low).min(high);
         return Some(Step { step, predicted_gain: 2.0 * step.dot(model.gradient) });
-    }
-    if of_first < 1.0 && of_third == 0.0 {
-        let (step, value) = bisector_step(model(first), model(second));
-        if step == step.max(low).min(high) {
-            return Some(Step { step, predicted_gain: 2.0 * value - nearest });
-        }
     }
     let step = 0.5 * (low + high + DVec2::from_array(argmax) * (high - low));
     Some(Step { step, predicted_gain: value - nearest })
@@ -63,7 +54,6 @@ pub(super) fn newton_step(
 /// Half the squared distance to a patch, to second order in A's parameters.
 #[derive(Debug, Clone, Copy)]
 struct LocalModel {
-    value: f64,
     gradient: DVec2,
     hessian: DMat2,
 }
@@ -87,7 +77,7 @@ impl LocalModel {
         ];
         let gradient = DVec2::new(residual.dot(a.s), residual.dot(a.t));
         let hessian = DMat2::from_cols_array(&[ss, st, st, tt]);
-        Self { value: 0.5 * residual.length_squared(), gradient, hessian }
+        Self { gradient, hessian }
     }
 
     /// Newton's step to the maximum, along an edge where the patch of A ends;
@@ -117,27 +107,6 @@ impl LocalModel {
     }
 }
 
-/// Newton's step for the maximum of min(d₁², d₂²) on the bisector d₁ = d₂, and
-/// the value there; NaN where the bisector has no maximum.
-///
-/// The bisector is linearized. Along it both models increase alike, and their
-/// second derivative is that of the Lagrangian `λ d₁² + (1 - λ) d₂²` with the
-/// multiplier for which its gradient is least; the bisector's curvature is
-/// neglected, which counts for nothing where the gradient is 0.
-fn bisector_step(one: LocalModel, two: LocalModel) -> (DVec2, f64) {
-    let across = one.gradient - two.gradient;
-    let length_squared = across.length_squared();
-    let multiplier = (-two.gradient.dot(across) / length_squared).clamp(0.0, 1.0);
-    let gradient = two.gradient + multiplier * across;
-    let hessian = two.hessian + (one.hessian - two.hessian) * multiplier;
-    let onto = across * ((two.value - one.value) / length_squared);
-    let along = across.perp();
-    // Without a maximum the step is infinite.
-    let curvature = along.dot(hessian * along).min(0.0);
-    let step = onto - along * ((gradient + hessian * onto).dot(along) / curvature);
-    (step, one.value + step.dot(one.gradient + 0.5 * (hessian * step)))
-}
-
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
@@ -145,60 +114,13 @@ mod tests {
     use crate::closest::{Target, closest};
     use crate::shapes::shape;
 
-    /// A hill about another place.
-    fn moved(model: LocalModel, step: DVec2) -> LocalModel {
-        let LocalModel { value, gradient, hessian } = model;
-        let value = value + step.dot(gradient + 0.5 * (hessian * step));
-        LocalModel { value, gradient: gradient + hessian * step, hessian }
-    }
-
-    /// Newton's steps from ridge to ridge end at the highest place under two
-    /// models, which is the lowest of their weighted means' tops.
+    /// Compares with central differences of the certified distance.
     #[test]
-    fn steps_along_a_ridge_lead_to_its_highest_place() {
-        let random = &mut fastrand::Rng::with_seed(3);
-        let (mut bisectors, mut reached) = (0, 0);
-        for _ in 0..300 {
-            let mut number = || 2.0 * random.f64() - 1.0;
-            let mut hill = || {
-                let root = DMat2::from_cols_array(&[(); 4].map(|()| number()));
-                let hessian = -(root * root.transpose() + 0.3 * DMat2::IDENTITY);
-                LocalModel { value: number(), gradient: DVec2::new(number(), number()), hessian }
-            };
-            let (one, two) = (hill(), hill());
-            let top = |weight: f64| {
-                let gradient = weight * one.gradient + (1.0 - weight) * two.gradient;
-                let hessian = one.hessian * weight + two.hessian * (1.0 - weight);
-                let rise = -0.5 * gradient.dot(hessian.inverse() * gradient);
-                weight * one.value + (1.0 - weight) * two.value + rise
-            };
-            let lowest =
-                (0..=1_000).map(|k| (top(f64::from(k) * 1e-3), k)).min_by(|a, b| a.0.total_cmp(&b.0));
-            let Some((expected, weight)) = lowest else { unreachable!() };
-            if !(50..=950).contains(&weight) {
-                continue;
-            }
-            let (mut first, mut second) = (one, two);
-            for _ in 0..30 {
-                let (step, _) = bisector_step(first, second);
-                let step = step.clamp_length_max(1.0);
-                (first, second) = (moved(first, step), moved(second, step));
-            }
-            // A grid of weights tells the lowest top to about 1e-6 of the models' size.
-            bisectors += 1;
-            reached += usize::from((first.value.min(second.value) - expected).abs() < 1e-5);
-        }
-        // Steps are not shortened here where they lead lower, as a climb's are.
-        assert!(bisectors > 100 && reached * 20 > bisectors * 19, "{reached} of {bisectors}");
-    }
-
-    /// As central differences of the certified distance have it.
-    #[test]
-    fn models_are_the_squared_distance_to_second_order() {
+    fn local_models_are_the_squared_distance_to_second_order() {
         let random = &mut fastrand::Rng::with_seed(8);
         let (Ok(a), Ok(b)) = (shape("wavy-sheet"), shape("torus")) else { unreachable!() };
         let (a, b) = (extract(&a).patches, Target::new(extract(&b).patches));
-        let side = Operand::new(&b, &[]);
+        let operand = Operand::new(&b, &[]);
         let mut compared = 0;
         for _ in 0..60 {
             let patch = a.patch(random.usize(..a.len()));
@@ -216,7 +138,7 @@ mod tests {
                 (found.patch, 0.5 * found.upper * found.upper)
             };
             let around: Vec<(usize, f64)> = (0..9).map(|k| of(k / 3 - 1, k % 3 - 1)).collect();
-            // A hill is of one patch, inside it.
+            // A model is of one patch, inside it.
             let foot = nearest([0.0; 2]);
             if around.iter().any(|(patch, _)| *patch != foot.patch)
                 || foot.parameters.iter().any(|&parameter| !(0.01..=0.99).contains(&parameter))
@@ -228,7 +150,8 @@ mod tests {
             let mixed = (value(8) - value(6) - value(2) + value(0)) / (4.0 * STEP * STEP);
             let [ss, tt] =
                 [[7, 1], [5, 3]].map(|[k, l]| (value(k) - 2.0 * value(4) + value(l)) / (STEP * STEP));
-            let model = LocalModel::new(&patch.jet(at), &side.patch(foot.patch as u32).jet(foot.parameters));
+            let model =
+                LocalModel::new(&patch.jet(at), &operand.patch(foot.patch as u32).jet(foot.parameters));
             let size = model.hessian.x_axis.length() + model.hessian.y_axis.length() + gradient.length();
             assert!((model.gradient - gradient).length() < 1e-4 * size, "{model:?} {gradient}");
             let hessian = DMat2::from_cols_array(&[ss, mixed, mixed, tt]);

@@ -352,12 +352,15 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Finds the first incumbent by ascents from two points.
+    /// Finds the first incumbent: the higher of an ascent from the support point
+    /// and, where that ends below it, one from the middle of a patch.
     fn find_first_incumbent(&mut self) {
         let Some([support, middle]) = starting_points(&self.pair, &self.nearest) else { return };
-        let top = ascend_across(&self.pair, &self.nearest, support, self.certificate_gap());
+        let ascend = |start| ascend_across(&self.pair, &self.nearest, start, self.certificate_gap());
+        let top = ascend(support);
+        let is_low = middle.foot.distance_squared > top.foot.distance_squared;
+        let top = if is_low { ascend(middle) } else { top };
         self.certify(top);
-        self.ascend_from(middle);
     }
 
     /// Ascents from the chunk's farthest samples while they exceed the

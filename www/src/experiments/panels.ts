@@ -99,16 +99,16 @@ function differences(curves: readonly Curve[]): Series[] {
 /** K_A is that of the samples, whatever the flatness, and K_B hardly differs: one method's are drawn. */
 function boundsOf(name: string): [string, Value][] {
   const published = (result: DistanceResult) =>
-    result.method === "iteration" ? result.bounds : { k_a: null, k_b: null };
+    result.method === "iteration" ? result.bounds : { kA: null, kB: null };
   const sum = (value: number, bound: number | null) => (bound === null ? null : value + bound);
   if (name === "2012 paper: loose") {
     return [
-      [" + K_A", (result) => sum(result.computed, published(result).k_a)],
+      [" + K_A", (result) => sum(result.computed, published(result).kA)],
       [
         " - K_B",
         (result) => {
-          const { k_b } = published(result);
-          return k_b === null ? null : result.computed - k_b;
+          const { kB } = published(result);
+          return kB === null ? null : result.computed - kB;
         },
       ],
     ];

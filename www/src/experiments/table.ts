@@ -17,7 +17,7 @@ function row(name: string, { position, result, failure }: Outcome): (string | nu
   const bounds = result.method === "iteration" ? result.bounds : undefined;
   return [
     ...[position, name, computed, lower, upper],
-    ...[bounds?.k_a ?? "", bounds?.k_a_rigorous ?? "", bounds?.k_b ?? ""],
+    ...[bounds?.kA ?? "", bounds?.kARigorous ?? "", bounds?.kB ?? ""],
     ...[result.converged ? "yes" : "no", seconds.solve, seconds.prepare],
     ...[result.method === "certified" ? result.cells : "", patches.b, ""],
   ];

@@ -1,0 +1,265 @@
+//! One pair measured and checked.
+
+use super::brute::{Placed, Target};
+use super::pairs::{Pair, pair};
+use super::sheet::{Sheet, sheets};
+use crate::support::evaluator::point;
+use fastrand::Rng;
+use glam::{DVec2, DVec3};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel, SurfacePoint};
+use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::{Model, RigidTransform};
+
+/// Samples along each direction of a surface of A, one at random in each cell
+/// of the grid: the library's own are at fractions of powers of two.
+const SAMPLES: usize = 11;
+
+/// Samples from which a farther point is looked for, and looks, at most.
+const CLIMBS: usize = 6;
+const LOOKS: usize = 24;
+
+/// Rounding of coordinates, of the transform's included, relative to the
+/// largest one: 16 units of 2^-53.
+const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Rounding of points relative to the models' size, as both are evaluated near
+/// their own origins.
+const SIZE_ROUNDING: f64 = 1e-14;
+
+/// What checking a pair gave.
+pub(crate) struct Outcome {
+    pub(crate) converged: bool,
+    pub(crate) cells: usize,
+    pub(crate) violations: Vec<String>,
+}
+
+pub(crate) fn check(seed: u64) -> Outcome {
+    let pair = pair(seed);
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
+    let options = Options {
+        // Two points have no diagonal to be relative to.
+        absolute: diagonal == 0.0,
+        tolerance: pair.tolerance,
+        max_cells: Some(pair.most_cells),
+        transform: pair.transform,
+        symmetric: pair.symmetric,
+        limit: pair.limit.map(|limit| limit * diagonal),
+        ..Options::default()
+    };
+    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let measured = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor));
+    let result = measured.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+    let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
+    let mut violations = Vec::new();
+    for (directed, reversed) in directions {
+        let Some(directed) = directed else { continue };
+        let directed = if reversed { directed } else { result.forward.as_deref().unwrap_or(directed) };
+        let direction = Direction::new(&pair, directed, &options, reversed);
+        violations.extend(direction.violations(&mut Rng::with_seed(seed)));
+    }
+    Outcome {
+        converged: result.converged,
+        cells: result.certified().unwrap().cells,
+        violations: violations
+            .into_iter()
+            .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
+            .collect(),
+    }
+}
+
+/// From one model to the other, each in its place.
+struct Direction<'a> {
+    from: &'a Model,
+    to: &'a Model,
+    poses: [RigidTransform; 2],
+    result: &'a DistanceResult,
+    witness: [&'a SurfacePoint; 2],
+    truth: Option<f64>,
+    limit: Option<f64>,
+    rounding: f64,
+}
+
+impl<'a> Direction<'a> {
+    fn new(pair: &'a Pair, result: &'a DistanceResult, options: &Options, reversed: bool) -> Self {
+        let boxes = [pair.a.bounding_box(), pair.b.bounding_box()];
+        let largest =
+            boxes.iter().map(|aabb| aabb.min.abs().max(aabb.max.abs()).max_element()).fold(0.0, f64::max);
+        let rounding = COORDINATE_ROUNDING * (largest + pair.transform.offset().length())
+            + SIZE_ROUNDING * (result.diagonal + result.computed);
+        let (models, poses) = ([&pair.a, &pair.b], [pair.transform, RigidTransform::IDENTITY]);
+        let witness = [&result.witness.a, &result.witness.b];
+        let [from, to] = if reversed { [1, 0] } else { [0, 1] };
+        Self {
+            from: models[from],
+            to: models[to],
+            poses: [poses[from], poses[to]],
+            result,
+            witness: [witness[from], witness[to]],
+            truth: pair.truth.map(|both| both[from]),
+            limit: options.limit,
+            rounding,
+        }
+    }
+
+    fn violations(&self, rng: &mut Rng) -> Vec<String> {
+        let DistanceResult { lower, upper, computed, .. } = self.result;
+        let mut violations = Vec::new();
+        if !(*lower <= *computed && *computed <= *upper && upper.is_finite()) {
+            violations.push(format!("lower {lower}, computed {computed}, upper {upper}"));
+        }
+        if let Some(truth) = self.truth
+            && !(*lower <= truth + self.rounding && truth - self.rounding <= *upper)
+        {
+            violations.push(format!("{truth} is not in [{lower}, {upper}]"));
+        }
+        self.check_witness(&mut violations);
+        let details = self.result.certified().unwrap();
+        let wide = upper - lower > details.tolerance + 200.0 * self.rounding;
+        if self.result.converged && self.limit.is_none() && wide {
+            violations.push(format!("converged, but [{lower}, {upper}] is {} wide", upper - lower));
+        }
+        let decided = self
+            .limit
+            .and_then(|limit| if *upper <= limit { Some(true) } else { (*lower > limit).then_some(false) });
+        if details.within != decided {
+            violations
+                .push(format!("within {:?}, [{lower}, {upper}], limit {:?}", details.within, self.limit));
+        }
+        self.check_distances(rng, &mut violations);
+        violations
+    }
+
+    /// The witnesses lie where they are told to, as far apart as told.
+    fn check_witness(&self, violations: &mut Vec<String>) {
+        let [start, end] = self.witness.map(|told| DVec3::from_array(told.point));
+        for ((model, pose), told) in [self.from, self.to].into_iter().zip(&self.poses).zip(self.witness) {
+            let surface = &model.surfaces()[told.surface];
+            let place = |u: f64, v: f64| pose.apply(DVec3::from_array(point(surface, u, v)));
+            // Parameters are told in float64, whose rounding moves the point.
+            let [du, dv] = [told.u, told.v].map(|parameter| 2.0 * f64::EPSILON * parameter.abs());
+            let at = place(told.u, told.v);
+            let [[u0, u1], [v0, v1]] = surface.domain().intervals();
+            let slack = [-1.0, 1.0].map(|sign| {
+                let along_u = place((told.u + sign * du).clamp(u0, u1), told.v).distance(at);
+                along_u + place(told.u, (told.v + sign * dv).clamp(v0, v1)).distance(at)
+            });
+            let off = at.distance(DVec3::from_array(told.point));
+            if off > self.rounding + slack[0] + slack[1] {
+                violations.push(format!("a witness is {off} off its parameters"));
+            }
+        }
+        let between = start.distance(end);
+        if (between - self.result.computed).abs() > self.rounding {
+            violations.push(format!("the witnesses are {between} apart, computed {}", self.result.computed));
+        }
+    }
+
+    /// Brute force finds no point of A beyond `upper`, and none of B nearer
+    /// the witness than `lower`.
+    fn check_distances(&self, rng: &mut Rng, violations: &mut Vec<String>) {
+        let DistanceResult { lower, upper, .. } = self.result;
+        let [from_origin, to_origin] = [self.from, self.to].map(|model| model.bounding_box().center());
+        let to_sheets = sheets(self.to, to_origin);
+        let from_sheets = sheets(self.from, from_origin);
+        let target = Target::new(self.to, to_origin, &to_sheets);
+        // From the frame of one model's sheets into that of the other's.
+        let shift = self.poses[1].apply_inverse(self.poses[0].apply(from_origin)) - to_origin;
+        let turn = self.poses[1].rotation().inverse() * self.poses[0].rotation();
+        let into = |point: DVec3| turn * point + shift;
+        let told = self.witness[0];
+        let start = self.poses[1].apply_inverse(DVec3::from_array(told.point)) - to_origin;
+        let witness_distance = target.least(start);
+        if witness_distance < lower - self.rounding {
+            violations.push(format!("lower {lower}, but B is {witness_distance} from the witness"));
+        }
+        let mut samples = vec![(told.surface, DVec2::new(told.u, told.v), start)];
+        for (index, sheet) in from_sheets.iter().enumerate() {
+            for place in places(sheet, rng) {
+                samples.push((index, place, into(sheet.point(place))));
+            }
+        }
+        let mut found: Vec<(usize, DVec2, Placed)> =
+            samples.iter().map(|&(index, place, point)| (index, place, target.near(point, None))).collect();
+        found[1..].sort_unstable_by(|a, b| b.2.distance.total_cmp(&a.2.distance));
+        let beyond = upper + self.rounding;
+        let mut suspects = 0;
+        for &(index, place, near) in &found {
+            let point = into(from_sheets[index].point(place));
+            if near.distance > beyond {
+                suspects += 1;
+                if !target.is_within(point, beyond, (index, place)) {
+                    violations.push(format!(
+                        "upper {upper}, but a point of A is {} from B ({suspects})",
+                        target.least(point)
+                    ));
+                    return;
+                }
+            }
+        }
+        for &(index, place, near) in found.iter().take(CLIMBS) {
+            let sheet = &from_sheets[index];
+            if let Some(point) = climb((index, sheet), place, near, &target, &into, beyond) {
+                violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
+                return;
+            }
+        }
+    }
+}
+
+/// One place at random in each cell of a grid, edges and corners.
+fn places(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
+    let mut places = Vec::new();
+    for index in 0..SAMPLES * SAMPLES {
+        let [i, j] =
+            [index / SAMPLES, index % SAMPLES].map(|cell| (cell as f64 + rng.f64()) / SAMPLES as f64);
+        places.push(sheet.at([i, j]));
+    }
+    for cell in 0..SAMPLES {
+        let along = (cell as f64 + rng.f64()) / SAMPLES as f64;
+        for end in [0.0, 1.0] {
+            places.extend([sheet.at([along, end]), sheet.at([end, along])]);
+        }
+    }
+    for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
+        places.push(sheet.at(corner));
+    }
+    places
+}
+
+/// Looks around for ever farther points; one beyond the bound, if any is.
+fn climb(
+    (index, sheet): (usize, &Sheet),
+    start: DVec2,
+    foot: Placed,
+    target: &Target<'_>,
+    into: &impl Fn(DVec3) -> DVec3,
+    beyond: f64,
+) -> Option<DVec3> {
+    let (mut at, mut best) = (start, foot);
+    let mut step = sheet.extent() / SAMPLES as f64;
+    for _ in 0..LOOKS {
+        let center = at;
+        for i in -1..=1 {
+            for j in -1..=1 {
+                let place = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
+                let point = into(sheet.point(place));
+                let near = target.near(point, Some(best));
+                if near.distance <= best.distance {
+                    continue;
+                }
+                if near.distance > beyond {
+                    if !target.is_within(point, beyond, (index, place)) {
+                        return Some(point);
+                    }
+                    continue;
+                }
+                (at, best) = (place, near);
+            }
+        }
+        if at == center {
+            step *= 0.5;
+        }
+    }
+    None
+}

@@ -1,0 +1,12 @@
+//! Random pairs of models, and a check of their certified intervals by brute force.
+//!
+//! The example `honesty` and the test `soundness` share this folder; both have
+//! `tests/support` at their root.
+
+mod brute;
+pub(crate) mod check;
+mod offsets;
+mod pairs;
+mod partners;
+mod sheet;
+mod surfaces;

@@ -1,0 +1,215 @@
+//! Values on their way between Rust and JavaScript: options, results,
+//! tessellations and errors.
+
+use crate::engine::{DistanceResult, Field, Options};
+use crate::error::{Error, Result};
+use crate::model::RigidTransform;
+use crate::tessellate::Tessellation;
+use glam::{DQuat, DVec3};
+use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use serde::de::DeserializeOwned;
+use serde::de::value::MapDeserializer;
+use serde::{Deserialize, Serialize};
+use serde_wasm_bindgen::{Deserializer, Serializer};
+use wasm_bindgen::{JsCast, JsValue};
+
+/// The options of a distance, of which undefined ones have their defaults. The
+/// transform is a value of its own, whose numbers have conditions.
+///
+/// # Errors
+/// [`Error::OptionInvalid`] for an unknown name or a value of another type,
+/// [`Error::TransformNotRigid`].
+pub(super) fn options(options: &JsValue, transform: &JsValue) -> Result<Options> {
+    let transform = if transform.is_undefined() {
+        RigidTransform::IDENTITY
+    } else {
+        let TransformParts { rotation, translation } =
+            properties(transform).map_err(|found| invalid(format!("transform: {found}")))?;
+        RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?
+    };
+    let options: Options = properties(options).map_err(invalid)?;
+    Ok(Options { transform, ..options })
+}
+
+/// One option given apart from the others; undefined is its default.
+///
+/// # Errors
+/// [`Error::OptionInvalid`] that names it.
+pub(super) fn option<T: DeserializeOwned + Default>(name: &str, value: &JsValue) -> Result<T> {
+    if value.is_undefined() {
+        return Ok(T::default());
+    }
+    serde_wasm_bindgen::from_value(value.clone())
+        .map_err(|error| invalid(format!("{name}: {}", message(error))))
+}
+
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct TransformParts {
+    #[serde(deserialize_with = "numbers")]
+    rotation: [f64; 4],
+    #[serde(deserialize_with = "numbers")]
+    translation: [f64; 3],
+}
+
+/// Exactly N numbers, where serde's arrays ignore the rest of a longer one.
+fn numbers<'de, D: serde::Deserializer<'de>, const N: usize>(
+    deserializer: D,
+) -> std::result::Result<[f64; N], D::Error> {
+    let numbers = Vec::<f64>::deserialize(deserializer)?;
+    numbers.try_into().map_err(|numbers: Vec<f64>| {
+        serde::de::Error::invalid_length(numbers.len(), &format!("{N} numbers").as_str())
+    })
+}
+
+impl Default for TransformParts {
+    fn default() -> Self {
+        Self { rotation: DQuat::IDENTITY.to_array(), translation: [0.0; 3] }
+    }
+}
+
+/// A struct from the properties of an object that are not undefined.
+/// `serde_wasm_bindgen::from_value` would look for the struct's fields only,
+/// and so not see unknown names.
+///
+/// # Errors
+/// The name of the property, what was found and what was expected.
+fn properties<T: DeserializeOwned>(value: &JsValue) -> std::result::Result<T, String> {
+    let Some(object) = value.dyn_ref::<Object>() else {
+        let found = if value.is_null() { Some("null".to_owned()) } else { value.js_typeof().as_string() };
+        return Err(format!("found {}, expected an object", found.unwrap_or_default()));
+    };
+    let defined = Object::entries(object).into_iter().filter_map(|entry| {
+        let entry: Array = entry.unchecked_into();
+        let value = entry.get(1);
+        (!value.is_undefined())
+            .then(|| (entry.get(0).as_string().unwrap_or_default(), Deserializer::from(value)))
+    });
+    serde_path_to_error::deserialize(MapDeserializer::new(defined)).map_err(|error| {
+        let path = error.path().to_string();
+        format!("{path}: {}", message(error.into_inner()))
+    })
+}
+
+/// The message of a deserializer's error, which is a JavaScript `Error`.
+fn message(error: serde_wasm_bindgen::Error) -> String {
+    JsValue::from(error).unchecked_into::<js_sys::Error>().message().into()
+}
+
+fn invalid(found: String) -> Error {
+    Error::OptionInvalid { found }
+}
+
+/// A plain object as the command line's JSON, with `null` for absent values.
+///
+/// # Errors
+/// The serializer's, which the crate's own types do not cause.
+pub(super) fn to_object(value: &impl Serialize) -> std::result::Result<JsValue, JsValue> {
+    Ok(value.serialize(&Serializer::json_compatible())?)
+}
+
+/// A result as the command line's JSON, with the fields as typed arrays.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn result(result: &DistanceResult) -> std::result::Result<JsValue, JsValue> {
+    let object = to_object(result)?;
+    set_field(&object, result)?;
+    for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
+        if let Some(directed) = directed {
+            set_field(&Reflect::get(&object, &name.into())?, directed)?;
+        }
+    }
+    Ok(object)
+}
+
+fn set_field(object: &JsValue, result: &DistanceResult) -> std::result::Result<(), JsValue> {
+    if !result.field.is_empty() {
+        let field: Vec<FieldArrays> = result.field.iter().map(FieldArrays::from).collect();
+        Reflect::set(object, &"field".into(), &to_object(&field)?)?;
+    }
+    Ok(())
+}
+
+#[derive(Serialize)]
+struct FieldArrays {
+    surface: usize,
+    counts: [usize; 2],
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    points: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    feet: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    distances: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    signed: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    areas: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    statuses: Uint8Array,
+}
+
+impl From<&Field> for FieldArrays {
+    fn from(field: &Field) -> Self {
+        Self {
+            surface: field.surface,
+            counts: field.counts,
+            points: field.points.as_slice().into(),
+            feet: field.feet.as_slice().into(),
+            distances: field.distances.as_slice().into(),
+            signed: field.signed.as_slice().into(),
+            areas: field.areas.as_slice().into(),
+            statuses: field.statuses.as_slice().into(),
+        }
+    }
+}
+
+/// Triangles as typed arrays.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn tessellation(tessellation: &Tessellation) -> std::result::Result<JsValue, JsValue> {
+    to_object(&TessellationArrays {
+        positions: tessellation.positions.as_slice().into(),
+        normals: tessellation.normals.as_slice().into(),
+        indices: tessellation.indices.as_slice().into(),
+        origin: tessellation.origin.to_array(),
+        surfaces: tessellation
+            .surfaces
+            .iter()
+            .map(|range| IndexRange { first_index: range.start, index_count: range.len() })
+            .collect(),
+    })
+}
+
+#[derive(Serialize)]
+struct TessellationArrays {
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    positions: Float32Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    normals: Float32Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    indices: Uint32Array,
+    origin: [f64; 3],
+    surfaces: Vec<IndexRange>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct IndexRange {
+    first_index: usize,
+    index_count: usize,
+}
+
+impl From<Error> for JsValue {
+    /// `{code, message}`, from which the package makes its class of errors.
+    fn from(error: Error) -> Self {
+        #[derive(Serialize)]
+        struct Failure {
+            code: &'static str,
+            message: String,
+        }
+        let failure = Failure { code: error.code(), message: error.to_string() };
+        to_object(&failure).unwrap_or_else(|thrown| thrown)
+    }
+}

@@ -1,0 +1,200 @@
+//! The command line where users and machines are not as hoped.
+
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::shapes::shape;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+struct Run {
+    status: i32,
+    stdout: String,
+    stderr: String,
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nurbs-hausdorff"));
+    command.args(arguments);
+    command
+}
+
+fn finish(mut command: Command) -> Run {
+    let output = command.output().unwrap();
+    Run {
+        status: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+fn run(arguments: &[&str]) -> Run {
+    finish(command(arguments))
+}
+
+/// `distance MODEL MODEL` by `iteration` on the CPU, as JSON.
+fn iterate(model: &str, more: &[&str]) -> Value {
+    let fixed = ["distance", model, model, "--json", "--method", "iteration", "--backend", "cpu"];
+    let run = run(&[&fixed, more].concat());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+fn file(name: &str, content: &[u8]) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("edges-{name}.json"));
+    std::fs::write(&path, content).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn shape_file(test: &str, name: &str) -> String {
+    file(&format!("{test}-{name}"), shape(name).unwrap().to_json().unwrap().as_bytes())
+}
+
+fn assert_refused(run: &Run, code: &str, told: &[&str]) {
+    assert_eq!(run.status, 2, "{}", run.stderr);
+    assert_eq!(run.stdout, "");
+    for told in [&[format!("error[{code}]: ").as_str()], told].concat() {
+        assert!(run.stderr.contains(told), "{told} in {}", run.stderr);
+    }
+}
+
+#[test]
+fn errors_name_the_file() {
+    let good = shape_file("named", "cone");
+    let bad = file("bad", good.as_bytes());
+    for arguments in [&["distance", &good, &bad][..], &["distance", &bad, &good], &["info", &bad]] {
+        assert_refused(&run(arguments), "JSON_SHAPE", &[&bad, "line 1"]);
+    }
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    assert_refused(&run(&["info", folder]), "FILE_UNREADABLE", &[folder]);
+    let binary = file("binary", &[0xff, 0xfe, 0x00]);
+    assert_refused(&run(&["info", &binary]), "JSON_SHAPE", &[&binary, "utf-8"]);
+}
+
+#[test]
+fn files_over_the_limit_are_not_read() {
+    // All holes: it takes no room on the disk.
+    let path = file("large", b"");
+    std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(Model::MAX_JSON_BYTES + 1).unwrap();
+    assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &Model::MAX_JSON_BYTES.to_string()]);
+}
+
+/// A device tells no length.
+#[cfg(target_os = "linux")]
+#[test]
+fn endless_files_end_at_the_limit() {
+    assert_refused(&run(&["info", "/dev/zero"]), "FILE_TOO_LARGE", &["/dev/zero"]);
+}
+
+#[test]
+fn bad_arguments_have_codes() {
+    let good = shape_file("arguments", "cone");
+    let cases: [(&[&str], &str, &[&str]); 12] = [
+        (&["--samples", "1"], "OPTION_OUT_OF_RANGE", &["samples", "1", "2 to 1024"]),
+        (&["--iterations", "0"], "OPTION_OUT_OF_RANGE", &["iterations", "0"]),
+        (&["--step-tolerance", "inf"], "OPTION_OUT_OF_RANGE", &["step tolerance"]),
+        (&["--max-cells", "0"], "OPTION_OUT_OF_RANGE", &["max cells"]),
+        (&["--grid", "1"], "OPTION_OUT_OF_RANGE", &["grid", "1", "2 to 1024"]),
+        (&["--memory-budget", "0"], "OPTION_OUT_OF_RANGE", &["memory budget", "1 to 256 MiB"]),
+        (&["--samples", "many"], "OPTION_INVALID", &["--samples", "many"]),
+        (&["--flatness", "flat"], "OPTION_INVALID", &["--flatness", "none, loose, tight, curvature"]),
+        (&["--translate", "1,2"], "OPTION_INVALID", &["--translate", "found 2 numbers, expected 3"]),
+        (&["--translate", "0,NaN,0"], "OPTION_INVALID", &["--translate", "NaN", "finite"]),
+        (&["--rotate", "0,0,0,90"], "OPTION_INVALID", &["--rotate", "axis has length 0"]),
+        (&["--unheard-of"], "OPTION_INVALID", &["--unheard-of"]),
+    ];
+    for (arguments, code, told) in cases {
+        assert_refused(&run(&[&["distance", &good, &good], arguments].concat()), code, told);
+    }
+    assert_refused(&run(&["distance"]), "OPTION_INVALID", &["<A>", "<B>"]);
+}
+
+#[test]
+fn the_length_of_an_axis_does_not_matter() {
+    let torus = shape_file("axis", "torus");
+    let computed = |rotate| iterate(&torus, &["--samples", "16", "--rotate", rotate])["computed"].clone();
+    let unit = computed("1,0,0,90").as_f64().unwrap();
+    for rotate in ["1e-200,0,0,90", "1e200,0,0,90"] {
+        assert!((computed(rotate).as_f64().unwrap() - unit).abs() < 1e-12, "{rotate}");
+    }
+}
+
+/// The interval of `iteration` is wide; a limit inside it must not pass.
+#[test]
+fn a_limit_is_decided_by_the_interval_of_iteration_too() {
+    let sheet = shape_file("limit", "wavy-sheet");
+    let moved = ["--translate", "0,0,0.5", "--method", "iteration", "--backend", "cpu"];
+    for (limit, status) in [("0.499", 1), ("0.501", 3), ("2", 0)] {
+        let run = run(&[&["distance", &sheet, &sheet, "--limit", limit], &moved[..]].concat());
+        assert_eq!(run.status, status, "--limit {limit}: {}{}", run.stdout, run.stderr);
+    }
+}
+
+#[test]
+fn a_budget_leaves_a_limit_undecided() {
+    let sheet = shape_file("budget", "wavy-sheet");
+    let other = shape_file("budget-b", "wavy-sheet-b");
+    let budget = ["--translate", "0,0,0.5", "--limit", "2", "--max-cells", "1"];
+    let run = run(&[&["distance", &sheet, &other], &budget[..]].concat());
+    assert_eq!(run.status, 3, "{}{}", run.stdout, run.stderr);
+    for told in ["ended by the budget of cells", "converged  no"] {
+        assert!(run.stdout.contains(told), "{told} in {}", run.stdout);
+    }
+}
+
+#[test]
+fn options_reach_the_method() {
+    let sheet = shape_file("options", "wavy-sheet");
+    let with = |more: &[&str]| iterate(&sheet, &[&["--translate", "0,0,0.5"], more].concat());
+    let plain = with(&["--samples", "16"]);
+    let statuses = plain["statuses"].as_object().unwrap().values().map(|count| count.as_u64().unwrap());
+    assert_eq!(statuses.sum::<u64>(), 16 * 16);
+    let patches = |flatness| with(&["--samples", "4", "--flatness", flatness])["patches"]["b"].as_u64();
+    assert!(patches("none") < patches("loose"));
+    assert!(patches("loose") < patches("tight"));
+    // Every patch or those near enough: the same distance.
+    assert_eq!(with(&["--samples", "16", "--culling", "none"])["computed"], plain["computed"]);
+    assert_ne!(with(&["--samples", "16", "--sampling", "arc-length"])["bounds"], plain["bounds"]);
+    let published = ["--samples", "16", "--projection", "tangent-plane", "--iterations", "1"];
+    assert_ne!(with(&published)["statuses"], plain["statuses"]);
+}
+
+/// Without a driver's description the Vulkan loader has no GPU to offer.
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_gpu_the_result_says_so() {
+    let cone = shape_file("no-gpu", "cone");
+    let on = |backend| {
+        let fixed = ["distance", &cone, &cone, "--json", "--method", "iteration", "--backend", backend];
+        let mut command = command(&fixed);
+        command.envs([("VK_DRIVER_FILES", "/dev/null"), ("VK_ICD_FILENAMES", "/dev/null")]);
+        finish(command)
+    };
+    let auto = on("auto");
+    let result: Value = serde_json::from_str(&auto.stdout).unwrap();
+    assert_eq!(result["backend"], "cpu");
+    assert!(result["notice"].as_str().unwrap().contains("computed on the CPU"));
+    assert_refused(&on("gpu"), "NO_ADAPTER", &[]);
+}
+
+#[test]
+fn completion_for_every_shell() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = run(&["completions", shell]);
+        assert_eq!(script.status, 0, "{shell}");
+        for word in ["nurbs-hausdorff", "step-tolerance", "tangent-plane"] {
+            assert!(script.stdout.contains(word), "{word} for {shell}");
+        }
+    }
+}
+
+/// As with `| head -0`: no failure, and no panic.
+#[test]
+fn a_reader_that_leaves_is_no_failure() {
+    let cone = shape_file("reader", "cone");
+    let mut command = command(&["info", &cone]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(output.stderr, b"");
+}

@@ -1,0 +1,6 @@
+//! The command line.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+mod commands;
+mod edge_cases;

@@ -1,0 +1,12 @@
+//! The kernels against float64, at the ends of float32, and within the memory promised.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod certified_gpu;
+mod float32_extremes;
+mod iteration_kernels;
+#[cfg(target_os = "linux")]
+mod memory;

@@ -1,0 +1,15 @@
+//! Intervals of all methods against what others computed, brute force and the published experiments.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+// Two examples are tools whose answers are tested here, by a module of each.
+#[path = "../../examples/honesty/fuzzer/mod.rs"]
+mod fuzzer;
+#[path = "../../examples/experiments/suite/mod.rs"]
+mod suite;
+#[path = "../support/mod.rs"]
+mod support;
+
+mod experiments;
+mod random_pairs;
+mod reference_pairs;

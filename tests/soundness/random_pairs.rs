@@ -1,0 +1,23 @@
+//! Random pairs on which a certified interval could lie; many more are in
+//! `cargo run --release --example honesty`.
+
+use crate::fuzzer::check::{Outcome, check};
+use rayon::prelude::*;
+
+/// Pairs, with two that a coarser brute force once raised alarms on.
+const SEEDS: [u64; 2] = [9032, 9145];
+const PAIRS: u64 = 60;
+
+#[test]
+fn intervals_contain_what_brute_force_finds() {
+    let seeds: Vec<u64> = (1..=PAIRS).chain(SEEDS).collect();
+    let outcomes: Vec<Outcome> = seeds.into_par_iter().map(check).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+    }
+    let converged = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
+    let cells: usize = outcomes.iter().map(|outcome| outcome.cells).sum();
+    // Both kinds are tried: intervals as narrow as requested, and those that a budget ended.
+    assert!((PAIRS / 4..PAIRS).contains(&converged), "{converged} converged");
+    assert!(cells > 0);
+}

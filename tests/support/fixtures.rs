@@ -1,0 +1,31 @@
+//! Small models and transforms that several tests share.
+
+use glam::{DQuat, DVec3};
+use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+
+/// A translation by finite amounts.
+pub fn translation(x: f64, y: f64, z: f64) -> RigidTransform {
+    RigidTransform::translation(DVec3::new(x, y, z)).unwrap()
+}
+
+/// A rotation about a skew axis with a small translation.
+pub fn turned() -> RigidTransform {
+    let rotation = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.8);
+    RigidTransform::new(rotation, DVec3::new(0.3, -0.2, 0.1)).unwrap()
+}
+
+/// The unit square whose lower corner is (`x`, 0), at this height.
+pub fn square(x: f64, height: f64) -> SurfaceArrays {
+    let corner = |i: f64, j: f64| [x + i, j, height, 1.0];
+    SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: vec![corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 0.0), corner(1.0, 1.0)],
+    }
+}
+
+/// A model of surfaces that are known to be valid.
+pub fn model(surfaces: Vec<SurfaceArrays>) -> Model {
+    Model::from_arrays(None, surfaces).unwrap()
+}
