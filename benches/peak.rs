@@ -1,9 +1,9 @@
-//! The share of the GPU's float32 peak that the kernels reach that project and certify.
+//! The fraction of the GPU's float32 peak that the kernels of stages `project`
+//! and `taylor_bound` reach.
 //!
-//! `cargo bench --bench peak [-- NAME]`: settings whose names contain NAME, as
-//! Markdown. Peak and kernels run in turn,
-//! in many short rounds of which the fastest count, so that other work on the
-//! machine matters little.
+//! `cargo bench --bench peak [-- NAME]` prints the settings whose names contain
+//! NAME as Markdown. Peak and kernels run in turn, in many short rounds of
+//! which the fastest count, so that other processes matter little.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -13,42 +13,42 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::closest::{Projection, Target};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
+use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
 use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule};
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
 use support::clock::Stopwatch;
-use support::{flops, levels, models, peak};
+use support::{certified, flops, models, peak};
 
 const ROUNDS: usize = 40;
 
-/// As `iteration` does by default.
+/// The default of method `iteration`.
 const RULE: Rule =
     Rule { projection: Projection::Newton, iterations: 5, step_tolerance: 0.01, culling: Culling::Tree };
 
 struct Case {
     name: String,
-    /// Runs what is timed, or only what is taken off again.
+    /// Runs the timed stages, or only those whose time is subtracted.
     run: Box<dyn FnMut(bool)>,
     /// Threads: samples or cells.
     threads: usize,
     /// Floating-point operations of all threads.
     operations: f64,
-    /// The least seen without and with what is timed.
+    /// The least times without and with the timed stage.
     seconds: [f64; 2],
 }
 
 impl Case {
     fn new(name: String, counted: &[f32], mut run: Box<dyn FnMut(bool)>) -> Self {
-        // The kernels' pace is learnt.
+        // Measures the kernels' throughput, which sets the size of submissions.
         (0..4).for_each(|_| run(true));
         let operations = counted.iter().map(|&flops| f64::from(flops).floor()).sum();
         Self { name, run, threads: counted.len(), operations, seconds: [f64::INFINITY; 2] }
     }
 
-    /// `project` of method `iteration`; `translation` in parts of the diagonal.
+    /// Stage `project` of method `iteration`; `translation` is relative to the diagonal.
     fn projection(
         gpu: &Rc<Gpu>,
         name: &str,
@@ -63,7 +63,7 @@ impl Case {
         let target = Target::new(flatten(&model.patches, flatness));
         let transform =
             RigidTransform::translation(diagonal * DVec3::from_array(translation)).expect("finite");
-        let mut bench = StageBench::new(gpu, &model, &sampling, &target, transform, RULE).expect("a GPU");
+        let mut bench = IterationBench::new(gpu, &model, &sampling, &target, transform, RULE).expect("a GPU");
         bench.edit(&|text| flops::counting(&text, flops::PROJECT));
         bench.project().expect("a projection");
         let counted = bench.written().expect("counts");
@@ -72,14 +72,14 @@ impl Case {
         Self::new(name.to_owned(), &counted, Box::new(run))
     }
 
-    /// `cell`, `project` and `certify` of method `certified`, on a net and the
-    /// same moved, whose cells are those of `stages.rs`.
-    fn levels(gpu: &Rc<Gpu>, name: &str, degree: [usize; 2]) -> Vec<Self> {
-        const BEFORE: [LevelStage; 2] = [LevelStage::Cell, LevelStage::Project];
-        let bench = Rc::new(RefCell::new(levels::bench(gpu, degree)));
-        let of = |stage, end, before: &'static [LevelStage], whole: &'static [LevelStage]| {
+    /// Stages `cell_jet`, `project` and `taylor_bound` of method `certified` on
+    /// the cells of `stages.rs`.
+    fn certified(gpu: &Rc<Gpu>, name: &str, degree: [usize; 2]) -> Vec<Self> {
+        const BEFORE: [CertifiedStage; 2] = [CertifiedStage::CellJet, CertifiedStage::Project];
+        let bench = Rc::new(RefCell::new(certified::bench(gpu, degree)));
+        let case = |stage, end, before: &'static [CertifiedStage], whole: &'static [CertifiedStage]| {
             let mut edited = bench.borrow_mut();
-            // What the stage goes on from.
+            // The input of the stage.
             edited.run(&BEFORE).expect("cells");
             edited.edit(stage, &|text| flops::counting(&text, end));
             edited.run(whole).expect("a count");
@@ -87,7 +87,11 @@ impl Case {
             let written = edited.written().expect("counts");
             let counted: Vec<f32> = written
                 .iter()
-                .map(|&[s, reach]| if stage == LevelStage::Certify { reach } else { s })
+                .map(
+                    |&[s, foot_distance]| {
+                        if stage == CertifiedStage::TaylorBound { foot_distance } else { s }
+                    },
+                )
                 .collect();
             edited.run(&BEFORE).expect("cells");
             let bench = Rc::clone(&bench);
@@ -96,18 +100,18 @@ impl Case {
             Self::new(format!("{stage:?}, {name}"), &counted, Box::new(run))
         };
         vec![
-            of(LevelStage::Cell, flops::CELL, &[], &BEFORE[..1]),
-            of(LevelStage::Project, flops::PROJECT, &BEFORE[..1], &BEFORE),
-            of(LevelStage::Certify, flops::CERTIFY, &[], &[LevelStage::Certify]),
+            case(CertifiedStage::CellJet, flops::CELL_JET, &[], &BEFORE[..1]),
+            case(CertifiedStage::Project, flops::PROJECT, &BEFORE[..1], &BEFORE),
+            case(CertifiedStage::TaylorBound, flops::TAYLOR_BOUND, &[], &[CertifiedStage::TaylorBound]),
         ]
     }
 
-    fn run(&mut self, on_processor: bool) {
+    fn run(&mut self, on_cpu: bool) {
         for timed in [false, true] {
-            let started = Stopwatch::start(on_processor);
+            let started = Stopwatch::start(on_cpu);
             (self.run)(timed);
-            let least = &mut self.seconds[usize::from(timed)];
-            *least = least.min(started.seconds());
+            let fastest = &mut self.seconds[usize::from(timed)];
+            *fastest = fastest.min(started.seconds());
         }
     }
 }
@@ -116,14 +120,14 @@ fn main() {
     let gpu = Rc::new(pollster::block_on(Gpu::new()).expect("an adapter"));
     println!("Adapter: {}\n", gpu.adapter().unwrap_or_default());
     let peak = peak::Peak::new();
-    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let mut cases = cases(&gpu, &wanted);
+    let filter = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let mut cases = cases(&gpu, &filter);
     let mut fastest = vec![0.0_f64; peak::VARIANTS.len()];
     for _ in 0..ROUNDS {
-        for (best, (_, this)) in fastest.iter_mut().zip(peak.measure()) {
-            *best = best.max(this);
+        for (fastest, (_, flops)) in fastest.iter_mut().zip(peak.measure()) {
+            *fastest = fastest.max(flops);
         }
-        cases.iter_mut().for_each(|case| case.run(peak.on_processor));
+        cases.iter_mut().for_each(|case| case.run(peak.on_cpu));
     }
     println!("| multiply-adds | GFLOP/s |\n|---|---|");
     for (variant, flops) in peak::VARIANTS.iter().zip(&fastest) {
@@ -131,7 +135,7 @@ fn main() {
     }
     let peak = fastest.into_iter().fold(0.0, f64::max);
     println!(
-        "\n| setting | threads | operations a thread | threads a second | GFLOP/s | share of the peak |"
+        "\n| setting | threads | operations per thread | threads per second | GFLOP/s | fraction of the peak |"
     );
     println!("|---|---|---|---|---|---|");
     for Case { name, threads, operations, seconds, .. } in &cases {
@@ -147,11 +151,11 @@ fn main() {
     }
 }
 
-/// The settings whose names contain `wanted`.
-fn cases(gpu: &Rc<Gpu>, wanted: &str) -> Vec<Case> {
+/// The settings whose names contain `filter`.
+fn cases(gpu: &Rc<Gpu>, filter: &str) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name: &str, model: &Model, samples, translation, flatness| {
-        if name.contains(wanted) {
+        if name.contains(filter) {
             cases.push(Case::projection(gpu, name, model, samples, translation, flatness));
         }
     };
@@ -165,16 +169,16 @@ fn cases(gpu: &Rc<Gpu>, wanted: &str) -> Vec<Case> {
     let sheet = models::rough([3, 3], [16, 16], 1.0, 2);
     add("16 x 16 bicubic patches", &sheet, 192, [0.01, 0.005, 0.02], Flatness::None);
     for (name, samples) in [("duck", 128), ("occt_terrain", 192)] {
-        if name.contains(wanted)
+        if name.contains(filter)
             && let Some(model) = shared(name)
         {
             add(name, &model, samples, [0.01, 0.005, 0.002], Flatness::Loose);
         }
     }
-    for degree in levels::DEGREES {
+    for degree in certified::DEGREES {
         let name = format!("cells of degrees {degree:?}");
-        if name.contains(wanted) {
-            cases.extend(Case::levels(gpu, &name, degree));
+        if name.contains(filter) {
+            cases.extend(Case::certified(gpu, &name, degree));
         }
     }
     cases

@@ -1,9 +1,10 @@
 //! Every stage alone, on the CPU in float64 and on the GPU.
 //!
-//! `cargo bench --bench stages [-- FILTER]`; `elem/s` are patches (extraction,
+//! `cargo bench --bench stages [-- FILTER]`. `elem/s` are patches (extraction,
 //! tree), samples (sample, reduce), projections of a sample on the whole model
-//! (project) or cells (certify, levels) a second. On the GPU `project` includes
-//! `sample`, whose time is given too, and `reduce` the reading back.
+//! (project) or cells (certified, certified stages) per second. On the GPU
+//! `project` includes `sample`, which is measured too, and `reduce` includes
+//! reading the result.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -17,7 +18,7 @@ use nurbs_hausdorff::bvh::Bvh;
 use nurbs_hausdorff::closest::{Projection, Target};
 use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{Gpu, LevelStage, StageBench};
+use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
 use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -25,9 +26,9 @@ use rayon::prelude::*;
 use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Duration;
-use support::{levels, models};
+use support::{certified, models};
 
-/// Degrees that `project` is measured for.
+/// The degrees that `project` is measured for.
 const DEGREES: [[usize; 2]; 5] = [[1, 1], [2, 2], [3, 3], [2, 5], [5, 5]];
 
 /// Patches along each direction of a measured net.
@@ -36,7 +37,7 @@ const SPANS: usize = 12;
 /// Samples along each direction.
 const SAMPLES: usize = 96;
 
-/// Cells after which `certify` stops.
+/// The number of cells after which method `certified` stops.
 const CELLS: usize = 20_000;
 
 fn group<'a>(c: &'a mut Criterion, name: &str, elements: usize) -> BenchmarkGroup<'a, WallTime> {
@@ -49,7 +50,7 @@ fn group<'a>(c: &'a mut Criterion, name: &str, elements: usize) -> BenchmarkGrou
     group
 }
 
-/// A net of these degrees and the same a little above, as stage `project` meets them.
+/// A net and the same net moved by little, as stage `project` gets them.
 struct Pair {
     model: BezierModel,
     sampling: Sampling,
@@ -77,8 +78,8 @@ impl Pair {
         samples.par_iter().map(|&sample| project(&self.target, sample, rule)).collect()
     }
 
-    fn on(&self, gpu: &Rc<Gpu>, rule: Rule) -> StageBench {
-        let bench = StageBench::new(gpu, &self.model, &self.sampling, &self.target, self.transform, rule);
+    fn bench(&self, gpu: &Rc<Gpu>, rule: Rule) -> IterationBench {
+        let bench = IterationBench::new(gpu, &self.model, &self.sampling, &self.target, self.transform, rule);
         bench.expect("a GPU")
     }
 }
@@ -109,7 +110,7 @@ fn sampling(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
     let mut group = group(c, "sample", pair.sampling.len());
     group.bench_function("cpu", |b| b.iter(|| pair.samples()));
     if let Some(gpu) = gpu {
-        let mut bench = pair.on(gpu, rule(Projection::Newton));
+        let mut bench = pair.bench(gpu, rule(Projection::Newton));
         group.bench_function("gpu", |b| b.iter(|| bench.sample().expect("samples")));
     }
     group.finish();
@@ -123,12 +124,13 @@ fn projection(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
             let samples = pair.samples();
             let name = format!("project {projection:?}");
             let mut group = group(c, &name, samples.len());
-            let of = format!("{}x{}", degree[0], degree[1]);
-            group
-                .bench_function(BenchmarkId::new("cpu", &of), |b| b.iter(|| pair.projected(&samples, &rule)));
+            let degrees = format!("{}x{}", degree[0], degree[1]);
+            group.bench_function(BenchmarkId::new("cpu", &degrees), |b| {
+                b.iter(|| pair.projected(&samples, &rule))
+            });
             if let Some(gpu) = gpu {
-                let mut bench = pair.on(gpu, rule);
-                group.bench_function(BenchmarkId::new("gpu", &of), |b| {
+                let mut bench = pair.bench(gpu, rule);
+                group.bench_function(BenchmarkId::new("gpu", &degrees), |b| {
                     b.iter(|| bench.project().expect("projections"));
                 });
             }
@@ -144,7 +146,7 @@ fn reduction(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
     let mut group = group(c, "reduce", projected.len());
     group.bench_function("cpu", |b| b.iter(|| reduce(black_box(&projected))));
     if let Some(gpu) = gpu {
-        let mut bench = pair.on(gpu, rule);
+        let mut bench = pair.bench(gpu, rule);
         bench.project().expect("projections");
         group.bench_function("gpu", |b| b.iter(|| bench.reduce().expect("blocks")));
     }
@@ -152,8 +154,8 @@ fn reduction(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
 }
 
 /// Method `certified` within a budget of cells, on a net and its copy moved
-/// by little, which never ends early.
-fn certify(c: &mut Criterion) {
+/// by little, which exhausts the budget.
+fn certified_search(c: &mut Criterion) {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("the CPU");
     for degree in [[2, 2], [3, 3], [5, 5]] {
         let net: Model = models::rough(degree, [SPANS; 2], 1.0, 1);
@@ -168,8 +170,8 @@ fn certify(c: &mut Criterion) {
         let run = || {
             pollster::block_on(engine.distance(&model, &model, &options, &mut NoMonitor)).expect("a distance")
         };
-        let cells = run().certified().expect("cells").cells;
-        let mut group = group(c, "certify", cells);
+        let cells = run().certified.expect("cells").cells;
+        let mut group = group(c, "certified", cells);
         group
             .bench_function(BenchmarkId::new("cpu", format!("{}x{}", degree[0], degree[1])), |b| b.iter(run));
         group.finish();
@@ -177,21 +179,21 @@ fn certify(c: &mut Criterion) {
 }
 
 /// The kernels of method `certified` on a level of cells, alone and together.
-fn level_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
-    for degree in levels::DEGREES {
-        let bench = levels::bench(gpu, degree);
-        let mut group = group(c, "levels", bench.cells());
-        bench.run(&LevelStage::ALL).expect("cells");
+fn certified_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
+    for degree in certified::DEGREES {
+        let bench = certified::bench(gpu, degree);
+        let mut group = group(c, "certified stages", bench.cells());
+        bench.run(&CertifiedStage::ALL).expect("cells");
         for (name, stages) in [
-            ("cell", &[LevelStage::Cell][..]),
-            ("cell and project", &[LevelStage::Cell, LevelStage::Project]),
-            ("certify", &[LevelStage::Certify]),
-            ("split", &[LevelStage::Split]),
-            ("level", &[LevelStage::Level]),
-            ("all", &LevelStage::ALL),
+            ("cell_jet", &[CertifiedStage::CellJet][..]),
+            ("cell_jet and project", &[CertifiedStage::CellJet, CertifiedStage::Project]),
+            ("taylor_bound", &[CertifiedStage::TaylorBound]),
+            ("split", &[CertifiedStage::Split]),
+            ("next_level", &[CertifiedStage::NextLevel]),
+            ("all", &CertifiedStage::ALL),
         ] {
-            let of = BenchmarkId::new(name, format!("{}x{}", degree[0], degree[1]));
-            group.bench_function(of, |b| b.iter(|| bench.run(stages).expect("cells")));
+            let id = BenchmarkId::new(name, format!("{}x{}", degree[0], degree[1]));
+            group.bench_function(id, |b| b.iter(|| bench.run(stages).expect("cells")));
         }
         group.finish();
     }
@@ -200,15 +202,15 @@ fn level_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
 fn stages(c: &mut Criterion) {
     let gpu = pollster::block_on(Gpu::new()).map(Rc::new).ok();
     let adapter = gpu.as_ref().and_then(|gpu| gpu.adapter());
-    println!("Adapter: {}", adapter.unwrap_or_else(|| "none, the CPU alone".to_owned()));
+    println!("Adapter: {}", adapter.unwrap_or_else(|| "none, CPU only".to_owned()));
     extraction(c);
     tree(c);
     sampling(c, gpu.as_ref());
     projection(c, gpu.as_ref());
     reduction(c, gpu.as_ref());
-    certify(c);
+    certified_search(c);
     if let Some(gpu) = &gpu {
-        level_stages(c, gpu);
+        certified_stages(c, gpu);
     }
 }
 

@@ -1,35 +1,35 @@
-//! Time that other work on the machine does not lengthen.
+//! Time that other processes do not lengthen.
 
 use std::time::Instant;
 
-/// Started at a moment; tells the seconds since.
+/// Measures seconds since its start.
 ///
-/// On Linux with a software adapter, whose threads are ours, these are seconds
-/// of all processors together: what the process's threads have spent on them,
-/// over their number. Else they are seconds of the clock on the wall.
+/// On Linux with a software adapter, whose threads belong to this process,
+/// these are the seconds that the process's threads ran, divided by the number
+/// of CPUs. Otherwise they are wall-clock seconds.
 pub(crate) struct Stopwatch {
     wall: Instant,
     spent: Option<f64>,
 }
 
 impl Stopwatch {
-    pub(crate) fn start(on_processor: bool) -> Self {
-        Self { wall: Instant::now(), spent: if on_processor { spent() } else { None } }
+    pub(crate) fn start(on_cpu: bool) -> Self {
+        Self { wall: Instant::now(), spent: if on_cpu { spent() } else { None } }
     }
 
     pub(crate) fn seconds(&self) -> f64 {
         match (self.spent, spent()) {
-            (Some(before), Some(now)) => (now - before) / processors(),
+            (Some(start), Some(now)) => (now - start) / cpus(),
             _ => self.wall.elapsed().as_secs_f64(),
         }
     }
 }
 
-fn processors() -> f64 {
+fn cpus() -> f64 {
     std::thread::available_parallelism().map_or(1.0, |count| count.get() as f64)
 }
 
-/// Seconds that the process's threads have spent on a processor, as the scheduler knows.
+/// Seconds that the process's threads have run, according to the scheduler.
 fn spent() -> Option<f64> {
     let of = |task: std::fs::DirEntry| {
         let text = std::fs::read_to_string(task.path().join("schedstat")).ok()?;

@@ -1,47 +1,47 @@
-//! Counts a kernel's floating-point operations by adding the counting to its text.
+//! Counts a kernel's floating-point operations by instrumenting its WGSL.
 //!
-//! Every block of the kernel, as naga parses it, is made to add the operations
-//! it evaluates to a counter of the thread, so branches not taken and turns not
-//! made do not count. Add, subtract, multiply, divide and root are one each and
-//! component, `fma` two, a dot product of n components 2n - 1; comparisons,
-//! selections, least and largest, signs and conversions nothing.
+//! Every block of the kernel, as naga parses it, adds the operations that it
+//! evaluates to a counter of the thread, so branches not taken and loop turns
+//! not made do not count. Addition, subtraction, multiplication, division and
+//! square root count as one per component, `fma` as two, a dot product of n
+//! components as 2n - 1; comparisons, selections, minima and maxima, signs and
+//! conversions as zero.
 
-use naga::valid::{
-    Capabilities, FunctionInfo, ShaderStages, SubgroupOperationSet, ValidationFlags, Validator,
-};
+use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{
     BinaryOperator, Block, Expression, Function, GlobalVariable, Handle, Literal, MathFunction, Module,
     Range, ScalarKind, Span, Statement, TypeInner,
 };
-use regex::Regex;
 
-/// Where a kernel ends, as a pattern, since its variables have lost their
-/// names, and what is written there instead.
+/// The statement that ends a kernel, and its replacement that writes the
+/// counter `flops` in place of a float.
 #[derive(Clone, Copy)]
 pub(crate) struct End([&'static str; 2]);
 
-/// `project` adds to `Best.s`, over the groups of patches; what is there
+/// `project` adds to `Projected.s`, over the groups of patches. What is there
 /// before is 0, or a parameter, so less than one operation.
 pub(crate) const PROJECT: End = End([
-    r"best\[(\w+)\]=(\w+)\.known;",
-    "let flops_before=best[$1].s;best[$1]=$2.known;best[$1].s=flops_before+f32(flops);",
+    "projected[sample] = best;",
+    "let flops_before = projected[sample].s;
+    projected[sample] = best;
+    projected[sample].s = flops_before + f32(flops);",
 ]);
 
-/// `cell` writes `Best.s`.
-pub(crate) const CELL: End = End([
-    r"(best\[\w+\.x\]=Best\(\w+,\w+\.foot\|\(ITERATION_LIMIT<<STATUS_SHIFT\)),\w+\.foot_at\.x,(\w+\.foot_at\.y\);)",
-    "$1,f32(flops),$2",
+/// `cell_jet` writes `Projected.s`.
+pub(crate) const CELL_JET: End = End(["cell.foot_parameters.x,", "f32(flops),"]);
+
+/// `taylor_bound` writes `CellState.foot_distance`.
+pub(crate) const TAYLOR_BOUND: End = End([
+    "cells[id.x] = cell;",
+    "cell.foot_distance = f32(flops);
+    cells[id.x] = cell;",
 ]);
 
-/// `certify` writes `Cell.reach`.
-pub(crate) const CERTIFY: End = End([r"cells\[(\w+)\.x\]=(\w+);", "$2.reach=f32(flops);cells[$1.x]=$2;"]);
-
-/// The kernel with the operations made written where its end says. Exact
-/// below 2^24 a thread.
+/// The kernel's text instrumented to write its number of operations at its
+/// end. The count is exact below 2^24 per thread.
 pub(crate) fn counting(text: &str, End([end, counted]): End) -> String {
-    let end = Regex::new(end).expect("a pattern");
-    assert!(end.is_match(text), "the kernel ends in another way: {text}");
-    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", end.replace_all(text, counted));
+    assert!(text.contains(end), "the kernel ends in another way: {text}");
+    let counted = format!("{}\nvar<private> flops: u32 = 0u;\n", text.replace(end, counted));
     let mut module = naga::front::wgsl::parse_str(&counted).expect("valid WGSL");
     let info = validated(&module);
     let (flops, _) = module
@@ -61,11 +61,7 @@ pub(crate) fn counting(text: &str, End([end, counted]): End) -> String {
 }
 
 fn validated(module: &Module) -> naga::valid::ModuleInfo {
-    Validator::new(ValidationFlags::all(), Capabilities::SUBGROUP)
-        .subgroup_stages(ShaderStages::COMPUTE)
-        .subgroup_operations(SubgroupOperationSet::all())
-        .validate(module)
-        .expect("a valid module")
+    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module).expect("a valid module")
 }
 
 struct Counter<'a> {
@@ -80,7 +76,8 @@ impl Counter<'_> {
         function.body = self.block(function, body);
     }
 
-    /// The block with what it evaluates added before anything that could leave it.
+    /// The block, with its operations added to the counter before any statement
+    /// that could leave it.
     fn block(&self, function: &mut Function, block: Block) -> Block {
         let mut operations = 0;
         let mut statements = Vec::new();
@@ -166,12 +163,12 @@ impl Counter<'_> {
         matches!(self.info[handle].ty.inner_with(&self.module.types), TypeInner::Matrix { .. })
     }
 
-    /// Operations of a component of a product with a matrix.
+    /// Operations per component of a product with a matrix.
     fn products(&self, left: Handle<Expression>, right: Handle<Expression>) -> u32 {
         let terms = match *self.info[left].ty.inner_with(&self.module.types) {
             TypeInner::Matrix { columns, .. } if self.floats(right) > 1 => columns as u32,
             TypeInner::Vector { size, .. } => size as u32,
-            // Scaled.
+            // A scalar multiple.
             _ => 1,
         };
         2 * terms - 1

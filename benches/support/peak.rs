@@ -1,32 +1,30 @@
-//! The float32 peak of the GPU at hand, as a kernel of nothing but
-//! multiply-adds reaches it.
+//! The float32 peak of the present GPU, as reached by a kernel of multiply-adds only.
 
 use super::clock::Stopwatch;
 use wgpu::util::DeviceExt;
 
-/// Multiply-adds of one accumulator written out in the loop's body.
-const WRITTEN_OUT: usize = 32;
+/// Multiply-adds per accumulator in the unrolled body of the loop.
+const UNROLLED: usize = 32;
 
-/// Turns of the loop: few enough for llvmpipe, which ends loops after 65,535.
-const TURNS: usize = 500;
+/// Iterations of the loop.
+const ITERATIONS: usize = 500;
 
-/// Threads: enough for every core many times over, and some hundredths of a
-/// second on a software adapter.
+/// Threads: many for every core, and some hundredths of a second on a software adapter.
 const THREADS: u32 = 1 << 12;
 
 /// Floating-point operations of a multiply-add.
 const OPERATIONS: usize = 2;
 
-/// How the multiply-adds are laid out.
+/// The arrangement of the multiply-adds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Variant {
-    /// Independent sums a thread, of four components each if `vec4`.
+    /// Independent sums per thread, of four components each if `vec4`.
     accumulators: usize,
     vec4: bool,
     workgroup: u32,
 }
 
-/// From too few sums to hide the latency to more than fit the registers.
+/// From too few sums to hide latency to more than fit into registers.
 pub(crate) const VARIANTS: [Variant; 10] = [
     Variant { accumulators: 4, vec4: false, workgroup: 64 },
     Variant { accumulators: 6, vec4: false, workgroup: 64 },
@@ -44,19 +42,19 @@ impl std::fmt::Display for Variant {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { accumulators, vec4, workgroup } = self;
         let kind = if *vec4 { "vec4" } else { "f32" };
-        write!(f, "{accumulators} {kind}, {workgroup} threads a workgroup")
+        write!(f, "{accumulators} {kind}, {workgroup} threads per workgroup")
     }
 }
 
 impl Variant {
     fn operations(self) -> f64 {
         let width = if self.vec4 { 4 } else { 1 };
-        let a_thread = self.accumulators * width * OPERATIONS * WRITTEN_OUT * TURNS;
-        a_thread as f64 * f64::from(THREADS)
+        let per_thread = self.accumulators * width * OPERATIONS * UNROLLED * ITERATIONS;
+        per_thread as f64 * f64::from(THREADS)
     }
 
-    /// Sums that tend to `y / (1 - x)`, so that nothing overflows, with x and
-    /// y unknown to the compiler and all sums needed in the end.
+    /// WGSL that computes sums tending to `y / (1 - x)`, which do not overflow.
+    /// The compiler knows neither x nor y, and all sums contribute to the result.
     fn text(self) -> String {
         let kind = if self.vec4 { "vec4<f32>" } else { "f32" };
         let sums: Vec<String> = (0..self.accumulators).map(|index| format!("a{index}")).collect();
@@ -65,33 +63,33 @@ impl Variant {
             .enumerate()
             .map(|(index, a)| format!("var {a} = {kind}(start + {index}.0);\n"))
             .collect();
-        let turn: String =
-            sums.iter().map(|a| format!("{a} = {a} * x + y;\n")).collect::<String>().repeat(WRITTEN_OUT);
+        let body: String =
+            sums.iter().map(|a| format!("{a} = {a} * x + y;\n")).collect::<String>().repeat(UNROLLED);
         let sum = sums.join(" + ");
         let result = if self.vec4 { format!("dot({sum}, vec4<f32>(1.0))") } else { sum };
         let workgroup = self.workgroup;
         format!(
-            "@group(0) @binding(0) var<storage, read> given: array<f32>;
+            "@group(0) @binding(0) var<storage, read> operands: array<f32>;
 @group(0) @binding(1) var<storage, read_write> out: array<f32>;
 @compute @workgroup_size({workgroup})
 fn peak(@builtin(global_invocation_id) id: vec3<u32>) {{
-let x = {kind}(given[0]);
-let y = {kind}(given[1]);
+let x = {kind}(operands[0]);
+let y = {kind}(operands[1]);
 let start = f32(id.x);
-{start}for (var turn = 0u; turn < {TURNS}u; turn++) {{
-{turn}}}
+{start}for (var k = 0u; k < {ITERATIONS}u; k++) {{
+{body}}}
 out[id.x] = {result};
 }}"
         )
     }
 }
 
-/// A device of its own with the kernels of all variants.
+/// A separate device with the kernels of all variants.
 pub(crate) struct Peak {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    /// Whether the adapter is the processor itself.
-    pub(crate) on_processor: bool,
+    /// Whether the adapter is a software adapter, which runs on the CPU.
+    pub(crate) on_cpu: bool,
     made: Vec<(Variant, wgpu::ComputePipeline, wgpu::BindGroup)>,
 }
 
@@ -106,11 +104,11 @@ impl Peak {
         let (device, queue) =
             pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
         let made = VARIANTS.iter().map(|&variant| make(&device, variant)).collect();
-        let on_processor = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-        Self { device, queue, on_processor, made }
+        let on_cpu = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        Self { device, queue, on_cpu, made }
     }
 
-    /// Floating-point operations a second of every variant, in turn.
+    /// Floating-point operations per second of every variant, measured in turn.
     pub(crate) fn measure(&self) -> Vec<(Variant, f64)> {
         let run = |(variant, pipeline, bind_group): &(Variant, wgpu::ComputePipeline, wgpu::BindGroup)| {
             (*variant, variant.operations() / self.run(pipeline, bind_group, variant.workgroup))
@@ -127,7 +125,7 @@ impl Peak {
             pass.dispatch_workgroups(THREADS / workgroup, 1, 1);
         }
         let commands = encoder.finish();
-        let started = Stopwatch::start(self.on_processor);
+        let started = Stopwatch::start(self.on_cpu);
         self.queue.submit([commands]);
         self.device.poll(wgpu::PollType::wait_indefinitely()).expect("the device");
         started.seconds()
@@ -147,7 +145,7 @@ fn make(device: &wgpu::Device, variant: Variant) -> (Variant, wgpu::ComputePipel
         compilation_options: Default::default(),
         cache: None,
     });
-    let given = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+    let operands = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: None,
         contents: bytemuck::cast_slice(&[0.999_f32, 0.001]),
         usage: wgpu::BufferUsages::STORAGE,
@@ -159,7 +157,7 @@ fn make(device: &wgpu::Device, variant: Variant) -> (Variant, wgpu::ComputePipel
         mapped_at_creation: false,
     });
     let entries = [
-        wgpu::BindGroupEntry { binding: 0, resource: given.as_entire_binding() },
+        wgpu::BindGroupEntry { binding: 0, resource: operands.as_entire_binding() },
         wgpu::BindGroupEntry { binding: 1, resource: out.as_entire_binding() },
     ];
     let layout = pipeline.get_bind_group_layout(0);

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Reference {
     pub(crate) a: String,
     pub(crate) b: String,
-    /// What A is moved by.
+    /// The translation of A.
     pub(crate) translation: DVec3,
     pub(crate) interval: [f64; 2],
 }

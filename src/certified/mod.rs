@@ -20,15 +20,13 @@ mod generatrix;
 mod maximin;
 mod nearest;
 mod operand;
-mod pieces;
 mod reparametrization;
 mod search;
 
-pub(crate) use cell::Cell;
+pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use pieces::{Pieces, Place};
 pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
 
 #[cfg(feature = "internals")]

@@ -19,7 +19,7 @@ pub use distance_polynomial::{CriticalPoint, SquaredDistance};
 pub use initial_guess::nearest_control;
 pub(crate) use nearby_patches::{NearbyPatch, NearbyPatches};
 pub use newton::newton;
-pub(crate) use newton::newton_below;
+pub(crate) use newton::{MAX_HALVINGS, newton_below};
 pub use tangent_plane::{contraction, tangent_plane};
 pub use target::Target;
 

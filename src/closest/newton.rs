@@ -27,7 +27,7 @@ const MAX_GAIN_FACTOR: f64 = 2.0;
 const SKEWED_RATIO: f64 = 1e-3;
 
 /// The largest number of halvings of a step.
-const MAX_HALVINGS: u32 = 8;
+pub(crate) const MAX_HALVINGS: u32 = 8;
 
 /// Below this ratio of the second derivatives along the two axes the point is on
 /// a degenerate edge, along which no step changes it.

@@ -4,7 +4,7 @@ use super::iteration::{Directed, surface_point};
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
-use crate::gpu::{Gpu, Levels};
+use crate::gpu::{Gpu, GpuCertified};
 use crate::progress::Progress;
 use std::rc::Rc;
 use web_time::Instant;
@@ -32,7 +32,7 @@ pub(super) async fn certified(
     progress.section(0.0, 1.0);
     let first = search.interval();
     let needed = options.backend == Backend::Gpu;
-    let mut kernels = Kernels { gpu, needed, levels: None, failure: None, slowest: f64::INFINITY };
+    let mut kernels = Kernels { gpu, needed, driver: None, failure: None, slowest: f64::INFINITY };
     let stop = loop {
         if let Some(stop) = kernels.advance(&mut search).await? {
             break stop;
@@ -105,7 +105,7 @@ struct Kernels<'a> {
     gpu: Option<&'a Rc<Gpu>>,
     /// Whether an error of the GPU ends the search; else float64 does the rest.
     needed: bool,
-    levels: Option<Levels>,
+    driver: Option<GpuCertified>,
     /// What ended the GPU's part early.
     failure: Option<Error>,
     /// Seconds a cell that the GPU may take: a software adapter can be slower
@@ -119,7 +119,7 @@ impl Kernels<'_> {
     /// the rest.
     async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<Option<Stop>> {
         let (started, before) = (Instant::now(), search.work().cells);
-        let worth = if self.levels.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
+        let worth = if self.driver.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
         let many = search.waiting() >= worth && !search.has_undecided();
         let Some(gpu) = self.gpu.filter(|_| many) else {
             let stop = search.advance();
@@ -128,13 +128,13 @@ impl Kernels<'_> {
             }
             return Ok(stop);
         };
-        let first = self.levels.is_none();
+        let first = self.driver.is_none();
         let step = self.step(gpu, search).await;
         let per_cell = started.elapsed().as_secs_f64() / (search.work().cells - before).max(1) as f64;
         // The first submission waits for the driver's compiler.
         let too_slow = !first && !self.needed && per_cell > self.slowest;
         if too_slow || !matches!(step, Ok(true)) {
-            (self.gpu, self.levels) = (None, None);
+            (self.gpu, self.driver) = (None, None);
         }
         match step {
             Err(error) if self.needed => return Err(error),
@@ -145,11 +145,11 @@ impl Kernels<'_> {
     }
 
     async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut BranchAndBound<'_>) -> Result<bool> {
-        if self.levels.is_none() {
-            self.levels = Levels::new(gpu, search)?;
+        if self.driver.is_none() {
+            self.driver = GpuCertified::new(gpu, search)?;
         }
-        let Some(levels) = &mut self.levels else { return Ok(false) };
-        levels.advance(search).await?;
+        let Some(driver) = &mut self.driver else { return Ok(false) };
+        driver.advance(search).await?;
         Ok(true)
     }
 }

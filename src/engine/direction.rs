@@ -11,7 +11,7 @@ use super::{
 use crate::certified::Pair;
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
-use crate::gpu::{Gpu, GpuStages};
+use crate::gpu::{Gpu, GpuIteration};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;
@@ -65,8 +65,8 @@ impl Ends<'_> {
                 let uploaded = sampling.resident.on(gpu, upload)?;
                 let to = target.resident.on(gpu, |gpu| gpu.upload_target(&target.target))?;
                 let prepared = Instant::now();
-                let stages = GpuStages::new(gpu, uploaded, to, self.transform, options.rule()).await?;
-                (prepared, Stages::Gpu(stages))
+                let stages = GpuIteration::new(gpu, uploaded, to, self.transform, options.rule()).await?;
+                (prepared, Stages::Gpu(Box::new(stages)))
             }
             None => {
                 let (model, to) = (self.from.bezier(), &target.target);

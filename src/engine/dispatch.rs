@@ -212,7 +212,7 @@ mod tests {
     fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
         let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
         // As if it were no processor, as `auto` has no use for one's kernels.
-        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().taken_for_hardware();
+        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().pretend_hardware();
         engine.gpu.replace(Some(Rc::new(gpu)));
         // All of A is equally far from B, and nothing tells that at once: many cells.
         let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model));
@@ -220,13 +220,13 @@ mod tests {
             let options = Options { backend, ..Options::default() };
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
         };
-        let offend = || engine.gpu.borrow().as_ref().unwrap().offend();
+        let provoke_error = || engine.gpu.borrow().as_ref().unwrap().provoke_validation_error();
         let sound = run(Backend::Gpu).unwrap();
         let details = sound.certified().unwrap();
         assert!(details.cpu_cells < details.cells, "nothing to fail at");
         assert_eq!(sound.notice, None);
 
-        offend();
+        provoke_error();
         let failed = run(Backend::Auto).unwrap();
         let details = failed.certified().unwrap();
         assert_eq!((failed.backend, failed.adapter), (Processor::Cpu, None));
@@ -234,12 +234,13 @@ mod tests {
         assert!(failed.converged && failed.lower < 0.1 + ROUNDING && 0.1 - ROUNDING < failed.upper);
         let notice = failed.notice.unwrap();
         assert!(
-            notice.contains("offence") && notice.ends_with("; the rest was computed on the CPU"),
+            notice.contains("deliberate validation error")
+                && notice.ends_with("; the rest was computed on the CPU"),
             "{notice}"
         );
 
         // Who asks for the GPU alone is told by an error.
-        offend();
+        provoke_error();
         assert_eq!(run(Backend::Gpu).unwrap_err().code(), "GPU_FAILED");
         // The failure was told once, and the device is still there.
         assert_eq!(run(Backend::Gpu).unwrap().notice, None);

@@ -4,8 +4,7 @@ use super::hierarchy_cpu::descend;
 use super::iteration::{Directed, surface_point};
 use super::{Details, HierarchyDetails, Options, PreparedModel};
 use crate::error::{Error, Result};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::gpu::GpuDescent;
+use crate::gpu::GpuHierarchy;
 use crate::hierarchy::{GridTree, LevelBounds, Traversal};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
@@ -21,24 +20,21 @@ pub(super) enum Descending<'a> {
     /// In float64.
     Cpu(Traversal<'a>),
     /// In float32.
-    #[cfg(not(target_arch = "wasm32"))]
-    Gpu(Box<GpuDescent>),
+    Gpu(Box<GpuHierarchy>),
 }
 
 impl Descending<'_> {
     fn below_roots(&self) -> usize {
         match self {
             Self::Cpu(traversal) => traversal.finest(),
-            #[cfg(not(target_arch = "wasm32"))]
-            Self::Gpu(descent) => descent.levels(),
+            Self::Gpu(hierarchy) => hierarchy.levels(),
         }
     }
 
     async fn descend(&mut self, most_pairs: usize, progress: &mut Progress<'_>) -> Result<LevelBounds> {
         match self {
             Self::Cpu(traversal) => descend(traversal, most_pairs, progress).await,
-            #[cfg(not(target_arch = "wasm32"))]
-            Self::Gpu(descent) => descent.descend(most_pairs, progress).await,
+            Self::Gpu(hierarchy) => hierarchy.descend(most_pairs, progress).await,
         }
     }
 
@@ -48,8 +44,7 @@ impl Descending<'_> {
                 progress.checkpoint(1.0).await?;
                 Ok(traversal.farthest())
             }
-            #[cfg(not(target_arch = "wasm32"))]
-            Self::Gpu(descent) => descent.farthest(progress).await,
+            Self::Gpu(hierarchy) => hierarchy.farthest(progress).await,
         }
     }
 }

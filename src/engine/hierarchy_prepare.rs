@@ -6,9 +6,7 @@ use super::hierarchy_cpu::boxes_of;
 use super::{Options, Processor, Seconds};
 use crate::bvh::Aabb;
 use crate::error::Result;
-use crate::gpu::Gpu;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::gpu::{Frame, GpuDescent};
+use crate::gpu::{Gpu, GpuHierarchy, Placement};
 use crate::hierarchy::Traversal;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
@@ -16,12 +14,9 @@ use crate::rounding::coordinate_rounding;
 use std::rc::Rc;
 use web_time::Instant;
 
-/// Why a GPU is not used.
-const ON_CPU: &str = "method hierarchy runs on the CPU in the browser";
-
 impl Ends<'_> {
-    /// Method `hierarchy`, on the GPU with boxes rounded outwards, or without
-    /// one and in the browser in float64.
+    /// Runs method `hierarchy` on the GPU, with boxes rounded outwards, or
+    /// without one on the CPU in float64.
     pub(super) async fn hierarchy(
         &self,
         gpu: Option<&Rc<Gpu>>,
@@ -30,30 +25,29 @@ impl Ends<'_> {
     ) -> Result<Run> {
         let started = Instant::now();
         let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
-        let slack = coordinate_rounding(self.largest_coordinate());
+        let coordinate_error = coordinate_rounding(self.largest_coordinate());
         let transform = self.transform;
         let prepared = Seconds { prepare: started.elapsed().as_secs_f64(), ..Seconds::default() };
-        let (stages, adapter, seconds) = match gpu {
-            #[cfg(not(target_arch = "wasm32"))]
+        let (stages, backend, adapter, seconds) = match gpu {
             Some(gpu) => {
-                let sides = [
-                    a.resident.on(gpu, |gpu| gpu.upload_cells(self.from.bezier(), &a.tree))?,
-                    b.resident.on(gpu, |gpu| gpu.upload_cells(self.to.bezier(), &b.tree))?,
+                let trees = [
+                    a.resident.on(gpu, |gpu| gpu.upload_grid_tree(self.from.bezier(), &a.tree))?,
+                    b.resident.on(gpu, |gpu| gpu.upload_grid_tree(self.to.bezier(), &b.tree))?,
                 ];
                 let prepare = started.elapsed().as_secs_f64();
-                let descent = GpuDescent::new(gpu, sides, &Frame { transform, slack }, progress).await?;
-                let seconds = Seconds { prepare, compile: descent.compile_seconds(), ..prepared };
-                (Descending::Gpu(Box::new(descent)), gpu.adapter(), seconds)
+                let placement = Placement { transform, coordinate_error };
+                let hierarchy = GpuHierarchy::new(gpu, trees, &placement, progress).await?;
+                let seconds = Seconds { prepare, compile: hierarchy.compile_seconds(), ..prepared };
+                (Descending::Gpu(Box::new(hierarchy)), Processor::Gpu, gpu.adapter(), seconds)
             }
-            _ => {
+            None => {
                 let boxes = [
-                    boxes_of(self.from.bezier(), &a.tree, &transform, slack),
-                    boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, slack),
+                    boxes_of(self.from.bezier(), &a.tree, &transform, coordinate_error),
+                    boxes_of(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, coordinate_error),
                 ];
-                (Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes)), None, prepared)
+                (Descending::Cpu(Traversal::new([&a.tree, &b.tree], boxes)), Processor::Cpu, None, prepared)
             }
         };
-        let backend = if matches!(stages, Descending::Cpu(_)) { Processor::Cpu } else { Processor::Gpu };
         let descent = Descent {
             models: [self.from, self.to],
             trees: [&a.tree, &b.tree],
@@ -65,8 +59,7 @@ impl Ends<'_> {
             directed,
             backend,
             adapter,
-            // Natively there are kernels wherever there is a GPU.
-            notice: (gpu.is_some() && backend == Processor::Cpu).then(|| ON_CPU.to_owned()),
+            notice: None,
             diagonal: descent.diagonal,
             sampled_patches: self.from.bezier().patches.len(),
             target_patches: self.to.bezier().patches.len(),
@@ -77,7 +70,8 @@ impl Ends<'_> {
         })
     }
 
-    /// At least every coordinate of both models, before and after they are moved.
+    /// Upper bound on the size of every coordinate of both models, before and
+    /// after A is moved.
     fn largest_coordinate(&self) -> f64 {
         let of = |aabb: Aabb| aabb.min.abs().max(aabb.max.abs()).length();
         let (a, b) = (of(self.from.bounding_box()), of(self.to.bounding_box()));

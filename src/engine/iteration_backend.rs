@@ -2,7 +2,7 @@
 
 use super::iteration_cpu::CpuStages;
 use crate::error::Result;
-use crate::gpu::GpuStages;
+use crate::gpu::GpuIteration;
 use crate::iteration::{Candidate, Projected, StatusCounts};
 use crate::progress::Progress;
 use std::ops::Range;
@@ -11,7 +11,7 @@ use std::ops::Range;
 /// time, on either backend: what drives them is compiled once.
 pub(super) enum Stages<'a> {
     Cpu(CpuStages<'a>),
-    Gpu(GpuStages),
+    Gpu(Box<GpuIteration>),
 }
 
 impl Stages<'_> {
@@ -58,7 +58,7 @@ impl Stages<'_> {
     pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {
         match self {
             Self::Cpu(stages) => stages.settle(sample, distance_squared),
-            Self::Gpu(stages) => stages.settle(sample, distance_squared),
+            Self::Gpu(stages) => stages.set_distance_squared(sample, distance_squared),
         }
     }
 

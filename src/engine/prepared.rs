@@ -6,9 +6,7 @@ use crate::certified::Operand;
 use crate::closest::Target;
 use crate::error::Result;
 use crate::flatness::{Flatness, extensions, flatten};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::gpu::GpuCells;
-use crate::gpu::{GpuSampling, GpuTarget, Resident};
+use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
@@ -61,8 +59,7 @@ pub(crate) struct PreparedSampling {
 #[derive(Debug)]
 pub(crate) struct PreparedCells {
     pub(crate) tree: GridTree,
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) resident: Resident<GpuCells>,
+    pub(crate) resident: Resident<GpuGridTree>,
 }
 
 /// Samplings kept at most: the one in use and, for a slider moved back and
@@ -131,7 +128,6 @@ impl PreparedModel {
         }
         let made = Rc::new(PreparedCells {
             tree: GridTree::new(&self.bezier, grid)?,
-            #[cfg(not(target_arch = "wasm32"))]
             resident: Resident::default(),
         });
         *cells = Some(Rc::clone(&made));

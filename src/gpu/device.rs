@@ -1,39 +1,41 @@
-//! The GPU: one device, its queue, and whether it is still there.
+//! The GPU: one device, its queue and the errors that it reports.
 
-use super::pipelines::Pipelines;
-use super::slot::slot;
-use super::work::Pace;
+use super::kernel::Pipelines;
+use super::throughput::Throughput;
 use crate::error::{Error, Result};
+use futures_channel::oneshot;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A device with default WebGPU limits, its queue and its pipelines.
+/// A device with the default limits of WebGPU, its queue and its pipelines.
 #[derive(Debug)]
 pub struct Gpu {
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
-    pub(super) pipelines: Pipelines,
-    pub(super) pace: Pace,
-    /// Tells this device from those before it.
-    pub(super) id: u64,
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
+    pub(crate) pipelines: Pipelines,
+    pub(crate) throughput: Throughput,
+    /// Distinguishes this device from earlier ones.
+    pub(crate) id: u64,
     adapter: Option<String>,
     software: bool,
-    trouble: Arc<Mutex<Trouble>>,
+    errors: Arc<Mutex<DeviceErrors>>,
 }
 
-/// What the device's callbacks reported.
+/// The errors that the device's callbacks reported.
 #[derive(Debug, Default)]
-struct Trouble {
+struct DeviceErrors {
+    /// The reason of a loss, which is final.
     lost: Option<String>,
-    error: Option<String>,
+    /// The first error since the last check.
+    uncaptured: Option<String>,
 }
 
 impl Gpu {
-    /// The platform's preferred adapter, whatever it is, on the limits that
-    /// WebGPU guarantees everywhere; with subgroups if it is a processor.
+    /// Opens a device on the platform's preferred adapter, hardware or
+    /// software, with the limits that WebGPU guarantees everywhere.
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] if there is none or it gives no device.
+    /// [`Error::NoAdapter`] if there is no adapter or it provides no device.
     pub async fn new() -> Result<Self> {
         static NEXT_ID: AtomicU64 = AtomicU64::new(1);
         let no_adapter = |found: String| Error::NoAdapter { found };
@@ -44,113 +46,113 @@ impl Gpu {
                 ..Default::default()
             })
             .await
-            .map_err(|error| no_adapter(why_none(&error)))?;
-        let lanes = lanes_that_load_together(&adapter);
-        let required_features = if lanes > 0 { wgpu::Features::SUBGROUP } else { wgpu::Features::empty() };
+            .map_err(|error| no_adapter(reason(&error)))?;
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 required_limits: wgpu::Limits::default(),
-                required_features,
                 ..Default::default()
             })
             .await
             .map_err(|error| no_adapter(error.to_string()))?;
-        let trouble = Arc::new(Mutex::new(Trouble::default()));
-        let on_loss = Arc::clone(&trouble);
+        let errors = Arc::new(Mutex::new(DeviceErrors::default()));
+        let on_loss = Arc::clone(&errors);
         device.set_device_lost_callback(move |reason, message| {
-            let mut trouble = on_loss.lock().unwrap_or_else(PoisonError::into_inner);
-            trouble.lost = Some(format!("{reason:?}: {message}"));
+            let mut errors = on_loss.lock().unwrap_or_else(PoisonError::into_inner);
+            errors.lost = Some(format!("{reason:?}: {message}"));
         });
-        let on_error = Arc::clone(&trouble);
+        let on_error = Arc::clone(&errors);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            let mut trouble = on_error.lock().unwrap_or_else(PoisonError::into_inner);
-            trouble.error.get_or_insert(error.to_string());
+            let mut errors = on_error.lock().unwrap_or_else(PoisonError::into_inner);
+            errors.uncaptured.get_or_insert(error.to_string());
         }));
         let info = adapter.get_info();
         let name = info.name;
         Ok(Self {
-            pipelines: Pipelines::new(&device, lanes),
-            pace: Pace::default(),
+            pipelines: Pipelines::new(&device),
+            throughput: Throughput::default(),
             device,
             queue,
             id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
             adapter: (!name.is_empty()).then_some(name),
             software: info.device_type == wgpu::DeviceType::Cpu,
-            trouble,
+            errors,
         })
     }
 
-    /// The adapter's name, which browsers keep to themselves.
+    /// The adapter's name, which browsers do not disclose.
     #[must_use]
     pub fn adapter(&self) -> Option<String> {
         self.adapter.clone()
     }
 
-    /// Whether its kernels run on the processor, as far as the platform tells.
+    /// Whether the platform reports a software adapter, which runs kernels on the CPU.
     pub(crate) fn is_software(&self) -> bool {
         self.software
     }
 
-    /// Takes the device away, as a driver's reset does.
+    /// Destroys the device, with the effects of a driver's reset.
     #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(crate) fn destroy(&self) {
         self.device.destroy();
-        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
-        trouble.lost.get_or_insert_with(|| "destroyed".to_owned());
+        let mut errors = self.errors.lock().unwrap_or_else(PoisonError::into_inner);
+        errors.lost.get_or_insert_with(|| "destroyed".to_owned());
     }
 
-    /// The same device as if it were no processor, whose help `auto` declines.
+    /// The same device reported as hardware, which `auto` uses for method `certified`.
     #[cfg(all(test, not(target_arch = "wasm32")))]
-    pub(crate) fn taken_for_hardware(self) -> Self {
+    pub(crate) fn pretend_hardware(self) -> Self {
         Self { software: false, ..self }
     }
 
-    /// Asks the device for what it must refuse, of which its callback hears.
+    /// Makes a request that the device must refuse, which its callback reports.
     #[cfg(all(test, not(target_arch = "wasm32")))]
-    pub(crate) fn offend(&self) {
+    pub(crate) fn provoke_validation_error(&self) {
         let size = 2 * self.device.limits().max_buffer_size;
         let usage = wgpu::BufferUsages::STORAGE;
         drop(self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("offence"),
+            label: Some("deliberate validation error"),
             size,
             usage,
             mapped_at_creation: false,
         }));
     }
 
-    /// What the next check fails with, unless it has something before.
-    pub(super) fn fail(&self, found: String) {
-        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
-        trouble.error.get_or_insert(found);
+    /// Makes the next [`Gpu::check`] fail with `found`, unless it already has an earlier error.
+    pub(crate) fn fail(&self, found: String) {
+        let mut errors = self.errors.lock().unwrap_or_else(PoisonError::into_inner);
+        errors.uncaptured.get_or_insert(found);
     }
 
+    /// Fails if an error was reported since the last check.
+    ///
     /// # Errors
-    /// [`Error::DeviceLost`] or [`Error::GpuFailed`] if a callback said so or
-    /// a buffer was wanted larger than the limits.
-    pub(super) fn check(&self) -> Result<()> {
-        let mut trouble = self.trouble.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = trouble.lost.clone() {
+    /// [`Error::DeviceLost`] or [`Error::GpuFailed`], as a callback reported, or
+    /// as a buffer larger than the limits was requested.
+    pub(crate) fn check(&self) -> Result<()> {
+        let mut errors = self.errors.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = errors.lost.clone() {
             return Err(Error::DeviceLost { found });
         }
-        // Told once: it ends the work that met it, not all that comes after.
-        match trouble.error.take() {
+        // An error is reported once: it ends the work in progress, not all that follows.
+        match errors.uncaptured.take() {
             Some(found) => Err(Error::GpuFailed { found }),
             None => Ok(()),
         }
     }
 
     /// Waits until everything submitted is done.
-    pub(super) async fn finish(&self) -> Result<()> {
-        let (sender, receiver) = slot();
-        self.queue.on_submitted_work_done(move || sender.send(()));
-        self.wait()?;
-        receiver.await;
-        self.check()
+    pub(crate) async fn finish(&self) -> Result<()> {
+        let (sender, receiver) = oneshot::channel();
+        // The receiver is gone only if the caller cancelled this future.
+        self.queue.on_submitted_work_done(move || {
+            let _ = sender.send(());
+        });
+        self.poll()?;
+        self.received(receiver).await
     }
 
-    /// Natively, lets the callbacks of all submitted work run; browsers do so
-    /// by themselves.
-    fn wait(&self) -> Result<()> {
+    /// Runs the callbacks of all submitted work; browsers run them by themselves.
+    fn poll(&self) -> Result<()> {
         self.device
             .poll(wgpu::PollType::wait_indefinitely())
             .map(|_| ())
@@ -158,15 +160,22 @@ impl Gpu {
             .or_else(|error| self.check().and(Err(error)))
     }
 
-    /// The bytes of a mappable buffer, once all submitted work is done.
-    pub(super) async fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>> {
+    /// Returns the value that a callback sent, after checking for errors.
+    async fn received<T>(&self, receiver: oneshot::Receiver<T>) -> Result<T> {
+        let received = receiver.await;
         self.check()?;
-        let (sender, receiver) = slot();
-        buffer.map_async(wgpu::MapMode::Read, ..bytes, move |result| sender.send(result));
-        self.wait()?;
-        let mapped = receiver.await;
+        received.map_err(|_| Error::GpuFailed { found: "the device dropped a callback".to_owned() })
+    }
+
+    /// Returns the first `bytes` bytes of a mappable buffer, once all submitted work is done.
+    pub(crate) async fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>> {
         self.check()?;
-        mapped.map_err(|error| Error::GpuFailed { found: error.to_string() })?;
+        let (sender, receiver) = oneshot::channel();
+        buffer.map_async(wgpu::MapMode::Read, ..bytes, move |result| {
+            let _ = sender.send(result);
+        });
+        self.poll()?;
+        self.received(receiver).await?.map_err(|error| Error::GpuFailed { found: error.to_string() })?;
         let range = buffer
             .get_mapped_range(..bytes)
             .map_err(|error| Error::GpuFailed { found: error.to_string() })?;
@@ -177,16 +186,16 @@ impl Gpu {
     }
 }
 
-/// What was tried without finding an adapter.
+/// Why no adapter was found.
 #[cfg(not(target_arch = "wasm32"))]
-fn why_none(error: &wgpu::RequestAdapterError) -> String {
+fn reason(error: &wgpu::RequestAdapterError) -> String {
     error.to_string()
 }
 
-/// Browsers tell no more, and of the other platforms that the error's own text
-/// goes through there is none.
+/// Why no adapter was found. On the web wgpu knows no further reason; its
+/// message would list native backends that do not exist there.
 #[cfg(target_arch = "wasm32")]
-fn why_none(error: &wgpu::RequestAdapterError) -> String {
+fn reason(error: &wgpu::RequestAdapterError) -> String {
     match error {
         wgpu::RequestAdapterError::NotFound { no_adapter_backends, .. } if no_adapter_backends.is_empty() => {
             "the browser has no WebGPU"
@@ -194,20 +203,4 @@ fn why_none(error: &wgpu::RequestAdapterError) -> String {
         _ => "the browser found none",
     }
     .to_owned()
-}
-
-/// Threads of a subgroup where loading together pays, else 0: on processors,
-/// whose vectors are narrow and load from one place at a time.
-#[cfg(not(target_arch = "wasm32"))]
-fn lanes_that_load_together(adapter: &wgpu::Adapter) -> u32 {
-    let info = adapter.get_info();
-    let known = info.subgroup_min_size == info.subgroup_max_size;
-    let has = adapter.features().contains(wgpu::Features::SUBGROUP);
-    if info.device_type == wgpu::DeviceType::Cpu && known && has { info.subgroup_max_size } else { 0 }
-}
-
-/// Browsers do not tell what they run on.
-#[cfg(target_arch = "wasm32")]
-fn lanes_that_load_together(_adapter: &wgpu::Adapter) -> u32 {
-    0
 }

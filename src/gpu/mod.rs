@@ -1,61 +1,42 @@
-//! The kernels of `shaders` and what feeds them.
+//! The GPU implementation of the three methods, on WebGPU through `wgpu`.
 //!
-//! Those of method `hierarchy` are natively only: they would take 12 KiB of the
-//! gzipped wasm module's 150, which every page pays that only wants a distance.
+//! | module | holds |
+//! |---|---|
+//! | `device`, `buffers` | the device, its errors and its buffers |
+//! | `submission`, `throughput` | submissions of bounded duration |
+//! | `kernel`, `constants`, `patch_wgsl` | WGSL text, specialised by degree, and the pipelines made of it |
+//! | `float32`, `degree_groups`, `residency` | models in float32: rounding, patches by degree, copies kept on a device |
+//! | `iteration`, `hierarchy`, `certified` | one driver per method, each with the kernels in the folder of `shaders` of the same name |
+//! | `testing` | benchmarks of single stages, and tests of the float32 error bounds |
+//!
+//! Every bound that a kernel computes accounts for float32's rounding, so the
+//! interval of a distance is as certain as on the CPU, only wider. The stages
+//! have the names of their counterparts on the CPU, in [`crate::iteration`],
+//! [`crate::hierarchy`] and [`crate::certified`].
 
-#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
-mod bench;
-#[cfg(not(target_arch = "wasm32"))]
-mod box_kernels;
-#[cfg(not(target_arch = "wasm32"))]
-mod box_layouts;
 mod buffers;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod cell_boxes;
-#[cfg(not(target_arch = "wasm32"))]
-mod descent;
+mod certified;
+mod constants;
+mod degree_groups;
 mod device;
-mod groups;
-#[cfg(not(target_arch = "wasm32"))]
-mod kept_text;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod kernel_error;
-mod layouts;
+mod float32;
+mod hierarchy;
+mod iteration;
+mod kernel;
+mod patch_wgsl;
+mod residency;
+mod submission;
 #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
-mod level_bench;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod level_error;
-mod levels;
-#[cfg(not(target_arch = "wasm32"))]
-mod packet_tree;
-mod patch_text;
-mod piece_error;
-mod pipelines;
-mod plan;
-mod resident;
-mod rounding;
-mod slot;
-mod stages;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod test_gpu;
-#[cfg(not(target_arch = "wasm32"))]
-mod upload_cells;
-mod upload_pieces;
-mod upload_sampling;
-mod upload_target;
-mod work;
+mod testing;
+mod throughput;
 
-#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
-pub use bench::StageBench;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use descent::{Frame, GpuDescent};
+pub(crate) use certified::GpuCertified;
 pub use device::Gpu;
-#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
-pub use level_bench::{LevelBench, LevelStage};
-pub(crate) use levels::Levels;
-pub(crate) use resident::Resident;
-pub(crate) use stages::GpuStages;
+pub(crate) use hierarchy::{GpuGridTree, GpuHierarchy, Placement};
+pub(crate) use iteration::{GpuIteration, GpuSampling, GpuTarget};
+pub(crate) use residency::Resident;
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use upload_cells::GpuCells;
-pub(crate) use upload_sampling::GpuSampling;
-pub(crate) use upload_target::GpuTarget;
+#[doc(hidden)]
+#[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
+#[doc(hidden)]
+pub use testing::{CertifiedBench, CertifiedStage, IterationBench};

@@ -40,13 +40,13 @@ impl ChildRange {
 /// The largest number of cells of a model, whose boxes then fit one binding of the GPU.
 pub const MAX_CELLS: usize = 1 << 22;
 
-/// The largest number of parts below a node. Kernels loop over them, and
-/// llvmpipe terminates long loops; cells with more parts get levels in between.
+/// The largest number of parts below a node: a thread loops over them, and its
+/// neighbours wait. Cells with more parts get levels in between.
 pub const MAX_CHILDREN: usize = 64;
 
 /// The number of children of a node above the cells: two by two cells, or four
 /// surfaces.
-const BRANCHING: usize = 4;
+pub(crate) const BRANCHING: usize = 4;
 
 /// The tree over a model's cells.
 #[derive(Debug, Clone)]

@@ -17,6 +17,7 @@ mod sampling;
 pub use covering_radius::CoveringRadius;
 pub(crate) use covering_radius::cell_pieces;
 pub use project::{Culling, project};
+pub(crate) use reduce::BLOCK_SIZE;
 pub use reduce::reduce;
 pub use sample::sample;
 #[cfg(feature = "internals")]

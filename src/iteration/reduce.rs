@@ -2,8 +2,9 @@
 
 use super::Projected;
 
-/// The number of samples in a block.
-const BLOCK_SIZE: usize = 1024;
+/// The number of samples in a block, on CPU and GPU: sixteen for each thread of
+/// a workgroup.
+pub(crate) const BLOCK_SIZE: usize = 1024;
 
 /// Returns the index of the farthest sample of every block, the first of equals;
 /// the indices are sorted by falling distance. O(n).

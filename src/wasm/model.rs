@@ -4,7 +4,7 @@ use super::convert;
 use super::surfaces::Surfaces;
 use crate::engine;
 use crate::error::{Error, Result};
-use crate::model::{MAX_JSON_BYTES, Model};
+use crate::model::Model;
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
@@ -27,8 +27,8 @@ impl PreparedModel {
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
         // No text has fewer bytes than characters: a longer one is not copied into the module's memory.
         let found = u64::from(text.length());
-        if found > MAX_JSON_BYTES {
-            return Err(Error::FileTooLarge { found, expected: MAX_JSON_BYTES });
+        if found > Model::MAX_JSON_BYTES {
+            return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
         }
         Ok(Self::new(&Model::from_json(&String::from(text))?))
     }

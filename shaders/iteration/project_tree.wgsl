@@ -1,0 +1,79 @@
+// Stage `project` with a BVH over the patches. CPU twin: `descend` of
+// `src/iteration/project.rs`.
+
+struct Node {
+    box_min: vec3<f32>,
+    // Twice the patch plus one for a leaf, twice its own index for an inner node.
+    code: u32,
+    box_max: vec3<f32>,
+    // The left child is the node after its parent.
+    right_child: u32,
+}
+
+// The code of no node; odd, like those of leaves.
+const NO_NODE: u32 = 0xffffffffu;
+
+// Deeper than any BVH over the patches of one binding.
+const STACK_SIZE: u32 = 32u;
+
+@group(0) @binding(5) var<storage, read> nodes: array<Node>;
+
+// A lower bound on the squared distance from `point` to what the node contains.
+fn box_distance_squared(node: u32, point: vec3<f32>) -> f32 {
+    let outside = max(max(nodes[node].box_min - point, point - nodes[node].box_max), vec3<f32>(0.0));
+    return dot(outside, outside) * BOX_ROUNDING;
+}
+
+// Every thread descends to its next leaf; then all threads project at once,
+// which takes most of the time.
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn project_tree(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let sample = sample_of(id, groups);
+    if sample >= params.sample_count {
+        return;
+    }
+    let point = samples[sample].xyz;
+    var best = projected[sample];
+    var codes: array<u32, STACK_SIZE>;
+    var distances: array<f32, STACK_SIZE>;
+    var height = 0u;
+    var code = nodes[0].code;
+    loop {
+        // Down to the nearest leaf.
+        while (code & 1u) == 0u || (code == NO_NODE && height > 0u) {
+            while code == NO_NODE && height > 0u {
+                height--;
+                if distances[height] < best.distance_squared {
+                    code = codes[height];
+                }
+            }
+            if (code & 1u) == 0u {
+                let left = (code >> 1u) + 1u;
+                let right = nodes[left - 1u].right_child;
+                let left_distance = box_distance_squared(left, point);
+                let right_distance = box_distance_squared(right, point);
+                let right_is_nearer = right_distance < left_distance;
+                let near = min(left_distance, right_distance);
+                let far = max(left_distance, right_distance);
+                let left_code = nodes[left].code;
+                let right_code = nodes[right].code;
+                code = select(
+                    NO_NODE,
+                    select(left_code, right_code, right_is_nearer),
+                    near < best.distance_squared,
+                );
+                if far < best.distance_squared {
+                    codes[height] = select(right_code, left_code, right_is_nearer);
+                    distances[height] = far;
+                    height++;
+                }
+            }
+        }
+        if code == NO_NODE {
+            break;
+        }
+        best = offer(best, code >> 1u, point);
+        code = NO_NODE;
+    }
+    projected[sample] = best;
+}

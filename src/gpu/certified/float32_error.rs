@@ -1,0 +1,137 @@
+//! The float32 error of evaluating a subpatch by Horner's rule.
+
+use crate::bezier::Patch;
+use crate::gpu::float32::{UNIT_ROUNDOFF, normalizing_power};
+use glam::{DVec4, Vec4Swizzles};
+
+/// The unit roundoff of float64.
+const FLOAT64_UNIT_ROUNDOFF: f64 = 0.5 * f64::EPSILON;
+
+/// Successive roundings in a quotient's numerator, each relative to the sum of
+/// the sizes of its terms: up to five products and four sums.
+const NUMERATOR_ROUNDINGS: f64 = 9.0;
+
+/// Roundings of the product with the weight's inverse: 2.5 units for the
+/// division, as WGSL allows, and one for the product.
+const QUOTIENT_ROUNDINGS: f64 = 4.0;
+
+/// The number of orders of derivatives, from 0 to 2.
+const ORDERS: usize = 3;
+
+/// Upper bounds on the error of a subpatch's point and derivatives by (σ, τ) as
+/// `subpatch_jet` of `horner.wgsl` computes them, times the scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Float32Error {
+    pub(crate) value: f64,
+    pub(crate) first: [f64; 2],
+    pub(crate) second: [f64; 3],
+}
+
+impl Float32Error {
+    /// Bounds the errors from the coefficients `c_ij` of [`Patch::monomials`].
+    ///
+    /// Numerators. Let u be the unit roundoff. With |σ|, |τ| <= 1, a sum of
+    /// terms, each of which passes through n roundings, is off by at most
+    /// `n u` times the sum of their sizes, in any order of summation that a
+    /// compiler chooses. Horner's rule takes two roundings a degree; the a-th
+    /// derivative by it operates on results of the (a-1)-th, so its terms pass
+    /// through `2 (a+1) p`. With one for rounding the coefficient and one for
+    /// each of the factors a! and b!,
+    ///
+    /// `δ_ab <= (2 (a+1) p + 2 (b+1) q + 3) u S_ab`,
+    /// `S_ab = Σ p_a(i) p_b(j) |c_ij|`, `p_a(i) = i!/(i-a)!`,
+    ///
+    /// and ω_ab, T_ab likewise for the weights. The error of the change of
+    /// basis in float64 is added to every `|c_ij|`.
+    ///
+    /// Quotients. As in `derivative_bounds`, by Leibniz' rule
+    /// `x_ab = (X_ab - Σ C w_ij x_(a-i)(b-j)) / w`. Its exact size is at most
+    /// `B_ab = (S_ab + Σ C T_ij B_(a-i)(b-j)) / w_min`. With the errors `e` of
+    /// the preceding x and the numerator's own roundings r, the computed one is
+    /// off by at most
+    ///
+    /// `(δ_ab + Σ C (ω_ij B + (T_ij + ω_ij) e) + r u (S_ab + Σ C T_ij (B + e))) / w'
+    ///  + B_ab ω_00 / w' + the quotient's roundings`, `w' = w_min - ω_00`.
+    ///
+    /// All are +∞ where the weight's error reaches its smallest value.
+    pub(crate) fn new(patch: &Patch<'_>, scale: f64) -> Self {
+        let [p, q] = patch.degree;
+        let weight_scale = weight_scale(patch);
+        let controls = || patch.controls.iter().map(|control| scaled(*control, weight_scale, scale));
+        let min_weight = controls().fold(f64::INFINITY, |min_weight, control| min_weight.min(control.w));
+        let max_size = controls().fold(0.0, |max_size: f64, control| max_size.max(control.length()));
+        let (mut sizes, mut weights) = ([[0.0; ORDERS]; ORDERS], [[0.0; ORDERS]; ORDERS]);
+        let basis_error = (p + q + 4) as f64 * FLOAT64_UNIT_ROUNDOFF * 2_f64.powi((p + q) as i32) * max_size;
+        for (index, c) in patch.monomials().iter().enumerate() {
+            let c = scaled(*c, weight_scale, scale);
+            let (i, j) = (index / (q + 1), index % (q + 1));
+            for a in 0..ORDERS {
+                for b in 0..ORDERS - a {
+                    let factor = falling(i, a) * falling(j, b);
+                    sizes[a][b] += factor * (c.xyz().length() + basis_error);
+                    weights[a][b] += factor * (c.w.abs() + basis_error);
+                }
+            }
+        }
+        let roundings = |a: usize, b: usize| (2 * (a + 1) * p + 2 * (b + 1) * q + 3) as f64 * UNIT_ROUNDOFF;
+        let weight_error = |a: usize, b: usize| roundings(a, b) * weights[a][b];
+        let min_computed_weight = min_weight - weight_error(0, 0) - basis_error;
+        if min_computed_weight <= 0.0 {
+            return Self { value: f64::INFINITY, first: [f64::INFINITY; 2], second: [f64::INFINITY; 3] };
+        }
+        let (mut exact, mut error) = ([[0.0; ORDERS]; ORDERS], [[0.0; ORDERS]; ORDERS]);
+        for order in 0..ORDERS {
+            for a in 0..=order {
+                let b = order - a;
+                let mut size = sizes[a][b];
+                let mut error_sum =
+                    roundings(a, b) * sizes[a][b] + basis_error * falling(p, a) * falling(q, b);
+                for i in 0..=a {
+                    for j in 0..=b {
+                        if i + j == 0 {
+                            continue;
+                        }
+                        let count = if (a, i) == (2, 1) || (b, j) == (2, 1) { 2.0 } else { 1.0 };
+                        let (size_before, error_before) = (exact[a - i][b - j], error[a - i][b - j]);
+                        size += count * weights[i][j] * (size_before + error_before);
+                        error_sum += count
+                            * (weight_error(i, j) * size_before
+                                + (weights[i][j] + weight_error(i, j)) * error_before);
+                    }
+                }
+                exact[a][b] = size / min_weight;
+                error[a][b] = (error_sum + NUMERATOR_ROUNDINGS * UNIT_ROUNDOFF * size) / min_computed_weight
+                    + exact[a][b]
+                        * (weight_error(0, 0) / min_computed_weight + QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF);
+            }
+        }
+        Self {
+            value: error[0][0],
+            first: [error[1][0], error[0][1]],
+            second: [error[2][0], error[1][1], error[0][2]],
+        }
+    }
+
+    /// Upper bound on the error over a cell that is the whole subpatch: of its
+    /// Taylor quadratic at the centre.
+    pub(crate) fn total(&self) -> f64 {
+        let [ss, st, tt] = self.second;
+        self.value + self.first[0] + self.first[1] + 0.5 * ss + st + 0.5 * tt
+    }
+}
+
+/// The factor that scales the weights: to 1 where they are equal, else to about 1.
+pub(crate) fn weight_scale(patch: &Patch<'_>) -> f64 {
+    let max_weight = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
+    if patch.rational { normalizing_power(max_weight) } else { max_weight.recip() }
+}
+
+/// A homogeneous coefficient as the kernels use it.
+pub(crate) fn scaled(coefficient: DVec4, weight_scale: f64, scale: f64) -> DVec4 {
+    weight_scale * (coefficient.xyz() * scale).extend(coefficient.w)
+}
+
+/// The falling factorial `i! / (i - a)!`.
+fn falling(i: usize, a: usize) -> f64 {
+    (0..a).map(|k| i as f64 - k as f64).product()
+}

@@ -1,0 +1,18 @@
+//! Benchmarks of single stages, which are no part of the interface, and tests
+//! of the kernels' layouts and of the float32 error bounds.
+
+#[cfg(test)]
+mod adapter;
+#[cfg(test)]
+mod cell_boxes;
+#[cfg(test)]
+mod cell_error;
+mod certified_bench;
+mod iteration_bench;
+#[cfg(test)]
+mod layouts;
+#[cfg(test)]
+mod projection_error;
+
+pub use certified_bench::{CertifiedBench, CertifiedStage};
+pub use iteration_bench::IterationBench;
