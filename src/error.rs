@@ -3,20 +3,20 @@
 use crate::axis::Axis;
 use thiserror::Error as ThisError;
 
-/// What a function of this crate returns when its input or machine may fail it.
+/// The result of functions of this crate that fail on invalid input or a failing machine.
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong, each naming the surface, the index, what was
-/// found and what was expected. [`Error::code`] is the part to match on.
+/// The errors of this crate. Messages name the surface, the index, the value found
+/// and the value expected; programs should match on [`Error::code`].
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, ThisError)]
 pub enum Error {
-    /// A coordinate, weight or knot is infinite or not a number.
+    /// A coordinate, weight or knot is infinite or NaN.
     #[error("surface {surface}: {what} {index} is {found:?}, expected a finite number")]
     NonFinite {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
-        /// Which list the value stands in.
+        /// The list that contains the value.
         what: &'static str,
         /// Its index in that list.
         index: usize,
@@ -26,9 +26,9 @@ pub enum Error {
     /// A coordinate, weight or knot is so large that its square would overflow.
     #[error("surface {surface}: {what} {index} is {found:?}, expected at most 1e100 in size")]
     NumberTooLarge {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
-        /// Which list the value stands in.
+        /// The list that contains the value.
         what: &'static str,
         /// Its index in that list.
         index: usize,
@@ -38,9 +38,9 @@ pub enum Error {
     /// A weight is negative, zero or less than 1e-100.
     #[error("surface {surface}: weight of control point {index} is {found:?}, expected at least 1e-100")]
     WeightNotPositive {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
-        /// Index of the control point, v fastest.
+        /// The index of the control point, v fastest.
         index: usize,
         /// The weight.
         found: f64,
@@ -48,11 +48,11 @@ pub enum Error {
     /// A knot is smaller than the one before it.
     #[error("surface {surface}: knot {index} in {axis} is {found:?}, expected at least {expected:?}")]
     KnotsDecreasing {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis of the knot vector.
         axis: Axis,
-        /// Index of the knot.
+        /// The index of the knot.
         index: usize,
         /// The knot.
         found: f64,
@@ -62,7 +62,7 @@ pub enum Error {
     /// A knot vector is not of length count + degree + 1.
     #[error("surface {surface}: {found} knots in {axis}, expected {expected} (control points + degree + 1)")]
     KnotsLength {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis of the knot vector.
         axis: Axis,
@@ -76,21 +76,21 @@ pub enum Error {
         "surface {surface}: knot {index} in {axis} is repeated {found} times, expected at most {expected} (degree + 1)"
     )]
     KnotsMultiplicity {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis of the knot vector.
         axis: Axis,
-        /// Index of the first of the equal knots.
+        /// The index of the first of the equal knots.
         index: usize,
-        /// How often it stands there.
+        /// Its multiplicity.
         found: usize,
-        /// How often it may.
+        /// The largest multiplicity allowed.
         expected: usize,
     },
     /// The knots `[degree]` and `[count]`, which bound the domain, are equal.
     #[error("surface {surface}: the domain in {axis} is [{start:?}, {end:?}], expected a positive length")]
     KnotsEmptyDomain {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis of the knot vector.
         axis: Axis,
@@ -99,12 +99,12 @@ pub enum Error {
         /// The last knot of the domain.
         end: f64,
     },
-    /// A row of control points is not as long as the first, or the list not as long as the counts say.
+    /// A row of control points differs in length from the first, or the list from the product of the counts.
     #[error("surface {surface}: row {index} of the net has {found} control points, expected {expected}")]
     RaggedNet {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
-        /// Index of the row (along u); 0 where the net is one list.
+        /// The index of the row along u, 0 where the net is one list.
         index: usize,
         /// Its number of control points.
         found: usize,
@@ -114,19 +114,19 @@ pub enum Error {
     /// Fewer control points than degree + 1.
     #[error("surface {surface}: {found} control points in {axis}, expected at least {expected} (degree + 1)")]
     TooFewControlPoints {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis.
         axis: Axis,
         /// The number of control points.
         found: usize,
-        /// The least number.
+        /// The smallest number allowed.
         expected: usize,
     },
     /// A degree outside 1 to 15.
     #[error("surface {surface}: degree {found} in {axis}, expected 1 to {}", crate::limits::MAX_DEGREE)]
     DegreeOutOfRange {
-        /// Index of the surface in its model.
+        /// The index of the surface in its model.
         surface: usize,
         /// The axis.
         axis: Axis,
@@ -136,10 +136,10 @@ pub enum Error {
     /// A model without surfaces.
     #[error("the model has 0 surfaces, expected at least 1")]
     EmptyModel,
-    /// JSON that is not of the interchange shape, or no JSON.
+    /// Text that is no JSON, or not of the interchange shape.
     #[error("the model is not interchange JSON: {found}")]
     JsonShape {
-        /// What the parser found where, and what it expected.
+        /// The parser's message, with the position.
         found: String,
     },
     /// A file or text over the size limit.
@@ -155,7 +155,7 @@ pub enum Error {
     FileUnreadable {
         /// The path as given.
         path: String,
-        /// What the operating system said.
+        /// The message of the operating system.
         found: String,
     },
     /// An option outside its range.
@@ -168,50 +168,50 @@ pub enum Error {
         /// The range.
         expected: &'static str,
     },
-    /// An option of another type or name than the options there are.
+    /// An option of an unknown name or of a wrong type.
     #[error("options: {found}")]
     OptionInvalid {
-        /// What was found, and what was expected.
+        /// What was found and what was expected, in words.
         found: String,
     },
     /// A transform that is not a rotation and a translation of at most 1e100.
     #[error("the transform's {found}, expected a translation of at most 1e100 and a rotation of unit length")]
     TransformNotRigid {
-        /// What is wrong with it.
+        /// The part of the transform that is invalid.
         found: String,
     },
-    /// A shape that the crate does not make.
+    /// A shape that is not in the catalogue.
     #[error("there is no shape \"{found}\", expected one of {expected}")]
     UnknownShape {
-        /// The name asked for.
+        /// The name requested.
         found: String,
-        /// The names there are.
+        /// The names in the catalogue.
         expected: String,
     },
-    /// The GPU was asked for and there is none.
+    /// A GPU was required and none is available.
     #[error("no GPU adapter: {found}")]
     NoAdapter {
-        /// What the platform said.
+        /// The message of the platform.
         found: String,
     },
-    /// The GPU went away while it worked.
+    /// The GPU device was lost during the computation.
     #[error("the GPU device was lost: {found}")]
     DeviceLost {
-        /// What the platform said.
+        /// The message of the platform.
         found: String,
     },
-    /// The GPU refused a buffer, shader or read-back.
+    /// The GPU rejected a buffer, shader or read-back.
     #[error("the GPU failed: {found}")]
     GpuFailed {
-        /// What the platform said.
+        /// The message of the platform.
         found: String,
     },
-    /// Method `hierarchy` wants more pairs of boxes than its budget of memory holds.
+    /// Method `hierarchy` requires more pairs of boxes than its memory budget holds.
     #[error(
-        "level {level} of the hierarchy wants {found} pairs of boxes, expected at most {expected}, which fit the memory budget of {mebibytes} MiB"
+        "level {level} of the hierarchy requires {found} pairs of boxes, expected at most {expected}, which fit the memory budget of {mebibytes} MiB"
     )]
     PairBudgetExceeded {
-        /// The level, counted from the root's, 0.
+        /// The level, where the root's is 0.
         level: usize,
         /// The pairs left after culling.
         found: u64,
@@ -220,7 +220,7 @@ pub enum Error {
         /// The budget in MiB.
         mebibytes: usize,
     },
-    /// The caller cancelled the work.
+    /// The caller cancelled the computation.
     #[error("cancelled")]
     Cancelled,
 }

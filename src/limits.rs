@@ -1,20 +1,21 @@
-//! The numbers that float64 can compute with.
+//! Limits of the input within which float64 neither overflows nor underflows.
 
 use crate::error::Error;
 
-/// The largest size of a coordinate, translation, weight or knot: a coordinate times a weight
-/// is 1e200 at most, and the square of a length far from overflow.
-const LARGEST: f64 = 1e100;
+/// The largest absolute value of a coordinate, translation, weight or knot: a
+/// coordinate times a weight is at most 1e200, and the square of a length is far
+/// from overflow.
+const MAX_SIZE: f64 = 1e100;
 
-/// The least weight: a coordinate divided by two weights is far from overflow.
+/// The smallest weight: a coordinate divided by two weights is far from overflow.
 pub(crate) const MIN_WEIGHT: f64 = 1e-100;
 
-/// Whether the number is neither too large nor none at all.
+/// Returns whether the number is at most 1e100 in size; false for NaN.
 pub(crate) fn is_in_range(number: f64) -> bool {
-    number.abs() <= LARGEST
+    number.abs() <= MAX_SIZE
 }
 
-/// The error for a number that is not [`is_in_range`].
+/// Returns the error for a number that is not [`is_in_range`].
 pub(crate) fn out_of_range(surface: usize, what: &'static str, index: usize, found: f64) -> Error {
     if found.is_finite() {
         Error::NumberTooLarge { surface, what, index, found }
@@ -25,6 +26,6 @@ pub(crate) fn out_of_range(surface: usize, what: &'static str, index: usize, fou
 
 /// The largest degree accepted in either direction.
 ///
-/// CAD exchange formats stay below it, and the kernels keep one patch's
-/// (15 + 1)^2 control points in private memory.
+/// CAD exchange formats stay below it, and the kernels keep the (15 + 1)² control
+/// points of a patch in private memory.
 pub const MAX_DEGREE: usize = 15;

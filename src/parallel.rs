@@ -1,25 +1,26 @@
-//! Independent work on all processors natively, in turn in the browser.
+//! Independent work on all CPU cores natively, sequential in the browser.
 
 use std::ops::Range;
 
-/// Items of a range: enough that handing it out costs nothing beside it.
-const RANGE: usize = 512;
+/// The number of items in a range: enough to make the cost of scheduling negligible.
+const RANGE_LENGTH: usize = 512;
 
-/// `work` on consecutive ranges that cover 0 to `count`, results in order.
+/// Calls `work` on consecutive ranges that cover `0..count`; returns the results in order.
 pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let range = |index: usize| index * RANGE..((index + 1) * RANGE).min(count);
-    map(count.div_ceil(RANGE), |index| work(range(index)))
+    let range = |index: usize| index * RANGE_LENGTH..((index + 1) * RANGE_LENGTH).min(count);
+    map(count.div_ceil(RANGE_LENGTH), |index| work(range(index)))
 }
 
-/// Items of some microseconds that are not worth waking another thread for.
-const FEW: usize = 4;
+/// The smallest number of items of a few microseconds each for which it pays to
+/// wake other threads.
+const MIN_PARALLEL: usize = 4;
 
-/// Whether so many items, which take microseconds, are done on this thread.
+/// Returns whether [`map_short`] runs this many items on the calling thread.
 pub(crate) fn is_few(count: usize) -> bool {
-    count < FEW
+    count < MIN_PARALLEL
 }
 
-/// [`map`] of items that take microseconds.
+/// Maps as [`map`] does, for items that take a few microseconds each.
 pub(crate) fn map_short<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     if is_few(count) {
         return (0..count).map(work).collect();
@@ -27,20 +28,20 @@ pub(crate) fn map_short<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync 
     map(count, work)
 }
 
-/// `work` that calls [`map`] several times, as one of the threads that share it:
-/// from elsewhere, every call would wait for one of them to wake.
+/// Runs `work`, which calls [`map`] several times, on a thread of the pool: from
+/// outside the pool, every call would wait for a thread to wake.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn together<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     rayon::scope(|_| work())
 }
 
-/// `work` itself.
+/// Runs `work`.
 #[cfg(target_arch = "wasm32")]
 pub(crate) fn together<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// `work` on 0 to `count`, results in order.
+/// Calls `work` on `0..count` on all cores; returns the results in order.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
@@ -50,7 +51,7 @@ pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send
     (0..count).into_par_iter().map(work).collect()
 }
 
-/// `work` on 0 to `count`, results in order.
+/// Calls `work` on `0..count`; returns the results in order.
 #[cfg(target_arch = "wasm32")]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     (0..count).map(work).collect()

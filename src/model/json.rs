@@ -1,4 +1,4 @@
-//! The interchange JSON: reader and writer.
+//! Reading and writing of the interchange JSON.
 
 use super::{Model, NurbsSurface, SurfaceArrays};
 use crate::axis::Axis;
@@ -44,9 +44,9 @@ impl InterchangeSurface {
     }
 }
 
-/// The error of a text that `serde_json` refused, with the path to the place,
-/// such as `surfaces[0].degree`. Keeping the path slows a parser down by a
-/// third, so that only texts with an error are parsed with it.
+/// Returns the error for a text that `serde_json` rejected, with the path to the
+/// error, such as `surfaces[0].degree`. Tracking the path makes parsing slower by a
+/// third, so only texts with an error are parsed with it.
 fn shape_error(text: &str, error: &serde_json::Error) -> Error {
     let mut reader = serde_json::Deserializer::from_str(text);
     let located = serde_path_to_error::deserialize::<_, InterchangeModel>(&mut reader);
@@ -55,18 +55,18 @@ fn shape_error(text: &str, error: &serde_json::Error) -> Error {
 }
 
 impl Model {
-    /// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million
-    /// control points, beyond which a 32-bit wasm memory could not hold text and
-    /// model together.
+    /// The largest JSON text accepted, in bytes: 256 MiB, about 2.5 million control
+    /// points. A 32-bit wasm memory could not hold a longer text and its model
+    /// together.
     pub const MAX_JSON_BYTES: u64 = 256 << 20;
 
     /// Parses `{"name"?, "surfaces": [{"degree": [pu, pv], "knots_u", "knots_v",
     /// "ctrl": [[[x, y, z, w], …], …]}]}` with `ctrl[i][j]`, i along u, points
-    /// not multiplied by w. Other keys are ignored.
+    /// not multiplied by w. Other keys are ignored. O(size).
     ///
     /// # Errors
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::JsonShape`]
-    /// for anything that is not of this shape, else as [`NurbsSurface::new`].
+    /// for text that is not of this shape, else the errors of [`NurbsSurface::new`].
     pub fn from_json(text: &str) -> Result<Self> {
         let found = text.len() as u64;
         if found > Self::MAX_JSON_BYTES {
@@ -83,10 +83,10 @@ impl Model {
         Self::from_arrays(parsed.name, surfaces)
     }
 
-    /// The model as interchange JSON, every number to full precision.
+    /// Returns the model as interchange JSON, with every number in full precision.
     ///
     /// # Errors
-    /// [`Error::JsonShape`] if the writer fails, which valid models do not make it do.
+    /// [`Error::JsonShape`] if the writer fails, which it does not for valid models.
     pub fn to_json(&self) -> Result<String> {
         let model = InterchangeModel {
             name: self.name().map(str::to_owned),

@@ -1,15 +1,15 @@
-//! Validation of one knot vector.
+//! Validation of knot vectors.
 
 use super::MAX_DEGREE;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::limits::{is_in_range, out_of_range};
 
-/// Checks degree, number of control points and knots of one direction.
+/// Checks degree, number of control points and knots along one axis.
 ///
-/// After it, the knots do not fall, `knots[degree] < knots[count]` bound the
-/// domain, and no knot value is repeated more than degree + 1 times, so that
-/// every non-empty span has its degree + 1 basis functions.
+/// Valid knots do not decrease, `knots[degree] < knots[count]` bound the domain,
+/// and no knot is repeated more than degree + 1 times, so that every non-empty
+/// span has its degree + 1 basis functions. O(knots).
 pub(super) fn validate(surface: usize, axis: Axis, degree: usize, count: usize, knots: &[f64]) -> Result<()> {
     if !(1..=MAX_DEGREE).contains(&degree) {
         return Err(Error::DegreeOutOfRange { surface, axis, found: degree });
@@ -28,13 +28,13 @@ pub(super) fn validate(surface: usize, axis: Axis, degree: usize, count: usize, 
         };
         return Err(out_of_range(surface, what, index, knots[index]));
     }
-    if let Some(before) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
+    if let Some(index) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
         return Err(Error::KnotsDecreasing {
             surface,
             axis,
-            index: before + 1,
-            found: knots[before + 1],
-            expected: knots[before],
+            index: index + 1,
+            found: knots[index + 1],
+            expected: knots[index],
         });
     }
     let (start, end) = (knots[degree], knots[count]);

@@ -1,11 +1,11 @@
-//! The rigid transform that moves model A against model B.
+//! The rigid transform that moves model A relative to model B.
 
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 use glam::{DQuat, DVec3};
 
-/// How far the length of a rotation quaternion may be from 1 before it is
-/// refused: the rounding of a quaternion given in single precision.
+/// The largest accepted difference of a quaternion's length from 1: the rounding
+/// of a quaternion given in single precision.
 const UNIT_LENGTH_TOLERANCE: f64 = 1e-5;
 
 /// A rotation about the origin followed by a translation.
@@ -16,14 +16,15 @@ pub struct RigidTransform {
 }
 
 impl RigidTransform {
-    /// Moves nothing.
+    /// The identity.
     pub const IDENTITY: Self = Self { rotation: DQuat::IDENTITY, translation: DVec3::ZERO };
 
-    /// From a unit quaternion and a translation; the quaternion is normalised.
+    /// Makes a transform from a unit quaternion, which is normalised, and a translation.
     ///
     /// # Errors
-    /// [`Error::TransformNotRigid`] if a number is not finite, the translation
-    /// more than 1e100 along an axis, or the quaternion's length is not 1 to about single precision.
+    /// [`Error::TransformNotRigid`] if a number is not finite, a coordinate of the
+    /// translation exceeds 1e100, or the quaternion's length differs from 1 by more
+    /// than 1e-5.
     pub fn new(rotation: DQuat, translation: DVec3) -> Result<Self> {
         if !translation.to_array().into_iter().all(is_in_range) {
             let found = format!("translation is {:?}", translation.to_array());
@@ -36,46 +37,46 @@ impl RigidTransform {
         Ok(Self { rotation: rotation.normalize(), translation })
     }
 
-    /// A translation.
+    /// Makes a translation.
     ///
     /// # Errors
-    /// [`Error::TransformNotRigid`] if a number is not finite or more than 1e100.
+    /// [`Error::TransformNotRigid`] if a coordinate is not finite or exceeds 1e100.
     pub fn translation(translation: DVec3) -> Result<Self> {
         Self::new(DQuat::IDENTITY, translation)
     }
 
-    /// Where `point` goes.
+    /// Returns the image of a point.
     #[must_use]
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.rotation * point + self.translation
     }
 
-    /// Where the free vector `vector` goes.
+    /// Returns the image of a free vector.
     #[must_use]
     pub fn rotate(&self, vector: DVec3) -> DVec3 {
         self.rotation * vector
     }
 
-    /// Where the point comes from.
+    /// Returns the point whose image is `point`.
     #[must_use]
     pub fn apply_inverse(&self, point: DVec3) -> DVec3 {
         self.rotation.inverse() * (point - self.translation)
     }
 
-    /// The transform that undoes this one.
+    /// Returns the inverse transform.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.inverse();
         Self { rotation, translation: -(rotation * self.translation) }
     }
 
-    /// The rotation, a unit quaternion.
+    /// Returns the rotation, a unit quaternion.
     #[must_use]
     pub fn rotation(&self) -> DQuat {
         self.rotation
     }
 
-    /// The translation applied after the rotation.
+    /// Returns the translation, which is applied after the rotation.
     #[must_use]
     pub fn offset(&self) -> DVec3 {
         self.translation

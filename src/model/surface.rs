@@ -1,4 +1,4 @@
-//! One validated NURBS surface.
+//! A validated NURBS surface.
 
 use super::knots;
 use crate::axis::Axis;
@@ -6,41 +6,41 @@ use crate::error::{Error, Result};
 use crate::limits::{MIN_WEIGHT, is_in_range, out_of_range};
 use crate::param_box::ParamBox;
 
-/// A surface as plain arrays, not yet validated.
+/// A NURBS surface as plain arrays, not validated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceArrays {
-    /// Degrees in u and v.
+    /// The degrees in u and v.
     pub degree: [usize; 2],
-    /// Knot vectors in u and v, of length count + degree + 1.
+    /// The knot vectors in u and v, of length count + degree + 1.
     pub knots: [Vec<f64>; 2],
-    /// Numbers of control points along u and v.
+    /// The numbers of control points along u and v.
     pub counts: [usize; 2],
-    /// Control points `[x, y, z, w]`, v fastest; x, y, z are not multiplied by w.
+    /// The control points `[x, y, z, w]`, v fastest; x, y, z are not multiplied by w.
     pub control_points: Vec<[f64; 4]>,
 }
 
-/// A NURBS surface of degree 1 to 15 with positive weights, clamped or not.
+/// A NURBS surface of degrees 1 to 15 with positive weights, clamped or not.
 ///
-/// Guarantee: a value of this type has passed every check of
-/// [`NurbsSurface::new`], so nothing downstream checks again.
+/// Guarantee: every value of this type has passed the checks of
+/// [`NurbsSurface::new`], so no later stage checks again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NurbsSurface {
     arrays: SurfaceArrays,
 }
 
 impl NurbsSurface {
-    /// Validates `arrays`; `index` is the surface's place in its model, for errors.
+    /// Validates `arrays`. Errors report `index`, the surface's position in its model.
     ///
     /// # Errors
-    /// Names the first violation found: degree, number of control points,
-    /// knots (length, finite and at most 1e100 in size, not falling, domain,
-    /// multiplicity), ragged net, coordinates that are not finite or more than
-    /// 1e100 in size, weights outside 1e-100 to 1e100. O(size).
+    /// The first violation found of: degree, number of control points, knots
+    /// (length, finite and at most 1e100 in size, not decreasing, non-empty domain,
+    /// multiplicity), size of the net, finite coordinates of at most 1e100 in size,
+    /// weights from 1e-100 to 1e100. O(size).
     pub fn new(index: usize, arrays: SurfaceArrays) -> Result<Self> {
         for axis in Axis::BOTH {
             knots::validate(index, axis, arrays.degree[axis], arrays.counts[axis], &arrays.knots[axis])?;
         }
-        // The knots' length already ties both counts to vectors in memory, so the product is small.
+        // Both counts are at most the lengths of knot vectors in memory, so the product cannot overflow.
         let expected = arrays.counts[0] * arrays.counts[1];
         if arrays.control_points.len() != expected {
             return Err(Error::RaggedNet {
@@ -61,7 +61,7 @@ impl NurbsSurface {
         Ok(Self { arrays })
     }
 
-    /// Degrees in u and v, each 1 to 15.
+    /// Returns the degrees in u and v, each 1 to 15.
     #[must_use]
     pub fn degree(&self) -> [usize; 2] {
         self.arrays.degree
@@ -73,19 +73,19 @@ impl NurbsSurface {
         &self.arrays.knots[axis]
     }
 
-    /// Numbers of control points along u and v.
+    /// Returns the numbers of control points along u and v.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         self.arrays.counts
     }
 
-    /// Control points `[x, y, z, w]`, v fastest, not multiplied by w.
+    /// Returns the control points `[x, y, z, w]`, v fastest, not multiplied by w.
     #[must_use]
     pub fn control_points(&self) -> &[[f64; 4]] {
         &self.arrays.control_points
     }
 
-    /// The parameter ranges `[[u0, u1], [v0, v1]]`, each of positive length.
+    /// Returns the domain, a rectangle with sides of positive length.
     #[must_use]
     pub fn domain(&self) -> ParamBox {
         Axis::BOTH
@@ -96,7 +96,7 @@ impl NurbsSurface {
             .into()
     }
 
-    /// The surface as plain arrays again.
+    /// Returns the surface as plain arrays.
     #[must_use]
     pub fn into_arrays(self) -> SurfaceArrays {
         self.arrays

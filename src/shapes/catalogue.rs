@@ -1,4 +1,4 @@
-//! The shapes that can be asked for by name.
+//! The catalogue of named shapes.
 
 use super::{
     Naca4, WavySheet, Wing, bottle, cone, cylinder, figure5_cylinder, figure5_plane, glass, sphere, torus,
@@ -9,19 +9,19 @@ use crate::model::Model;
 use glam::DVec3;
 use serde::Serialize;
 
-/// A shape's name and what to show for it.
+/// A shape's name and title.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct ShapeInfo {
-    /// What [`shape`] takes.
+    /// The name that [`shape`] takes.
     pub name: &'static str,
-    /// A title for people.
+    /// The title shown to users.
     pub title: &'static str,
 }
 
 type Make = fn() -> Result<Model>;
 
-/// All shapes. Sizes are near 5, so that any two can be seen together, but for
-/// the small sphere, which fits into others; Fig. 5 has its published size.
+/// All shapes. Their sizes are near 5, so that any two can be seen together, except
+/// for the small sphere, which fits into others, and Fig. 5 in its published size.
 const CATALOGUE: [(&str, &str, Make); 21] = [
     ("sphere", "Sphere, radius 2", || centered(2.0)),
     ("sphere-larger", "Sphere, radius 2.2", || centered(2.2)),
@@ -50,6 +50,7 @@ const CATALOGUE: [(&str, &str, Make); 21] = [
     ("fig5-cylinder", "Cylinder of the 2012 paper's Fig. 5", figure5_cylinder),
 ];
 
+/// The wing of the catalogue, with section NACA 2412.
 const WING: Wing = Wing {
     section: Naca4 { camber: 0.02, position: 0.4, thickness: 0.12 },
     span: 8.0,
@@ -58,28 +59,29 @@ const WING: Wing = Wing {
     sweep: 0.35,
 };
 
+/// The first wavy sheet of the catalogue.
 const SHEET: WavySheet =
     WavySheet { counts: [14, 13], size: [5.0, 5.0], amplitude: 0.8, waves: [2.0, 1.5], phase: 0.0 };
 
-/// A sphere about the origin.
+/// Returns a sphere about the origin.
 fn centered(radius: f64) -> Result<Model> {
     sphere(DVec3::ZERO, radius)
 }
 
-/// A sheet whose net is of a size in the 2012 paper's Table 1.
+/// Returns a sheet whose net is of a size in the 2012 paper's Table 1.
 fn net(counts: [usize; 2], variant: u8) -> Result<Model> {
     wavy_sheet(&WavySheet::of_counts(counts, variant))
 }
 
-/// Every name that [`shape`] takes, with its title.
+/// Iterates over the names that [`shape`] takes, with their titles.
 pub fn list() -> impl Iterator<Item = ShapeInfo> {
     CATALOGUE.iter().map(|&(name, title, _)| ShapeInfo { name, title })
 }
 
-/// The shape of this name, one of [`list`].
+/// Returns the shape of this name, one of [`list`].
 ///
 /// # Errors
-/// `UNKNOWN_SHAPE`, naming the shapes there are.
+/// `UNKNOWN_SHAPE`, with the names in the catalogue.
 ///
 /// ```
 /// let torus = nurbs_hausdorff::shapes::shape("torus")?;

@@ -1,52 +1,31 @@
-//! Models made from published formulas, and operations that keep a surface's
-//! points while changing its control net.
+//! Models made from published formulas, and operations on surfaces.
 //!
-//! Shapes stand at the origin with z up unless they say otherwise; move them
-//! with [`operations::transformed`].
+//! Shapes stand at the origin with z upwards unless their documentation states
+//! otherwise; [`operations::transformed`] moves them.
 
 mod catalogue;
-mod circle;
-mod cylinder;
-mod disc;
+mod curves;
 mod figure5;
-mod interpolation;
-mod naca;
+mod freeform;
 pub mod operations;
-mod plane_curve;
-mod revolution;
-mod sphere;
-mod sphere_parts;
-mod torus;
-mod vessels;
-mod wavy_sheet;
-mod wigley;
-mod wing;
+mod revolved;
 
 pub use catalogue::{ShapeInfo, list, shape};
-pub use circle::{circle, half_circle};
-pub use cylinder::{cone, cylinder, lateral};
-pub use disc::disc;
+pub use curves::{Naca4, PlaneCurve, circle, half_circle};
 pub use figure5::{FIGURE5_NEAREST_SAMPLE, FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
-pub use naca::Naca4;
-pub use plane_curve::PlaneCurve;
-pub use revolution::revolve;
-pub use sphere::sphere;
-pub use sphere_parts::sphere_parts;
-pub use torus::torus;
-pub use vessels::{bottle, glass};
-pub use wavy_sheet::{WavySheet, wavy_sheet};
-pub use wigley::wigley_hull;
-pub use wing::{Wing, wing};
+pub use freeform::{WavySheet, Wing, wavy_sheet, wigley_hull, wing};
+pub use revolved::{bottle, cone, cylinder, disc, glass, lateral, revolve, sphere, sphere_parts, torus};
 
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 
-/// A model of this name.
+/// Makes a model of this name.
 fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
     Model::new(Some(name.to_owned()), surfaces)
 }
 
-/// The surface whose control point in row i along u and column j along v is `point(i, j)`.
+/// Makes the surface whose control point in row i along u and column j along v is
+/// `point(i, j)`, `[x, y, z, w]`.
 fn net_surface(
     degree: [usize; 2],
     knots: [&[f64]; 2],
@@ -62,7 +41,7 @@ fn net_surface(
     NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
 }
 
-/// `value` if it is finite and more than 0.
+/// Returns `value` if it is finite and above 0, else `OPTION_OUT_OF_RANGE`.
 fn positive(option: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);

@@ -1,4 +1,4 @@
-//! Triangles to show a model by. Nothing is measured on them.
+//! Triangulation of models for display; no distance is measured on it.
 
 mod divisions;
 mod triangles;
@@ -10,36 +10,36 @@ use crate::model::Model;
 use divisions::Divisions;
 use glam::DVec3;
 use std::ops::Range;
-use vertex_grid::Sheet;
+use vertex_grid::VertexGrid;
 
-/// Default tolerance relative to the model's diagonal: a fifth of a pixel of
-/// a model that fills a thousand pixels.
+/// The default tolerance relative to the model's diagonal: a fifth of a pixel for a
+/// model that fills a thousand pixels.
 const DEFAULT_TOLERANCE: f64 = 2e-4;
 
-/// Triangles of shape and shading for display.
+/// A triangulation with normals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tessellation {
-    /// Vertices relative to `origin`, x y z each.
+    /// The vertices relative to `origin`, x y z each.
     pub positions: Vec<f32>,
-    /// Unit normals, x y z each: s x t of the surface.
+    /// The unit normals, x y z each, in the direction s × t of the surface.
     pub normals: Vec<f32>,
-    /// Three vertices a triangle, anticlockwise seen against the normal.
+    /// Three vertices per triangle, anticlockwise about the normal.
     pub indices: Vec<u32>,
-    /// The point that positions are relative to: the middle of the model's box.
+    /// The point that positions are relative to, the centre of the model's box.
     pub origin: DVec3,
-    /// The part of `indices` that is each surface's.
+    /// The range of `indices` of each surface.
     pub surfaces: Vec<Range<usize>>,
 }
 
-/// Triangles no farther than `tolerance` (in model units; by default 2e-4 of
-/// the model's diagonal) from the model, and the model from them, before
-/// rounding to float32.
+/// Returns triangles whose Hausdorff distance from the model is at most `tolerance`
+/// before rounding to float32; the tolerance is in model units, by default 2e-4 of
+/// the model's diagonal.
 ///
-/// Every vertex lies on its surface. Each surface is one grid, closed but
-/// along creases and where the surface itself is torn; vertices there are
-/// doubled, for each side to have its own normal. The tolerance is given up
-/// for the whole model where it takes more than about a million triangles,
-/// never less than two a patch.
+/// Every vertex lies on its surface. Each surface is one grid, closed except along
+/// creases and where the surface itself is discontinuous; vertices there are
+/// doubled, so that each side has its own normal. Where the tolerance requires more
+/// than about a million triangles, it is exceeded for the whole model; each patch
+/// keeps at least two triangles. O(patches p q + triangles p q).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number.
@@ -62,9 +62,9 @@ pub(crate) fn tessellate_patches(model: &BezierModel, tolerance: Option<f64>) ->
         surfaces: Vec::with_capacity(model.grids.len()),
     };
     for (grid, divisions) in model.grids.iter().zip(Divisions::of_model(model, tolerance)) {
-        let sheet = Sheet::new(&model.patches, grid, &divisions, tolerance);
+        let vertices = VertexGrid::new(&model.patches, grid, &divisions, tolerance);
         let first = tessellation.indices.len();
-        tessellation.append(&sheet);
+        tessellation.append(&vertices);
         tessellation.surfaces.push(first..tessellation.indices.len());
     }
     Ok(tessellation)

@@ -1,19 +1,20 @@
 //! The grid of vertices of one surface.
 
 use super::divisions::Divisions;
+use crate::axis::Axis;
 use crate::bezier::{Jet, Patch, PatchGrid, PatchSet};
 use glam::DVec3;
 
-/// Angle between the normals of the two sides of a knot line from which it is
-/// shown as an edge. Below, the eye takes the facets for one smooth surface.
+/// The smallest angle, in degrees, between the normals of the two sides of a knot
+/// line at which the line is displayed as a crease; below, the facets look smooth.
 const CREASE_DEGREES: f64 = 8.0;
 
-/// Where a patch has no normal, as at a sphere's pole, that of a place this
-/// part of the way to the patch's middle stands for it; farther, if that has none.
+/// Where a patch has no normal, as at a sphere's pole, the normal at the first of
+/// these fractions of the way to the patch's middle that has one is used instead.
 const NEIGHBOURS: [f64; 3] = [1e-4, 1e-2, 0.5];
 
-/// A tangent this much shorter than the other is that of a degenerate edge, a
-/// pole: its direction, and so the normal's, is rounding.
+/// A tangent shorter than the other by this factor belongs to a degenerate edge,
+/// such as a pole: its direction, and so the normal's, is rounding.
 const DEGENERATE_RATIO: f64 = 1e-7;
 
 /// A point of a surface with its unit normal.
@@ -23,25 +24,25 @@ pub(super) struct Vertex {
     pub(super) normal: DVec3,
 }
 
-/// A line of the grid: a place on a span of knots.
+/// A grid line: a knot span, and the patch parameter on it.
 #[derive(Debug, Clone, Copy)]
-struct Line {
+struct GridLine {
     span: usize,
     local: f64,
 }
 
-/// Rows of vertices along u, columns along v.
+/// The vertices of a surface: rows along u, columns along v.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Sheet {
-    /// v fastest.
+pub(super) struct VertexGrid {
+    /// The vertices, v fastest.
     pub(super) vertices: Vec<Vertex>,
     pub(super) columns: usize,
-    /// For every row and column, whether the surface goes on to the next.
+    /// For every row and every column, whether the surface continues to the next.
     pub(super) joined: [Vec<bool>; 2],
 }
 
-impl Sheet {
-    /// The vertices of a surface; gaps up to `tolerance` are closed.
+impl VertexGrid {
+    /// Evaluates the vertices of a surface and closes gaps up to `tolerance`.
     /// O(vertices p q).
     pub(super) fn new(patches: &PatchSet, grid: &PatchGrid, divisions: &Divisions, tolerance: f64) -> Self {
         let [rows, columns] = [0, 1].map(|axis| lines(&divisions.parts[axis]));
@@ -52,22 +53,23 @@ impl Sheet {
                 vertices.push(vertex(&patch, [row.local, column.local]));
             }
         }
-        let joined = [rows, columns].map(|lines| {
+        let joined: [Vec<bool>; 2] = [rows, columns].map(|lines| {
             let next = |line: usize| lines.get(line + 1).map(|line| line.span);
             (0..lines.len()).map(|line| next(line) == Some(lines[line].span)).collect()
         });
-        let mut sheet = Self { vertices, columns: joined_len(&joined, 1), joined };
-        sheet.close(0, tolerance);
-        sheet.close(1, tolerance);
-        sheet
+        let mut grid = Self { vertices, columns: joined[Axis::V].len(), joined };
+        for axis in Axis::BOTH {
+            grid.close(axis, tolerance);
+        }
+        grid
     }
 
-    /// Makes the two lines of each knot one where the surface goes on smoothly
-    /// across, and lets them meet in the same points where it only goes on.
-    fn close(&mut self, axis: usize, tolerance: f64) {
+    /// Merges the two grid lines of each inner knot where the surface is smooth
+    /// across it, and makes their points equal where it is only continuous.
+    fn close(&mut self, axis: Axis, tolerance: f64) {
         let lines = self.joined[axis].len();
-        let across = joined_len(&self.joined, 1 - axis);
-        let stride = if axis == 0 { [self.columns, 1] } else { [1, self.columns] };
+        let across = self.joined[axis.other()].len();
+        let stride = if axis == Axis::U { [self.columns, 1] } else { [1, self.columns] };
         let at = |line: usize, index: usize| line * stride[0] + index * stride[1];
         let mut kept = vec![true; lines];
         for line in 0..lines.saturating_sub(1) {
@@ -82,7 +84,7 @@ impl Sheet {
             let cosine = CREASE_DEGREES.to_radians().cos();
             let turn = |(a, b): (usize, usize)| self.vertices[a].normal.dot(self.vertices[b].normal);
             if pairs().all(|pair| turn(pair) >= cosine) {
-                // The line before goes on where the dropped one went on.
+                // The first line continues as the merged one did.
                 kept[line + 1] = false;
                 self.joined[axis][line] = self.joined[axis][line + 1];
             } else {
@@ -94,11 +96,12 @@ impl Sheet {
         self.keep(axis, &kept);
     }
 
-    fn keep(&mut self, axis: usize, kept: &[bool]) {
+    /// Removes the lines along `axis` that are not kept.
+    fn keep(&mut self, axis: Axis, kept: &[bool]) {
         let columns = self.columns;
         let mut index = 0;
         self.vertices.retain(|_| {
-            let line = if axis == 0 { index / columns } else { index % columns };
+            let line = if axis == Axis::U { index / columns } else { index % columns };
             index += 1;
             kept[line]
         });
@@ -107,37 +110,36 @@ impl Sheet {
             line += 1;
             kept[line - 1]
         });
-        self.columns = joined_len(&self.joined, 1);
+        self.columns = self.joined[Axis::V].len();
     }
 }
 
-fn joined_len(joined: &[Vec<bool>; 2], axis: usize) -> usize {
-    joined[axis].len()
-}
-
-/// Every span's parts with both of its ends, so that inner knots come twice.
-fn lines(parts: &[usize]) -> Vec<Line> {
+/// Returns the grid lines of every span, both ends included, so that there are two
+/// for every inner knot.
+fn lines(parts: &[usize]) -> Vec<GridLine> {
     let mut lines = Vec::new();
     for (span, &parts) in parts.iter().enumerate() {
         for index in 0..=parts {
-            lines.push(Line { span, local: index as f64 / parts as f64 });
+            lines.push(GridLine { span, local: index as f64 / parts as f64 });
         }
     }
     lines
 }
 
+/// Evaluates a vertex.
 fn vertex(patch: &Patch<'_>, [s, t]: [f64; 2]) -> Vertex {
     let jet = patch.jet([s, t]);
     let normal = normal(&jet).or_else(|| {
-        let toward_middle = |x: f64, part: f64| x + part * (0.5 - x);
+        let towards_middle = |x: f64, fraction: f64| x + fraction * (0.5 - x);
         NEIGHBOURS
             .iter()
-            .find_map(|&part| normal(&patch.jet([toward_middle(s, part), toward_middle(t, part)])))
+            .find_map(|&fraction| normal(&patch.jet([s, t].map(|x| towards_middle(x, fraction)))))
     });
-    // A patch without normals has no area, so that nothing of it is seen.
+    // A patch without normals has no area and is not visible.
     Vertex { point: jet.point, normal: normal.unwrap_or(DVec3::Z) }
 }
 
+/// Returns the unit normal unless the point is degenerate.
 fn normal(jet: &Jet) -> Option<DVec3> {
     let [s, t] = [jet.s.length(), jet.t.length()];
     if s.min(t) > DEGENERATE_RATIO * s.max(t) { jet.normal() } else { None }

@@ -1,4 +1,4 @@
-//! Linear maps of a surface's net along one direction.
+//! Linear maps of a control net along one axis.
 
 use crate::axis::Axis;
 use crate::error::Result;
@@ -6,11 +6,12 @@ use crate::model::NurbsSurface;
 use crate::shapes::net_surface;
 use glam::{DVec4, Vec4Swizzles};
 
-/// `surface` with degree and knots along `axis` replaced, and every line of
-/// control points along it replaced by `map` of it, in homogeneous coordinates.
+/// Returns `surface` with a new degree and new knots along `axis`, and with every
+/// line of control points along it replaced by its image under `map`, in
+/// homogeneous coordinates.
 ///
-/// All lines that `map` makes have one length. Equal weights stay exactly
-/// equal: `map`'s coefficients sum to 1, but in floating point only almost.
+/// `map` must be affine and return lines of one length. Equal weights stay exactly
+/// equal, although the coefficients of `map` sum to 1 only up to rounding.
 pub(super) fn map_lines(
     surface: &NurbsSurface,
     axis: Axis,

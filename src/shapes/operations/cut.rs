@@ -1,4 +1,4 @@
-//! Cutting surfaces along parameter lines.
+//! Cuts of surfaces along parameter lines.
 
 use super::insert_knot;
 use crate::axis::Axis;
@@ -7,14 +7,14 @@ use crate::model::{Model, NurbsSurface};
 use crate::param_box::ParamBox;
 use crate::shapes::net_surface;
 
-/// The two pieces of `surface` below and above `parameter` along `axis` (0: u,
-/// else v), which keep their parameters.
+/// Returns the two pieces of `surface` below and above `parameter` along `axis`,
+/// with unchanged parameters.
 ///
-/// The knot is inserted until the surface comes apart there (Piegl and Tiller,
-/// *The NURBS Book*, section 5.3), so the pieces are the surface up to rounding.
+/// The knot is inserted until the surface splits there (Piegl and Tiller, *The
+/// NURBS Book*, section 5.3), so the pieces are the surface up to rounding.
 ///
 /// # Errors
-/// `OPTION_OUT_OF_RANGE` unless `parameter` is inside the domain, its ends excluded.
+/// `OPTION_OUT_OF_RANGE` unless `parameter` lies strictly inside the domain.
 pub fn cut_surface(surface: &NurbsSurface, axis: Axis, parameter: f64) -> Result<[NurbsSurface; 2]> {
     let [start, end] = surface.domain()[axis];
     if !(parameter > start && parameter < end) {
@@ -34,11 +34,11 @@ pub fn cut_surface(surface: &NurbsSurface, axis: Axis, parameter: f64) -> Result
     ])
 }
 
-/// What of `surface` lies between these fractions of its domain in u and v,
-/// each from 0 to 1, the first below the second.
+/// Returns the part of `surface` over these fractions of its domain, intervals of
+/// positive length in [0, 1].
 ///
 /// # Errors
-/// As [`cut_surface`].
+/// Those of [`cut_surface`].
 pub fn part(surface: &NurbsSurface, fractions: ParamBox) -> Result<NurbsSurface> {
     let mut part = surface.clone();
     for axis in Axis::BOTH {
@@ -56,32 +56,33 @@ pub fn part(surface: &NurbsSurface, fractions: ParamBox) -> Result<NurbsSurface>
     Ok(part)
 }
 
-/// Every surface of `model` cut at these fractions of its domain in u and v,
-/// each above 0 and below 1, in any order.
+/// Returns `model` with every surface cut at these fractions of its domain in u and
+/// v, each strictly between 0 and 1, in any order.
 ///
 /// # Errors
-/// As [`cut_surface`].
+/// Those of [`cut_surface`].
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
     let mut pieces = model.surfaces().to_vec();
     for axis in Axis::BOTH {
         let mut fractions = fractions[axis].to_vec();
         fractions.sort_by(f64::total_cmp);
         let mut cut = Vec::new();
-        for mut rest in pieces {
-            let [start, end] = rest.domain()[axis];
+        for mut remainder in pieces {
+            let [start, end] = remainder.domain()[axis];
             for &fraction in &fractions {
-                let [below, above] = cut_surface(&rest, axis, (1.0 - fraction) * start + fraction * end)?;
+                let [below, above] =
+                    cut_surface(&remainder, axis, (1.0 - fraction) * start + fraction * end)?;
                 cut.push(below);
-                rest = above;
+                remainder = above;
             }
-            cut.push(rest);
+            cut.push(remainder);
         }
         pieces = cut;
     }
     Model::new(model.name().map(str::to_owned), pieces)
 }
 
-/// The surface of control points `first..end` along `axis` with these knots.
+/// Returns the surface of the control points `first..end` along `axis` with these knots.
 fn piece(
     surface: &NurbsSurface,
     axis: Axis,

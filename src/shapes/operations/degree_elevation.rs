@@ -6,12 +6,12 @@ use crate::error::Result;
 use crate::model::NurbsSurface;
 use glam::DVec4;
 
-/// The same surface with its degree along `axis` (0: u, else v) one higher.
+/// Returns the same surface with its degree along `axis` raised by one.
 ///
-/// Every knot is repeated once more, so that continuity stays. Control point i
-/// is the elevated surface's blossom at its degree + 1 knots, the mean of the
-/// surface's blossoms at all but one of them (Ramshaw 1989; Piegl and Tiller,
-/// *The NURBS Book*, section 5.5). O(control points x degree^3).
+/// The multiplicity of every knot is raised by one, which keeps the continuity.
+/// Control point i is the elevated surface's blossom at its degree + 1 knots, which
+/// is the mean of the surface's blossoms at all but one of them (Ramshaw 1989;
+/// Piegl and Tiller, *The NURBS Book*, section 5.5). O(control points × degree³).
 ///
 /// # Errors
 /// `DEGREE_OUT_OF_RANGE` if the degree is 15 already.
@@ -33,8 +33,8 @@ pub fn elevate_degree(surface: &NurbsSurface, axis: Axis) -> Result<NurbsSurface
     })
 }
 
-/// Every knot once more, less those that then lie too far outside the domain
-/// to bound any basis function on it (of unclamped knots).
+/// Returns the knots with multiplicities raised by one, without those of unclamped
+/// vectors that no basis function with support on the domain uses.
 fn elevated_knots(knots: &[f64], degree: usize, [start, end]: [f64; 2]) -> Vec<f64> {
     let mut elevated = Vec::with_capacity(2 * knots.len());
     for (index, &knot) in knots.iter().enumerate() {
@@ -48,8 +48,8 @@ fn elevated_knots(knots: &[f64], degree: usize, [start, end]: [f64; 2]) -> Vec<f
     elevated[first..=last].to_vec()
 }
 
-/// The span of `knots`, in the domain, that is the longest under the basis
-/// function of `support`: extrapolating from it loses the least.
+/// Returns the longest span of `knots` that lies in the domain and in `support`;
+/// extrapolation from it has the smallest rounding error.
 fn longest_span(support: &[f64], knots: &[f64], degree: usize, count: usize) -> usize {
     let (low, high) = (support[0], support[support.len() - 1]);
     let length = |span: usize| knots[span + 1] - knots[span];
@@ -59,7 +59,7 @@ fn longest_span(support: &[f64], knots: &[f64], degree: usize, count: usize) -> 
         .unwrap_or(degree)
 }
 
-/// The blossom of the polynomial piece on `span` at all `arguments` but one.
+/// Returns the blossom of the polynomial piece on `span` at all `arguments` but one.
 fn blossom(
     knots: &[f64],
     degree: usize,

@@ -6,15 +6,15 @@ use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
 use glam::DVec4;
 
-/// The same surface with `knot` inserted `times` times along `axis` (0: u, else v).
+/// Returns the same surface with `knot` inserted `times` times along `axis`.
 ///
-/// Boehm's algorithm (Piegl and Tiller, *The NURBS Book*, section 5.2): convex
-/// combinations only, so points and parameters are the same up to rounding.
-/// Works on clamped and unclamped knots. O(times x control points).
+/// Boehm's algorithm (Piegl and Tiller, *The NURBS Book*, section 5.2) uses convex
+/// combinations only, so points and parameters are unchanged up to rounding. It
+/// applies to clamped and unclamped knots. O(times × control points).
 ///
 /// # Errors
-/// `OPTION_OUT_OF_RANGE` if `knot` is outside the domain or would then be
-/// repeated more than the degree.
+/// `OPTION_OUT_OF_RANGE` if `knot` is outside the domain, or if its multiplicity
+/// would exceed the degree.
 pub fn insert_knot(surface: &NurbsSurface, axis: Axis, knot: f64, times: usize) -> Result<NurbsSurface> {
     let [start, end] = surface.domain()[axis];
     if !(start..=end).contains(&knot) {
@@ -44,6 +44,7 @@ pub fn insert_knot(surface: &NurbsSurface, axis: Axis, knot: f64, times: usize) 
     })
 }
 
+/// Returns a line of control points after one insertion.
 fn insert_once(knots: &[f64], degree: usize, knot: f64, multiplicity: usize, line: &[DVec4]) -> Vec<DVec4> {
     let span = knots.partition_point(|&other| other <= knot) - 1;
     (0..=line.len())

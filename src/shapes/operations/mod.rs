@@ -1,5 +1,5 @@
-//! Operations that change a surface's net or place, not its shape, and refits,
-//! which change its shape by little.
+//! Operations that change the control net or the position of a surface and keep
+//! its shape, and refits, which change the shape slightly.
 
 mod control_net;
 mod cut;

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
-use crate::shapes::interpolation::{DEGREE, UniformSpline, basis};
+use crate::shapes::curves::{DEGREE, UniformSpline, basis};
 use crate::shapes::net_surface;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 

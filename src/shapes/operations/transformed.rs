@@ -1,14 +1,14 @@
-//! Moving a model.
+//! Rigid motions of models.
 
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use glam::DVec3;
 
-/// `model` moved by `transform`: parameters and weights stay.
+/// Returns `model` moved by `transform`, with the same parameters and weights.
 ///
 /// # Errors
-/// `NUMBER_TOO_LARGE` if a coordinate is moved beyond 1e100 in size.
+/// `NUMBER_TOO_LARGE` if a coordinate exceeds 1e100 in size after the motion.
 pub fn transformed(model: &Model, transform: &RigidTransform) -> Result<Model> {
     let move_point = |&[x, y, z, w]: &[f64; 4]| {
         let point = transform.apply(DVec3::new(x, y, z));

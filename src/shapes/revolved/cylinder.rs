@@ -1,20 +1,20 @@
 //! Circular cylinders and cones.
 
-use super::{PlaneCurve, disc, named, positive, revolve};
 use crate::error::Result;
 use crate::model::{Model, NurbsSurface};
+use crate::shapes::{PlaneCurve, disc, named, positive, revolve};
 
-/// The lateral surface of the cylinder or cone about the z axis with radius
+/// Returns the lateral surface of the cylinder or cone about the z axis with radius
 /// `radii[0]` at height `heights[0]` and `radii[1]` at `heights[1]`: exact,
-/// rational, of degree 2 around and 1 along the axis.
+/// rational, of degree 2 around the axis and 1 along it.
 ///
 /// # Errors
-/// As [`NurbsSurface::new`] if a number is not finite.
+/// Those of [`NurbsSurface::new`] if a number is not finite.
 pub fn lateral(radii: [f64; 2], heights: [f64; 2]) -> Result<NurbsSurface> {
     revolve(&PlaneCurve::line([radii[0], heights[0]], [radii[1], heights[1]]))
 }
 
-/// The closed cylinder about the z axis between -height/2 and height/2: lateral
+/// Returns the closed cylinder about the z axis between -height/2 and height/2: lateral
 /// surface, bottom, top, all with outward normals.
 ///
 /// # Errors
@@ -26,7 +26,7 @@ pub fn cylinder(radius: f64, height: f64) -> Result<Model> {
     named("cylinder", vec![lateral([radius, radius], [-half, half])?, bottom, top])
 }
 
-/// The closed cone about the z axis with its base at -height/2 and its apex at
+/// Returns the closed cone about the z axis with its base at -height/2 and its apex at
 /// height/2: lateral surface, base, both with outward normals.
 ///
 /// # Errors

@@ -1,29 +1,29 @@
-//! NURBS curves in a plane: profiles and sections.
+//! Plane NURBS curves.
 
 /// A NURBS curve in a plane, as plain arrays.
 ///
-/// Not validated: the surface made of it is, by
-/// [`NurbsSurface::new`](crate::NurbsSurface::new).
+/// It is not validated; [`NurbsSurface::new`](crate::NurbsSurface::new) validates
+/// the surface made of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneCurve {
     /// The degree.
     pub degree: usize,
-    /// The knots, control points + degree + 1 of them.
+    /// The knots; their number is that of the control points + degree + 1.
     pub knots: Vec<f64>,
-    /// Control points `[x, y, w]`, not multiplied by w; a profile's x is the
-    /// radius and its y the height.
+    /// The control points `[x, y, w]`, not multiplied by w. In a profile x is the
+    /// radius and y the height.
     pub control_points: Vec<[f64; 3]>,
 }
 
 impl PlaneCurve {
-    /// The straight line between two points, of degree 1 over [0, 1].
+    /// Returns the straight line between two points, of degree 1 over [0, 1].
     #[must_use]
     pub fn line(start: [f64; 2], end: [f64; 2]) -> Self {
         Self::clamped(1, &[start, end])
     }
 
-    /// The B-spline curve of these control points with clamped, evenly spaced
-    /// knots over [0, 1].
+    /// Returns the B-spline curve of these control points with clamped, evenly
+    /// spaced knots over [0, 1].
     #[must_use]
     pub fn clamped(degree: usize, points: &[[f64; 2]]) -> Self {
         Self {
@@ -34,8 +34,9 @@ impl PlaneCurve {
     }
 }
 
-/// Clamped, evenly spaced knots over [0, 1]; `count` is more than `degree`.
-pub(super) fn clamped_knots(degree: usize, count: usize) -> Vec<f64> {
+/// Returns clamped, evenly spaced knots over [0, 1] for `count` control points,
+/// more than `degree`.
+pub(in crate::shapes) fn clamped_knots(degree: usize, count: usize) -> Vec<f64> {
     let spans = count.saturating_sub(degree).max(1);
     (0..count + degree + 1)
         .map(|index| index.saturating_sub(degree).min(spans) as f64 / spans as f64)

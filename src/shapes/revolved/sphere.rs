@@ -1,17 +1,16 @@
-//! The sphere.
+//! Spheres.
 
-use super::operations::transformed;
-use super::{half_circle, named, revolve};
 use crate::error::Result;
 use crate::model::{Model, RigidTransform};
+use crate::shapes::operations::transformed;
+use crate::shapes::{half_circle, named, revolve};
 use glam::DVec3;
 
-/// The exact sphere: one rational biquadratic surface, a half circle revolved
+/// Returns the exact sphere: one rational biquadratic surface, a half circle revolved
 /// about the z axis (Piegl and Tiller, *The NURBS Book*, section 8.5). Normals
 /// point outwards; v = 0 and v = 1 are the poles, u = 0 the seam at y = 0.
 ///
-/// For another seam and other poles make it at the origin and use
-/// [`transformed`] with a rotation.
+/// [`transformed`] with a rotation moves seam and poles of a sphere at the origin.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless `radius` is finite and above 0,

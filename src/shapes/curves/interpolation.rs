@@ -1,18 +1,19 @@
-//! Cubic splines through points.
+//! Interpolating cubic splines.
 
-use super::PlaneCurve;
-use super::plane_curve::clamped_knots;
+use crate::shapes::PlaneCurve;
+use crate::shapes::curves::clamped_knots;
 use glam::DVec3;
 
-pub(super) const DEGREE: usize = 3;
+/// The degree of the splines.
+pub(in crate::shapes) const DEGREE: usize = 3;
 
-/// The cubic B-spline curve that passes `point(i / (count - 1))` at the
-/// parameters i / (count - 1), i = 0 .. count - 1; `count` is at least 4.
+/// Returns the cubic B-spline curve that interpolates `point(i / (count - 1))` at
+/// the parameters i / (count - 1), i = 0 .. count - 1; `count` is at least 4.
 ///
-/// Global interpolation (Piegl and Tiller, *The NURBS Book*, algorithm A9.1).
-/// For even parameters the knots that averaging (eq. 9.8) gives are the
-/// parameters themselves without the two next to the ends. O(count^3).
-pub(super) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> PlaneCurve {
+/// This is global interpolation (Piegl and Tiller, *The NURBS Book*, algorithm
+/// A9.1). For evenly spaced parameters, the knots by averaging (eq. 9.8) are the
+/// parameters themselves without the two next to the ends. O(count²).
+pub(in crate::shapes) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> PlaneCurve {
     let spline = UniformSpline::new(count);
     let sites = (0..count).map(|index| {
         let [x, y] = point(index as f64 / (count - 1) as f64);
@@ -23,18 +24,18 @@ pub(super) fn interpolate(count: usize, point: impl Fn(f64) -> [f64; 2]) -> Plan
     PlaneCurve { degree: DEGREE, knots: spline.knots, control_points }
 }
 
-/// The cubic splines over [0, 1] that are determined by their values at
-/// i / (count - 1), i = 0 .. count - 1.
-pub(super) struct UniformSpline {
+/// The space of cubic splines over [0, 1] that are determined by their values at
+/// the sites i / (count - 1), i = 0 .. count - 1.
+pub(in crate::shapes) struct UniformSpline {
     /// The clamped knots.
-    pub(super) knots: Vec<f64>,
+    pub(in crate::shapes) knots: Vec<f64>,
     /// The value of every basis function (columns) at every site (rows).
     rows: Vec<Vec<f64>>,
 }
 
 impl UniformSpline {
-    /// Builds the interpolation matrix; `count` is at least 4. O(count^2).
-    pub(super) fn new(count: usize) -> Self {
+    /// Builds the interpolation matrix; `count` is at least 4. O(count²).
+    pub(in crate::shapes) fn new(count: usize) -> Self {
         let parameter = |index: usize| index as f64 / (count - 1) as f64;
         let mut knots = clamped_knots(DEGREE, count);
         for (inner, knot) in knots[DEGREE + 1..count].iter_mut().enumerate() {
@@ -44,15 +45,16 @@ impl UniformSpline {
         Self { knots, rows }
     }
 
-    /// The control points of the spline that has these values at the sites. O(count^2).
-    pub(super) fn through(&self, values: Vec<DVec3>) -> Vec<DVec3> {
+    /// Returns the control points of the spline with these values at the sites. O(count²).
+    pub(in crate::shapes) fn through(&self, values: Vec<DVec3>) -> Vec<DVec3> {
         solve(self.rows.clone(), values)
     }
 }
 
-/// Gaussian elimination; the matrix of values of B-splines is totally positive,
-/// so it needs no pivoting (de Boor and Pinkus 1977), and has fewer than
-/// [`DEGREE`] diagonals on either side.
+/// Solves by Gaussian elimination. The matrix of values of B-splines is totally
+/// positive, so no pivoting is needed (de Boor and Pinkus, *Backward error
+/// analysis for totally positive linear systems*, 1977), and it has fewer than
+/// [`DEGREE`] diagonals on either side of the main one.
 fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec3>) -> Vec<DVec3> {
     let count = points.len();
     for pivot in 0..count {
@@ -74,7 +76,7 @@ fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec3>) -> Vec<DVec3> {
 }
 
 /// The values of all `count` basis functions of one degree (algorithm A2.2).
-pub(super) fn basis(knots: &[f64], degree: usize, count: usize, parameter: f64) -> Vec<f64> {
+pub(in crate::shapes) fn basis(knots: &[f64], degree: usize, count: usize, parameter: f64) -> Vec<f64> {
     let span = knots.partition_point(|&knot| knot <= parameter).clamp(degree + 1, count) - 1;
     let mut values = vec![0.0; count];
     values[span] = 1.0;

@@ -1,13 +1,13 @@
-//! The torus.
+//! Tori.
 
-use super::{circle, named, positive, revolve};
 use crate::error::Result;
 use crate::model::Model;
+use crate::shapes::{circle, named, positive, revolve};
 
-/// The exact torus: a circle of radius `minor`, `major` from the z axis,
+/// Returns the exact torus: a circle of radius `minor`, `major` from the z axis,
 /// revolved about it; rational biquadratic with outward normals.
 ///
-/// Its points satisfy `(sqrt(x^2 + y^2) - major)^2 + z^2 = minor^2`.
+/// Its points satisfy `(sqrt(x² + y²) - major)² + z² = minor²`.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless both radii are finite and above 0.

@@ -1,55 +1,55 @@
-//! Wavy B-spline sheets with nets of any size.
+//! Wavy B-spline sheets with control nets of any size.
 
-use super::plane_curve::clamped_knots;
-use super::{named, net_surface, positive};
 use crate::error::{Error, Result};
 use crate::model::Model;
+use crate::shapes::curves::clamped_knots;
+use crate::shapes::{named, net_surface, positive};
 use std::f64::consts::TAU;
 
-/// Degree of a sheet in both directions.
+/// The degree of a sheet along both axes.
 const DEGREE: usize = 3;
 
-/// What a wavy sheet is made from.
+/// The parameters of a wavy sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavySheet {
-    /// Numbers of control points along x and y, at least 4 each.
+    /// The numbers of control points along x and y, at least 4 each.
     pub counts: [usize; 2],
-    /// Lengths along x and y.
+    /// The lengths along x and y.
     pub size: [f64; 2],
-    /// Height of the control net's waves.
+    /// The height of the control net's waves.
     pub amplitude: f64,
-    /// Numbers of waves along x and y.
+    /// The numbers of waves along x and y.
     pub waves: [f64; 2],
-    /// What the waves along x are ahead, in radians.
+    /// The phase of the waves along x, in radians.
     pub phase: f64,
 }
 
-/// Side of a sheet from [`WavySheet::of_counts`], the size of most shapes.
+/// The side of a sheet from [`WavySheet::of_counts`], the size of most shapes.
 const SIDE: f64 = 5.0;
 
-/// Control points a wave, enough for it to be smooth.
-const POINTS_A_WAVE: f64 = 5.0;
+/// The number of control points per wave, enough for it to be smooth.
+const POINTS_PER_WAVE: f64 = 5.0;
 
-/// Waves along a side, few enough to be seen.
+/// The largest number of waves along a side, few enough to be seen.
 const MAX_WAVES: f64 = 4.0;
 
 impl WavySheet {
-    /// A square sheet of side 5 with as many waves as `counts` control points
-    /// draw smoothly, 4 along a side at most. `variant` changes the waves, so
-    /// that sheets of different variants differ whatever their counts.
+    /// Returns a square sheet of side 5 with as many waves as `counts` control
+    /// points represent smoothly, at most 4 along a side. `variant` changes the
+    /// waves, so that sheets of different variants differ whatever their counts.
     #[must_use]
     pub fn of_counts(counts: [usize; 2], variant: u8) -> Self {
         let variant = f64::from(variant);
         let stretch = 1.0 + 0.3 * variant;
-        let waves = counts.map(|count| (count as f64 / POINTS_A_WAVE).min(MAX_WAVES) / stretch);
+        let waves = counts.map(|count| (count as f64 / POINTS_PER_WAVE).min(MAX_WAVES) / stretch);
         let amplitude = SIDE / (8.0 * waves[0].max(waves[1]));
         Self { counts, size: [SIDE; 2], amplitude, waves, phase: 0.7 * variant }
     }
 }
 
-/// The bicubic B-spline sheet about the origin whose control points lie evenly
-/// over the (x, y) rectangle with heights
-/// `amplitude sin(2 pi waves_x i/(nx-1) + phase) cos(2 pi waves_y j/(ny-1))`.
+/// Returns the bicubic B-spline sheet about the origin whose control points are
+/// evenly spaced over the (x, y) rectangle, with heights
+/// `amplitude sin(2π waves_x i/(nx-1) + phase) cos(2π waves_y j/(ny-1))`.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless the sizes are finite and above 0 and amplitude,

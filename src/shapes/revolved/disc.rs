@@ -1,11 +1,12 @@
-//! The flat disc.
+//! Flat discs.
 
-use super::{PlaneCurve, positive, revolve};
 use crate::error::Result;
 use crate::model::NurbsSurface;
+use crate::shapes::{PlaneCurve, positive, revolve};
 
-/// The disc of this radius about the z axis at `height`: rational, of degree 2
-/// around and 1 along the radius. Its normal points along z if `upward`.
+/// Returns the disc of this radius about the z axis at `height`: exact, rational,
+/// of degree 2 around the axis and 1 along the radius. Its normal points along z
+/// if `upward`, else against z.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless `radius` is finite and above 0.

@@ -1,14 +1,14 @@
 //! A glass and a bottle: surfaces of revolution of cubic B-spline profiles.
 
-use super::{PlaneCurve, named, positive, revolve};
 use crate::error::Result;
 use crate::model::Model;
+use crate::shapes::{PlaneCurve, named, positive, revolve};
 
-/// Degree of the profiles: curvature without jumps.
+/// The degree of the profiles, which makes their curvature continuous.
 const PROFILE_DEGREE: usize = 3;
 
-/// Control points `[radius, height]` of a stemmed glass 1 high: under the
-/// foot, up the stem, outside the bowl to the rim, and down inside it.
+/// The control points `[radius, height]` of a stemmed glass of height 1: under the
+/// foot, up the stem, along the outside of the bowl to the rim, and down inside it.
 const GLASS: [[f64; 2]; 19] = [
     [0.0, 0.015],
     [0.14, 0.015],
@@ -31,8 +31,8 @@ const GLASS: [[f64; 2]; 19] = [
     [0.0, 0.47],
 ];
 
-/// Control points `[radius, height]` of a bottle 1 high: under the punt, up
-/// the body, over the shoulder and up the neck to its mouth.
+/// The control points `[radius, height]` of a bottle of height 1: under the punt,
+/// up the body, over the shoulder and up the neck to its mouth.
 const BOTTLE: [[f64; 2]; 15] = [
     [0.0, 0.06],
     [0.06, 0.06],
@@ -51,7 +51,7 @@ const BOTTLE: [[f64; 2]; 15] = [
     [0.045, 1.0],
 ];
 
-/// A stemmed glass with an inner and an outer wall, its foot at z = 0.
+/// Returns a stemmed glass with an inner and an outer wall, its foot at z = 0.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless `height` is finite and above 0.
@@ -59,7 +59,7 @@ pub fn glass(height: f64) -> Result<Model> {
     vessel("glass", &GLASS, height)
 }
 
-/// A bottle, open at its mouth, its foot at z = 0.
+/// Returns a bottle, open at its mouth, its foot at z = 0.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` unless `height` is finite and above 0.
@@ -67,6 +67,7 @@ pub fn bottle(height: f64) -> Result<Model> {
     vessel("bottle", &BOTTLE, height)
 }
 
+/// Returns the model that a profile of height 1, scaled to `height`, sweeps.
 fn vessel(name: &str, profile: &[[f64; 2]], height: f64) -> Result<Model> {
     let height = positive("height", height)?;
     let points: Vec<[f64; 2]> = profile.iter().map(|point| point.map(|x| height * x)).collect();

@@ -1,40 +1,40 @@
-//! A swept, tapered wing.
+//! Swept, tapered wings.
 
-use super::interpolation::interpolate;
-use super::operations::cut_surface;
-use super::{Naca4, PlaneCurve, named, net_surface, positive};
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::shapes::curves::interpolate;
+use crate::shapes::operations::cut_surface;
+use crate::shapes::{Naca4, PlaneCurve, named, net_surface, positive};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Points that the section's cubic spline passes: its largest error is then
-/// below 1e-4 of the chord. Odd, so that the leading edge is one of them.
+/// The number of points that the section's cubic spline interpolates: its error is
+/// then below 1e-4 of the chord. It is odd, so that the leading edge is a point.
 const SECTION_POINTS: usize = 41;
 
-/// Knots of degree 1 between two lines.
+/// The knots of a ruled surface between two lines.
 const RULED: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
-/// What a wing is made from.
+/// The parameters of a wing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wing {
     /// The section along the whole span.
     pub section: Naca4,
-    /// From tip to tip.
+    /// The distance from tip to tip.
     pub span: f64,
-    /// Chord at the middle.
+    /// The chord at the middle.
     pub root_chord: f64,
-    /// Chord at the tips as a fraction of the root's.
+    /// The chord at the tips as a fraction of the root's.
     pub taper: f64,
-    /// How far the line of quarter chords is swept back, in radians.
+    /// The sweep angle of the quarter-chord line, in radians.
     pub sweep: f64,
 }
 
-/// A whole wing, nose towards -x, span along y: its skin, trailing edge, right
+/// Returns a whole wing, nose towards -x, span along y: its skin, trailing edge, right
 /// tip (y > 0) and left tip, with outward normals.
 ///
-/// The skin interpolates [`Naca4::point`] at 41 cosine-spaced points with a
-/// cubic spline along u and is ruled along v from tip to root to tip.
+/// The skin interpolates [`Naca4::point`] at 41 cosine-spaced points by a cubic
+/// spline along u, and is ruled along v from tip to root to tip.
 ///
 /// # Errors
 /// `OPTION_OUT_OF_RANGE` for a section outside its ranges, unless span, root
@@ -55,7 +55,7 @@ pub fn wing(wing: &Wing) -> Result<Model> {
     named("wing", vec![skin.clone(), trailing_edge(&skin)?, right, left])
 }
 
-/// The section scaled to every rib `(y, chord, x)`, ruled between them.
+/// Returns the section scaled to every rib `(y, chord, x)`, ruled between them.
 fn skin(section: &PlaneCurve, ribs: &[(f64, f64, f64); 3]) -> Result<NurbsSurface> {
     let counts = [section.control_points.len(), ribs.len()];
     net_surface([section.degree, 1], [&section.knots, &[0.0, 0.0, 0.5, 1.0, 1.0]], counts, &|i, j| {
@@ -64,7 +64,7 @@ fn skin(section: &PlaneCurve, ribs: &[(f64, f64, f64); 3]) -> Result<NurbsSurfac
     })
 }
 
-/// The strip between the skin's two edges along the span.
+/// Returns the strip between the skin's two edges along the span.
 fn trailing_edge(skin: &NurbsSurface) -> Result<NurbsSurface> {
     let ribs = skin.counts()[1];
     let net = skin.control_points();
@@ -72,7 +72,7 @@ fn trailing_edge(skin: &NurbsSurface) -> Result<NurbsSurface> {
     net_surface([1, 1], [skin.knots(Axis::V), &RULED], [ribs, 2], &|rib, edge| net[edges[edge] + rib])
 }
 
-/// The flat cap of rib `rib`, ruled between the lower and the upper side.
+/// Returns the flat cap of rib `rib`, ruled between the lower and the upper side.
 fn rib_cap(skin: &NurbsSurface, rib: usize, downward: bool) -> Result<NurbsSurface> {
     let middle = skin.domain().middle()[Axis::U];
     let [lower, upper] = cut_surface(skin, Axis::U, middle)?;

@@ -1,0 +1,9 @@
+//! Models that are not surfaces of revolution: sheets, a hull and a wing.
+
+mod wavy_sheet;
+mod wigley;
+mod wing;
+
+pub use wavy_sheet::{WavySheet, wavy_sheet};
+pub use wigley::wigley_hull;
+pub use wing::{Wing, wing};
