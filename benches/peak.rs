@@ -60,7 +60,7 @@ impl Case {
         let diagonal = model.bounding_box().diagonal();
         let model = extract(model);
         let sampling = Sampling::new(&model, samples, SamplingRule::Uniform);
-        let target = Target::new(flatten(&model.patches, flatness));
+        let target = Target::new(flatten(&model.patches, flatness).patches);
         let transform =
             RigidTransform::translation(diagonal * DVec3::from_array(translation)).expect("finite");
         let mut bench = IterationBench::new(gpu, &model, &sampling, &target, transform, RULE).expect("a GPU");

@@ -62,7 +62,7 @@ impl Pair {
     fn new(degree: [usize; 2]) -> Self {
         let model = extract(&models::rough(degree, [SPANS; 2], 1.0, 1));
         let sampling = Sampling::new(&model, SAMPLES, SamplingRule::Uniform);
-        let target = Target::new(flatten(&model.patches, Flatness::Loose));
+        let target = Target::new(flatten(&model.patches, Flatness::Loose).patches);
         let transform = RigidTransform::translation(DVec3::new(0.01, 0.005, 0.02)).expect("finite");
         Self { model, sampling, target, transform }
     }

@@ -23,7 +23,7 @@ pub enum Error {
         /// The value.
         found: f64,
     },
-    /// A coordinate, weight or knot is so large that its square would overflow.
+    /// A coordinate, weight or knot is so large that products of it may overflow.
     #[error("surface {surface}: {what} {index} is {found:?}, expected at most 1e100 in size")]
     NumberTooLarge {
         /// The index of the surface in its model.
@@ -44,6 +44,20 @@ pub enum Error {
         index: usize,
         /// The weight.
         found: f64,
+    },
+    /// A weight is less than 1e-30 of the largest weight of its surface.
+    #[error(
+        "surface {surface}: weight of control point {index} is {found:?}, expected at least 1e-30 of the surface's largest weight, {largest:?}"
+    )]
+    WeightRatioTooLarge {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The index of the control point, v fastest.
+        index: usize,
+        /// The weight.
+        found: f64,
+        /// The largest weight of the surface.
+        largest: f64,
     },
     /// A knot is smaller than the one before it.
     #[error("surface {surface}: knot {index} in {axis} is {found:?}, expected at least {expected:?}")]
@@ -242,6 +256,7 @@ impl Error {
             Self::NonFinite { .. } => "NON_FINITE",
             Self::NumberTooLarge { .. } => "NUMBER_TOO_LARGE",
             Self::WeightNotPositive { .. } => "WEIGHT_NOT_POSITIVE",
+            Self::WeightRatioTooLarge { .. } => "WEIGHT_RATIO_TOO_LARGE",
             Self::KnotsDecreasing { .. } => "KNOTS_DECREASING",
             Self::KnotsLength { .. } => "KNOTS_LENGTH",
             Self::KnotsMultiplicity { .. } => "KNOTS_MULTIPLICITY",

@@ -2,13 +2,20 @@
 
 use crate::error::Error;
 
-/// The largest absolute value of a coordinate, translation, weight or knot: a
-/// coordinate times a weight is at most 1e200, and the square of a length is far
-/// from overflow.
+/// The largest absolute value of a coordinate, translation, weight or knot.
+///
+/// Weights are divided by a power of two between 1/2 and 1 of the surface's
+/// largest, so homogeneous coordinates are below 1e102. The largest numbers that
+/// bounds form are squared sums of their products with weights and binomials, at
+/// most `(2^60 1e102)² < 1e241`.
 const MAX_SIZE: f64 = 1e100;
 
-/// The smallest weight: a coordinate divided by two weights is far from overflow.
+/// The smallest weight: divided by the surface's largest it is a normal number.
 pub(crate) const MIN_WEIGHT: f64 = 1e-100;
+
+/// The largest ratio of two weights of a surface: the product of four weights is
+/// at least 1e-120, so that underflow of a numerator stays below 1e-100 in length.
+pub(crate) const MAX_WEIGHT_RATIO: f64 = 1e30;
 
 /// Returns whether the number is at most 1e100 in size; false for NaN.
 pub(crate) fn is_in_range(number: f64) -> bool {

@@ -24,7 +24,7 @@ struct Part {
     node: u32,
     // Upper bound on the distance of its points from the box of its exact
     // corners, plus the error of the corners. From WHOLE_MODEL on, its box is
-    // that of the whole model, and the corners are not evaluated.
+    // that of the whole model about its origin, and the corners are not evaluated.
     growth: f32,
     padding: u32,
 }
@@ -37,9 +37,10 @@ struct Part {
 
 // The moved corner of a part.
 fn corner(part: Part, parameters: vec2<f32>) -> vec3<f32> {
-    var point = centers[part.patch_index].xyz;
+    // A patch's centre can be outside the model's box, if its net is much larger than it is.
+    var point = vec3<f32>(0.0);
     if part.growth < WHOLE_MODEL {
-        point += evaluate(part.patch_index * PATCH_SIZE, parameters);
+        point = centers[part.patch_index].xyz + evaluate(part.patch_index * PATCH_SIZE, parameters);
     }
     return params.rotation_x.xyz * point.x + params.rotation_y.xyz * point.y
         + params.rotation_z.xyz * point.z + params.translation.xyz;

@@ -1,7 +1,7 @@
 //! Upper bounds on a patch's derivatives from its control net.
 
 use super::Patch;
-use crate::rounding::upper_max;
+use crate::rounding::{accumulated, lower_min, upper_max};
 use glam::{DVec4, Vec4Swizzles};
 
 /// Upper bounds on the lengths of a patch's derivatives by (s, t) over [0, 1]²,
@@ -53,9 +53,13 @@ const ORDERS: usize = 4;
 const BINOMIAL: [[f64; ORDERS]; ORDERS] =
     [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
 
-/// A factor for the rounding of the differences and the recursion: more than
-/// 10^4 rounding errors of 2^-53 relative to the largest term.
+/// A factor for the rounding of the recursion, whose terms are positive: more than
+/// 10^4 rounding errors of 2^-53, where each bound has fewer than 60. It does not
+/// cover the differences, which are of the size of rounding on a straight net.
 const ROUNDING_FACTOR: f64 = 1.0 + 1e-12;
+
+/// The subtractions in a difference of the highest order.
+const SUBTRACTIONS: f64 = (ORDERS - 1) as f64;
 
 impl Patch<'_> {
     /// Returns bounds on the first to third derivatives over [0, 1]².
@@ -67,7 +71,8 @@ impl Patch<'_> {
     ///
     /// `x_ab <= (X_ab + sum C(a,i) C(b,j) w_ij x_(a-i)(b-j)) / w_min`
     ///
-    /// over (i, j) != (0, 0), with `x_00` the radius. O(p q).
+    /// over (i, j) != (0, 0), with `x_00` the radius. The rounding of the
+    /// differences is added (lemma R9 of docs/method.md). O(p q).
     #[must_use]
     pub fn derivative_bounds(&self) -> DerivativeBounds {
         self.derivative_bounds_within([0.0; 2])
@@ -76,11 +81,16 @@ impl Patch<'_> {
     /// Returns bounds as [`Patch::derivative_bounds`] that hold for every patch
     /// whose homogeneous controls differ from these by at most `error`, in space
     /// and in weight: a difference of order n then differs from this net's by at
-    /// most `2^n error`. The bounds are infinite or NaN where a weight may be 0.
+    /// most `2^n error`. The bounds are infinite where a weight may be 0.
+    ///
+    /// A computed difference of order n is off by at most `γ_n 2^n` of the largest
+    /// control, as every control passes through n subtractions at most; `error` is
+    /// enlarged by that.
     pub(super) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
+        let sizes = self.largest_controls();
+        let error = [0, 1].map(|kind| error[kind] + accumulated(SUBTRACTIONS) * sizes[kind]);
         let least = |weight: f64| (weight - error[1]).max(0.0);
-        let weight =
-            self.controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(least(control.w)));
+        let weight = self.controls.iter().map(|control| least(control.w)).fold(f64::INFINITY, lower_min);
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
         let differences = self.difference_bounds(error);
         let radius = |control: &DVec4| (control.xyz().length() + error[0]) / least(control.w);
@@ -108,6 +118,16 @@ impl Patch<'_> {
         }
     }
 
+    /// Returns the largest length and the largest weight of the homogeneous controls.
+    pub(super) fn largest_controls(&self) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for control in self.controls {
+            let sizes = [control.xyz().length(), control.w];
+            largest = [0, 1].map(|kind| upper_max(largest[kind], sizes[kind]));
+        }
+        largest
+    }
+
     /// Returns, for each order (a, b), the largest length and the largest
     /// weight of the controls of that derivative.
     fn difference_bounds(&self, error: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
@@ -122,8 +142,8 @@ impl Patch<'_> {
                 for row in net.chunks_exact_mut(columns) {
                     for j in 0..columns - b {
                         let difference = row[j];
-                        space = space.max(difference.xyz().length_squared());
-                        weight = weight.max(difference.w.abs());
+                        space = upper_max(space, difference.xyz().length_squared());
+                        weight = upper_max(weight, difference.w.abs());
                         if j + b < q {
                             row[j] = row[j + 1] - difference;
                         }

@@ -41,7 +41,8 @@ pub(crate) fn normal(s: DVec3, t: DVec3) -> Option<DVec3> {
 impl Patch<'_> {
     /// Returns the surface point at (s, t) in [0, 1]².
     ///
-    /// Its error is about 2 (p + q) units of 2^-53 of the patch's radius. O(p q).
+    /// Its error is at most 8 (p + q) + 8 roundings of the patch's radius and one of its
+    /// centre (lemma R5 of docs/method.md). O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
         let sum = match self.degree {

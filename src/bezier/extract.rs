@@ -1,6 +1,6 @@
 //! Bézier extraction: one patch per non-empty rectangle of knots.
 
-use super::{MAX_ORDER, Patch, PatchSet};
+use super::{MAX_ORDER, Patch, PatchSet, PointError};
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
@@ -63,6 +63,8 @@ pub struct BezierModel {
     pub patches: PatchSet,
     /// One grid a surface.
     pub grids: Vec<PatchGrid>,
+    /// The rounding of extraction, subdivision and evaluation.
+    pub point_error: PointError,
 }
 
 /// Returns the Bézier patches of every surface of `model`.
@@ -72,22 +74,34 @@ pub struct BezierModel {
 /// the blossom at a (degree - k times) and b (k times) (Ramshaw, *Blossoms are
 /// polar forms*, Computer Aided Geometric Design 6 (1989)). For arguments in the
 /// span, the de Boor triangle forms convex combinations only, so no divisor is
-/// smaller than the span.
+/// smaller than the span. Knots one unit in the last place apart make a patch like
+/// any others; only the parameters reported on it are rounded.
+///
+/// The weights of a surface are divided by a power of two, so that the largest is
+/// in [1, 2): products of four of them are then normal numbers.
 /// O(patches (p + q) p q).
 #[must_use]
 pub fn extract(model: &Model) -> BezierModel {
-    let diagonal = model.bounding_box().diagonal();
-    let mut patches = PatchSet::default();
-    let extract = |(index, surface)| extract_surface(index, surface, center_grid(diagonal), &mut patches);
-    let grids = model.surfaces().iter().enumerate().map(extract).collect();
-    BezierModel { patches, grids }
+    let grid = center_grid(model.bounding_box().diagonal());
+    let mut extracted =
+        BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error: PointError::default() };
+    for (index, surface) in model.surfaces().iter().enumerate() {
+        extracted.add_surface(index, surface, grid);
+    }
+    extracted
 }
 
-/// Returns the spacing of the grid of patch centres for a model of this diagonal.
+/// Returns the spacing of the grid of patch centres for a model of this diagonal;
+/// 0 for a model that is a point, whose only centre is that point.
 pub(crate) fn center_grid(diagonal: f64) -> f64 {
     let below = power_of_two_below(diagonal);
     let above = if below < diagonal { 2.0 * below } else { below };
-    if above > 0.0 { above / CENTERS_ON_DIAGONAL } else { 1.0 }
+    above / CENTERS_ON_DIAGONAL
+}
+
+/// Returns the point of the grid of this spacing that is nearest to `point`.
+pub(crate) fn snapped(point: DVec3, grid: f64) -> DVec3 {
+    if grid > 0.0 { (point / grid).round() * grid } else { point }
 }
 
 /// Returns the largest power of two not above a positive normal number.
@@ -98,56 +112,67 @@ pub(crate) fn power_of_two_below(number: f64) -> f64 {
 /// Returns the grid point nearest to the middle of the points' box.
 pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
     let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
-    (middle / grid).round() * grid
+    snapped(middle, grid)
 }
 
-/// Appends the patches of one surface to `patches`.
-fn extract_surface(index: usize, surface: &NurbsSurface, grid: f64, patches: &mut PatchSet) -> PatchGrid {
-    let first = patches.len();
-    let degree = surface.degree();
-    let [in_u, in_v] =
-        Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
-    let (rows, columns) = (degree[0] + 1, degree[1] + 1);
-    let mut net = vec![DVec4::ZERO; rows * columns];
-    let mut partial = vec![DVec4::ZERO; rows * columns];
-    let mut controls = vec![DVec4::ZERO; rows * columns];
-    for u in &in_u {
-        for v in &in_v {
-            let points = |i: usize, j: usize| {
-                surface.control_points()[(u.first_control + i) * surface.counts()[1] + v.first_control + j]
-            };
-            let local = (0..rows * columns).map(|k| {
-                let [x, y, z, _] = points(k / columns, k % columns);
-                DVec3::new(x, y, z)
-            });
-            let center = center_of(local.clone(), grid);
-            for (k, point) in local.enumerate() {
-                let weight = points(k / columns, k % columns)[3];
-                net[k] = (weight * (point - center)).extend(weight);
-            }
-            for i in 0..rows {
-                for k in 0..columns {
-                    partial[i * columns + k] = combined(&v.operator[k][..columns], &net[i * columns..], 1);
+impl BezierModel {
+    /// Appends the patches of one surface.
+    fn add_surface(&mut self, index: usize, surface: &NurbsSurface, grid: f64) {
+        let first = self.patches.len();
+        let degree = surface.degree();
+        let [in_u, in_v] =
+            Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+        let (rows, columns) = (degree[0] + 1, degree[1] + 1);
+        let largest_weight =
+            surface.control_points().iter().fold(0.0, |largest: f64, point| largest.max(point[3]));
+        let weight_scale = power_of_two_below(largest_weight).recip();
+        let mut net = vec![DVec4::ZERO; rows * columns];
+        let mut partial = vec![DVec4::ZERO; rows * columns];
+        let mut controls = vec![DVec4::ZERO; rows * columns];
+        for u in &in_u {
+            for v in &in_v {
+                let points = |i: usize, j: usize| {
+                    surface.control_points()
+                        [(u.first_control + i) * surface.counts()[1] + v.first_control + j]
+                };
+                let positions = (0..rows * columns).map(|k| {
+                    let [x, y, z, _] = points(k / columns, k % columns);
+                    DVec3::new(x, y, z)
+                });
+                let center = center_of(positions.clone(), grid);
+                let mut radius = 0.0_f64;
+                for (k, point) in positions.enumerate() {
+                    let weight = weight_scale * points(k / columns, k % columns)[3];
+                    let local = point - center;
+                    net[k] = (weight * local).extend(weight);
+                    radius = radius.max(local.length());
                 }
-            }
-            for k in 0..rows {
-                for j in 0..columns {
-                    controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
+                for i in 0..rows {
+                    for k in 0..columns {
+                        partial[i * columns + k] =
+                            combined(&v.operator[k][..columns], &net[i * columns..], 1);
+                    }
                 }
+                for k in 0..rows {
+                    for j in 0..columns {
+                        controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
+                    }
+                }
+                // The net's weights decide, as rounding can make equal weights of controls differ.
+                let weight = net[0].w;
+                self.patches.push(Patch {
+                    surface: index,
+                    degree,
+                    domain: ParamBox::new(u.ends, v.ends),
+                    center,
+                    controls: &controls,
+                    rational: net.iter().any(|control| control.w != weight),
+                });
+                self.point_error.include(degree, radius, center.length());
             }
-            // The net's weights decide, as rounding can make equal weights of controls differ.
-            let weight = net[0].w;
-            patches.push(Patch {
-                surface: index,
-                degree,
-                domain: ParamBox::new(u.ends, v.ends),
-                center,
-                controls: &controls,
-                rational: net.iter().any(|control| control.w != weight),
-            });
         }
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] });
     }
-    PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] }
 }
 
 /// Returns the sum of every `step`-th control point times its coefficient.

@@ -3,6 +3,7 @@
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
+use crate::rounding::accumulated;
 use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
@@ -24,16 +25,24 @@ const MAX_PART_WIDTH: f64 = 0.25;
 /// The parameter distance by which a patch is extrapolated beyond an edge at which it was cut.
 pub(crate) const BEYOND: f64 = 0.125;
 
-/// The largest sum of the degrees in s and t of a patch that is extrapolated.
-/// `|1 - x| + |x|` is at most 1.25 beyond one edge, and 1.23 from there to
-/// beyond the other, so rounding errors grow by at most `1.25^9 < 8`, and beyond
-/// both edges by at most `1.53^9 < 46`.
+/// The largest sum of the degrees in s and t of a patch that is extrapolated:
+/// there, [`growth`] is at most 46.
 pub(crate) const MAX_DEGREES: usize = 9;
 
-/// The rounding error of a part's controls relative to the patch's largest
-/// control: three errors of 2^-53 for each of two restrictions and each degree,
-/// about a hundred in all, which grow by less than 46 beyond both edges.
-const ROUNDING: f64 = 2048.0 * f64::EPSILON;
+/// The largest absolute sum of the two factors of a step of the restriction that
+/// goes beyond an edge, `|1 - x| + |x|` with x = 9/8.
+const BEYOND_ONE_EDGE: f64 = 1.0 + 2.0 * BEYOND;
+
+/// The same of both steps for a piece from beyond one edge to beyond the other: the
+/// second step has x = -1/9.
+const BEYOND_BOTH_EDGES: f64 = BEYOND_ONE_EDGE * (1.0 + 2.0 * BEYOND / (1.0 + BEYOND));
+
+/// The roundings of a restricted control for each degree, in both directions: three
+/// a level in one step and five in the other (lemma R6 of docs/method.md).
+const ROUNDINGS_PER_DEGREE: f64 = 8.0;
+
+/// The roundings of moving a control to a new centre: a product and a difference.
+const CENTRING_ROUNDINGS: f64 = 2.0;
 
 /// The distance, relative to the patch's radius, up to which the control points
 /// of an edge count as one point.
@@ -165,11 +174,23 @@ impl Patch<'_> {
         let part = Patch { controls: &controls, ..*self };
         let mut centered = PatchSet::default();
         centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
-        let mut error = [0.0_f64; 2];
-        for control in self.controls {
-            let size = [control.xyz().length(), control.w];
-            error = [0, 1].map(|kind| error[kind].max(ROUNDING * size[kind]));
-        }
-        centered.patch(0).derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
+        let centered = centered.patch(0);
+        let growth = growth(self.degree[0], s) * growth(self.degree[1], t);
+        let [space, weight] = self.largest_controls().map(|largest| growth * largest);
+        let shifted = space + weight * (centered.center - self.center).length();
+        let restriction = accumulated(ROUNDINGS_PER_DEGREE * (self.degree[0] + self.degree[1]) as f64);
+        let error = [restriction * space + accumulated(CENTRING_ROUNDINGS) * shifted, restriction * weight];
+        centered.derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
     }
+}
+
+/// Returns a bound on the growth of controls, and of their errors, in a restriction
+/// to this interval: 1 inside [0, 1], where controls are averaged.
+fn growth(degree: usize, [start, end]: [f64; 2]) -> f64 {
+    let per_degree = match (start < 0.0, end > 1.0) {
+        (false, false) => 1.0,
+        (true, true) => BEYOND_BOTH_EDGES,
+        _ => BEYOND_ONE_EDGE,
+    };
+    per_degree.powi(degree as i32)
 }

@@ -51,6 +51,12 @@ impl Aabb {
         self.extent().length()
     }
 
+    /// Returns the distance from the origin to the farthest corner of the box.
+    #[must_use]
+    pub fn farthest_from_origin(&self) -> f64 {
+        self.min.abs().max(self.max.abs()).length()
+    }
+
     /// Returns the squared distance from `point` to the nearest point of the box, 0 inside.
     #[must_use]
     pub fn min_distance_squared(&self, point: DVec3) -> f64 {

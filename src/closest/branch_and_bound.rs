@@ -4,7 +4,7 @@ use super::{CriticalPoint, Foot, NearbyPatches, SquaredDistance, Target, nearest
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
-use crate::rounding::coordinate_rounding;
+use crate::rounding::closest_rounding;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -118,8 +118,7 @@ pub(crate) fn closest_above(
         search.push(root.aabb.min_distance_squared(point), Region::Node(0));
     }
     // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
-    let coordinate = root.aabb.min.abs().max(root.aabb.max.abs()).max(point.abs()).max_element();
-    let rounding = coordinate_rounding(coordinate);
+    let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
     let gap = gap.max(rounding);
     let mut sub_patches = 0;
     let mut lower_squared = f64::INFINITY;
@@ -236,18 +235,13 @@ impl<'a> ClosestPointSearch<'a> {
     /// Proposes the end of an iteration, and returns it with its gradient.
     fn critical_point(&mut self, index: u32, foot: Foot) -> CriticalPoint {
         self.propose(index, foot.parameters, foot.distance_squared);
-        CriticalPoint::new(&self.patch(index), self.point, &foot)
+        CriticalPoint::new(&self.patch(index), self.point, foot.parameters)
     }
 
     /// Queues a sub-patch, whose squared distance is `form`.
     fn push_sub_patch(&mut self, sub_patch: SubPatch, form: &SquaredDistance) {
         let SubPatch { range, foot, .. } = &sub_patch;
-        let lengths = range.lengths();
-        let local = CriticalPoint {
-            parameters: [0, 1].map(|axis| (foot.parameters[axis] - range[axis][0]) / lengths[axis]),
-            gradient: [0, 1].map(|axis| lengths[axis] * foot.gradient[axis]),
-            ..*foot
-        };
+        let local = foot.on_piece(range.low(), range.lengths());
         let mut lower_bound = form.lower_bound();
         if ParamBox::UNIT.contains(local.parameters) {
             lower_bound = lower_bound.max(form.lower_bound_about(&local));

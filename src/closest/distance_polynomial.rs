@@ -1,19 +1,14 @@
 //! Lower bounds on the distance from a point to a patch, from the Bernstein
 //! form of the squared distance.
 
-use super::Foot;
-use crate::bezier::{Patch, relative, squares};
-use crate::rounding::upper_max;
+use super::CriticalPoint;
+use crate::bezier::{relative, squares};
+use crate::rounding::{accumulated, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// Rounding errors of 2^-53 on the way to one coefficient: this many for each
-/// degree, and this many others.
-const ROUNDINGS_PER_DEGREE: f64 = 4.0;
-const OTHER_ROUNDINGS: f64 = 32.0;
-
-/// The largest `|Y|²` for which no coefficient overflows: the scaled products
-/// that one sums add up to at most `2^(2p + 2q) <= 2^60` times it.
-const MAX_SQUARE: f64 = 1e280;
+/// The roundings of a quotient of coefficients, beside two for every product that
+/// one sums (lemma R10 of docs/method.md).
+const OTHER_ROUNDINGS: usize = 21;
 
 /// The squared distance from a point to a patch as a quotient of Bernstein
 /// polynomials of degree (2p, 2q): with `Y = X - w target`, `|Y|² / w²`.
@@ -24,31 +19,8 @@ pub struct SquaredDistance {
     coefficients: Vec<(f64, f64)>,
     /// An upper bound on the rounding error of a coefficient, relative to the largest.
     unit: f64,
-    /// An upper bound on the numerator's coefficients; above [`MAX_SQUARE`] they
-    /// may have overflowed, and bound nothing.
+    /// An upper bound on the numerator's coefficients.
     largest: f64,
-}
-
-/// A point of a patch at which the squared distance and its gradient are known.
-#[derive(Debug, Clone, Copy)]
-pub struct CriticalPoint {
-    /// (s, t) in [0, 1]².
-    pub parameters: [f64; 2],
-    /// The squared distance.
-    pub distance_squared: f64,
-    /// Its derivatives by s and t.
-    pub gradient: [f64; 2],
-}
-
-impl CriticalPoint {
-    /// Returns the point at which an iteration ended.
-    pub(crate) fn new(patch: &Patch<'_>, target: DVec3, foot: &Foot) -> Self {
-        let Foot { parameters, distance_squared, .. } = *foot;
-        let jet = patch.jet(parameters);
-        let residual = jet.point - target;
-        let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
-        Self { parameters, distance_squared, gradient }
-    }
 }
 
 impl SquaredDistance {
@@ -57,15 +29,16 @@ impl SquaredDistance {
     #[must_use]
     pub fn new(degree: [usize; 2], controls: &[DVec4], target: DVec3) -> Self {
         let [p, q] = degree;
+        let products = (p / 2 + 1) * (q + 1);
         let relative = relative(controls, target);
         let coefficients = squares(degree, &relative);
         let largest = relative.iter().fold(0.0, |largest, y| upper_max(largest, y.xyz().length_squared()));
-        let unit = (ROUNDINGS_PER_DEGREE * (p + q) as f64 + OTHER_ROUNDINGS) * f64::EPSILON;
+        let unit = accumulated((2 * products + OTHER_ROUNDINGS) as f64);
         Self { degree: [2 * p, 2 * q], coefficients, unit, largest }
     }
 
     /// Returns a lower bound on the squared distance from the target to the
-    /// patch, with rounding subtracted; 0 where coefficients may have overflowed.
+    /// patch, with rounding subtracted; 0 where a coefficient overflowed.
     ///
     /// The denominator's coefficients are positive, so the quotient is at least
     /// the smallest quotient of corresponding coefficients. The gap falls with
@@ -73,13 +46,10 @@ impl SquaredDistance {
     /// constant, as from the axis of a cylinder. O(p q).
     #[must_use]
     pub fn lower_bound(&self) -> f64 {
-        if self.largest > MAX_SQUARE {
-            return 0.0;
-        }
         let rounding = self.unit * self.largest;
         let quotients =
             self.coefficients.iter().map(|&(numerator, denominator)| (numerator - rounding) / denominator);
-        quotients.fold(f64::INFINITY, f64::min).max(0.0)
+        quotients.fold(f64::INFINITY, lower_min).max(0.0)
     }
 
     /// Returns a lower bound as [`SquaredDistance::lower_bound`] does, expanded
@@ -96,11 +66,11 @@ impl SquaredDistance {
     ///
     /// where for positive m_ss, m_tt the sum of the two squares is at least
     /// `sqrt(m_ss m_tt) |δ_s δ_t|`; and `|Y|² / w² = λ + P / w²`.
+    ///
+    /// The computed λ is off by Δλ at most, which adds `Δλ (w² + ∇w²·δ)` to P and its
+    /// linear part, and the gradient by its own error (docs/method.md, section 6.6).
     #[must_use]
     pub fn lower_bound_about(&self, known: &CriticalPoint) -> f64 {
-        if self.largest > MAX_SQUARE {
-            return 0.0;
-        }
         let [p, q] = self.degree;
         let columns = q + 1;
         let at = |i: usize, j: usize| {
@@ -111,33 +81,53 @@ impl SquaredDistance {
         for i in 0..=p {
             for j in 0..=q {
                 if i + 2 <= p {
-                    ss = ss.min(at(i + 2, j) - 2.0 * at(i + 1, j) + at(i, j));
+                    ss = lower_min(ss, at(i + 2, j) - 2.0 * at(i + 1, j) + at(i, j));
                 }
                 if j + 2 <= q {
-                    tt = tt.min(at(i, j + 2) - 2.0 * at(i, j + 1) + at(i, j));
+                    tt = lower_min(tt, at(i, j + 2) - 2.0 * at(i, j + 1) + at(i, j));
                 }
                 if i < p && j < q {
-                    st = st.max((at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)).abs());
+                    st = upper_max(st, (at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)).abs());
                 }
             }
         }
         let (mut lightest, mut heaviest) = (f64::INFINITY, 0.0_f64);
         for &(_, denominator) in &self.coefficients {
-            (lightest, heaviest) = (lightest.min(denominator), heaviest.max(denominator));
+            (lightest, heaviest) = (lower_min(lightest, denominator), upper_max(heaviest, denominator));
         }
         let rounding = self.unit * (self.largest + known.distance_squared * heaviest);
+        let value_error = known.distance_error * (heaviest + self.denominator_change(heaviest));
         let [p, q] = self.degree.map(|degree| degree as f64);
         let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * rounding), q * (q - 1.0) * (tt - 4.0 * rounding));
         let st = p * q * (st + 4.0 * rounding);
-        let convexity = (ss.max(0.0) * tt.max(0.0)).sqrt();
+        // The root of the product could overflow.
+        let convexity = ss.max(0.0).sqrt() * tt.max(0.0).sqrt();
         let quadratic = 0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - convexity).max(0.0);
         let linear = |axis: usize| {
             let (gradient, parameter) = (known.gradient[axis], known.parameters[axis]);
-            (-gradient * parameter).min(gradient * (1.0 - parameter))
+            (-gradient * parameter).min(gradient * (1.0 - parameter)) - known.gradient_error[axis]
         };
-        let excess = (heaviest * (linear(0) + linear(1)) + quadratic - rounding) / lightest;
+        let excess = (heaviest * (linear(0) + linear(1)) + quadratic - rounding - value_error) / lightest;
         // `max` raises NaN, which bounds nothing, to 0 as well.
         (known.distance_squared + excess).max(0.0).min(known.distance_squared)
+    }
+
+    /// Returns an upper bound on `|∇w²·δ|` for steps δ of at most 1 along each axis,
+    /// from differences of coefficients. Every coefficient is at most `heaviest`. O(p q).
+    fn denominator_change(&self, heaviest: f64) -> f64 {
+        let columns = self.degree[1] + 1;
+        let mut steps = [0.0_f64; 2];
+        for (index, &(_, denominator)) in self.coefficients.iter().enumerate() {
+            let step = |next: usize| (self.coefficients[next].1 - denominator).abs();
+            if index + columns < self.coefficients.len() {
+                steps[0] = upper_max(steps[0], step(index + columns));
+            }
+            if (index + 1) % columns != 0 {
+                steps[1] = upper_max(steps[1], step(index + 1));
+            }
+        }
+        let rounding = 2.0 * self.unit * heaviest;
+        (0..2).map(|axis| self.degree[axis] as f64 * (steps[axis] + rounding)).sum()
     }
 }
 
@@ -153,7 +143,7 @@ mod tests {
         let corners = [[-1e70, -1e70], [-1e70, 1e70], [1e70, -1e70], [1e70, 1e70]];
         let controls = corners.map(|[x, y]| (WEIGHT * DVec3::new(x, y, -1.0)).extend(WEIGHT));
         let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
-        let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, gradient: [0.0; 2] };
+        let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
         assert!(form.lower_bound() <= 1.0 && form.lower_bound_about(&known) <= 1.0, "{form:?}");
     }
 }

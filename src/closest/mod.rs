@@ -6,6 +6,7 @@
 //! Models 74 (2012), 255–264, "the 2012 paper" below.
 
 mod branch_and_bound;
+mod critical_point;
 mod distance_polynomial;
 mod initial_guess;
 mod nearby_patches;
@@ -15,7 +16,8 @@ mod target;
 
 pub(crate) use branch_and_bound::closest_above;
 pub use branch_and_bound::{Closest, closest};
-pub use distance_polynomial::{CriticalPoint, SquaredDistance};
+pub use critical_point::CriticalPoint;
+pub use distance_polynomial::SquaredDistance;
 pub use initial_guess::nearest_control;
 pub(crate) use nearby_patches::{NearbyPatch, NearbyPatches};
 pub use newton::newton;

@@ -78,6 +78,7 @@ impl Ends<'_> {
         let diagonal = self.diagonal();
         let direction = Direction {
             a: self.from,
+            b: self.to,
             sampling: &sampling,
             target: &target,
             transform: self.transform,

@@ -4,15 +4,21 @@ use super::direction::{Ends, Run};
 use super::hierarchy_backend::{Descending, Descent};
 use super::hierarchy_cpu::boxes_of;
 use super::{Options, Processor, Seconds};
-use crate::bvh::Aabb;
 use crate::error::Result;
 use crate::gpu::{Gpu, GpuHierarchy, Placement};
 use crate::hierarchy::Traversal;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
-use crate::rounding::coordinate_rounding;
+use crate::rounding::{accumulated, vanishing};
 use std::rc::Rc;
 use web_time::Instant;
+
+/// Roundings of a box and of a distance of boxes, relative to the largest length of
+/// a point. A patch's box has sides off by 3 roundings each of at most three such
+/// lengths, so its diagonal, which may replace the growth, by less than 32. The
+/// distance of two boxes is at most 4√3 lengths and passes through 4 roundings, half
+/// of which each side covers: 14.
+const BOX_ROUNDINGS: f64 = 46.0;
 
 impl Ends<'_> {
     /// Runs method `hierarchy` on the GPU, with boxes rounded outwards, or
@@ -25,7 +31,7 @@ impl Ends<'_> {
     ) -> Result<Run> {
         let started = Instant::now();
         let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
-        let coordinate_error = coordinate_rounding(self.largest_coordinate());
+        let coordinate_error = self.box_error();
         let transform = self.transform;
         let prepared = Seconds { prepare: started.elapsed().as_secs_f64(), ..Seconds::default() };
         let (stages, backend, adapter, seconds) = match gpu {
@@ -70,11 +76,13 @@ impl Ends<'_> {
         })
     }
 
-    /// Upper bound on the size of every coordinate of both models, before and
-    /// after A is moved.
-    fn largest_coordinate(&self) -> f64 {
-        let of = |aabb: Aabb| aabb.min.abs().max(aabb.max.abs()).length();
-        let (a, b) = (of(self.from.bounding_box()), of(self.to.bounding_box()));
-        (a + self.transform.offset().length()).max(b)
+    /// An upper bound on the error of every side of a box of either model, and half
+    /// of that of a distance of two boxes: the points of a model, A's motion, and
+    /// [`BOX_ROUNDINGS`].
+    fn box_error(&self) -> f64 {
+        let [a, b] = [self.from, self.to].map(|model| model.bounding_box().farthest_from_origin());
+        let [of_a, of_b] = [self.from, self.to].map(|model| model.bezier().point_error.after(0));
+        let length = (a + self.transform.offset().length()).max(b);
+        (of_a + self.transform.rounding(a)).max(of_b) + accumulated(BOX_ROUNDINGS) * length + vanishing()
     }
 }

@@ -7,17 +7,22 @@ use super::{
 };
 use crate::closest::{Closest, Projection, Status, closest, contraction, nearest_control};
 use crate::error::Result;
+use crate::flatness::MAX_HALVINGS;
 use crate::iteration::Candidate;
 use crate::iteration::StatusCounts;
 use crate::iteration::{Projected, sample};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
-use crate::rounding::coordinate_rounding;
+use crate::rounding::{accumulated, vanishing};
 use glam::DVec3;
 
 /// Width asked of a sample's float64 certificate, relative to the models'
 /// diagonal: a hundredth of the finest tolerance that anyone asks.
 const CERTIFICATE_GAP: f64 = 1e-10;
+
+/// Roundings of a distance of two points, relative to it: three differences, their
+/// squares, two sums and a root, and the sum with the covering radius.
+const DISTANCE_ROUNDINGS: f64 = 8.0;
 
 /// Samples of a page finished in float64 before a distance within the
 /// kernel's error of the best is left as it is. Only where many samples are
@@ -30,6 +35,7 @@ const MAX_FINISHED: usize = 1024;
 /// One direction: A's samples against B's patches.
 pub(super) struct Direction<'a> {
     pub(super) a: &'a PreparedModel,
+    pub(super) b: &'a PreparedModel,
     pub(super) sampling: &'a PreparedSampling,
     pub(super) target: &'a PreparedTarget,
     pub(super) transform: RigidTransform,
@@ -191,8 +197,8 @@ impl Direction<'_> {
         let contraction = contraction(&patch, farthest.point, start, self.options.iterations);
         let k_b =
             (contraction < 1.0).then(|| contraction / (1.0 - contraction) * self.options.step_tolerance);
-        let coordinate =
-            (farthest.point.abs().max_element() + self.diagonal).max(patch.center.abs().max_element());
+        let largest = farthest.distance.max(unfinished + distance_error) + radius.rigorous;
+        let rounding = self.point_errors() + accumulated(DISTANCE_ROUNDINGS) * largest + vanishing();
         let converged = match self.options.projection {
             Projection::Newton => {
                 unfinished <= farthest.distance + distance_error + CERTIFICATE_GAP * self.diagonal
@@ -201,10 +207,8 @@ impl Direction<'_> {
         };
         Directed {
             computed: farthest.distance,
-            lower: farthest.lower.min(farthest.distance),
-            upper: farthest.distance.max(unfinished + distance_error)
-                + radius.rigorous
-                + coordinate_rounding(coordinate),
+            lower: (farthest.lower.min(farthest.distance) - rounding).max(0.0),
+            upper: largest + rounding,
             converged,
             from: self.sample_point(farthest.sample, farthest.point),
             to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),
@@ -215,6 +219,14 @@ impl Direction<'_> {
             }),
             field,
         }
+    }
+
+    /// An upper bound on how far the computed points of both models, moved, are from
+    /// the exact ones, added up.
+    fn point_errors(&self) -> f64 {
+        let moved = self.transform.rounding(self.a.bounding_box().farthest_from_origin());
+        let of_a = self.a.bezier().point_error.after(0);
+        of_a + moved + self.b.bezier().point_error.after(MAX_HALVINGS)
     }
 
     fn sample_point(&self, index: usize, point: DVec3) -> SurfacePoint {

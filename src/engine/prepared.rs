@@ -5,11 +5,12 @@ use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, extensions, flatten};
+use crate::flatness::{Flatness, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
+use crate::param_box::ParamBox;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -33,6 +34,7 @@ type SamplingKey = (usize, SamplingRule);
 #[derive(Debug)]
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
+    extensions: Vec<ParamBox>,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
 }
@@ -40,10 +42,7 @@ pub(crate) struct PreparedTarget {
 impl PreparedTarget {
     /// The patches as method `certified` wants them, which were cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
-        let bounds = || {
-            let extensions = extensions(&model.bezier.patches, &self.target.patches);
-            extensions.into_iter().map(LocalDerivativeBounds::new).collect()
-        };
+        let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
         Operand::new(&self.target, self.bounds.get_or_init(bounds)).with_revolutions(&model.revolutions)
     }
 }
@@ -108,9 +107,13 @@ impl PreparedModel {
         if let Some((_, target)) = targets.iter().find(|(of, _)| *of == flatness) {
             return Rc::clone(target);
         }
-        let target = Target::new(flatten(&self.bezier.patches, flatness));
-        let prepared =
-            Rc::new(PreparedTarget { target, bounds: OnceCell::new(), resident: Resident::default() });
+        let flat = flatten(&self.bezier.patches, flatness);
+        let prepared = Rc::new(PreparedTarget {
+            target: Target::new(flat.patches),
+            extensions: flat.extensions,
+            bounds: OnceCell::new(),
+            resident: Resident::default(),
+        });
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }

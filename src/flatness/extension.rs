@@ -1,36 +1,24 @@
 //! The extensions of flat pieces beyond the edges at which they were cut.
 
-use crate::bezier::{BEYOND, MAX_DEGREES, Patch, PatchSet};
+use crate::bezier::{BEYOND, MAX_DEGREES};
 use crate::param_box::ParamBox;
 
-/// Returns, for every piece of `flat`, which [`flatten`](super::flatten) made of
-/// `patches`, the parameters at which its controls give points of its patch:
-/// [0, 1] along each axis, and an eighth more where a sibling follows. O(pieces).
+/// Returns the parameters at which the controls of a piece of a patch give points of
+/// the patch: [0, 1] along each axis, and an eighth more beyond an edge that is cut.
+/// `cuts` states of the start and the end of each axis whether the piece was cut
+/// there from its patch.
 ///
-/// A piece has the same polynomials as its patch, in other parameters, so they
-/// continue beyond the edges of the piece. Its width is 2^-n of the patch's, so a
-/// sibling that follows is at least as wide.
-#[must_use]
-pub fn extensions(patches: &PatchSet, flat: &PatchSet) -> Vec<ParamBox> {
-    let mut extensions = Vec::with_capacity(flat.len());
-    let mut parent = 0;
-    for piece in flat.iter() {
-        while parent + 1 < patches.len() && !is_part(&piece, &patches.patch(parent)) {
-            parent += 1;
-        }
-        let patch = patches.patch(parent);
-        let extrapolated = is_part(&piece, &patch) && piece.degree[0] + piece.degree[1] <= MAX_DEGREES;
-        let extension = [0, 1].map(|axis| {
-            let beyond = |cut: bool| if extrapolated && cut { BEYOND } else { 0.0 };
-            let ([start, end], [first, last]) = (piece.domain[axis], patch.domain[axis]);
-            [-beyond(start > first), 1.0 + beyond(end < last)]
-        });
-        extensions.push(extension.into());
-    }
-    extensions
-}
-
-/// Returns whether the piece lies on the patch, by its domain.
-fn is_part(piece: &Patch<'_>, patch: &Patch<'_>) -> bool {
-    piece.surface == patch.surface && patch.domain.contains_box(&piece.domain)
+/// Lemma. A piece of width 2^-n of a patch, after n halvings along an axis, may be
+/// followed by its own width beyond an edge at which it was cut. Proof. It has the
+/// same polynomials as the patch, in other parameters. Its ends are multiples of
+/// 2^-n in the patch's parameter, and one at which it was cut is neither 0 nor 1, so
+/// it is at least 2^-n from both. ∎
+///
+/// The cutting itself must state the cuts: the domains of pieces in the surface's
+/// parameters are rounded, and between knots some units in the last place apart a
+/// middle may be rounded onto an end of its span.
+pub(super) fn extension(degree: [usize; 2], cuts: [[bool; 2]; 2]) -> ParamBox {
+    let beyond = if degree[0] + degree[1] <= MAX_DEGREES { BEYOND } else { 0.0 };
+    let at = |cut: bool| if cut { beyond } else { 0.0 };
+    cuts.map(|[start, end]| [-at(start), 1.0 + at(end)]).into()
 }

@@ -10,11 +10,11 @@ mod curvature;
 mod extension;
 mod normal_cone;
 
-pub use extension::extensions;
-
 use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
+use crate::param_box::ParamBox;
+use extension::extension;
 use serde::Deserialize;
 
 /// The criterion by which a patch counts as flat.
@@ -35,7 +35,7 @@ pub enum Flatness {
 
 /// The largest number of halvings of a patch, along both axes together: 256
 /// pieces. Where normals jump at a point, as at a cone's apex, no number suffices.
-const MAX_HALVINGS: u32 = 8;
+pub(crate) const MAX_HALVINGS: u32 = 8;
 
 /// The number of samples of normals and curvatures along each axis of a patch.
 /// They only steer the subdivision; no bound depends on them.
@@ -59,26 +59,37 @@ impl Flatness {
     }
 }
 
+/// Flat pieces of patches.
+#[derive(Debug, Clone, Default)]
+pub struct FlatPatches {
+    /// The pieces.
+    pub patches: PatchSet,
+    /// For every piece, the parameters at which its controls give points of the patch
+    /// that it was cut from: [0, 1]², and a little more beyond an edge at which it was cut.
+    pub extensions: Vec<ParamBox>,
+}
+
 /// Returns `patches` with each replaced, in place, by flat pieces that together
 /// are the same surface. O(pieces p q (p + q)).
 #[must_use]
-pub fn flatten(patches: &PatchSet, flatness: Flatness) -> PatchSet {
+pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     if flatness == Flatness::None {
-        return patches.clone();
+        return FlatPatches { patches: patches.clone(), extensions: vec![ParamBox::UNIT; patches.len()] };
     }
     let grid = center_grid(patches.bounding_box().diagonal());
-    let mut flat = PatchSet::default();
+    let mut flat = FlatPatches::default();
     for part in map_ranges(patches.len(), |range| {
-        let mut part = PatchSet::default();
+        let mut part = FlatPatches::default();
         for index in range {
             let patch = patches.patch(index);
             let basis = GridBasis::new(patch.degree, sample_parameter);
             let subdivision = Subdivision { flatness, basis, grid };
-            subdivision.append_pieces(&mut part, patch, MAX_HALVINGS);
+            subdivision.append_pieces(&mut part, patch, [[false; 2]; 2], MAX_HALVINGS);
         }
         part
     }) {
-        flat.append(&part);
+        flat.patches.append(&part.patches);
+        flat.extensions.extend(part.extensions);
     }
     flat
 }
@@ -91,19 +102,25 @@ struct Subdivision {
 }
 
 impl Subdivision {
-    /// Appends the flat pieces of a patch, cut at most `halvings` times.
-    fn append_pieces(&self, flat: &mut PatchSet, patch: Patch<'_>, halvings: u32) {
+    /// Appends the flat pieces of a patch, or of a piece that was cut from one at the
+    /// starts and ends that `cuts` states, cut at most `halvings` times.
+    fn append_pieces(&self, flat: &mut FlatPatches, patch: Patch<'_>, cuts: [[bool; 2]; 2], halvings: u32) {
         let split_axis = if halvings > 0 { self.flatness.split_axis(&patch, &self.basis) } else { None };
         let Some(axis) = split_axis else {
             if halvings == MAX_HALVINGS {
-                flat.push(patch)
+                flat.patches.push(patch);
             } else {
-                flat.push_centered(patch, self.grid)
+                flat.patches.push_centered(patch, self.grid);
             }
+            flat.extensions.push(extension(patch.degree, cuts));
             return;
         };
-        for (controls, domain) in patch.halves(axis).iter().zip(patch.domain.halves(axis)) {
-            self.append_pieces(flat, Patch { controls, domain, ..patch }, halvings - 1);
+        for (half, (controls, domain)) in patch.halves(axis).iter().zip(patch.domain.halves(axis)).enumerate()
+        {
+            let mut cuts = cuts;
+            // The first half ends at the cut, and the second starts there.
+            cuts[axis][1 - half] = true;
+            self.append_pieces(flat, Patch { controls, domain, ..patch }, cuts, halvings - 1);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Conversion of models from float64 to the kernels' float32.
 
-use crate::bezier::{Patch, center_grid, power_of_two_below};
+use crate::bezier::{Patch, center_grid, power_of_two_below, snapped};
 use crate::bvh::Aabb;
 use glam::{DVec3, DVec4};
 
@@ -38,8 +38,7 @@ pub(crate) struct ModelFrame {
 impl ModelFrame {
     /// The frame of a model with this bounding box.
     pub(crate) fn new(bounding_box: Aabb) -> Self {
-        let grid = center_grid(bounding_box.diagonal());
-        let origin = (bounding_box.center() / grid).round() * grid;
+        let origin = snapped(bounding_box.center(), center_grid(bounding_box.diagonal()));
         let radius = bounding_box.max_distance_squared(origin).sqrt();
         Self { origin, scale: normalizing_power(radius), radius }
     }

@@ -4,7 +4,7 @@ use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
 use crate::bvh::Aabb;
 use crate::parallel::map;
-use crate::rounding::upper_max;
+use crate::rounding::{accumulated, upper_max};
 use glam::DVec3;
 
 /// The largest distance of a point of the sampled model from its nearest sample,
@@ -34,7 +34,9 @@ impl CoveringRadius {
     /// p q (p + q).
     pub(super) fn of_model(model: &BezierModel, grids: &[SampleGrid]) -> Self {
         let radii = map(grids.len(), |surface| Self::of_surface(model, surface, &grids[surface]));
-        radii.into_iter().fold(Self::default(), Self::larger)
+        let Self { published, rigorous } = radii.into_iter().fold(Self::default(), Self::larger);
+        let errors = model.patches.iter().map(|patch| box_error(&patch));
+        Self { published, rigorous: rigorous + errors.fold(0.0, upper_max) }
     }
 
     /// Returns the larger of both radii each.
@@ -98,6 +100,16 @@ pub(crate) fn cell_pieces(locations: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2
             .collect()
     };
     locations.windows(2).map(overlaps).collect()
+}
+
+/// Returns an upper bound on how far the box of a piece of `patch`, as computed, is
+/// from containing the piece: the restriction is off by `16 (p + q)` roundings of the
+/// patch's radius (lemma R6 of docs/method.md) and each side of the box by three of
+/// the radius and the centre, √3 times that at a corner.
+fn box_error(patch: &Patch<'_>) -> f64 {
+    let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
+    let restriction = accumulated(16.0 * (patch.degree[0] + patch.degree[1]) as f64);
+    restriction * radius + accumulated(6.0) * (radius + patch.center.length())
 }
 
 /// Returns the box of the control net of the piece `s` × `t` of `patch`.

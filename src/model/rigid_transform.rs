@@ -2,11 +2,16 @@
 
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
+use crate::rounding::accumulated;
 use glam::{DQuat, DVec3};
 
 /// The largest accepted difference of a quaternion's length from 1: the rounding
 /// of a quaternion given in single precision.
 const UNIT_LENGTH_TOLERANCE: f64 = 1e-5;
+
+/// The roundings of a rotated vector, relative to its length: lemma R2 of
+/// docs/method.md.
+const ROTATION_ROUNDINGS: f64 = 64.0;
 
 /// A rotation about the origin followed by a translation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +54,15 @@ impl RigidTransform {
     #[must_use]
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.rotation * point + self.translation
+    }
+
+    /// Returns an upper bound on the error of the images of points at most `length`
+    /// from the origin, for this transform or one of which it is the inverse: the
+    /// rotation of the point and, in an inverse, of the translation, and their sum
+    /// (lemma R2 of docs/method.md).
+    pub(crate) fn rounding(&self, length: f64) -> f64 {
+        let moved = length + self.translation.length();
+        accumulated(ROTATION_ROUNDINGS + 1.0) * moved
     }
 
     /// Returns the image of a free vector.

@@ -3,7 +3,7 @@
 use super::knots;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
-use crate::limits::{MIN_WEIGHT, is_in_range, out_of_range};
+use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range, out_of_range};
 use crate::param_box::ParamBox;
 
 /// A NURBS surface as plain arrays, not validated.
@@ -35,7 +35,8 @@ impl NurbsSurface {
     /// The first violation found of: degree, number of control points, knots
     /// (length, finite and at most 1e100 in size, not decreasing, non-empty domain,
     /// multiplicity), size of the net, finite coordinates of at most 1e100 in size,
-    /// weights from 1e-100 to 1e100. O(size).
+    /// weights from 1e-100 to 1e100 and at least 1e-30 of the surface's largest.
+    /// Knots may be arbitrarily close to each other. O(size).
     pub fn new(index: usize, arrays: SurfaceArrays) -> Result<Self> {
         for axis in Axis::BOTH {
             knots::validate(index, axis, arrays.degree[axis], arrays.counts[axis], &arrays.knots[axis])?;
@@ -57,6 +58,11 @@ impl NurbsSurface {
             if w < MIN_WEIGHT {
                 return Err(Error::WeightNotPositive { surface: index, index: point, found: w });
             }
+        }
+        let weights = || arrays.control_points.iter().map(|point| point[3]);
+        let largest = weights().fold(0.0, f64::max);
+        if let Some((point, found)) = weights().enumerate().find(|(_, w)| largest > MAX_WEIGHT_RATIO * w) {
+            return Err(Error::WeightRatioTooLarge { surface: index, index: point, found, largest });
         }
         Ok(Self { arrays })
     }

@@ -18,7 +18,7 @@ const GAP: f64 = 1e-9;
 const ROUNDING: f64 = 1e-12;
 
 fn target_of(model: &Model, flatness: Flatness) -> Target {
-    Target::new(flatten(&extract(model).patches, flatness))
+    Target::new(flatten(&extract(model).patches, flatness).patches)
 }
 
 /// The closest point, which must lie on the model by the independent evaluator,
@@ -156,10 +156,7 @@ proptest! {
         for patch in patches.iter() {
             let form = SquaredDistance::new(patch.degree, patch.controls, point - patch.center);
             let known = |parameters: [f64; 2]| {
-                let jet = patch.jet(parameters);
-                let residual = jet.point - point;
-                let gradient = [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)];
-                CriticalPoint { parameters, distance_squared: residual.length_squared(), gradient }
+                CriticalPoint::new(&patch, point, parameters)
             };
             let foot = newton(&patch, point, about, 32).parameters;
             let least = [about, foot].iter().fold(form.lower_bound(), |least, &at| least.max(form.lower_bound_about(&known(at))));

@@ -4,7 +4,7 @@
 use crate::support::models;
 use nurbs_hausdorff::ParamBox;
 use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract};
-use nurbs_hausdorff::flatness::{Flatness, extensions, flatten};
+use nurbs_hausdorff::flatness::{FlatPatches, Flatness, flatten};
 use nurbs_hausdorff::shapes::{list, shape};
 
 /// Part of the diagonal by which points may differ, times the degree for every
@@ -28,8 +28,7 @@ fn for_each_piece(test: &str, mut look: impl FnMut(&Piece<'_>)) {
     let shapes = list().map(|info| (info.name.to_owned(), shape(info.name).unwrap()));
     for (name, model) in shapes.chain(models::all(test)) {
         let patches = extract(&model).patches;
-        let flat = flatten(&patches, Flatness::Loose);
-        let extensions = extensions(&patches, &flat);
+        let FlatPatches { patches: flat, extensions } = flatten(&patches, Flatness::Loose);
         let diagonal = model.bounding_box().diagonal();
         for index in (0..flat.len()).step_by(flat.len().div_ceil(PIECES)) {
             let piece = flat.patch(index);

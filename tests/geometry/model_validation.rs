@@ -114,6 +114,15 @@ fn weights_that_are_not_positive_are_refused() {
 }
 
 #[test]
+fn weights_too_far_apart_are_refused() {
+    let expected = ["control point 11", "is 9e-31,", "expected at least 1e-30 of", "1.0"];
+    refused("WEIGHT_RATIO_TOO_LARGE", &expected, |arrays| arrays.control_points[11][3] = 9e-31);
+    let mut at_the_limit = valid();
+    at_the_limit.control_points[11][3] = 1.01e-30;
+    assert!(Model::from_arrays(None, vec![at_the_limit]).is_ok());
+}
+
+#[test]
 fn falling_knots_are_refused() {
     refused("KNOTS_DECREASING", &["knot 4 in u is 0.25", "expected at least 0.5"], |arrays| {
         arrays.knots[0][4] = 0.25;

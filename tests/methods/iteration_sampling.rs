@@ -209,7 +209,7 @@ fn the_tree_and_all_patches_give_the_same_distances() {
     let (a, b) = (extract(&shape("glass").unwrap()), extract(&shape("bottle").unwrap()));
     let sampling = Sampling::new(&a, 12, SamplingRule::Uniform);
     for flatness in [Flatness::None, Flatness::Loose, Flatness::Tight, Flatness::Curvature] {
-        let target = Target::new(flatten(&b.patches, flatness));
+        let target = Target::new(flatten(&b.patches, flatness).patches);
         for projection in [Projection::Newton, Projection::TangentPlane] {
             let rule = |culling| Rule { projection, iterations: 5, step_tolerance: 0.01, culling };
             for index in 0..sampling.len() {

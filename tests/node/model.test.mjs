@@ -61,6 +61,11 @@ const refusals = [
     /control point 1.*1e155/,
   ],
   ["WEIGHT_NOT_POSITIVE", { controlPoints: square().controlPoints.with(7, 0) }, /control point 1/],
+  [
+    "WEIGHT_RATIO_TOO_LARGE",
+    { controlPoints: square().controlPoints.with(7, 1e-31) },
+    /control point 1 is 1e-31, expected at least 1e-30/,
+  ],
   ["KNOTS_DECREASING", { knotsU: [0, 1, 0, 1] }],
   ["KNOTS_LENGTH", { knotsV: [0, 0, 1] }, /3 knots in v, expected 4/],
   [

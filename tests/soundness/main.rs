@@ -14,6 +14,7 @@ mod support;
 
 mod experiments;
 mod known_pairs;
+mod nan_folds;
 mod random_pairs;
 mod reference_pairs;
 mod verify;

@@ -48,7 +48,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let shapes = ["bottle", "naca-wing", "torus", "wavy-sheet"];
     let mut patches = PatchSet::default();
     for name in shapes {
-        patches.append(&flatten(&extract(&shape(name)?).patches, Flatness::Loose));
+        patches.append(&flatten(&extract(&shape(name)?).patches, Flatness::Loose).patches);
     }
     let mut rng = Rng::with_seed(SEED);
     let wanted = setup.choose(2000, 40);

@@ -67,7 +67,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
                 angles.iter().map(|&degrees| measure(rule, degrees, cut_all(&b, degrees, cut))).collect();
             series.push(Series::new(rule, color, Style::Marked, points));
         }
-        let curvature = measure("flatness curvature", 45.0, flatten(&b, Flatness::Curvature));
+        let curvature = measure("flatness curvature", 45.0, flatten(&b, Flatness::Curvature).patches);
         series.push(Series::new("flatness `curvature`", 2, Style::Marked, vec![curvature]));
         panels.push(Panel {
             title: name.to_owned(),

@@ -91,7 +91,7 @@ impl<'a> Target<'a> {
     /// The distance of the place that the library takes for the nearest.
     fn hinted(&self, point: DVec3) -> f64 {
         let flat = || {
-            let patches = flatten(&extract(self.model).patches, Flatness::Loose);
+            let patches = flatten(&extract(self.model).patches, Flatness::Loose).patches;
             nurbs_hausdorff::closest::Target::new(patches)
         };
         let target = self.flat.get_or_init(flat);

@@ -4,7 +4,7 @@ use crate::bezier::{LocalDerivativeBounds, extract};
 use crate::certified::{BranchAndBound, Operand, Pair};
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, extensions, flatten};
+use crate::flatness::{Flatness, flatten};
 use crate::gpu::Gpu;
 use crate::gpu::certified::GpuCertified;
 use crate::gpu::certified::layouts::{CellState, LevelParams};
@@ -66,10 +66,9 @@ impl CertifiedBench {
     ) -> Result<Option<Self>> {
         let operands = models.map(|model| {
             let patches = extract(model).patches;
-            let target = Target::new(flatten(&patches, Flatness::Loose));
-            let bounds: Vec<_> =
-                extensions(&patches, &target.patches).into_iter().map(LocalDerivativeBounds::new).collect();
-            (target, bounds)
+            let flat = flatten(&patches, Flatness::Loose);
+            let bounds: Vec<_> = flat.extensions.into_iter().map(LocalDerivativeBounds::new).collect();
+            (Target::new(flat.patches), bounds)
         });
         let [a, b] = [0, 1].map(|index| Operand::new(&operands[index].0, &operands[index].1));
         let mut search = BranchAndBound::new(Pair { a, b, transform }, tolerance, None, 0.0);

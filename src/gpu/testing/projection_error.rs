@@ -46,7 +46,7 @@ fn rough(
 fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &str) -> f64 {
     let (a, b) = (crate::bezier::extract(a), crate::bezier::extract(b));
     let sampling = Sampling::new(&a, 10, SamplingRule::Uniform);
-    let target = Target::new(flatten(&b.patches, Flatness::Loose));
+    let target = Target::new(flatten(&b.patches, Flatness::Loose).patches);
     let rule =
         Rule { projection: Projection::Newton, iterations: 12, step_tolerance: 0.01, culling: Culling::Tree };
     let from = Rc::new(gpu.upload_sampling(&a, &sampling));

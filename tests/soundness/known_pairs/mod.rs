@@ -253,9 +253,10 @@ fn far() {
 #[test]
 fn split_copies() {
     let [a, b] = [nets::split_copies_a(), nets::split_copies_b()];
-    let result = cpu::measure(&a, &b, &Options { tolerance: 1e-9, ..budgeted() });
-    // The copies are the same surface up to the rounding of the knot insertion.
-    assert!(result.lower <= 1e-14, "{:e}", result.lower);
+    let [fine, coarse] = [1e-9, 1e-4]
+        .map(|tolerance| cpu::measure(&a, &b, &Options { tolerance, max_seconds: Some(5.0), ..budgeted() }));
+    assert!(coarse.converged, "[{:e}, {:e}]", coarse.lower, coarse.upper);
+    assert!(fine.lower <= coarse.upper && coarse.lower <= fine.upper, "{:e} {:e}", fine.lower, coarse.lower);
 }
 
 /// Asserts that a search ends long before its budgets, with an interval that

@@ -1,0 +1,39 @@
+//! The rounding of the points of a model's patches.
+
+use crate::rounding::accumulated;
+
+/// Upper bounds on the distance between a point computed on a patch of a model and
+/// the exact point of the same parameters: the sum of lemmas R3 (extraction), R4
+/// (halving) and R5 (evaluation) of docs/method.md, the largest over all patches.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PointError {
+    /// On patches as extracted.
+    uncut: f64,
+    /// What the new centre of a piece adds.
+    recentring: f64,
+    /// What every halving adds.
+    halving: f64,
+}
+
+impl PointError {
+    /// Makes the bounds hold for a patch of these degrees, too. `radius` is the
+    /// largest distance from its centre of the control points of its NURBS surface,
+    /// `center` the centre's distance from the origin.
+    pub(super) fn include(&mut self, [p, q]: [usize; 2], radius: f64, center: f64) {
+        let (degrees, largest) = ((p + q) as f64, p.max(q) as f64);
+        // R3: 12(p + q) + 8; R5: 8(p + q) + 8, and the rounding of the centre's addition.
+        let uncut = accumulated(20.0 * degrees + 16.0) * radius + accumulated(2.0) * center;
+        // R4: 8, and one of the new centre. Its radius may be √3 times as large in R5.
+        let recentring = accumulated(8.0 * degrees + 17.0) * radius + accumulated(1.0) * center;
+        self.uncut = self.uncut.max(uncut);
+        self.recentring = self.recentring.max(recentring);
+        self.halving = self.halving.max(accumulated(2.0 * largest) * radius);
+    }
+
+    /// Returns the bound for pieces after at most `halvings` halvings of a patch.
+    #[must_use]
+    pub fn after(&self, halvings: u32) -> f64 {
+        let recentring = if halvings > 0 { self.recentring } else { 0.0 };
+        self.uncut + recentring + f64::from(halvings) * self.halving
+    }
+}
