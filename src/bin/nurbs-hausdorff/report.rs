@@ -59,6 +59,9 @@ fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
         Stop::Cancelled => "cancelled",
     };
     writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
+    if details.stop == Stop::Precision {
+        writeln!(out, "precision  coordinates of this size allow a tolerance of {:?}", details.min_tolerance)?;
+    }
     match details.within {
         Some(true) => writeln!(out, "limit      the distance is within it"),
         Some(false) => writeln!(out, "limit      the distance is beyond it"),
