@@ -1,7 +1,7 @@
 //! A result as text for people to read.
 
-use nurbs_hausdorff::result::{CertifiedDetails, Details, HierarchyDetails, IterationDetails, Stop};
-use nurbs_hausdorff::{DistanceResult, SurfacePoint};
+use nurbs_hausdorff::result::{CertifiedDetails, HierarchyDetails, IterationDetails, Stop};
+use nurbs_hausdorff::{Details, DistanceResult, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Returns some lines, the distance first. Distances, bounds and points are
