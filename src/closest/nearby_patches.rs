@@ -41,7 +41,7 @@ pub(crate) struct NearbyPatches {
 impl NearbyPatches {
     /// Lists the patches near `center`. O(p q) for each whose boxes are within `radius`.
     pub(crate) fn new(target: &Target, center: DVec3, radius: f64) -> Self {
-        let Target { patches, tree, boxes } = target;
+        let Target { patches, tree, boxes, .. } = target;
         let radius_squared = radius * radius;
         let mut list = Vec::new();
         for leaf in tree.leaves_within(center, radius_squared) {

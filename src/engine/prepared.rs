@@ -44,7 +44,9 @@ impl PreparedTarget {
             let extensions = extensions(&model.bezier.patches, &self.target.patches);
             extensions.into_iter().map(LocalDerivativeBounds::new).collect()
         };
-        Operand::new(&self.target, self.bounds.get_or_init(bounds)).with_revolutions(&model.revolutions)
+        Operand::new(&self.target, self.bounds.get_or_init(bounds))
+            .with_control_box(model.bounding_box)
+            .with_revolutions(&model.revolutions)
     }
 }
 

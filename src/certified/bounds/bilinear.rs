@@ -16,6 +16,7 @@
 //! no knowledge of how the patches meet.
 
 use super::super::nearest::Foot;
+use super::super::rounding::UNIT_ROUNDOFF;
 use super::{CellContext, UpperBound};
 use crate::bezier::DerivativeBounds;
 use glam::DVec3;
@@ -33,6 +34,10 @@ const CROSSING_TOLERANCE: f64 = 0.05;
 /// The least part of the bracket that a secant step takes, so that the bracket shrinks.
 const MIN_FRACTION: f64 = 1e-3;
 
+/// Width of the slivers between two polygons, as the crossings are rounded, in
+/// units of the cell's radius (lemma R14).
+const SLIVER_ROUNDINGS: f64 = 4.0;
+
 /// The cell's corners in [-1, 1]^2, around it.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
@@ -48,8 +53,8 @@ impl UpperBound for Bilinear {
         if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
             return None;
         }
-        let cell_error =
-            interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
+        let cell_error = SLIVER_ROUNDINGS * UNIT_ROUNDOFF * context.radius
+            + interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
         let mut corners = Corners { context, cell_error };
         if corners.may_suffice(&foot, threshold) { corners.upper_bound(&foot, threshold) } else { None }
     }

@@ -15,7 +15,7 @@
 
 use super::super::maximin::{AffineFunction, linearized_distance_squared, maximin};
 use super::quadratic::max_coefficient;
-use super::taylor::{Bounds, CellPair, Difference};
+use super::taylor::{Bounds, CellPair, Difference, coefficient_error};
 use super::{CellContext, UpperBound};
 use glam::DVec3;
 
@@ -96,7 +96,9 @@ fn upper_bound(terms: &[Term<'_>], remainder: impl Fn(&Difference<'_>) -> f64) -
     let mut combination = [[0.0_f64; 5]; 5];
     for (squares, weight, difference) in terms {
         let remainder = remainder(difference);
-        let increase = remainder * (2.0 * max_coefficient(squares).sqrt() + remainder);
+        let error = coefficient_error(&difference.quadratic);
+        let length = (max_coefficient(squares) + error).sqrt();
+        let increase = error + remainder * (2.0 * length + remainder);
         for (sum, square) in combination.iter_mut().flatten().zip(squares.iter().flatten()) {
             *sum += weight * (square + increase);
         }
