@@ -170,7 +170,7 @@ fn certified_search(c: &mut Criterion) {
         let run = || {
             pollster::block_on(engine.distance(&model, &model, &options, &mut NoMonitor)).expect("a distance")
         };
-        let cells = run().certified.expect("cells").cells;
+        let cells = run().certified().expect("cells").cells;
         let mut group = group(c, "certified", cells);
         group
             .bench_function(BenchmarkId::new("cpu", format!("{}x{}", degree[0], degree[1])), |b| b.iter(run));
