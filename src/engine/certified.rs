@@ -74,6 +74,7 @@ pub(super) async fn certified(
         ),
         details: Details::Certified(CertifiedDetails {
             tolerance,
+            min_tolerance: search.min_tolerance(),
             cells: work.cells,
             cpu_cells: work.cells - work.kernel_cells,
             levels: work.levels,

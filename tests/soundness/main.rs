@@ -2,9 +2,11 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
-// Two examples are tools whose answers are tested here, by a module of each.
+// Three examples are tools whose answers are tested here, by a module of each.
 #[path = "../../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
+#[path = "../../examples/verify/proof/mod.rs"]
+mod proof;
 #[path = "../../examples/experiments/suite/mod.rs"]
 mod suite;
 #[path = "../support/mod.rs"]
@@ -13,3 +15,4 @@ mod support;
 mod experiments;
 mod random_pairs;
 mod reference_pairs;
+mod verify;

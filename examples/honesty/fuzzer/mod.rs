@@ -6,7 +6,7 @@
 mod brute;
 pub(crate) mod check;
 mod offsets;
-mod pairs;
+pub(crate) mod pairs;
 mod partners;
 mod sheet;
 mod surfaces;

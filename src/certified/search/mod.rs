@@ -322,7 +322,10 @@ impl<'a> BranchAndBound<'a> {
     fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
         let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
         let mut upper = bounds::with_any_foot(&mut context, threshold);
-        if !(upper <= threshold) {
+        if upper > threshold {
+            upper = upper.min(bounds::with_carrying_feet(&mut context, threshold));
+        }
+        if upper > threshold {
             self.find_nearest_feet(&mut context, node, threshold);
             upper = upper.min(bounds::with_nearest_feet(&mut context, threshold));
         }

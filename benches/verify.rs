@@ -1,0 +1,186 @@
+//! The independent checker over results of method `certified`.
+//!
+//! `cargo bench --bench verify [-- FAMILY]`: reference pairs, shapes, soundness pairs and random
+//! pairs, or one family of them. Prints a Markdown table of verdicts and times, and every pair that
+//! was not proved. The reference and soundness pairs lie in `../shared` and are left out without it.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[allow(dead_code, reason = "shared with the example, which uses all of the fuzzer")]
+#[path = "../examples/honesty/fuzzer/mod.rs"]
+mod fuzzer;
+#[path = "../examples/verify/proof/mod.rs"]
+mod proof;
+#[allow(dead_code, reason = "shared with the tests, which use all of it")]
+#[path = "../tests/support/mod.rs"]
+mod support;
+
+use glam::DVec3;
+use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::shapes::{list, shape};
+use nurbs_hausdorff::{Model, RigidTransform};
+use proof::{Claim, Motion, Report, Settings, Verdict, Witness};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The time given to one proof, and the slack on both sides of its interval.
+const SETTINGS: Settings = Settings { time: Duration::from_secs(60), slack: 1e-3 };
+
+/// The time given to one search: some of the soundness pairs were chosen for searches without end.
+const SEARCH_SECONDS: f64 = 10.0;
+
+/// The number of random pairs, and the first one's seed.
+const RANDOM_PAIRS: u64 = 200;
+const FIRST_SEED: u64 = 1;
+
+/// What is measured, and how.
+struct Pair {
+    name: String,
+    a: Model,
+    b: Model,
+    options: Options,
+}
+
+/// The verdict on one pair, and the seconds it took.
+struct Row {
+    name: String,
+    report: Report,
+    seconds: f64,
+}
+
+/// The name of a family of pairs, and the function that makes them.
+type Family = (&'static str, fn() -> Vec<Pair>);
+
+fn main() {
+    let family = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let families: [Family; 4] = [
+        ("reference", reference_pairs),
+        ("shapes", shape_pairs),
+        ("soundness", soundness_pairs),
+        ("random", random_pairs),
+    ];
+    println!("| family | pairs | proved | not proved | refuted | median, s | slowest, s |");
+    println!("|---|---|---|---|---|---|---|");
+    let mut unproved = Vec::new();
+    for (name, pairs) in families.into_iter().filter(|(name, _)| name.contains(&family)) {
+        let mut rows: Vec<Row> = pairs().into_iter().map(check).collect();
+        rows.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let count = |verdict| rows.iter().filter(|row| row.report.verdict() == verdict).count();
+        let seconds = |index: usize| rows.get(index).map_or(0.0, |row| row.seconds);
+        println!(
+            "| {name} | {} | {} | {} | {} | {:.2} | {:.1} |",
+            rows.len(),
+            count(Verdict::Proved),
+            count(Verdict::NotProved),
+            count(Verdict::Refuted),
+            seconds(rows.len() / 2),
+            seconds(rows.len().saturating_sub(1))
+        );
+        unproved.extend(rows.into_iter().filter(|row| row.report.verdict() != Verdict::Proved));
+    }
+    println!();
+    for Row { name, report, seconds } in unproved {
+        let Report { lower, upper, notes, cells } = report;
+        println!("- {name}: lower {lower:?}, upper {upper:?}, {cells} cells, {seconds:.1} s {notes:?}");
+    }
+}
+
+fn check(pair: Pair) -> Row {
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
+    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let result = pollster::block_on(engine.distance(&a, &b, &pair.options, &mut NoMonitor));
+    let result = result.unwrap_or_else(|error| panic!("{}: {error}", pair.name));
+    let found = result.witness.a;
+    let witness = Witness { surface: found.surface, u: found.u, v: found.v };
+    let claim = Claim { lower: result.lower, upper: result.upper, witness };
+    let transform = pair.options.transform;
+    let motion =
+        Motion { rotation: transform.rotation().to_array(), translation: transform.offset().to_array() };
+    let [a, b] = [&pair.a, &pair.b].map(|model| {
+        let text = model.to_json().expect("a model's JSON");
+        proof::Model::from_json(&text).expect("a valid model")
+    });
+    let start = Instant::now();
+    let report = proof::check(&a, &motion, &b, &claim, &SETTINGS);
+    let seconds = start.elapsed().as_secs_f64();
+    eprintln!("{} {:?} {seconds:.2} s, {} cells", pair.name, report.verdict(), report.cells);
+    Row { name: pair.name, report, seconds }
+}
+
+fn options(transform: RigidTransform) -> Options {
+    Options { transform, max_seconds: Some(SEARCH_SECONDS), ..Options::default() }
+}
+
+/// A folder beside the project.
+fn shared(folder: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(folder)
+}
+
+fn read(path: &Path) -> Model {
+    let text = std::fs::read_to_string(path).expect("a readable model");
+    Model::from_json(&text).expect("a valid model")
+}
+
+fn reference_pairs() -> Vec<Pair> {
+    let folder = shared("models");
+    let pair = |line: &str| {
+        let line: serde_json::Value = serde_json::from_str(line).expect("a reference");
+        let along = |axis: usize| line["translate_a"][axis].as_f64().unwrap_or(0.0);
+        let shift = DVec3::new(along(0), along(1), along(2));
+        let [a, b] = ["a", "b"].map(|side| line[side].as_str().expect("a model's name").to_owned());
+        let load = |name: &str| read(&folder.join(format!("{name}.json")));
+        Pair {
+            name: format!("{a} to {b} {shift}"),
+            a: load(&a),
+            b: load(&b),
+            options: options(RigidTransform::translation(shift).expect("a translation")),
+        }
+    };
+    let lines = std::fs::read_to_string(folder.join("reference.jsonl")).unwrap_or_default();
+    lines.lines().map(pair).collect()
+}
+
+/// Every shape with the next one of the catalogue, in both directions.
+fn shape_pairs() -> Vec<Pair> {
+    let names: Vec<&str> = list().map(|shape| shape.name).collect();
+    let neighbours = names.windows(2).flat_map(|pair| [[pair[0], pair[1]], [pair[1], pair[0]]]);
+    let pair = |[from, to]: [&str; 2]| Pair {
+        name: format!("{from} to {to}"),
+        a: shape(from).expect("a shape"),
+        b: shape(to).expect("a shape"),
+        options: options(RigidTransform::IDENTITY),
+    };
+    neighbours.map(pair).collect()
+}
+
+fn soundness_pairs() -> Vec<Pair> {
+    let Ok(entries) = std::fs::read_dir(shared("soundness")) else { return Vec::new() };
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| entry.ok()?.file_name().to_str()?.strip_suffix("_A.json").map(str::to_owned))
+        .collect();
+    names.sort();
+    let pair = |name: String| {
+        let [a, b] = ["A", "B"].map(|side| read(&shared("soundness").join(format!("{name}_{side}.json"))));
+        let diagonal = a.bounding_box().diagonal().max(b.bounding_box().diagonal());
+        // Two points have no diagonal to be relative to.
+        let options = Options { absolute: diagonal == 0.0, ..options(RigidTransform::IDENTITY) };
+        Pair { name, a, b, options }
+    };
+    names.into_iter().map(pair).collect()
+}
+
+fn random_pairs() -> Vec<Pair> {
+    let pair = |seed: u64| {
+        let pair = fuzzer::pairs::pair(seed);
+        let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
+        let options = Options {
+            absolute: diagonal == 0.0,
+            tolerance: pair.tolerance,
+            max_cells: Some(pair.most_cells),
+            ..options(pair.transform)
+        };
+        Pair { name: format!("random {seed} ({})", pair.kind), a: pair.a, b: pair.b, options }
+    };
+    (FIRST_SEED..FIRST_SEED + RANDOM_PAIRS).map(pair).collect()
+}

@@ -1,0 +1,9 @@
+//! Bézier patches in intervals: their extraction, evaluation, subdivision and bounds.
+
+mod curvature;
+mod extract;
+mod net;
+
+pub(super) use curvature::SecondDerivatives;
+pub(super) use extract::{Patch, patches};
+pub(super) use net::{Net, project};

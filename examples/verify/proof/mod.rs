@@ -1,0 +1,148 @@
+//! Proves the interval of a result anew, in interval arithmetic and with none of the search's code.
+//!
+//! Both models are cut into Bézier patches by their definition, in intervals: the rounding of
+//! everything that follows, from the knots on, is enclosed. Near points are found in float64 first;
+//! what is proved holds for them whether they are the nearest or not.
+
+mod bezier;
+mod boxes;
+mod closest;
+mod frame;
+pub(crate) mod interval;
+mod surface;
+mod target;
+mod upper;
+mod vector;
+
+pub(crate) use frame::Motion;
+pub(crate) use surface::Model;
+pub(crate) use upper::Witness;
+
+use bezier::Patch;
+use frame::Frame;
+use std::time::{Duration, Instant};
+use target::{Comparison, Target};
+use upper::Finding;
+
+/// What a result says.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Claim {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+    /// The point of A that is said to be `lower` away from B.
+    pub(crate) witness: Witness,
+}
+
+/// What a claim is checked by.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Settings {
+    /// The time to give up after.
+    pub(crate) time: Duration,
+    /// What is added to both sides of the interval before it is proved, relative to the diagonal.
+    pub(crate) slack: f64,
+}
+
+/// What became of one end, or of the whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    Proved,
+    NotProved,
+    Refuted,
+}
+
+/// What became of a claim.
+#[derive(Debug, Clone)]
+pub(crate) struct Report {
+    pub(crate) lower: Verdict,
+    pub(crate) upper: Verdict,
+    /// Sentences on what was seen besides: a point that refutes, a witness that is too near.
+    pub(crate) notes: Vec<String>,
+    /// The cells of A that were looked at.
+    pub(crate) cells: usize,
+}
+
+impl Report {
+    /// Of both ends: refuted if one is, proved if both are.
+    pub(crate) fn verdict(&self) -> Verdict {
+        let ends = [self.lower, self.upper];
+        if ends.contains(&Verdict::Refuted) {
+            Verdict::Refuted
+        } else if ends == [Verdict::Proved; 2] {
+            Verdict::Proved
+        } else {
+            Verdict::NotProved
+        }
+    }
+}
+
+/// Proves `lower - slack <= max over A of the distance to B <= upper + slack`, or the contrary.
+///
+/// The lower end is proved by the witness, else by any point of A that is far enough; it is refuted
+/// if all of A is proved nearer. The upper end is refuted by a point of A that is proved farther.
+pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settings: &Settings) -> Report {
+    let deadline = Instant::now() + settings.time;
+    let frame = Frame::new(a, motion, b);
+    let patches = bezier::patches(a, &frame, motion);
+    let target = Target::new(bezier::patches(b, &frame, &Motion::IDENTITY));
+    let slack = settings.slack * frame.diagonal;
+    let mut report =
+        Report { lower: Verdict::NotProved, upper: Verdict::NotProved, notes: Vec::new(), cells: 0 };
+    check_lower(&mut report, &patches, &target, claim.witness, (claim.lower - slack) * frame.scale, deadline);
+    if report.lower == Verdict::Refuted && claim.lower <= claim.upper {
+        // All of A was proved nearer than lower, hence than upper.
+        report.upper = Verdict::Proved;
+        return report;
+    }
+    let search = upper::prove(&patches, &target, (claim.upper + slack) * frame.scale, deadline);
+    report.cells += search.cells;
+    report.upper = match search.finding {
+        Finding::Within => Verdict::Proved,
+        Finding::Open => Verdict::NotProved,
+        Finding::Beyond(Witness { surface, u, v }) => {
+            report.notes.push(format!("upper: A's point at ({u}, {v}) of surface {surface} is farther"));
+            Verdict::Refuted
+        }
+    };
+    report
+}
+
+/// Decides the lower end, `limit` in the frame.
+fn check_lower(
+    report: &mut Report,
+    patches: &[Patch],
+    target: &Target,
+    witness: Witness,
+    limit: f64,
+    deadline: Instant,
+) {
+    if limit < 0.0 {
+        // No distance is below 0.
+        report.lower = Verdict::Proved;
+        return;
+    }
+    // On a knot, a point has several patches; each of their points is a point of A.
+    let mut points = patches.iter().filter(|patch| patch.surface == witness.surface).filter_map(|patch| {
+        let local = patch.local([witness.u, witness.v])?;
+        Some(patch.net.evaluate(local))
+    });
+    let farther = |point| matches!(target.compare(&point, limit, deadline), Comparison::Farther);
+    if points.any(farther) {
+        report.lower = Verdict::Proved;
+        return;
+    }
+    let search = upper::prove(patches, target, limit, deadline);
+    report.cells += search.cells;
+    report.lower = match search.finding {
+        Finding::Open => Verdict::NotProved,
+        Finding::Within => {
+            report.notes.push("lower: all of A is nearer".to_owned());
+            Verdict::Refuted
+        }
+        Finding::Beyond(Witness { surface, u, v }) => {
+            report.notes.push(format!(
+                "the witness is nearer than lower, but A's point at ({u}, {v}) of surface {surface} is not"
+            ));
+            Verdict::Proved
+        }
+    };
+}
