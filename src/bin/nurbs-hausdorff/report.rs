@@ -60,7 +60,11 @@ fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
     };
     writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
     if details.stop == Stop::Precision {
-        writeln!(out, "precision  coordinates of this size allow a tolerance of {:?}", details.min_tolerance)?;
+        writeln!(
+            out,
+            "precision  coordinates of this size allow a tolerance of {:?}",
+            details.min_tolerance
+        )?;
     }
     match details.within {
         Some(true) => writeln!(out, "limit      the distance is within it"),
