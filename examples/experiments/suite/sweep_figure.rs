@@ -73,15 +73,15 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
     let difference = |index: usize, value: f64| truth[index].map(|truth| value - truth);
     let mut all = each(curves, Style::Line, |result, index| difference(index, result.computed));
-    let of = |result: &DistanceResult| result.iteration().map(|details| details.bounds);
+    let bounds_of = |result: &DistanceResult| result.iteration().map(|details| details.bounds);
     for (color, curve) in curves.iter().enumerate() {
         let dashed = |suffix: &str, value: &dyn Fn(&DistanceResult) -> Option<f64>| {
             series(color, curve, Style::Dashed, suffix, |result, index| difference(index, value(result)?))
         };
         // K_A is that of the samples, whatever the flatness; K_B hardly differs.
         if curve.method.name.ends_with("loose") {
-            all.push(dashed(" + K_A", &|result| Some(result.computed + of(result)?.k_a)));
-            all.push(dashed(" - K_B", &|result| Some(result.computed - of(result)?.k_b?)));
+            all.push(dashed(" + K_A", &|result| Some(result.computed + bounds_of(result)?.k_a)));
+            all.push(dashed(" - K_B", &|result| Some(result.computed - bounds_of(result)?.k_b?)));
         }
         if curve.method.name == "hierarchy" {
             all.push(dashed(": upper", &|result| Some(result.upper)));

@@ -47,7 +47,7 @@ const PATTERN_RADIUS: i32 = 3;
 #[derive(Clone, Copy)]
 pub(crate) struct Placed {
     pub(crate) sheet: usize,
-    pub(crate) place: DVec2,
+    pub(crate) parameters: DVec2,
     pub(crate) distance: f64,
 }
 
@@ -78,8 +78,10 @@ impl<'a> Target<'a> {
     pub(crate) fn is_within(&self, point: DVec3, limit: f64, counterpart: (usize, DVec2)) -> bool {
         let squared = limit * limit;
         let is_near_copy = |sheet: &Sheet| {
-            let places = [counterpart.1, counterpart.1.yx()];
-            places.iter().any(|&place| sheet.point(sheet.clamp(place)).distance_squared(point) <= squared)
+            let grid_parameters = [counterpart.1, counterpart.1.yx()];
+            grid_parameters
+                .iter()
+                .any(|&parameters| sheet.point(sheet.clamp(parameters)).distance_squared(point) <= squared)
         };
         self.sheets.get(counterpart.0).is_some_and(is_near_copy)
             || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
@@ -101,8 +103,8 @@ impl<'a> Target<'a> {
             return f64::INFINITY;
         };
         let patch = target.patches.patch(found.patch);
-        let place = DVec2::from_array(patch.surface_parameters(found.parameters));
-        self.sheets[patch.surface].point(place).distance(point)
+        let parameters = DVec2::from_array(patch.surface_parameters(found.parameters));
+        self.sheets[patch.surface].point(parameters).distance(point)
     }
 
     /// Returns the smallest distance found by a dense search.
@@ -127,7 +129,7 @@ impl<'a> Target<'a> {
     }
 
     fn descend_all(&self, starts: impl IntoIterator<Item = Placed>, point: DVec3, limit: f64) -> Placed {
-        let mut best = Placed { sheet: 0, place: DVec2::ZERO, distance: f64::INFINITY };
+        let mut best = Placed { sheet: 0, parameters: DVec2::ZERO, distance: f64::INFINITY };
         for start in starts {
             let found = self.descend(start, point, limit);
             if found.distance < best.distance {
@@ -143,7 +145,7 @@ impl<'a> Target<'a> {
     /// Runs the Levenberg–Marquardt method within the domain.
     fn descend(&self, start: Placed, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
-        let mut at = start.place;
+        let mut at = start.parameters;
         let mut tangents = sheet.tangents(at);
         let mut best = tangents.point.distance(target);
         let mut damping = DAMPING;
@@ -182,7 +184,7 @@ impl<'a> Target<'a> {
                 damping *= 10.0;
             }
         }
-        Placed { sheet: start.sheet, place: at, distance: best }
+        Placed { sheet: start.sheet, parameters: at, distance: best }
     }
 
     /// Runs a pattern search: evaluates a grid around the best point repeatedly, and
@@ -193,14 +195,14 @@ impl<'a> Target<'a> {
         let mut step = sheet.extent() / ((count - 1) as f64 * f64::from(PATTERN_RADIUS));
         let mut best = start;
         for _ in 0..PATTERN_ROUNDS {
-            let center = best.place;
+            let center = best.parameters;
             let mut at_rim = false;
             for i in -PATTERN_RADIUS..=PATTERN_RADIUS {
                 for j in -PATTERN_RADIUS..=PATTERN_RADIUS {
-                    let place = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
-                    let distance = sheet.point(place).distance(target);
+                    let parameters = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
+                    let distance = sheet.point(parameters).distance(target);
                     if distance < best.distance {
-                        best = Placed { place, distance, ..best };
+                        best = Placed { parameters, distance, ..best };
                         at_rim = i.abs() == PATTERN_RADIUS || j.abs() == PATTERN_RADIUS;
                     }
                 }
@@ -219,13 +221,15 @@ impl<'a> Target<'a> {
 /// Returns grid points of every surface.
 fn cloud(sheets: &[Sheet]) -> Vec<(usize, DVec2, DVec3)> {
     let of_sheet = |(index, sheet): (usize, &Sheet)| {
-        places(sheet, COARSE_GRID).map(|place| (index, place, sheet.point(place))).collect::<Vec<_>>()
+        grid_parameters(sheet, COARSE_GRID)
+            .map(|parameters| (index, parameters, sheet.point(parameters)))
+            .collect::<Vec<_>>()
     };
     sheets.iter().enumerate().flat_map(of_sheet).collect()
 }
 
 /// Returns a grid of `count` × `count` points over a surface's domain.
-fn places(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
+fn grid_parameters(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
     let fraction = move |index: usize| index as f64 / (count - 1) as f64;
     (0..count * count).map(move |at| sheet.at([fraction(at / count), fraction(at % count)]))
 }
@@ -234,8 +238,12 @@ fn places(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
 fn minima(sheets: &[Sheet], count: usize, target: DVec3) -> Vec<Placed> {
     let mut minima = Vec::new();
     for (index, sheet) in sheets.iter().enumerate() {
-        let all: Vec<Placed> = places(sheet, count)
-            .map(|place| Placed { sheet: index, place, distance: sheet.point(place).distance(target) })
+        let all: Vec<Placed> = grid_parameters(sheet, count)
+            .map(|parameters| Placed {
+                sheet: index,
+                parameters,
+                distance: sheet.point(parameters).distance(target),
+            })
             .collect();
         let around = |at: usize| at.saturating_sub(1)..(at + 2).min(count);
         minima.extend((0..count * count).filter_map(|at| {
@@ -252,7 +260,7 @@ fn minima(sheets: &[Sheet], count: usize, target: DVec3) -> Vec<Placed> {
 fn nearest(cloud: &[(usize, DVec2, DVec3)], target: DVec3, starts: usize) -> Vec<Placed> {
     let mut all: Vec<Placed> = cloud
         .iter()
-        .map(|&(sheet, place, point)| Placed { sheet, place, distance: point.distance(target) })
+        .map(|&(sheet, parameters, point)| Placed { sheet, parameters, distance: point.distance(target) })
         .collect();
     let count = starts.min(all.len());
     all.select_nth_unstable_by(count - 1, |a, b| a.distance.total_cmp(&b.distance));

@@ -176,20 +176,22 @@ impl<'a> Direction<'a> {
         }
         let mut samples = vec![(witness.surface, DVec2::new(witness.u, witness.v), start)];
         for (index, sheet) in from_sheets.iter().enumerate() {
-            for place in places(sheet, rng) {
-                samples.push((index, place, into(sheet.point(place))));
+            for parameters in sample_parameters(sheet, rng) {
+                samples.push((index, parameters, into(sheet.point(parameters))));
             }
         }
-        let mut found: Vec<(usize, DVec2, Placed)> =
-            samples.iter().map(|&(index, place, point)| (index, place, target.near(point, None))).collect();
+        let mut found: Vec<(usize, DVec2, Placed)> = samples
+            .iter()
+            .map(|&(index, parameters, point)| (index, parameters, target.near(point, None)))
+            .collect();
         found[1..].sort_unstable_by(|a, b| b.2.distance.total_cmp(&a.2.distance));
         let beyond = upper + self.rounding;
         let mut suspects = 0;
-        for &(index, place, near) in &found {
-            let point = into(from_sheets[index].point(place));
+        for &(index, parameters, near) in &found {
+            let point = into(from_sheets[index].point(parameters));
             if near.distance > beyond {
                 suspects += 1;
-                if !target.is_within(point, beyond, (index, place)) {
+                if !target.is_within(point, beyond, (index, parameters)) {
                     violations.push(format!(
                         "upper {upper}, but a point of A is {} from B ({suspects})",
                         target.least(point)
@@ -198,9 +200,9 @@ impl<'a> Direction<'a> {
                 }
             }
         }
-        for &(index, place, near) in found.iter().take(CLIMBS) {
+        for &(index, parameters, near) in found.iter().take(CLIMBS) {
             let sheet = &from_sheets[index];
-            if let Some(point) = climb((index, sheet), place, near, &target, &into, beyond) {
+            if let Some(point) = climb((index, sheet), parameters, near, &target, &into, beyond) {
                 violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
                 return;
             }
@@ -210,23 +212,23 @@ impl<'a> Direction<'a> {
 
 /// Returns one random point of the domain in each cell of a grid and on each of its
 /// edges, and the corners.
-fn places(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
-    let mut places = Vec::new();
+fn sample_parameters(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
+    let mut samples = Vec::new();
     for index in 0..SAMPLES * SAMPLES {
         let [i, j] =
             [index / SAMPLES, index % SAMPLES].map(|cell| (cell as f64 + rng.f64()) / SAMPLES as f64);
-        places.push(sheet.at([i, j]));
+        samples.push(sheet.at([i, j]));
     }
     for cell in 0..SAMPLES {
         let along = (cell as f64 + rng.f64()) / SAMPLES as f64;
         for end in [0.0, 1.0] {
-            places.extend([sheet.at([along, end]), sheet.at([end, along])]);
+            samples.extend([sheet.at([along, end]), sheet.at([end, along])]);
         }
     }
     for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
-        places.push(sheet.at(corner));
+        samples.push(sheet.at(corner));
     }
-    places
+    samples
 }
 
 /// Searches around a sample for farther points; returns one beyond the bound, if it
@@ -245,19 +247,19 @@ fn climb(
         let center = at;
         for i in -1..=1 {
             for j in -1..=1 {
-                let place = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
-                let point = into(sheet.point(place));
+                let parameters = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
+                let point = into(sheet.point(parameters));
                 let near = target.near(point, Some(best));
                 if near.distance <= best.distance {
                     continue;
                 }
                 if near.distance > beyond {
-                    if !target.is_within(point, beyond, (index, place)) {
+                    if !target.is_within(point, beyond, (index, parameters)) {
                         return Some(point);
                     }
                     continue;
                 }
-                (at, best) = (place, near);
+                (at, best) = (parameters, near);
             }
         }
         if at == center {

@@ -1,7 +1,7 @@
 //! Random pairs of models of many difficult kinds.
 
 use super::offsets::{Offset, offset};
-use super::partners::{both_sides, cut, moved, near, place, refined, transposed};
+use super::partners::{both_sides, cut, moved, near, refined, scale_and_shift, transposed};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
@@ -33,7 +33,7 @@ pub(crate) fn pair(seed: u64) -> Pair {
     if rng.u8(0..4) == 0 {
         let (scale, shift) = (magnitude(rng, -3.0, 3.0), direction(rng) * magnitude(rng, 0.0, 6.0));
         for model in [&mut a, &mut b] {
-            place(model, scale, shift.to_array());
+            scale_and_shift(model, scale, shift.to_array());
         }
         truth = truth.map(|both| both.map(|distance| distance * scale));
     }

@@ -20,7 +20,7 @@ pub(crate) fn near(rng: &mut Rng, a: &[SurfaceArrays], size: f64) -> Vec<Surface
 pub(crate) fn moved(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let mut b = a.to_vec();
     let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
-    place(&mut b, 1.0, shift.to_array());
+    scale_and_shift(&mut b, 1.0, shift.to_array());
     b
 }
 
@@ -29,8 +29,8 @@ pub(crate) fn moved(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
 pub(crate) fn both_sides(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
     let [mut above, mut below] = [a.to_vec(), a.to_vec()];
-    place(&mut above, 1.0, shift.to_array());
-    place(&mut below, 1.0, (-shift).to_array());
+    scale_and_shift(&mut above, 1.0, shift.to_array());
+    scale_and_shift(&mut below, 1.0, (-shift).to_array());
     above.append(&mut below);
     above
 }
@@ -78,7 +78,7 @@ pub(crate) fn transposed(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArray
 }
 
 /// Scales a model about the origin, then translates it.
-pub(crate) fn place(model: &mut [SurfaceArrays], scale: f64, shift: [f64; 3]) {
+pub(crate) fn scale_and_shift(model: &mut [SurfaceArrays], scale: f64, shift: [f64; 3]) {
     for point in model.iter_mut().flat_map(|surface| &mut surface.control_points) {
         for axis in 0..3 {
             point[axis] = point[axis] * scale + shift[axis];

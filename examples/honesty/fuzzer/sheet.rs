@@ -54,22 +54,22 @@ impl Sheet {
         self.domain.at(fractions).into()
     }
 
-    pub(crate) fn clamp(&self, place: DVec2) -> DVec2 {
-        place.clamp(self.domain.low().into(), self.domain.high().into())
+    pub(crate) fn clamp(&self, parameters: DVec2) -> DVec2 {
+        parameters.clamp(self.domain.low().into(), self.domain.high().into())
     }
 
     pub(crate) fn extent(&self) -> DVec2 {
         self.domain.lengths().into()
     }
 
-    pub(crate) fn point(&self, place: DVec2) -> DVec3 {
-        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
+    pub(crate) fn point(&self, parameters: DVec2) -> DVec3 {
+        let [u, v] = [self.basis(Axis::U, parameters.x), self.basis(Axis::V, parameters.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         sum.xyz() / sum.w
     }
 
-    pub(crate) fn tangents(&self, place: DVec2) -> Tangents {
-        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
+    pub(crate) fn tangents(&self, parameters: DVec2) -> Tangents {
+        let [u, v] = [self.basis(Axis::U, parameters.x), self.basis(Axis::V, parameters.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         let by_u = self.sum(&u, &u.derivatives, &v, &v.values);
         let by_v = self.sum(&u, &u.values, &v, &v.derivatives);
