@@ -1,4 +1,4 @@
-//! Samples spread by arc length against samples spread evenly in the
+//! Samples evenly spaced in arc length against samples evenly spaced in the
 //! parameter, an open question of the 2012 paper.
 
 use super::chart::{Axis, Panel, Series, Style};
@@ -18,7 +18,7 @@ const RULES: [(SamplingRule, &str); 2] =
 
 const COLUMNS: [&str; 7] = ["pair", "rule", "samples", "k_a", "k_a_rigorous", "certified", "error"];
 
-/// `sampling-rule`: K_A and the error that it bounds, by samples.
+/// `sampling-rule`: K_A and the actual error, by the number of samples.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let mut panels = Vec::new();

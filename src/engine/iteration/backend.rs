@@ -1,21 +1,23 @@
-//! What a backend does for method `iteration`.
+//! The stages of method `iteration` on either backend.
 
-use super::iteration_cpu::CpuStages;
+use super::cpu::CpuIteration;
 use crate::error::Result;
 use crate::gpu::GpuIteration;
 use crate::iteration::{Candidate, Projected, StatusCounts};
 use crate::progress::Progress;
 use std::ops::Range;
 
-/// The stages `sample`, `project` and `reduce` on one page of samples at a
-/// time, on either backend: what drives them is compiled once.
-pub(super) enum Stages<'a> {
-    Cpu(CpuStages<'a>),
+/// The stages `sample`, `project` and `reduce`, which process one page of samples
+/// at a time.
+pub(super) enum IterationBackend<'a> {
+    /// In float64.
+    Cpu(CpuIteration<'a>),
+    /// In float32.
     Gpu(Box<GpuIteration>),
 }
 
-impl Stages<'_> {
-    /// Seconds that making new pipelines took.
+impl IterationBackend<'_> {
+    /// Returns the seconds spent on the creation of pipelines.
     pub(super) fn compile_seconds(&self) -> f64 {
         match self {
             Self::Cpu(_) => 0.0,
@@ -23,8 +25,8 @@ impl Stages<'_> {
         }
     }
 
-    /// How much a distance of [`Candidate::projected`] can be off, besides
-    /// belonging to a point of the target.
+    /// Returns an upper bound on the rounding error of a distance in
+    /// [`Candidate::projected`].
     pub(super) fn distance_error(&self) -> f64 {
         match self {
             Self::Cpu(_) => 0.0,
@@ -32,7 +34,7 @@ impl Stages<'_> {
         }
     }
 
-    /// Samples and projects page `index` of the sampling.
+    /// Evaluates and projects the samples of page `index`.
     pub(super) async fn project(
         &mut self,
         index: usize,
@@ -45,8 +47,7 @@ impl Stages<'_> {
         }
     }
 
-    /// The page's farthest sample and, as they come at no cost, more of the
-    /// far ones; farthest first.
+    /// Returns far samples of the page, the farthest first: one of every block.
     pub(super) async fn reduce(&mut self) -> Result<Vec<Candidate>> {
         match self {
             Self::Cpu(stages) => Ok(stages.reduce()),
@@ -54,15 +55,15 @@ impl Stages<'_> {
         }
     }
 
-    /// Puts a better squared distance in the place of a sample's.
-    pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {
+    /// Replaces the squared distance of a sample by a better one.
+    pub(super) fn set_distance_squared(&mut self, sample: usize, distance_squared: f64) {
         match self {
-            Self::Cpu(stages) => stages.settle(sample, distance_squared),
+            Self::Cpu(stages) => stages.set_distance_squared(sample, distance_squared),
             Self::Gpu(stages) => stages.set_distance_squared(sample, distance_squared),
         }
     }
 
-    /// How the page's projections ended.
+    /// Returns the numbers of the page's projections by status.
     pub(super) fn statuses(&self) -> StatusCounts {
         match self {
             Self::Cpu(stages) => stages.statuses(),
@@ -70,7 +71,7 @@ impl Stages<'_> {
         }
     }
 
-    /// Everything found on the page.
+    /// Returns the projections of all samples of the page.
     pub(super) async fn field(&self) -> Result<Vec<Projected>> {
         match self {
             Self::Cpu(stages) => Ok(stages.field()),

@@ -1,31 +1,30 @@
-//! The stages in float64 on the CPU: reference and fallback.
+//! The stages of method `iteration` in float64 on the CPU: reference and fallback.
 
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target};
 use crate::error::Result;
-use crate::iteration::Candidate;
-use crate::iteration::StatusCounts;
-use crate::iteration::{Projected, Rule, Sampling, project, reduce, sample};
+use crate::iteration::{Candidate, Projected, Rule, Sampling, StatusCounts, project, reduce, sample};
 use crate::model::RigidTransform;
 use crate::parallel::map;
 use crate::progress::Progress;
 use std::ops::Range;
 
-/// Samples between two looks at the monitor.
+/// The number of samples between two checkpoints.
 const CHUNK: usize = 512;
 
-/// One direction's data, and the page in work.
-pub(super) struct CpuStages<'a> {
-    pub(super) model: &'a BezierModel,
-    pub(super) sampling: &'a Sampling,
-    pub(super) target: &'a Target,
-    pub(super) transform: RigidTransform,
-    pub(super) rule: Rule,
+/// The data of one direction, and the current page.
+pub(super) struct CpuIteration<'a> {
+    model: &'a BezierModel,
+    sampling: &'a Sampling,
+    target: &'a Target,
+    transform: RigidTransform,
+    rule: Rule,
+    /// The first sample of the page.
     first: usize,
     projected: Vec<Projected>,
 }
 
-impl<'a> CpuStages<'a> {
+impl<'a> CpuIteration<'a> {
     pub(super) fn new(
         model: &'a BezierModel,
         sampling: &'a Sampling,
@@ -39,13 +38,13 @@ impl<'a> CpuStages<'a> {
     pub(super) async fn project(&mut self, page: &Range<usize>, progress: &mut Progress<'_>) -> Result<()> {
         self.first = page.start;
         self.projected.clear();
-        let one = |index: usize| {
+        let project_sample = |index: usize| {
             project(self.target, sample(self.model, self.sampling, index, &self.transform), &self.rule)
         };
         for start in page.clone().step_by(CHUNK) {
             progress.checkpoint((start - page.start) as f64 / page.len() as f64).await?;
             let chunk = start..(start + CHUNK).min(page.end);
-            self.projected.append(&mut map(chunk.len(), |offset| one(chunk.start + offset)));
+            self.projected.append(&mut map(chunk.len(), |offset| project_sample(chunk.start + offset)));
         }
         Ok(())
     }
@@ -55,7 +54,7 @@ impl<'a> CpuStages<'a> {
         reduce(&self.projected).into_iter().map(candidate).collect()
     }
 
-    pub(super) fn settle(&mut self, sample: usize, distance_squared: f64) {
+    pub(super) fn set_distance_squared(&mut self, sample: usize, distance_squared: f64) {
         self.projected[sample - self.first].distance_squared = distance_squared;
     }
 
