@@ -19,12 +19,22 @@ const ROUND: usize = 64;
 /// The halvings after which a cell is given up: float64 tells its corners apart no longer.
 const MAX_LEVEL: u32 = 90;
 
-/// Halvings after which B is searched for points nearer than those found, as Newton's method may end
-/// at a local minimum: on every cell whose level is a multiple.
+/// On cells whose level is a multiple, B is searched for points nearer than those found, as Newton's
+/// method may end at a local minimum, and cells on which that one crosses the limit are cut without
+/// end.
 const SEARCH_LEVELS: u32 = 6;
 
-/// How much nearer such points are to be, so that proving that there are none is cheap.
+/// How much nearer such points are to be than those found, and these than the limit where they are
+/// looked for: small cells with nearer ones are proved by what is known.
 const NEARER: f64 = 0.8;
+const NEAR_LIMIT: f64 = 0.5;
+
+/// The pieces of B that such a search looks at.
+const MAX_SEARCHED_PIECES: usize = 2000;
+
+/// The pieces of B that a comparison looks at before it is given up: a point whose distance is the
+/// limit itself would be looked at without end.
+const MAX_COMPARED_PIECES: usize = 100_000;
 
 /// Parts along each axis of a patch of A between places at which a point beyond the limit is looked
 /// for first.
@@ -142,7 +152,7 @@ fn sampled(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Optio
     suspects.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     let beyond = |&&(_, patch, at): &&(f64, usize, [f64; 2])| {
         let point = a[patch].net.evaluate(at.map(Interval::point));
-        matches!(target.compare(&point, limit, deadline), Comparison::Farther)
+        matches!(target.compare(&point, limit, MAX_COMPARED_PIECES, deadline), Comparison::Farther)
     };
     let &(_, patch, at) = suspects.iter().take(SUSPECTS).find(beyond)?;
     Some(Witness::new(&a[patch], at))
@@ -177,14 +187,16 @@ impl Cell {
         let nearest = feet.first().map_or(f64::INFINITY, |foot| foot.distance);
         let searched = self.level > 0 && self.level.is_multiple_of(SEARCH_LEVELS);
         if searched
+            && nearest > NEAR_LIMIT * limit
             && nearest <= limit
-            && let Comparison::Nearer(foot) = target.compare(&center, NEARER * nearest, deadline)
+            && let Comparison::Nearer(foot) =
+                target.compare(&center, NEARER * nearest, MAX_SEARCHED_PIECES, deadline)
         {
             feet.insert(0, foot);
             self.known.push(foot);
         }
         if nearest > limit || nearest.is_nan() {
-            match target.compare(&center, limit, deadline) {
+            match target.compare(&center, limit, MAX_COMPARED_PIECES, deadline) {
                 Comparison::Farther => {
                     let at = [0, 1].map(|axis| self.start[axis] + 0.5 * self.length[axis]);
                     return Outcome::Beyond(Witness::new(&a[self.patch], at));
