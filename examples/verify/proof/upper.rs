@@ -37,8 +37,9 @@ const MAX_SEARCHED_PIECES: usize = 2000;
 const MAX_COMPARED_PIECES: usize = 100_000;
 
 /// Parts along each axis of a patch of A between places at which a point beyond the limit is looked
-/// for first.
-const SAMPLES: usize = 5;
+/// for first, and the number of places on all patches from which on there are fewer.
+const MAX_PARTS: usize = 5;
+const MAX_SAMPLES: f64 = 200_000.0;
 
 /// The points, farthest first, that are then compared with all of B.
 const SUSPECTS: usize = 8;
@@ -132,9 +133,10 @@ pub(crate) fn prove(a: &[Patch], target: &Target, limit: f64, deadline: Instant)
 
 /// A point of A on a grid that is proved beyond the limit, if the farthest of them are.
 fn sampled(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Option<Witness> {
-    let places = (0..=SAMPLES).flat_map(|i| (0..=SAMPLES).map(move |j| [i, j]));
-    let places: Vec<[f64; 2]> =
-        places.map(|place| place.map(|index| index as f64 / SAMPLES as f64)).collect();
+    let affordable = (MAX_SAMPLES / a.len() as f64).sqrt() as usize;
+    let parts = affordable.saturating_sub(1).clamp(1, MAX_PARTS);
+    let places = (0..=parts).flat_map(|i| (0..=parts).map(move |j| [i, j]));
+    let places: Vec<[f64; 2]> = places.map(|place| place.map(|index| index as f64 / parts as f64)).collect();
     let mut suspects: Vec<(f64, usize, [f64; 2])> = (0..a.len())
         .into_par_iter()
         .flat_map_iter(|patch| {
