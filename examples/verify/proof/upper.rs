@@ -16,7 +16,7 @@ const CANDIDATES: usize = 4;
 /// The cells that the threads share between two looks at the clock.
 const ROUND: usize = 64;
 
-/// The halvings after which a cell is given up: float64 tells its corners apart no longer.
+/// The halvings after which a cell is given up: float64 no longer separates its corners.
 const MAX_LEVEL: u32 = 90;
 
 /// On cells whose level is a multiple, B is searched for points nearer than those found, as Newton's
@@ -259,7 +259,7 @@ enum Attempt {
 ///
 /// Each corner k of the cell gets parameters f_k in [0, 1]² of B's patch near it, found in float64
 /// and from then on exact numbers. Let ψ be the bilinear map of [0, 1]² with ψ(corner k) = f_k and
-/// D = A - B ∘ ψ, whose value at (s, t) is at least as long as the distance of A(s, t) from B. The
+/// D = A - B ∘ ψ, the length of whose value at (s, t) is an upper bound of the distance of A(s, t) from B. The
 /// bilinear interpolant of D is longest at a corner, as norms are convex, and differs from D by at
 /// most (max |D_ss| + max |D_tt|) / 8: with I_s and I_t the linear interpolation along s and t,
 /// |D - I_s D| <= max |D_ss| / 8 and |I_s (D - I_t D)| <= max |D_tt| / 8. So

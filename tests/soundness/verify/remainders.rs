@@ -14,7 +14,7 @@ const SKEW: f64 = 0.2;
 const INNER: [f64; 2] = [(1.0 - SKEW) / 3.0, (1.0 + SKEW) / 3.0];
 
 /// The profile is 0.25 in the middle, where cells are looked at first, 0.2496 at the sample 0.6, and
-/// PEAK at t = 0.5486. Its second derivative is at most 3.2, so that the remainder is 0.4, and half
+/// PEAK at t = 0.5486. Its second derivative does not exceed 3.2, so that the remainder is 0.4, and half
 /// of it 0.2.
 const BEYOND_SAMPLES: f64 = 0.251;
 const PEAK: f64 = 0.25245;
