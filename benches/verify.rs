@@ -11,7 +11,6 @@
 mod fuzzer;
 #[path = "../examples/verify/proof/mod.rs"]
 mod proof;
-#[allow(dead_code, reason = "shared with the tests, which use all of it")]
 #[path = "../tests/support/mod.rs"]
 mod support;
 
