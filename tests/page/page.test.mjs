@@ -14,7 +14,7 @@ before(async () => {
 
 after(() => opened.close());
 
-/** Two squares as models A and B, each over the other's every point. */
+/** Opens stacks of parallel squares at these heights as models A and B. */
 async function openPlanes(a, b) {
   const { page } = opened;
   await page.setInputFiles("#file-a", modelFile("a.json", planes(...a)));
@@ -26,8 +26,8 @@ async function openPlanes(a, b) {
   );
 }
 
-/** Red, green and blue left of the middle of the view, where the arrow is. */
-async function besideMiddle() {
+/** Returns red, green and blue at a point to the left of the arrow, which is in the middle of the view. */
+async function colorLeftOfMiddle() {
   const { page } = opened;
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await page.waitForTimeout(500);
@@ -44,17 +44,22 @@ async function besideMiddle() {
   }, image);
 }
 
-test("the first preset is measured, and shown as people shall see it", async () => {
+test("the first preset is measured and shown", async () => {
   const { page } = opened;
   const { lower, upper, computed, converged } = await opened.data();
   assert.equal(converged, "true");
   assert.ok(Number(lower) <= Number(computed) && Number(computed) <= Number(upper));
   const [from, to] = JSON.parse(await page.locator("#interval").textContent());
-  assert.ok(from <= Number(lower) && Number(upper) <= to, "what is read contains the interval");
-  assert.match(await page.locator("#width").textContent(), /certain to contain it/);
+  assert.ok(
+    from <= Number(lower) && Number(upper) <= to,
+    "the interval shown contains the certified one",
+  );
+  assert.match(await page.locator("#width").textContent(), /contains the distance/);
   assert.match(await page.locator("#engine").textContent(), /WebGPU/);
   assert.ok(await page.locator("#banner").isHidden());
   await opened.screenshot("page");
+  // `npm run picture` keeps this picture for the README.
+  if (process.env.PICTURE) await opened.page.screenshot({ path: process.env.PICTURE });
 });
 
 for (const method of ["certified", "iteration"]) {
@@ -75,7 +80,7 @@ for (const method of ["certified", "iteration"]) {
   });
 }
 
-test("the deviation of a plane under another and over it is signed, coloured, and counted", async () => {
+test("the deviation of a plane below and above another is signed, coloured, and summarised", async () => {
   const { page } = opened;
   await page.selectOption("#method", "certified");
   await openPlanes([2.9], [3]);
@@ -93,10 +98,10 @@ test("the deviation of a plane under another and over it is signed, coloured, an
       "95th percentile": "≈ 0.10000",
       "99th percentile": "≈ 0.10000",
     });
-    assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
+    assert.match(await page.locator("#estimates h2").textContent(), /estimates from samples/);
     assert.equal(await page.locator("#scale-low").textContent(), "−0.10000");
     assert.equal(await page.locator("#scale-high").textContent(), "+0.10000");
-    const [r, , b] = await besideMiddle();
+    const [r, , b] = await colorLeftOfMiddle();
     assert.ok(red ? r > b + 50 : b > r + 50, `red ${r}, blue ${b}`);
   }
   await opened.until("done", () => page.locator("#deviation").uncheck());
@@ -116,7 +121,7 @@ test("projection lines and the painted deviation come with a legend", async () =
   }
 });
 
-test("a long certificate is cancelled, with the interval so far", async () => {
+test("a long certified search is cancelled, with the interval so far", async () => {
   const { page } = opened;
   for (const [side, part] of Object.entries(sphereParts)) {
     const sphere = modelFile(`${side}.json`, part);
@@ -129,12 +134,12 @@ test("a long certificate is cancelled, with the interval so far", async () => {
   const { converged, lower, upper } = await opened.data();
   assert.equal(converged, "false");
   assert.ok(Number(lower) <= 0.2 + 1e-9 && 0.2 - 1e-9 <= Number(upper), `${lower} ${upper}`);
-  assert.match(await page.locator("#width").textContent(), /wider than asked/);
-  assert.equal((await opened.texts("#facts"))["ended by"], "cancelling");
+  assert.match(await page.locator("#width").textContent(), /wider than the tolerance/);
+  assert.equal((await opened.texts("#facts"))["search ended"], "cancelled");
   await opened.until("done", () => page.selectOption("#tolerance", "1e-6"));
 });
 
-test("cancelled samples leave no numbers behind", async () => {
+test("a cancelled iteration leaves no numbers", async () => {
   const { page } = opened;
   const many = Array.from({ length: 40 }, (_, index) => 0.1 * index);
   await openPlanes(many, many);
