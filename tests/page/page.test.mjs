@@ -98,7 +98,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
       "95th percentile": "≈ 0.10000",
       "99th percentile": "≈ 0.10000",
     });
-    assert.match(await page.locator("#estimates h2").textContent(), /estimates from samples/);
+    assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
     assert.equal(await page.locator("#scale-low").textContent(), "−0.10000");
     assert.equal(await page.locator("#scale-high").textContent(), "+0.10000");
     const [r, , b] = await colorLeftOfMiddle();
@@ -107,6 +107,71 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   await opened.until("done", () => page.locator("#deviation").uncheck());
   assert.ok(await page.locator("#legend").isHidden());
   assert.ok(await page.locator("#estimates").isHidden());
+});
+
+/** The rows of the view, from the top, in which the arrow's pixels are, with their number. */
+async function arrowRows() {
+  const { page } = opened;
+  await page.waitForTimeout(500);
+  // The label has the arrow's colour.
+  const style = "#label, #tools { visibility: hidden }";
+  const image = (await page.locator("#canvas").screenshot({ style })).toString("base64");
+  return page.evaluate(async (image) => {
+    const bitmap = await createImageBitmap(
+      await (await fetch(`data:image/png;base64,${image}`)).blob(),
+    );
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    // --accent of the style sheet.
+    const isAccent = (at) =>
+      [0xcf, 0x2f, 0x4b].every((value, channel) => Math.abs(data[at + channel] - value) < 12);
+    const rows = [];
+    for (let y = 0; y < height; y++) {
+      let count = 0;
+      for (let x = 0; x < width; x++) if (isAccent(4 * (y * width + x))) count++;
+      if (count > 0) rows.push({ y, count });
+    }
+    return rows;
+  }, image);
+}
+
+/** Whether the head, the widest part of the arrow, is in its upper half. */
+async function pointsUp() {
+  const rows = await arrowRows();
+  assert.ok(rows.length > 60, `an arrow of ${rows.length} rows`);
+  const widest = rows.reduce((one, other) => (other.count > one.count ? other : one));
+  const fraction = (widest.y - rows[0].y) / rows.length;
+  assert.ok(Math.abs(fraction - 0.5) > 0.3, `the head is at ${fraction}`);
+  return fraction < 0.5;
+}
+
+test("the arrow starts at the farthest point of the direction with the larger distance", async () => {
+  const { page } = opened;
+  // From A, at 0, it is 3 to B; from B, whose upper square is at 5, it is 5 to A.
+  await page.selectOption("#method", "certified");
+  for (const [file, heights] of [
+    ["#file-a", [0]],
+    ["#file-b", [3, 5]],
+  ]) {
+    await opened.until("done", () =>
+      page.setInputFiles(file, modelFile("planes.json", planes(...heights))),
+    );
+  }
+  assert.equal((await opened.data()).from, "a");
+  assert.equal(await page.locator("#kind").textContent(), "Directed distance, A to B");
+  assert.ok(await pointsUp(), "from A up to the square of B at 3");
+  await opened.until("done", () => page.locator("#symmetric").check());
+  const { from, a, b, computed } = await opened.data();
+  assert.deepEqual([from, numbers(a)[2], numbers(b)[2], Number(computed)], ["b", 0, 5, 5]);
+  assert.equal(await page.locator("#kind").textContent(), "Symmetric distance, B to A");
+  const details = await opened.texts("#facts");
+  assert.equal(details["directed, A to B"], "3.00000");
+  assert.equal(details["directed, B to A"], "5.00000");
+  assert.ok(!(await pointsUp()), "from the square of B at 5 down to A");
+  await opened.screenshot("symmetric");
+  await opened.until("done", () => page.locator("#symmetric").uncheck());
 });
 
 test("projection lines and the painted deviation come with a legend", async () => {
