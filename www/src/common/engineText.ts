@@ -3,5 +3,5 @@ import type { EngineState } from "../worker/protocol.ts";
 
 export function engineText({ backend, adapter }: EngineState): string {
   if (backend === "cpu") return "CPU, float64";
-  return `WebGPU${adapter ? `: ${adapter}` : ""} · certified bounds are completed in float64`;
+  return `WebGPU${adapter ? `: ${adapter}` : ""} · bounds completed in float64`;
 }
