@@ -1,11 +1,11 @@
-//! The papers' experiments, and the open questions of the 2012 paper, measured.
+//! Measures the experiments of the two papers and the open questions of the 2012 paper.
 //!
 //! `cargo run --release --example experiments -- --out DIR [--only NAME] [--quick]`
 //!
-//! Writes a table (CSV) and a figure (SVG) for each experiment into DIR. What
-//! they show is told in `docs/paper.md` and `docs/order.md`. Pairs that are
-//! not ours to ship are read from `../shared/models` if that is there, and
-//! shapes of about their sizes take their places if not.
+//! Writes a table (CSV) and a figure (SVG) for each experiment into DIR;
+//! `docs/paper.md` and `docs/order.md` discuss them. Models that are not ours to
+//! distribute are read from `../shared/models`; without that folder, shapes of
+//! about the same size replace them.
 
 mod suite;
 
@@ -16,13 +16,13 @@ use std::path::PathBuf;
 /// Runs the experiments.
 #[derive(Parser)]
 struct Arguments {
-    /// The folder to write to, made if it is not there.
+    /// The output folder, created if it does not exist.
     #[arg(long)]
     out: PathBuf,
-    /// Only experiments whose files' names contain this.
+    /// Runs only the experiments whose file names contain this text.
     #[arg(long, default_value = "")]
     only: String,
-    /// Few positions, few samples and small models, in seconds.
+    /// Uses few positions, few samples and small models; takes seconds.
     #[arg(long)]
     quick: bool,
 }

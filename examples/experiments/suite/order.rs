@@ -1,4 +1,4 @@
-//! How the work of `certified` grows with the tolerance asked.
+//! How the work of `certified` grows with the requested tolerance.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
@@ -52,8 +52,12 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         series,
     };
     let panels = [
-        panel("Exact offsets: a power of the tolerance", Axis::logarithmic("cells bounded"), offsets),
-        panel("Other pairs: at most its logarithm", Axis::linear("cells bounded"), others),
+        panel(
+            "Exact offsets: cells grow as a power of the tolerance",
+            Axis::logarithmic("cells bounded"),
+            offsets,
+        ),
+        panel("Other pairs: cells grow at most with its logarithm", Axis::linear("cells bounded"), others),
     ];
     setup.save("order", &table, &panels)
 }
@@ -71,7 +75,11 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     cases.push(still("parts of a sphere", sphere_parts([1.0, 1.0])?, true));
     let aside = DVec3::new(0.3, 0.1, 0.0);
     cases.push(case("glass and bottle", [shape("glass")?, shape("bottle")?], aside, false));
-    cases.push(still("wings of other sections", [shape("naca-wing")?, shape("naca-wing-thicker")?], false));
+    cases.push(still(
+        "wings of different sections",
+        [shape("naca-wing")?, shape("naca-wing-thicker")?],
+        false,
+    ));
     let [duck, teapot] = models_of("several")?;
     let twice = [duck.clone(), duck.clone()];
     cases.push(case("duck and duck moved", twice, DVec3::new(0.4, 0.1, 0.0), false));
