@@ -1,4 +1,4 @@
-// The cells of A, shared by the stages of method `certified`. CPU twin: `Cell`
+// The cells of A, shared by the stages of method `certified`. CPU twin: `SearchNode`
 // of `src/certified/search/node.rs`. The host generates PRUNED, SPLIT_S,
 // SPLIT_T, FLOAT64_ONLY.
 

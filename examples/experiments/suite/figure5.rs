@@ -56,7 +56,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let level = |value: f64| ends.map(|spacing| Some([spacing, value])).to_vec();
     let [computed, published, rigorous] = curves;
     let panel = Panel {
-        title: format!("Plane across a cylinder of radius {FIGURE5_RADIUS}: the distance is the radius"),
+        title: format!("Plane through a cylinder of radius {FIGURE5_RADIUS}: the distance is the radius"),
         x: Axis::linear("distance between neighbouring samples, model units"),
         y: Axis::linear("directed distance, model units"),
         series: vec![

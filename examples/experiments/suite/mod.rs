@@ -86,7 +86,7 @@ const EXPERIMENTS: [(&str, Experiment); 8] = [
 
 /// Runs the requested experiments.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
-    let adapter = setup.engine.adapter().unwrap_or_else(|| "none; all on the CPU".to_owned());
+    let adapter = setup.engine.adapter().unwrap_or_else(|| "none, everything runs on the CPU".to_owned());
     println!("GPU: {adapter}");
     for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| setup.is_requested(name)) {
         let started = Instant::now();

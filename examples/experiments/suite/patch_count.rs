@@ -76,7 +76,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     };
     let panels = [
         panel("Part of a survey against 1/16, 1/4 and all of it", "cells bounded", "cells", cells),
-        panel("The same", "solve time, milliseconds", "solve time", times),
+        panel("The same pairs", "solve time, milliseconds", "solve time", times),
     ];
     setup.save("patch-count", &table, &panels)
 }

@@ -68,7 +68,7 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let moved = DVec3::new(0.4, 0.1, 0.0);
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
-        cases.push(("duck body against itself moved", models_of("body")?, moved));
+        cases.push(("duck body against its moved copy", models_of("body")?, moved));
         let wings = [shape("naca-wing")?, shape("naca-wing-thicker")?];
         cases.push(("wing against a thicker one", wings, DVec3::ZERO));
     }

@@ -85,9 +85,9 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let moved = DVec3::new(0.4, 0.1, 0.3);
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
-        cases.push(("duck body against itself moved", models_of("body")?, moved));
+        cases.push(("duck body against its moved copy", models_of("body")?, moved));
         let tori = [shape("torus-fatter")?, shape("torus")?];
-        cases.push(("torus against a thinner one moved", tori, moved));
+        cases.push(("torus against a moved, thinner one", tori, moved));
     }
     Ok(cases)
 }

@@ -22,7 +22,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
 }
 
 fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
-    let along = || Axis::linear("position of A's centre from B's, model units");
+    let along = || Axis::linear("position of A's centre relative to B's, model units");
     [
         Panel {
             title: pair.title.clone(),
@@ -37,13 +37,13 @@ fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
             series: each(curves, Style::Line, |result, _| Some(result.computed)),
         },
         Panel {
-            title: "Distance less that of `certified`, with bounds".to_owned(),
+            title: "Difference from the certified distance, with bounds".to_owned(),
             x: along(),
             y: Axis::linear("difference, model units"),
             series: bounds(curves),
         },
         Panel {
-            title: "Size of that difference".to_owned(),
+            title: "Absolute difference".to_owned(),
             x: along(),
             y: Axis::logarithmic("difference, model units"),
             series: sizes(curves),

@@ -43,7 +43,7 @@ const COLUMNS: [&str; 5] =
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let points = samples(setup.choose(16, 6))?;
-    let names = ["Bézier: all patches", "Bézier: tree over patches", "NURBS: nearest control point"];
+    let names = ["Bézier: all patches", "Bézier: BVH over patches", "NURBS: nearest control point"];
     let mut curves: [[Vec<Option<[f64; 2]>>; 3]; 2] = Default::default();
     let mut rates: [Vec<Option<[f64; 2]>>; 2] = Default::default();
     let gpu = kernels::Gpu::new();
@@ -105,7 +105,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     ];
     if gpu.is_some() {
         let names = ["Bézier patch", "NURBS surface"];
-        let y = Axis::logarithmic("millions a second");
+        let y = Axis::logarithmic("millions per second");
         panels.push(panel("Points with tangents, float32 in a kernel", y, &names, rates.into()));
     }
     setup.save("nurbs-evaluation", &table, &panels)

@@ -24,7 +24,7 @@ pub(super) type Cut = fn(&Normals, Axis) -> f64;
 
 /// The rules, each with its name.
 pub(super) const CUTS: [(&str, Cut); 2] =
-    [("cut in the middle", |_, _| 0.5), ("cut where turning is halved", halves_turning)];
+    [("cut in the middle", |_, _| 0.5), ("cut at half of the rotation", halves_turning)];
 
 /// Returns the patches, cut until the normals of each differ by at most `degrees`.
 pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
