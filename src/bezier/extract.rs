@@ -179,6 +179,11 @@ fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
 
 /// Returns the coefficients of the span's control points in the blossom at the
 /// span's start, degree - k times, and its end, k times.
+///
+/// Both factors of a level are quotients of differences of knots, so each has a
+/// relative error of three roundings (lemma R3 of docs/method.md). `1 - fraction`
+/// would not: near 1 the fraction's error is as large as the complement, and a
+/// control of small weight then moves by its whole weight ratio.
 fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
     let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
     for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
@@ -189,9 +194,10 @@ fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORD
         for index in 0..=degree - level {
             let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
             let fraction = (argument - low) / (high - low);
+            let complement = (high - argument) / (high - low);
             let next = coefficients[index + 1];
             for (coefficient, next) in coefficients[index].iter_mut().zip(next) {
-                *coefficient = (1.0 - fraction) * *coefficient + fraction * next;
+                *coefficient = complement * *coefficient + fraction * next;
             }
         }
     }

@@ -58,37 +58,42 @@ impl Patch<'_> {
 /// Restricts one line of controls to [start, end] by two steps of de Casteljau's algorithm.
 ///
 /// The first step is the one that keeps the longer part, or that extrapolates.
+/// Each step takes both of its factors from the exact ends, so that each has a
+/// relative error of at most three roundings and the piece is that of exactly
+/// [start, end] (lemma R6 of docs/method.md). `1 - start / end` of the rounded
+/// quotient would move an end, and leave a gap between neighbouring pieces.
 fn restrict_line(controls: &mut [DVec4], first: usize, stride: usize, order: usize, [start, end]: [f64; 2]) {
     let mut line = [DVec4::ZERO; MAX_ORDER];
     for (index, control) in line.iter_mut().enumerate().take(order) {
         *control = controls[first + index * stride];
     }
+    let line = &mut line[..order];
     if end > 1.0 - start {
-        keep_low(&mut line[..order], end);
-        keep_high(&mut line[..order], start / end);
+        keep_low(line, [1.0 - end, end]);
+        keep_high(line, [(end - start) / end, start / end]);
     } else {
-        keep_high(&mut line[..order], start);
-        keep_low(&mut line[..order], (end - start) / (1.0 - start));
+        keep_high(line, [1.0 - start, start]);
+        keep_low(line, [(1.0 - end) / (1.0 - start), (end - start) / (1.0 - start)]);
     }
     for (index, control) in line.iter().enumerate().take(order) {
         controls[first + index * stride] = *control;
     }
 }
 
-/// Restricts a line to [start, 1].
-fn keep_high(line: &mut [DVec4], start: f64) {
+/// Restricts a line to [start, 1], given 1 - start and start.
+fn keep_high(line: &mut [DVec4], [complement, start]: [f64; 2]) {
     for level in 1..line.len() {
         for index in 0..line.len() - level {
-            line[index] = (1.0 - start) * line[index] + start * line[index + 1];
+            line[index] = complement * line[index] + start * line[index + 1];
         }
     }
 }
 
-/// Restricts a line to [0, end].
-fn keep_low(line: &mut [DVec4], end: f64) {
+/// Restricts a line to [0, end], given 1 - end and end.
+fn keep_low(line: &mut [DVec4], [complement, end]: [f64; 2]) {
     for level in 1..line.len() {
         for index in (level..line.len()).rev() {
-            line[index] = (1.0 - end) * line[index - 1] + end * line[index];
+            line[index] = complement * line[index - 1] + end * line[index];
         }
     }
 }

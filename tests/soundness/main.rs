@@ -13,6 +13,7 @@ mod suite;
 mod support;
 
 mod experiments;
+mod known_pairs;
 mod random_pairs;
 mod reference_pairs;
 mod verify;

@@ -1,0 +1,288 @@
+//! Pairs on which an interval was false or a search did not end, each with its
+//! exact distance: from analysis, or from exact arithmetic where so stated.
+
+mod nets;
+
+use crate::support::{cpu, fixtures, gpu};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Method, Options};
+use nurbs_hausdorff::{Model, SurfaceArrays};
+
+/// The part of an exact distance by which it is rounded where it is stated here.
+const TRUTH_ROUNDING: f64 = 1e-9;
+
+/// The cells after which a search may end; the largest search of a pair that
+/// ends by itself takes a tenth of them.
+const MAX_CELLS: usize = 200_000;
+
+/// The seconds after which a search counts as endless.
+const MAX_SECONDS: f64 = 20.0;
+
+/// A surface with its control points in rows along u.
+fn surface(degree: [usize; 2], knots: [&[f64]; 2], control_points: &[[f64; 4]]) -> SurfaceArrays {
+    let counts = [0, 1].map(|axis| knots[axis].len() - degree[axis] - 1);
+    SurfaceArrays { degree, knots: knots.map(<[_]>::to_vec), counts, control_points: control_points.to_vec() }
+}
+
+/// The curve (x, z) with these control points, swept from y = 0 to y = 1.
+fn swept(degree: usize, knots: &[f64], curve: &[[f64; 2]]) -> SurfaceArrays {
+    let ends = |&[x, z]: &[f64; 2]| [[x, 0.0, z, 1.0], [x, 1.0, z, 1.0]];
+    let points: Vec<_> = curve.iter().flat_map(ends).collect();
+    surface([degree, 1], [knots, &[0.0, 0.0, 1.0, 1.0]], &points)
+}
+
+/// A bilinear surface.
+fn bilinear(corners: [[f64; 4]; 4]) -> SurfaceArrays {
+    surface([1, 1], [&[0.0, 0.0, 1.0, 1.0]; 2], &corners)
+}
+
+/// The rectangle from x = 10 to 11 at this height, swept as [`swept`] does.
+fn shelf(height: f64) -> SurfaceArrays {
+    swept(1, &[0.0, 0.0, 1.0, 1.0], &[[10.0, height], [11.0, height]])
+}
+
+/// A knot vector of `degree` + 1 equal knots at each of these numbers.
+fn repeated(degree: usize, knots: &[f64]) -> Vec<f64> {
+    knots.iter().flat_map(|&knot| vec![knot; degree + 1]).collect()
+}
+
+fn budgeted() -> Options {
+    Options {
+        backend: Backend::Cpu,
+        max_cells: Some(MAX_CELLS),
+        max_seconds: Some(MAX_SECONDS),
+        ..Options::default()
+    }
+}
+
+/// Asserts that the interval contains the exact distance.
+fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
+    let (lower, upper, rounding) = (result.lower, result.upper, TRUTH_ROUNDING * truth);
+    assert!(
+        lower <= truth + rounding && truth - rounding <= upper,
+        "{name}: {truth:e} in [{lower:e}, {upper:e}]"
+    );
+}
+
+/// Asserts the same of a search to the default tolerance, and that it converges.
+fn assert_measured(a: Vec<SurfaceArrays>, b: Vec<SurfaceArrays>, truth: f64, name: &str) {
+    let [a, b] = [a, b].map(fixtures::model);
+    let result = cpu::measure(&a, &b, &budgeted());
+    assert_contains(&result, truth, name);
+    assert!(result.converged, "{name}: [{:e}, {:e}]", result.lower, result.upper);
+    // A limit on the side of the false upper bound must not be accepted.
+    let limit = Some(0.5 * truth);
+    let decided = cpu::measure(&a, &b, &Options { limit, ..budgeted() });
+    assert_contains(&decided, truth, name);
+    assert!(decided.upper > 0.5 * truth, "{name}: {}", decided.upper);
+}
+
+/// A parabola near the origin and a rectangle 0.02 below B's.
+fn parabola_and_shelf() -> Vec<SurfaceArrays> {
+    let parabola = [[-0.060_899_999_999_999_996, 0.0009], [0.0009, -0.0009], [0.0591, 0.0009]];
+    vec![swept(2, &repeated(2, &[0.0, 1.0]), &parabola), shelf(-5.02)]
+}
+
+/// The quarter of a curve that B has near the origin: no point of it is left
+/// of x = 0, so that the parabola's end at x = -0.0609 is far from it.
+const HOOK: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+
+/// From the parabola's end to the hook's start, exactly.
+fn from_parabola_to_hook() -> f64 {
+    0.060_899_999_999_999_996_f64.hypot(0.0009)
+}
+
+/// The hook's span is one unit in the last place wide, so that the middle of the
+/// span is its end, and nothing of the surface precedes the hook.
+#[test]
+fn ulp_gap() {
+    let curve: Vec<_> = [[10.0, -5.0], [10.5, -5.0], [11.0, -5.0]].into_iter().chain(HOOK).collect();
+    let knots = repeated(2, &[0.0, 1.0, 1.0 + f64::EPSILON]);
+    let b = vec![swept(2, &knots, &curve)];
+    assert_measured(parabola_and_shelf(), b, from_parabola_to_hook(), "ulp_gap");
+}
+
+/// The same where a straight line from below ends at the hook's start at a crease.
+#[test]
+fn ulp_crease() {
+    let curve: Vec<_> = [[0.0, -2.0], [0.0, -1.0]].into_iter().chain(HOOK).collect();
+    let knots = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0 + f64::EPSILON, 1.0 + f64::EPSILON, 1.0 + f64::EPSILON];
+    let b = vec![swept(2, &knots, &curve), shelf(-5.0)];
+    // The end (-0.0609, 0.0009) of the parabola is above the line's end.
+    assert_measured(parabola_and_shelf(), b, from_parabola_to_hook(), "ulp_crease");
+}
+
+/// The same at knots of 1e5, whose units in the last place are larger.
+#[test]
+fn ulp_gap_1e5() {
+    let curve: Vec<_> = [[0.0, -2.0], [0.0, -1.0]].into_iter().chain(HOOK).collect();
+    let next = 1e5_f64.next_up();
+    let knots = [0.0, 0.0, 0.0, 1e5, 1e5, next, next, next];
+    let b = vec![swept(2, &knots, &curve), shelf(-5.0)];
+    assert_measured(parabola_and_shelf(), b, from_parabola_to_hook(), "ulp_gap_1e5");
+}
+
+/// A spiral of degree 7 on a span of one unit in the last place. A is the
+/// spiral continued beyond its start, whose end is the farthest point.
+#[test]
+fn ulp_spiral() {
+    let continued = [
+        [-0.051_383_897_261_747_837, 0.001_666_372_358_768_960_5],
+        [-0.036_400_652_972_513_214, 0.000_702_969_772_742_361_8],
+        [-0.021_616_083_257_311_913, 7.190_711_712_931_5e-5],
+        [-0.007_033_592_961_969_45, -0.000_235_804_920_397_541_16],
+        [0.007_343_633_961_518_793, -0.000_229_120_467_017_883_84],
+        [0.021_512_629_509_533_573, 8.304_664_529_090_977e-5],
+        [0.035_470_636_715_911_26, 0.000_691_827_789_310_762_7],
+        [0.049_215_104_777_078_86, 0.001_588_404_255_574_316_1],
+    ];
+    let spiral =
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.5], [-1.0, 1.5], [-1.0, -2.0], [2.0, -2.0], [2.0, 3.0], [-2.0, 3.0]];
+    let line = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|k| [10.0 + k / 7.0, -5.0]);
+    let curve: Vec<_> = line.into_iter().chain(spiral).collect();
+    let a = vec![swept(7, &repeated(7, &[0.0, 1.0]), &continued), shelf(-5.020_564_364_107_432)];
+    let b = vec![swept(7, &repeated(7, &[0.0, 1.0, 1.0 + f64::EPSILON]), &curve)];
+    let [x, z] = continued[0];
+    assert_measured(a, b, x.hypot(z), "ulp_spiral");
+}
+
+/// An interior knot at a relative distance of 2.8e-7 from the end, and a control
+/// point whose weight is as small: the complement of a rounded knot fraction
+/// moved it. The truth is from rational arithmetic.
+#[test]
+fn extract_weights() {
+    let [start, knot, end] = [0.052_036_619_925_780_125, 0.505_936_081_034_358_2, 0.505_936_206_947_746_2];
+    let curve = [
+        [0.918_263_803_056_892_5, 0.811_789_578_021_936, 1.0],
+        [0.890_291_369_205_598, 0.925_483_101_592_807_9, 1.0],
+        [0.082_774_642_530_100_36, 0.361_758_560_767_773_35, 2.774_036_188_324_563e-7],
+        [0.592_452_791_377_739_4, 0.331_222_517_787_882_36, 1.0],
+    ];
+    let points: Vec<_> = curve.iter().flat_map(|&[x, y, w]| [[x, y, 0.0, w], [x, y, 0.001, w]]).collect();
+    let knots = [start, start, start, knot, end, end, end];
+    let a = fixtures::model(vec![surface([2, 1], [&knots, &[0.0, 0.0, 1.0, 1.0]], &points)]);
+    let b =
+        fixtures::model(vec![bilinear([[1.613_619_770_716_730_4, -0.008_802_270_046_754_157, 0.0, 1.0]; 4])]);
+    let truth = 1.302_298_531_963_835_4;
+    let result = cpu::measure(&a, &b, &Options { tolerance: 1e-12, ..budgeted() });
+    assert!(
+        result.lower <= truth && truth <= result.upper,
+        "{truth} in [{}, {}]",
+        result.lower,
+        result.upper
+    );
+}
+
+/// Weight times coordinate is 1e170, whose square is beyond float64. The upper
+/// end is from samples: no distance exceeds it.
+#[test]
+fn overflow() {
+    let options = Options { tolerance: 1e-4, ..budgeted() };
+    let result = cpu::measure(&nets::overflow_a(), &nets::overflow_b(), &options);
+    assert!(result.lower <= 6.575e68, "{:e}", result.lower);
+    assert!(result.upper.is_finite() && result.upper >= result.lower, "{:e}", result.upper);
+}
+
+/// All weights are 1e-80, whose fourth powers are 0 in float64. The cubic
+/// z = 0.0005 + 0.001 cos-like arc rises to 0.001 above the plane.
+#[test]
+fn underflow() {
+    const WEIGHT: f64 = 1e-80;
+    let heights = [0.0005, 0.002_232_050_8, -0.001_232_050_8, 0.0005];
+    let points: Vec<_> =
+        (0..8).map(|k| [(k / 2) as f64 / 3.0, (k % 2) as f64, heights[k / 2], WEIGHT]).collect();
+    let wave = surface([3, 1], [&repeated(3, &[0.0, 1.0]), &[0.0, 0.0, 1.0, 1.0]], &points);
+    let rectangle = |[x0, x1]: [f64; 2], [y0, y1]: [f64; 2], z: f64| {
+        bilinear([[x0, y0], [x0, y1], [x1, y0], [x1, y1]].map(|[x, y]| [x, y, z, WEIGHT]))
+    };
+    let a = vec![wave, rectangle([2.9, 3.0], [-0.1, 0.1], 0.0006)];
+    let b = vec![rectangle([0.0, 3.0], [-0.2, 1.5], 0.0)];
+    // The cubic's maximum, at which its derivative 3(h1 - h0)(1-t)² + … vanishes.
+    let height = |t: f64| {
+        let r = 1.0 - t;
+        heights[0] * r * r * r
+            + 3.0 * heights[1] * r * r * t
+            + 3.0 * heights[2] * r * t * t
+            + heights[3] * t * t * t
+    };
+    let truth = (0..=1_000_000).map(|k| height(f64::from(k) / 1e6)).fold(0.0, f64::max);
+    assert_measured(a, b, truth, "underflow");
+}
+
+/// Method `hierarchy` on the GPU where B is a point. The truth is the largest
+/// distance of a fine sampling of A from it, up to the sampling.
+#[test]
+fn hierarchy_point() {
+    let Some(engine) = gpu::engine("hierarchy_point") else { return };
+    let options =
+        Options { method: Method::Hierarchy, grid: 48, backend: Backend::Gpu, ..Options::default() };
+    let result = gpu::measure(&engine, &nets::hierarchy_point_a(), &nets::hierarchy_point_b(), &options);
+    assert!(result.lower <= 1.517_852 && 1.517_851 <= result.upper, "[{}, {}]", result.lower, result.upper);
+}
+
+/// Two planes 1e7 from the origin, 0.1 apart up to the rounding of 1e7 + 0.1.
+#[test]
+fn plane_1e7() {
+    const FAR: f64 = 1e7;
+    let plane = |height: f64| {
+        let corner = |i: f64, j: f64| [FAR + i, FAR + j, height, 1.0];
+        fixtures::model(vec![bilinear([
+            corner(0.0, 0.0),
+            corner(0.0, 1.0),
+            corner(1.0, 0.0),
+            corner(1.0, 1.0),
+        ])])
+    };
+    assert_ends(&plane(FAR + 0.1), &plane(FAR), Some(FAR + 0.1 - FAR), "plane_1e7");
+}
+
+/// Two points: the models' diagonals are 0, and so is a relative tolerance.
+#[test]
+fn points() {
+    let point = |x: f64, y: f64, z: f64| fixtures::model(vec![bilinear([[x, y, z, 1.0]; 4])]);
+    assert_ends(&point(0.3, 0.2, 0.1), &point(1.3, 0.6, 0.1), Some(1.0_f64.hypot(0.4)), "points");
+}
+
+/// A sheet and a sphere 2.5e8 from the origin, where 1e-6 of their size is a
+/// few roundings of their coordinates.
+#[test]
+fn far() {
+    assert_ends(&nets::far_a(), &nets::far_b(), None, "far");
+}
+
+/// Two cuts of one sheet; no bound holds across pieces that are cut elsewhere.
+#[test]
+fn split_copies() {
+    let [a, b] = [nets::split_copies_a(), nets::split_copies_b()];
+    let result = cpu::measure(&a, &b, &Options { tolerance: 1e-9, ..budgeted() });
+    // The copies are the same surface up to the rounding of the knot insertion.
+    assert!(result.lower <= 1e-14, "{:e}", result.lower);
+}
+
+/// Asserts that a search ends long before its budgets, with an interval that
+/// contains the truth.
+fn assert_ends(a: &Model, b: &Model, truth: Option<f64>, name: &str) {
+    let result = cpu::measure(a, b, &budgeted());
+    if let Some(truth) = truth {
+        assert_contains(&result, truth, name);
+    }
+    let cells = result.certified().unwrap().cells;
+    assert!(
+        result.lower <= result.upper && cells < MAX_CELLS,
+        "{name}: {cells} cells, [{}, {}]",
+        result.lower,
+        result.upper
+    );
+}
+
+/// Cells 2^-25 of a patch wide are not exact in float32: the GPU's search must
+/// end as the CPU's does, and their intervals overlap.
+#[test]
+fn gpu_deep() {
+    let Some(engine) = gpu::engine("gpu_deep") else { return };
+    let [a, b] = [nets::gpu_deep_a(), nets::gpu_deep_b()];
+    let options = Options { tolerance: 1e-5, ..budgeted() };
+    let on_cpu = cpu::measure(&a, &b, &options);
+    let on_gpu = gpu::measure(&engine, &a, &b, &Options { backend: Backend::Gpu, ..options });
+    assert!(on_cpu.converged && on_gpu.converged, "{} cells", on_gpu.certified().unwrap().cells);
+    assert!(on_cpu.lower <= on_gpu.upper && on_gpu.lower <= on_cpu.upper);
+}
