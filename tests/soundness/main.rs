@@ -13,6 +13,8 @@ mod suite;
 mod support;
 
 mod experiments;
+mod fuzz;
+mod fuzz_seeds;
 mod known_pairs;
 mod random_pairs;
 mod reference_pairs;
