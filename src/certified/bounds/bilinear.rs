@@ -56,7 +56,7 @@ impl UpperBound for Bilinear {
         let cell_error = SLIVER_ROUNDINGS * UNIT_ROUNDOFF * context.radius
             + interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
         let mut corners = Corners { context, cell_error };
-        if corners.may_suffice(&foot, threshold) { corners.upper_bound(&foot, threshold) } else { None }
+        corners.upper_bound(&foot, threshold)
     }
 }
 
@@ -68,8 +68,8 @@ struct Corners<'a, 'c> {
 }
 
 impl Corners<'_, '_> {
-    /// A quick rejection: the bound is never below the distance of a corner's
-    /// foot plus δ_A. With the centre's foot that is a heuristic only.
+    /// Whether the bound can reach the threshold, which it cannot below the
+    /// distance of a corner's foot plus δ_A.
     fn may_suffice(&self, foot: &Foot, threshold: f64) -> bool {
         foot.distance() + self.cell_error <= threshold
     }
