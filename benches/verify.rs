@@ -11,7 +11,6 @@
 mod fuzzer;
 #[path = "../examples/verify/proof/mod.rs"]
 mod proof;
-#[allow(dead_code, reason = "shared with the tests, which use all of it")]
 #[path = "../tests/support/mod.rs"]
 mod support;
 
@@ -177,7 +176,7 @@ fn random_pairs() -> Vec<Pair> {
         let options = Options {
             absolute: diagonal == 0.0,
             tolerance: pair.tolerance,
-            max_cells: Some(pair.most_cells),
+            max_cells: Some(pair.max_cells),
             ..options(pair.transform)
         };
         Pair { name: format!("random {seed} ({})", pair.kind), a: pair.a, b: pair.b, options }

@@ -1,4 +1,4 @@
-// npm run build: set up, and make what the package ships.
+// npm run build: set up, and build the files of the package.
 import { buildApi } from "./build/api.mjs";
 import { buildWasm } from "./build/wasm.mjs";
 import { Failure } from "./process.mjs";

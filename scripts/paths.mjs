@@ -1,5 +1,5 @@
-// Where things are: the checkout, and the folder shared by all checkouts of
-// this user for what takes long to make (built tools, a Vulkan driver).
+// Paths: the checkout, and the user's cache, which all checkouts share for
+// files that take long to make (built tools, a Vulkan driver).
 import { homedir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,5 +11,5 @@ export const cache = join(
   "nurbs-hausdorff",
 );
 
-/** A path inside the checkout. */
+/** Returns a path inside the checkout. */
 export const inRoot = (...parts) => join(root, ...parts);

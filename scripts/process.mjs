@@ -1,17 +1,17 @@
-// Running programs: loudly, quietly, or to look at what they say.
+// Running programs, with their output shown, hidden or returned.
 import { spawn, spawnSync } from "node:child_process";
 import { accessSync, constants } from "node:fs";
 import { homedir } from "node:os";
 import { delimiter, join } from "node:path";
 import { inRoot, root } from "./paths.mjs";
 
-/** A failure whose message is all that the user needs. */
+/** A failure that its message explains completely; no stack trace is printed. */
 export class Failure extends Error {
-  /** What the program said that failed. */
+  /** The output of the program that failed. */
   output = "";
 }
 
-/** The first program of that name on PATH, or undefined. */
+/** Returns the first program of that name on PATH, or undefined. */
 export function which(name, path = searchPath()) {
   for (const folder of path.split(delimiter)) {
     const file = join(folder, name);
@@ -35,12 +35,12 @@ function searchPath(first = []) {
   ].join(delimiter);
 }
 
-/** The environment of every program run from here. */
-export function environment({ path = [], ...more } = {}) {
-  return { ...process.env, ...more, PATH: searchPath(path) };
+/** Returns the environment for programs run from here: the process's own, changed by `variables`. */
+export function environment({ path = [], ...variables } = {}) {
+  return { ...process.env, ...variables, PATH: searchPath(path) };
 }
 
-/** What a short program prints, or undefined when it fails or is missing. */
+/** Returns the output of a short program, or undefined if it fails or is missing. */
 export function ask(program, args, options = {}) {
   const done = spawnSync(program, args, {
     cwd: root,
@@ -73,9 +73,9 @@ for (const [signal, status] of [
 }
 
 /**
- * Runs a program to its end, showing what it says, and resolves to
- * `{ ok, output, why }`. Each gets a process group of its own, so that one
- * which hangs (`minutes`) goes with everything it started.
+ * Runs a program, shows its output, and resolves to `{ ok, output, why }`. Each
+ * program has its own process group, so that a time limit of `minutes` ends the
+ * program together with everything that it started.
  */
 export function run(program, args, { env = environment(), cwd = root, minutes = 20 } = {}) {
   return new Promise((resolve) => {
@@ -114,7 +114,7 @@ export function run(program, args, { env = environment(), cwd = root, minutes = 
   });
 }
 
-/** Runs a program to its end and throws unless it succeeded. */
+/** Runs a program, returns its output, and throws a `Failure` if it failed. */
 export async function must(program, args, options) {
   const { ok, output, why } = await run(program, args, options);
   if (!ok) throw Object.assign(new Failure(why), { output });

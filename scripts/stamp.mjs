@@ -1,4 +1,4 @@
-// Remembering that something was made from exactly these inputs.
+// Stamps, which record the inputs from which something was made.
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -13,7 +13,7 @@ function* filesUnder(path) {
   for (const name of readdirSync(path).sort()) yield* filesUnder(join(path, name));
 }
 
-/** A digest of files and folders of the checkout, and of other strings. */
+/** Returns a digest of files and folders of the checkout, and of other strings. */
 export function digest(paths, strings = []) {
   const hash = createHash("sha256");
   for (const path of paths) {
@@ -28,12 +28,13 @@ export function digest(paths, strings = []) {
   return hash.digest("hex").slice(0, 16);
 }
 
-/** Whether the stamp at this path of the checkout holds this digest. */
+/** Returns whether the stamp at this path of the checkout holds this digest. */
 export function stamped(path, value) {
   const file = inRoot(path);
   return existsSync(file) && readFileSync(file, "utf8") === value;
 }
 
+/** Writes a digest as the stamp at this path of the checkout. */
 export function stamp(path, value) {
   mkdirSync(dirname(inRoot(path)), { recursive: true });
   writeFileSync(inRoot(path), value);

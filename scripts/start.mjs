@@ -1,4 +1,4 @@
-// npm start: set up, build, serve the page.
+// npm start: set up, build, and serve the page.
 import { spawn } from "node:child_process";
 import { buildApi } from "./build/api.mjs";
 import { buildWasm } from "./build/wasm.mjs";
@@ -16,7 +16,7 @@ try {
   process.exit(1);
 }
 
-// Vite prints the address. Further arguments are its own: npm start -- --port 8080
+// Vite prints the address. Further arguments are passed to it: npm start -- --port 8080
 const vite = spawn(inRoot("node_modules/.bin/vite"), ["www", ...process.argv.slice(2)], {
   cwd: root,
   env: environment(),

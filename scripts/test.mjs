@@ -1,5 +1,5 @@
-// npm test: set up, then every step of scripts/test/steps.mjs.
-// For developers: npm test -- --only rust,page
+// npm test: set up, then run every step of scripts/test/steps.mjs, or only some
+// with the steps that they need: npm test -- --only rust,page
 import { parseArgs } from "node:util";
 import { Failure } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
@@ -13,30 +13,31 @@ function chosen() {
   const unknown = names.filter((name) => !steps.some((step) => step.name === name));
   if (unknown.length > 0) {
     throw new Failure(
-      `no step ${unknown.join(", ")}; there are: ${steps.map((step) => step.name).join(", ")}`,
+      `unknown step ${unknown.join(", ")}; the steps are: ${steps.map((step) => step.name).join(", ")}`,
     );
   }
-  const wanted = new Set();
-  const want = (name) => {
-    for (const need of steps.find((step) => step.name === name).needs ?? []) want(need);
-    wanted.add(name);
+  const required = new Set();
+  const include = (name) => {
+    for (const need of steps.find((step) => step.name === name).needs ?? []) include(need);
+    required.add(name);
   };
-  names.forEach(want);
-  return steps.filter((step) => wanted.has(step.name));
+  names.forEach(include);
+  return steps.filter((step) => required.has(step.name));
 }
 
 async function runStep(step, results) {
   console.log(`\n=== ${step.name}: ${step.what}`);
-  const unmet = (step.needs ?? []).filter((name) => !results.get(name).ok);
+  const failedNeeds = (step.needs ?? []).filter((name) => !results.get(name).ok);
   const start = performance.now();
   let ok = true;
   let output = "";
   let why;
   try {
-    if (unmet.length > 0) throw new Failure(`not run: it needs ${unmet.join(", ")}`);
+    if (failedNeeds.length > 0)
+      throw new Failure(`not run, because it needs ${failedNeeds.join(", ")}`);
     output = (await step.run()) ?? "";
     if (step.tests && count(output).passed === 0) {
-      throw Object.assign(new Failure("it ran no test"), { output });
+      throw Object.assign(new Failure("no test was run"), { output });
     }
   } catch (error) {
     ok = false;
@@ -47,7 +48,7 @@ async function runStep(step, results) {
   const seconds = (performance.now() - start) / 1000;
   console.log(`--- ${step.name}: ${ok ? "passed" : "FAILED"} in ${seconds.toFixed(1)} s`);
   const counts = count(output);
-  // A step that counts nothing, such as a lint, is one test.
+  // A step without tests, such as a lint, counts as one test.
   if (ok && counts.passed === 0) counts.passed = 1;
   if (!ok && counts.failed === 0) counts.failed = 1;
   return { ok, why, seconds, ...counts };

@@ -150,7 +150,8 @@ pub mod progress;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    Backend, Details, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint,
+    Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
@@ -168,8 +169,8 @@ pub mod options {
 pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
-        Bounds, CertifiedDetails, Details, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor,
-        Seconds, Stop,
+        Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor, Seconds,
+        Stop,
     };
     pub use crate::iteration::StatusCounts;
 }

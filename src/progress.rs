@@ -1,22 +1,22 @@
-//! Progress out, cancelling in.
+//! Progress reports and cancellation.
 
 use crate::error::{Error, Result};
 use web_time::{Duration, Instant};
 
-/// What a caller is told, and asked, while a distance is computed.
+/// The caller's side of a running computation: it receives progress and may cancel.
 pub trait Monitor {
-    /// The work done so far, from 0 to 1, never falling.
+    /// Receives the fraction of the work done, from 0 to 1, never falling.
     fn progress(&mut self, fraction: f64);
 
-    /// The interval so far of methods `certified` and `hierarchy`, never widening while one
-    /// direction is in work.
+    /// Receives the current interval of methods `certified` and `hierarchy`, which
+    /// never widens within one direction.
     fn interval(&mut self, _lower: f64, _upper: f64) {}
 
-    /// Whether to stop; asked between chunks of work.
+    /// Returns whether to stop; called between chunks of work.
     fn cancelled(&self) -> bool;
 }
 
-/// A monitor that hears nothing and never cancels.
+/// A monitor that ignores progress and never cancels.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NoMonitor;
 
@@ -28,40 +28,40 @@ impl Monitor for NoMonitor {
     }
 }
 
-/// Time between two looks at the monitor: a frame of a display, so that a
-/// page stays responsive, and rare enough to cost nothing.
+/// The time between two reports to the monitor: about one frame of a display, so
+/// that a page stays responsive, and rare enough to cost nothing.
 const INTERVAL: Duration = Duration::from_millis(15);
 
-/// The part of the progress that one step of the work fills.
+/// The progress of a computation that consists of directions and their sections.
 pub(crate) struct Progress<'a> {
     monitor: &'a mut dyn Monitor,
-    /// The part of the whole that the direction in work fills.
+    /// Start and length of the current direction within the whole.
     direction: [f64; 2],
-    /// The part of the direction that the step in work fills.
+    /// Start and length of the current section within the direction.
     section: [f64; 2],
-    /// The most reported, which stays while work begun on a lost device is repeated.
+    /// The largest fraction reported, which stays while work on a lost device is repeated.
     reported: f64,
     last: Instant,
 }
 
 impl<'a> Progress<'a> {
-    /// For one direction or two.
+    /// Starts the progress of one direction, or of two.
     pub(crate) fn new(monitor: &'a mut dyn Monitor, symmetric: bool) -> Self {
         let length = if symmetric { 0.5 } else { 1.0 };
         Self { monitor, direction: [0.0, length], section: [0.0, 1.0], reported: 0.0, last: Instant::now() }
     }
 
-    /// The direction that follows is the second.
+    /// Begins the second direction.
     pub(crate) fn second_half(&mut self) {
         self.direction = [0.5, 0.5];
     }
 
-    /// The steps that follow fill [start, start + length] of the direction.
+    /// Begins a section that covers [start, start + length] of the direction.
     pub(crate) fn section(&mut self, start: f64, length: f64) {
         self.section = [start, length];
     }
 
-    /// Whether the next checkpoint will look at the monitor.
+    /// Returns whether the next checkpoint will report to the monitor.
     pub(crate) fn is_due(&self) -> bool {
         self.last.elapsed() >= INTERVAL
     }
@@ -71,20 +71,20 @@ impl<'a> Progress<'a> {
     /// short work is not interrupted.
     ///
     /// # Errors
-    /// [`Error::Cancelled`] if the monitor says so.
+    /// [`Error::Cancelled`] if the monitor requests it.
     pub(crate) async fn checkpoint(&mut self, fraction: f64) -> Result<()> {
         if self.is_due() {
-            give_way().await;
-            let of_direction = self.section[0] + self.section[1] * fraction;
-            let of_whole = self.direction[0] + self.direction[1] * of_direction;
-            self.reported = of_whole.max(self.reported).min(1.0);
+            yield_to_event_loop().await;
+            let in_direction = self.section[0] + self.section[1] * fraction;
+            let overall = self.direction[0] + self.direction[1] * in_direction;
+            self.reported = overall.max(self.reported).min(1.0);
             self.monitor.progress(self.reported);
             self.last = Instant::now();
         }
         if self.monitor.cancelled() { Err(Error::Cancelled) } else { Ok(()) }
     }
 
-    /// Passes the interval on.
+    /// Reports the interval.
     pub(crate) fn interval(&mut self, lower: f64, upper: f64) {
         self.monitor.interval(lower, upper);
     }
@@ -95,14 +95,14 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// Lets messages and events in, natively nothing.
+/// Lets the event loop run; does nothing natively.
 #[cfg(not(target_arch = "wasm32"))]
-async fn give_way() {}
+async fn yield_to_event_loop() {}
 
-/// Lets messages and events in: one turn of the event loop, by a message to
-/// itself. A timer of 0 ms would wait for 1 ms in Node and for 4 ms in browsers.
+/// Lets the event loop run for one turn, by a message to itself. A timer of 0 ms
+/// would wait for 1 ms in Node and for 4 ms in browsers.
 #[cfg(target_arch = "wasm32")]
-async fn give_way() {
+async fn yield_to_event_loop() {
     let Ok(channel) = web_sys::MessageChannel::new() else { return };
     let (here, there) = (channel.port1(), channel.port2());
     let turn = js_sys::Promise::new(&mut |resolve, _reject| {

@@ -1,9 +1,5 @@
 //! Rounding errors of float64, and bounds that they or an overflow may spoil.
 
-/// Rounding error of coordinates, boxes and square roots, relative to the
-/// largest coordinate: 128 units of 2^-53.
-const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// What underflow may take off a length or add to it.
 ///
 /// A sum of at most 512 products, each rounded by at most 2^-1074 where it is
@@ -12,10 +8,10 @@ const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// every factor of the denominator of `|A - B|²`: 2.6e-201, the square of 6e-101.
 ///
 /// [`MAX_WEIGHT_RATIO`]: crate::limits::MAX_WEIGHT_RATIO
-const VANISHING_LENGTH: f64 = 1e-100;
+pub(crate) const VANISHING_LENGTH: f64 = 1e-100;
 
 /// The largest relative error of one operation in float64, 2^-53.
-const UNIT_ROUNDOFF: f64 = 0.5 * f64::EPSILON;
+pub(crate) const UNIT_ROUNDOFF: f64 = 0.5 * f64::EPSILON;
 
 /// Makes n u an upper bound on `n u / (1 - n u)` for n up to 10^4, with the
 /// rounding of the bound itself.
@@ -27,25 +23,14 @@ const CLOSEST_ROUNDINGS: f64 = 160.0;
 
 /// An upper bound on the relative error after this many operations in a row, on
 /// terms of one sign: `γ_n` in docs/method.md, section 6.
-pub(crate) fn accumulated(operations: f64) -> f64 {
+pub(crate) fn gamma(operations: f64) -> f64 {
     COMPOUNDING * UNIT_ROUNDOFF * operations
-}
-
-/// What underflow may take off a length or add to it: see [`VANISHING_LENGTH`].
-pub(crate) fn vanishing() -> f64 {
-    VANISHING_LENGTH
 }
 
 /// An upper bound on the error of the lower bound on a distance from a point to a
 /// model, all of them at most this far from the origin (lemma R12 of docs/method.md).
 pub(crate) fn closest_rounding(length: f64) -> f64 {
-    accumulated(CLOSEST_ROUNDINGS) * length + VANISHING_LENGTH
-}
-
-/// An upper bound on the rounding error of a length that is the root of a few
-/// sums of squares of coordinates, each at most `largest` in size.
-pub(crate) fn coordinate_rounding(largest: f64) -> f64 {
-    COORDINATE_ROUNDING * largest + VANISHING_LENGTH
+    gamma(CLOSEST_ROUNDINGS) * length + VANISHING_LENGTH
 }
 
 /// Returns the larger of two upper bounds; NaN bounds nothing and counts as +∞.

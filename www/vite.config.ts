@@ -11,7 +11,7 @@ export default defineConfig({
     rolldownOptions: { input: [page("index.html"), page("experiments.html")] },
   },
   worker: { format: "es" },
-  // The package finds its wasm module beside its own files, which the
-  // development server's pre-bundling would take it away from.
+  // The package loads its wasm module relative to its own files, and the
+  // pre-bundling of the development server would move those files.
   optimizeDeps: { exclude: ["nurbs-hausdorff"] },
 });

@@ -41,7 +41,7 @@ def main():
 def parsed():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "--rounds", type=int, default=3, help="measurements of each, of which the least is told"
+        "--rounds", type=int, default=3, help="measurements of each peer; the shortest time is reported"
     )
     parser.add_argument("--limit", type=float, default=20.0, help="seconds for one answer")
     parser.add_argument(

@@ -1,11 +1,16 @@
-//! The papers' experiments, and the open questions of the 2012 paper, measured.
+//! Measurements of the papers' experiments and of the open questions of the 2012
+//! paper.
+//!
+//! The 2012 paper is I. Hanniel, A. Krishnamurthy and S. McMains, *Computing the
+//! Hausdorff distance between NURBS surfaces using numerical iteration on the GPU*,
+//! Graphical Models 74 (2012), 255–264.
 //!
 //! `cargo run --release --example experiments -- --out DIR [--only NAME] [--quick]`
 //!
-//! Writes a table (CSV) and a figure (SVG) for each experiment into DIR. What
-//! they show is told in `docs/paper.md` and `docs/order.md`. Pairs that are
-//! not ours to ship are read from `../shared/models` if that is there, and
-//! shapes of about their sizes take their places if not.
+//! Writes a table (CSV) and a figure (SVG) for each experiment into DIR.
+//! `docs/paper.md` and `docs/order.md` discuss them. Models that may not be
+//! distributed are read from `../shared/models` if that folder exists, and replaced
+//! by shapes of about their sizes if not.
 
 mod suite;
 
@@ -16,13 +21,13 @@ use std::path::PathBuf;
 /// Runs the experiments.
 #[derive(Parser)]
 struct Arguments {
-    /// The folder to write to, made if it is not there.
+    /// The folder to write to, created if it does not exist.
     #[arg(long)]
     out: PathBuf,
-    /// Only experiments whose files' names contain this.
+    /// Run only experiments whose file names contain this text.
     #[arg(long, default_value = "")]
     only: String,
-    /// Few positions, few samples and small models, in seconds.
+    /// Use few positions, few samples and small models; takes seconds.
     #[arg(long)]
     quick: bool,
 }

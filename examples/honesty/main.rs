@@ -1,16 +1,16 @@
-//! Are the certified intervals honest? Random pairs, checked by brute force.
+//! A fuzzer of method `certified`: random pairs, with intervals checked by brute force.
 //!
 //! `cargo run --release --example honesty -- --pairs 10000 --seed 1`
 //!
-//! Every pair is measured by method `certified` under a budget of cells, so
-//! that many end early with a wide interval: that must be honest too. Then,
-//! with an evaluator that shares no code with the library,
+//! Every pair has a budget of cells, so that many searches end early with a wide
+//! interval, which must be valid too. An evaluator that shares no code with the
+//! library then checks that
 //!
-//! - no sampled point of A may be farther from B than `upper`;
-//! - the witness on A must be at least `lower` away from every sampled and
-//!   polished point of B, and lie on A at the parameters told.
+//! - no sampled point of A is farther from B than `upper`;
+//! - the witness on A is at least `lower` away from every sampled and refined point
+//!   of B, and is the point of A at its parameters.
 //!
-//! Exit status 1 if any pair is dishonest.
+//! The exit status is 1 if any interval is violated.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
 mod fuzzer;
@@ -25,10 +25,10 @@ use std::process::ExitCode;
 /// Checks random pairs.
 #[derive(Parser)]
 struct Arguments {
-    /// How many pairs.
+    /// The number of pairs.
     #[arg(long, default_value_t = 1000)]
     pairs: u64,
-    /// The first pair's seed; the others follow.
+    /// The seed of the first pair; the others have the following ones.
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }

@@ -1,4 +1,4 @@
-// The package's TypeScript API, compiled from src/js into dist with its types.
+// The package's TypeScript API, compiled with its types from src/js into dist.
 import { existsSync, readdirSync, rmSync } from "node:fs";
 import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";

@@ -10,7 +10,7 @@ import { digest, stamp, stamped } from "../stamp.mjs";
 const out = "dist/wasm";
 const made = ".setup/wasm-made-from";
 
-// Panics name their source files, but not the folders of this machine. Cargo
+// Panic messages name source files without the folders of this machine. Cargo
 // adds these flags to those of .cargo/config.toml.
 const rustFlags = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
 
@@ -28,15 +28,15 @@ export async function buildWasm() {
   rmSync(inRoot(out), { recursive: true, force: true });
   await must(
     "wasm-pack",
-    // Nothing is downloaded: the tools are all on PATH. Our package.json
-    // describes the package, so that wasm-pack writes none.
+    // All tools are on PATH, so wasm-pack downloads none. It writes no
+    // package.json, because the package has its own.
     [
       ...["build", "--mode", "no-install", "--no-pack"],
       ...["--profile", "wasm", "--target", "web", "--out-dir", out],
     ],
     { env: toolsEnvironment({ CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: rustFlags }) },
   );
-  // It would make npm leave the folder out of the package.
+  // This file would make npm exclude the folder from the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });
   stamp(made, sources);
   return "built";

@@ -1,5 +1,5 @@
-// Programs that come from the system's packages. What counts is that the
-// program is there, so other distributions pass once it has been installed.
+// Programs from Debian's packages. Only the presence of the programs is
+// checked, so other distributions pass once these are installed.
 import { readdirSync, readFileSync } from "node:fs";
 import { ask, Failure, must, which } from "../process.mjs";
 
@@ -11,7 +11,7 @@ const hasLavapipe = () => {
   }
 };
 
-/** What compiling Rust needs. */
+/** The programs that compiling Rust needs. */
 export const compiler = [
   {
     packages: ["gcc", "libc6-dev"],
@@ -20,7 +20,7 @@ export const compiler = [
   },
 ];
 
-/** What the tests need besides: a browser, its driver, a software Vulkan. */
+/** The programs that the tests need in addition: a browser, its driver, and Vulkan in software. */
 export const browser = [
   { packages: ["chromium"], what: "Chromium", present: () => which("chromium") },
   { packages: ["chromium-driver"], what: "chromedriver", present: () => which("chromedriver") },
@@ -31,7 +31,7 @@ export const browser = [
   },
 ];
 
-/** The fields of /etc/os-release. */
+/** Returns the fields of /etc/os-release. */
 export function distribution() {
   try {
     const lines = readFileSync("/etc/os-release", "utf8").matchAll(/^(\w+)="?([^"\n]*)"?$/gm);
@@ -41,15 +41,16 @@ export function distribution() {
   }
 }
 
-/** `[]` for root, `["sudo", "-n"]` where that asks nothing, else undefined. */
+/** Returns `[]` for root, `["sudo", "-n"]` if that needs no password, else undefined. */
 function asRoot() {
   if (process.getuid?.() === 0) return [];
   return ask("sudo", ["-n", "true"]) === undefined ? undefined : ["sudo", "-n"];
 }
 
+/** Installs the missing programs, or fails with instructions. */
 export async function debian(needs) {
   const missing = needs.filter(({ present }) => !present());
-  if (missing.length === 0) return "there";
+  if (missing.length === 0) return "present";
 
   const packages = missing.flatMap((need) => need.packages);
   const { ID, ID_LIKE = "" } = distribution();

@@ -1,4 +1,4 @@
-// Everything a fresh machine needs, one line a step.
+// The set-up of a fresh machine, one line per step.
 import { browser, compiler, debian } from "./debian.mjs";
 import { lavapipe } from "./lavapipe.mjs";
 import { packages } from "./packages.mjs";
@@ -17,7 +17,7 @@ async function step(name, action) {
   }
 }
 
-/** What building and serving the page needs. */
+/** Sets up everything that building and serving the page need. */
 export async function setUpForPage() {
   await step("system packages", () => debian(compiler));
   await step("Rust target", () => rust("target"));
@@ -25,7 +25,7 @@ export async function setUpForPage() {
   await step("wasm tools", tools);
 }
 
-/** What all tests need. */
+/** Sets up everything that the tests need. */
 export async function setUpForTests() {
   await step("system packages", () => debian([...compiler, ...browser]));
   await step("lavapipe", lavapipe);

@@ -1,7 +1,8 @@
-// Lavapipe (Vulkan on the CPU) of Mesa 25, about five times as fast at our
-// kernels as the Mesa 22 of Debian 12, which npm's `webgpu` refuses. There it
-// is taken out of the backports package into the user's cache; the system and
-// its package lists stay untouched. Newer distributions' own driver will do.
+// Lavapipe (Vulkan on the CPU) of Mesa 25. Debian 12 has Mesa 22, which is about
+// a fifth as fast on our kernels, and which npm's `webgpu` rejects. There the
+// driver is unpacked from the backports package into the user's cache; the
+// system and its package lists are not changed. Newer distributions use their
+// own driver.
 import {
   existsSync,
   mkdirSync,
@@ -21,27 +22,27 @@ const home = join(cache, "lavapipe-25");
 const icd = join(home, "lvp_icd.json");
 const systemFolder = "/usr/share/vulkan/icd.d";
 
-const wantsBackport = () => distribution().VERSION_CODENAME === "bookworm";
+const needsBackport = () => distribution().VERSION_CODENAME === "bookworm";
 
-/** The driver description to give the Vulkan loader, or undefined. */
+/** Returns the driver description for the Vulkan loader, or undefined. */
 export function driver() {
   if (existsSync(icd)) return icd;
-  if (wantsBackport() || !existsSync(systemFolder)) return undefined;
+  if (needsBackport() || !existsSync(systemFolder)) return undefined;
   const name = readdirSync(systemFolder).find((file) => file.startsWith("lvp_icd"));
   return name && join(systemFolder, name);
 }
 
-/** Variables that make the Vulkan loader use that driver and no other. */
+/** Returns the variables that make the Vulkan loader use only that driver. */
 export function vulkan() {
   const file = driver();
   return {
     ...(file && { VK_ICD_FILENAMES: file, VK_DRIVER_FILES: file }),
-    // Silences the message of Mesa's device-select layer.
+    // Disables Mesa's device-select layer, which prints a message.
     NODEVICE_SELECT: "1",
   };
 }
 
-// The archive that this machine's own Debian packages come from.
+// Returns the address of the archive of this machine's Debian packages.
 async function archive(options) {
   const list = () =>
     (
@@ -56,7 +57,7 @@ async function archive(options) {
       .find(([, release, component]) => release === "bookworm" && component === "main")?.[0];
   const known = list();
   if (known) return known;
-  // Its lists were never read (or were cleared): read them into ours.
+  // The system has no package lists: read them into our own.
   await must("apt-get", ["-q", "update"], options);
   return list();
 }
@@ -111,12 +112,12 @@ async function unpackBackport(folder) {
   const library = readdirSync(libraries, { recursive: true, encoding: "utf8" }).find((name) =>
     name.endsWith("libvulkan_lvp.so"),
   );
-  const unmet = (ask("ldd", [join(libraries, library)]) ?? "")
+  const missing = (ask("ldd", [join(libraries, library)]) ?? "")
     .split("\n")
     .filter((line) => line.includes("not found"))
     .map((line) => line.trim().split(" ")[0]);
-  if (unmet.length > 0) {
-    throw new Failure(`lavapipe needs libraries that are missing here: ${unmet.join(", ")}`);
+  if (missing.length > 0) {
+    throw new Failure(`lavapipe needs libraries that are missing here: ${missing.join(", ")}`);
   }
 
   const made = join(folder, "made");
@@ -129,9 +130,10 @@ async function unpackBackport(folder) {
   return deb.split("_")[1];
 }
 
+/** Provides the driver, and returns how. */
 export async function lavapipe() {
-  if (driver()) return "there";
-  if (!wantsBackport()) throw new Failure("found no lavapipe driver (Mesa 25 or newer)");
+  if (driver()) return "present";
+  if (!needsBackport()) throw new Failure("found no lavapipe driver (Mesa 25 or newer)");
   mkdirSync(cache, { recursive: true });
   const folder = mkdtempSync(join(cache, "making-lavapipe-"));
   try {

@@ -6,7 +6,7 @@ const made = "node_modules/.installed-from";
 
 export async function packages() {
   const lock = digest(["package-lock.json"]);
-  if (stamped(made, lock)) return "there";
+  if (stamped(made, lock)) return "present";
   await must("npm", ["ci", "--no-audit", "--no-fund"]);
   stamp(made, lock);
   return "installed";

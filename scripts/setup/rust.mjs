@@ -23,11 +23,11 @@ export async function rust(...names) {
     throw new Failure("please install Rust with rustup, then start again");
   }
   const missing = names.map((name) => parts[name]).filter((part) => !part.present(sysroot));
-  if (missing.length === 0) return "there";
+  if (missing.length === 0) return "present";
   if (!which("rustup")) {
-    const wanted = missing.map((part) => part.add.slice(2).join(" ")).join(" ");
+    const parameters = missing.map((part) => part.add.slice(2).join(" ")).join(" ");
     throw new Failure(
-      `there is no rustup here: please add ${wanted} to your Rust, then start again`,
+      `rustup is missing: please add ${parameters} to your Rust installation, then start again`,
     );
   }
   for (const part of missing) await must("rustup", part.add);

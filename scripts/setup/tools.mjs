@@ -1,6 +1,6 @@
 // wasm-pack, wasm-bindgen and wasm-bindgen-test-runner, built from tools/ into
-// the user's cache under a name made from their sources, so that another
-// checkout, or this one after `git clean`, finds them there.
+// the user's cache. The folder is named after a digest of their sources, so
+// other checkouts, and this one after `git clean`, reuse it.
 import {
   chmodSync,
   copyFileSync,
@@ -22,7 +22,7 @@ function bindgenVersion(lockFile) {
   return text.match(/name = "wasm-bindgen"\nversion = "([^"]+)"/)?.[1];
 }
 
-/** The folder the programs are, or are to be, in. */
+/** Returns the folder of the programs. */
 export function toolsFolder() {
   const made = digest(
     ["tools/Cargo.toml", "tools/Cargo.lock", "tools/src"],
@@ -31,8 +31,9 @@ export function toolsFolder() {
   return join(cache, `tools-${made}`);
 }
 
-/** The environment in which those programs are found first. */
-export const toolsEnvironment = (more = {}) => environment({ path: [toolsFolder()], ...more });
+/** Returns an environment in which these programs are found first. */
+export const toolsEnvironment = (variables = {}) =>
+  environment({ path: [toolsFolder()], ...variables });
 
 export async function tools() {
   const ours = bindgenVersion("Cargo.lock");
@@ -46,7 +47,7 @@ export async function tools() {
   }
 
   const folder = toolsFolder();
-  if (existsSync(folder)) return "there";
+  if (existsSync(folder)) return "present";
 
   await must("cargo", [
     "build",
@@ -62,7 +63,7 @@ export async function tools() {
     copyFileSync(inRoot("tools/target/debug", name), join(making, name));
     chmodSync(join(making, name), 0o755);
   }
-  // Another checkout may have finished first: one of the two is enough.
+  // Another checkout may have built the same programs meanwhile.
   if (existsSync(folder)) rmSync(making, { recursive: true });
   else renameSync(making, folder);
   rmSync(inRoot("tools/target"), { recursive: true, force: true });

@@ -1,5 +1,5 @@
-// How the tests start Chromium: the flags that give WebGPU, WebGL and a WebGPU
-// canvas without a GPU are written once, in webdriver.json.
+// The options with which the tests start Chromium. The flags that enable WebGPU,
+// WebGL and a WebGPU canvas without a GPU are in webdriver.json.
 import { readFileSync } from "node:fs";
 import { inRoot } from "../paths.mjs";
 import { which } from "../process.mjs";

@@ -1,10 +1,11 @@
-// The wasm module's size, plain and as servers send it, against its budget.
+// Checks the size of the wasm module, plain and gzipped, against its budget.
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { wasmFile } from "../build/wasm.mjs";
 import { inRoot } from "../paths.mjs";
 import { Failure } from "../process.mjs";
 
+/** The largest sizes, in KiB. */
 const budget = { plain: 1024, gzipped: 350 };
 
 export function checkBudget() {

@@ -1,5 +1,5 @@
-// Reading how many tests passed, failed and were skipped from what their
-// programs print.
+// Counts of passed, failed and skipped tests, parsed from the output of the test
+// programs.
 
 const esc = String.fromCharCode(27);
 const colours = new RegExp(`${esc}\\[[0-9;]*m`, "g");
@@ -16,7 +16,7 @@ const node = {
   skipped: /^\s*﹣ (.+?)(?: \([\d.]+ms\))?(?: # ?(.*))?$/gm,
 };
 
-/** Lines by which a test of either says that it does not run here; libtest counts it as passed. */
+/** Lines with which a test reports that it cannot run here; libtest counts it as passed. */
 const own = /^SKIPPED ([^:\n]+): (.*)$/gm;
 
 export function count(output) {

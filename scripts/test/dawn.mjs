@@ -1,12 +1,12 @@
-// WebGPU for Node, as the package finds it in a browser: npm's `webgpu` (Dawn)
-// on the driver that the tests run on.
+// WebGPU in Node, for the package to use as in a browser: npm's `webgpu` (Dawn)
+// on the driver of the tests.
 import { create, globals } from "webgpu";
 
-/** Gives this process `navigator.gpu` and the WebGPU constants. */
+/** Defines `navigator.gpu` and the WebGPU constants in this process. */
 export function installWebGpu() {
   Object.assign(globalThis, globals);
   const navigator = { gpu: create([]) };
   Object.defineProperty(globalThis, "navigator", { value: navigator, configurable: true });
-  // wgpu looks for WebGPU only where it finds the class of a browser's global.
+  // wgpu looks for WebGPU only if a browser's class `Window` exists.
   globalThis.Window ??= class Window {};
 }

@@ -1,5 +1,5 @@
-// What `npm test` runs, in order. A step is run only if what it needs passed;
-// one that runs `tests` fails if it ran none.
+// The steps of `npm test`, in order. A step runs only if the steps that it needs
+// passed. A step with `tests` fails if it ran none.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildWasm } from "../build/wasm.mjs";
@@ -9,7 +9,7 @@ import { vulkan } from "../setup/lavapipe.mjs";
 import { toolsEnvironment } from "../setup/tools.mjs";
 import { checkBudget } from "./budget.mjs";
 
-// Without the command line, which is native only.
+// The command line is native only.
 const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
 const denyWarnings = ["--", "-D", "warnings"];
 
@@ -19,7 +19,7 @@ function nodeTests(folder, env) {
   const files = existsSync(inRoot(folder))
     ? readdirSync(inRoot(folder)).filter((name) => /\.test\.m?js$/.test(name))
     : [];
-  if (files.length === 0) throw new Failure(`${folder} has no *.test.mjs`);
+  if (files.length === 0) throw new Failure(`there is no *.test.mjs in ${folder}`);
   const paths = files.sort().map((name) => `${folder}/${name}`);
   return must("node", ["--test", "--test-reporter=spec", "--test-concurrency=1", ...paths], {
     env: environment(env),
@@ -62,7 +62,7 @@ export const steps = [
   },
   {
     name: "wasm",
-    what: "wasm module within its budget",
+    what: "the wasm module is within its budget",
     run: async () => {
       console.log(`wasm module: ${await buildWasm()}`);
       checkBudget();
@@ -78,7 +78,7 @@ export const steps = [
         [
           ...["test", "--mode", "no-install", "--headless", "--chrome", "--release"],
           ...["--chromedriver", which("chromedriver")],
-          // To cargo: the one file of tests that is not native.
+          // Arguments for cargo: the only test binary that is not native.
           ...["--test", "wasm", "--no-default-features"],
         ],
         { env: toolsEnvironment({ WASM_BINDGEN_TEST_TIMEOUT: "240" }) },

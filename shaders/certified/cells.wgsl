@@ -1,5 +1,5 @@
-// The cells of A, shared by the stages of method `certified`. CPU twin: `Cell`
-// of `src/certified/region.rs`. The host generates PRUNED, SPLIT_S,
+// The cells of A, shared by the stages of method `certified`. CPU twin: `SearchNode`
+// of `src/certified/search/node.rs`. The host generates PRUNED, SPLIT_S,
 // SPLIT_T, FLOAT64_ONLY.
 
 // A rectangle of a subpatch of A, in its parameters (σ, τ) in [-1, 1]^2.

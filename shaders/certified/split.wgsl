@@ -1,7 +1,7 @@
 // Stage `split`: writes the children of cells that are to be split into the
 // next level, and cells for float64, or for which the next level has no space,
-// into the leftover cells. CPU twin: `SearchNode::split_into` of
-// `src/certified/region.rs`. One thread per cell.
+// into the leftover cells. CPU twin: `Cell::split` of
+// `src/certified/cell.rs`. One thread per cell.
 
 @group(0) @binding(0) var<uniform> params: LevelParams;
 @group(0) @binding(1) var<storage, read> batch: Batch;

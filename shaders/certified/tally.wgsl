@@ -1,5 +1,5 @@
 // The counts and bounds that the host reads after a submission of several
-// levels. CPU twin: `BatchResult` of `src/certified/search.rs`.
+// levels. CPU twin: `BatchResult` of `src/certified/search/mod.rs`.
 
 struct Tally {
     // Cells written for the next level, which may be more than its buffer holds.

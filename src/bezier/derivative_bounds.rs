@@ -1,7 +1,7 @@
 //! Upper bounds on a patch's derivatives from its control net.
 
 use super::Patch;
-use crate::rounding::{accumulated, lower_min, upper_max};
+use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec4, Vec4Swizzles};
 
 /// Upper bounds on the lengths of a patch's derivatives by (s, t) over [0, 1]²,
@@ -88,7 +88,7 @@ impl Patch<'_> {
     /// enlarged by that.
     pub(super) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
         let sizes = self.largest_controls();
-        let error = [0, 1].map(|kind| error[kind] + accumulated(SUBTRACTIONS) * sizes[kind]);
+        let error = [0, 1].map(|kind| error[kind] + gamma(SUBTRACTIONS) * sizes[kind]);
         let least = |weight: f64| (weight - error[1]).max(0.0);
         let weight = self.controls.iter().map(|control| least(control.w)).fold(f64::INFINITY, lower_min);
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];

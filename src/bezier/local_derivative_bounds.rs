@@ -3,7 +3,7 @@
 use super::{DerivativeBounds, Patch, PatchSet, center_grid};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
-use crate::rounding::accumulated;
+use crate::rounding::gamma;
 use glam::Vec4Swizzles;
 use std::sync::OnceLock;
 
@@ -178,8 +178,8 @@ impl Patch<'_> {
         let growth = growth(self.degree[0], s) * growth(self.degree[1], t);
         let [space, weight] = self.largest_controls().map(|largest| growth * largest);
         let shifted = space + weight * (centered.center - self.center).length();
-        let restriction = accumulated(ROUNDINGS_PER_DEGREE * (self.degree[0] + self.degree[1]) as f64);
-        let error = [restriction * space + accumulated(CENTRING_ROUNDINGS) * shifted, restriction * weight];
+        let restriction = gamma(ROUNDINGS_PER_DEGREE * (self.degree[0] + self.degree[1]) as f64);
+        let error = [restriction * space + gamma(CENTRING_ROUNDINGS) * shifted, restriction * weight];
         centered.derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
     }
 }

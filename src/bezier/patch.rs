@@ -20,7 +20,7 @@ pub struct Patch<'a> {
     pub center: DVec3,
     /// Homogeneous controls `(w (p - center), w)`, t fastest, w > 0.
     pub controls: &'a [DVec4],
-    /// Whether the weights differ from each other.
+    /// True if the weights differ from each other.
     pub rational: bool,
 }
 

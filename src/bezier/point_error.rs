@@ -1,6 +1,6 @@
 //! The rounding of the points of a model's patches.
 
-use crate::rounding::accumulated;
+use crate::rounding::gamma;
 
 /// Upper bounds on the distance between a point computed on a patch of a model and
 /// the exact point of the same parameters: the sum of lemmas R3 (extraction), R4
@@ -22,12 +22,12 @@ impl PointError {
     pub(super) fn include(&mut self, [p, q]: [usize; 2], radius: f64, center: f64) {
         let (degrees, largest) = ((p + q) as f64, p.max(q) as f64);
         // R3: 12(p + q) + 8; R5: 8(p + q) + 8, and the rounding of the centre's addition.
-        let uncut = accumulated(20.0 * degrees + 16.0) * radius + accumulated(2.0) * center;
+        let uncut = gamma(20.0 * degrees + 16.0) * radius + gamma(2.0) * center;
         // R4: 8, and one of the new centre. Its radius may be √3 times as large in R5.
-        let recentring = accumulated(8.0 * degrees + 17.0) * radius + accumulated(1.0) * center;
+        let recentring = gamma(8.0 * degrees + 17.0) * radius + gamma(1.0) * center;
         self.uncut = self.uncut.max(uncut);
         self.recentring = self.recentring.max(recentring);
-        self.halving = self.halving.max(accumulated(2.0 * largest) * radius);
+        self.halving = self.halving.max(gamma(2.0 * largest) * radius);
     }
 
     /// Returns the bound for pieces after at most `halvings` halvings of a patch.

@@ -9,6 +9,7 @@
 use super::{Operand, Pair};
 use crate::axis::Axis;
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
+use crate::bvh::Aabb;
 use crate::closest::Target;
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
@@ -25,6 +26,7 @@ const MAX_SLACK_PART: f64 = 1e-2;
 pub(crate) struct Generatrix {
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
+    control_box: Aabb,
     /// A bound on how much farther from B a point is than the generatrix's
     /// point on its circle.
     pub(crate) slack: f64,
@@ -65,11 +67,11 @@ impl Generatrix {
                 Some(_) => {}
             }
         }
-        Some(Self { target: Target::new(patches), bounds, slack })
+        Some(Self { target: Target::new(patches), bounds, control_box: pair.a.control_box, slack })
     }
 
     pub(crate) fn operand(&self) -> Operand<'_> {
-        Operand::new(&self.target, &self.bounds)
+        Operand::new(&self.target, &self.bounds).with_control_box(self.control_box)
     }
 }
 

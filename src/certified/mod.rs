@@ -21,6 +21,7 @@ mod maximin;
 mod nearest;
 mod operand;
 mod reparametrization;
+mod rounding;
 mod search;
 
 pub(crate) use cell::{Cell, MAX_ASPECT};

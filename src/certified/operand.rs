@@ -1,6 +1,8 @@
 //! The two models as the search uses them.
 
+use super::rounding::JetScale;
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
+use crate::bvh::Aabb;
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
@@ -19,12 +21,21 @@ pub(crate) struct Operand<'a> {
     pub(super) revolutions: &'a [Option<Revolution>],
     /// A sphere among the surfaces.
     pub(super) sphere: Option<Sphere>,
+    /// A box around the control points of the surfaces.
+    pub(super) control_box: Aabb,
 }
 
 impl<'a> Operand<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
-        Self { target, bounds, uncut_patches: &target.patches, revolutions: &[], sphere: None }
+        let control_box = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
+        Self { target, bounds, uncut_patches: &target.patches, revolutions: &[], sphere: None, control_box }
+    }
+
+    /// The same model with the box around its surfaces' own control points,
+    /// which contains those of the patches.
+    pub(crate) fn with_control_box(self, control_box: Aabb) -> Self {
+        Self { control_box, ..self }
     }
 
     /// The same model for an operand whose patches are cut as `uncut_patches` are.
@@ -49,6 +60,21 @@ impl<'a> Operand<'a> {
     /// Derivative bounds over a whole patch.
     pub(super) fn patch_bounds(&self, index: u32) -> &'a DerivativeBounds {
         self.bounds[index as usize].whole(&self.patch(index))
+    }
+
+    /// What the rounding of the patch's derivatives depends on. O(p q) for
+    /// rational patches.
+    pub(super) fn jet_scale(&self, index: u32) -> JetScale {
+        let patch = self.patch(index);
+        let weight_ratio = if patch.rational {
+            let weights = patch.controls.iter().map(|control| control.w);
+            let (least, largest) =
+                weights.fold((f64::INFINITY, 0.0_f64), |(least, largest), w| (least.min(w), largest.max(w)));
+            largest / least
+        } else {
+            1.0
+        };
+        JetScale { degree: patch.degree, radius: self.patch_bounds(index).radius, weight_ratio }
     }
 
     /// Derivative bounds over a whole patch, or over its whole extension where

@@ -12,6 +12,10 @@ pub(super) struct Reparametrization {
     pub(super) q: DVec2,
 }
 
+/// Part of the margin that a clamped map may use: the rounding of its image's
+/// box stays inside the domain.
+const INSIDE: f64 = 1.0 - 16.0 * f64::EPSILON;
+
 impl Reparametrization {
     /// Maps all of the cell to the foot of its centre.
     pub(super) const CONSTANT: Self = Self { p: DVec2::ZERO, q: DVec2::ZERO };
@@ -36,7 +40,7 @@ impl Reparametrization {
     pub(super) fn clamped_to(self, domain: ParamBox, foot: [f64; 2]) -> Self {
         let extent = self.extent();
         let scale = DVec2::from_array([0, 1].map(|axis| {
-            let margin = (foot[axis] - domain[axis][0]).min(domain[axis][1] - foot[axis]).max(0.0);
+            let margin = INSIDE * (foot[axis] - domain[axis][0]).min(domain[axis][1] - foot[axis]).max(0.0);
             if extent[axis] > margin { margin / extent[axis] } else { 1.0 }
         }));
         Self { p: self.p * scale, q: self.q * scale }

@@ -1,7 +1,7 @@
 //! A point of a patch about which the squared distance is expanded.
 
 use crate::bezier::Patch;
-use crate::rounding::{accumulated, upper_max};
+use crate::rounding::{gamma, upper_max};
 use glam::{DVec3, Vec4Swizzles};
 
 /// A point of a patch at which the squared distance and its gradient are known up
@@ -41,20 +41,20 @@ impl CriticalPoint {
             (lightest, heaviest) = (lightest.min(control.w), heaviest.max(control.w));
         }
         let degrees = (patch.degree[0] + patch.degree[1]) as f64;
-        let error = accumulated(8.0 * degrees + 8.0) * radius
-            + accumulated(1.0) * (patch.center.length() + target.length() + jet.point.length());
-        let derivative_roundings = accumulated(4.0 * (4.0 * degrees + 6.0) + 6.0);
+        let error = gamma(8.0 * degrees + 8.0) * radius
+            + gamma(1.0) * (patch.center.length() + target.length() + jet.point.length());
+        let derivative_roundings = gamma(4.0 * (4.0 * degrees + 6.0) + 6.0);
         let gradient_error = [0, 1].map(|axis| {
             let derivative = [jet.s, jet.t][axis].length();
             let derivative_error =
                 derivative_roundings * 4.0 * patch.degree[axis] as f64 * (heaviest / lightest) * radius;
             2.0 * (error * (derivative + 4.0 * derivative_error) + length * derivative_error)
-                + accumulated(24.0) * (length + error) * derivative
+                + gamma(24.0) * (length + error) * derivative
         });
         Self {
             parameters,
             distance_squared,
-            distance_error: error * (2.0 * length + 2.0 * error) + accumulated(10.0) * distance_squared,
+            distance_error: error * (2.0 * length + 2.0 * error) + gamma(10.0) * distance_squared,
             gradient: [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)],
             gradient_error,
         }

@@ -3,7 +3,7 @@
 
 use super::CriticalPoint;
 use crate::bezier::{relative, squares};
-use crate::rounding::{accumulated, lower_min, upper_max};
+use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The roundings of a quotient of coefficients, beside two for every product that
@@ -33,7 +33,7 @@ impl SquaredDistance {
         let relative = relative(controls, target);
         let coefficients = squares(degree, &relative);
         let largest = relative.iter().fold(0.0, |largest, y| upper_max(largest, y.xyz().length_squared()));
-        let unit = accumulated((2 * products + OTHER_ROUNDINGS) as f64);
+        let unit = gamma((2 * products + OTHER_ROUNDINGS) as f64);
         Self { degree: [2 * p, 2 * q], coefficients, unit, largest }
     }
 

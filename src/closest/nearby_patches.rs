@@ -14,6 +14,8 @@ pub(crate) struct NearbyPatch {
     pub(crate) patch: u32,
     /// The parameters (s, t) of a point of the patch near the centre.
     pub(crate) parameters: [f64; 2],
+    /// That point.
+    pub(crate) point: DVec3,
     /// A lower bound on the distance from the centre to the patch.
     pub(crate) lower_bound: f64,
     /// A box around the patch.
@@ -39,7 +41,7 @@ pub(crate) struct NearbyPatches {
 impl NearbyPatches {
     /// Lists the patches near `center`. O(p q) for each whose boxes are within `radius`.
     pub(crate) fn new(target: &Target, center: DVec3, radius: f64) -> Self {
-        let Target { patches, tree, boxes } = target;
+        let Target { patches, tree, boxes, .. } = target;
         let radius_squared = radius * radius;
         let mut list = Vec::new();
         for leaf in tree.leaves_within(center, radius_squared) {
@@ -49,8 +51,9 @@ impl NearbyPatches {
             if lower_squared < radius_squared {
                 let patch = patches.patch(index as usize);
                 let foot = newton(&patch, center, nearest_control(&patch, center), MAX_ITERATIONS);
-                let lower_bound = lower_squared.sqrt();
-                list.push(NearbyPatch { patch: index, parameters: foot.parameters, lower_bound, aabb });
+                let parameters = foot.parameters;
+                let (point, lower_bound) = (patch.point(parameters), lower_squared.sqrt());
+                list.push(NearbyPatch { patch: index, parameters, point, lower_bound, aabb });
             }
         }
         list.sort_by(|a, b| a.lower_bound.total_cmp(&b.lower_bound));

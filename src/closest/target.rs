@@ -12,6 +12,8 @@ pub struct Target {
     pub tree: Bvh,
     /// A closer, oriented box around each patch.
     pub(crate) boxes: Vec<OrientedBox>,
+    /// The largest degree of a patch in either direction.
+    pub(crate) max_degree: usize,
 }
 
 impl Target {
@@ -20,6 +22,7 @@ impl Target {
     pub fn new(patches: PatchSet) -> Self {
         let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
         let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).collect();
-        Self { tree: Bvh::new(&boxes), boxes: oriented, patches }
+        let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
+        Self { tree: Bvh::new(&boxes), boxes: oriented, max_degree, patches }
     }
 }

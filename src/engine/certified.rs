@@ -1,6 +1,6 @@
 //! One direction of method `certified`, within its budgets.
 
-use super::iteration::{Directed, surface_point};
+use super::direction::{DirectedResult, surface_point};
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
@@ -20,7 +20,7 @@ pub(super) async fn certified(
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
     progress: &mut Progress<'_>,
-) -> Result<Option<(Directed, Option<String>)>> {
+) -> Result<Option<(DirectedResult, Option<String>)>> {
     let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
     let started = Instant::now();
     let generatrix = Generatrix::new(&pair, tolerance);
@@ -61,7 +61,7 @@ pub(super) async fn certified(
     let stop = if stop == Stop::Converged && !is_decided { Stop::Precision } else { stop };
     let [from, to] = search.witness_patches(witness);
     let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
-    let directed = Directed {
+    let directed = DirectedResult {
         computed: witness.closest.upper,
         lower,
         upper,
@@ -74,6 +74,7 @@ pub(super) async fn certified(
         ),
         details: Details::Certified(CertifiedDetails {
             tolerance,
+            min_tolerance: search.min_tolerance(),
             cells: work.cells,
             cpu_cells: work.cells - work.kernel_cells,
             levels: work.levels,

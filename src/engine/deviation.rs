@@ -1,7 +1,7 @@
 //! The deviation field: the foot and the distance of every sample, and their statistics.
 
 use super::Field;
-use super::iteration::Direction;
+use super::iteration::SampledDirection;
 use crate::bezier::Jet;
 use crate::iteration::{Projected, SampleGrid};
 use glam::DVec3;
@@ -73,7 +73,7 @@ impl Statistics {
     }
 }
 
-impl Direction<'_> {
+impl SampledDirection<'_> {
     /// One field a surface, distances recomputed in float64 from the feet.
     pub(super) fn field(&self, projected: &[Projected]) -> Vec<Field> {
         let grids = self.sampling.sampling.grids.iter().enumerate();
@@ -82,7 +82,7 @@ impl Direction<'_> {
 
     fn field_of_surface(&self, surface: usize, grid: &SampleGrid, projected: &[Projected]) -> Field {
         let mut field = Field { surface, counts: grid.counts(), ..Field::default() };
-        let bezier = self.a.bezier();
+        let bezier = self.from.bezier();
         let patches = &bezier.grids[surface];
         for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
             let (i, j) = grid.row_and_column(index);

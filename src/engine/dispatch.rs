@@ -1,6 +1,6 @@
-//! Where a distance is asked for, and the backend chosen.
+//! The engine: the choice of the backend, and recovery from lost devices.
 
-use super::direction::{Ends, Run};
+use super::direction::{DirectedRun, Direction};
 use super::{Backend, DistanceResult, Method, Options, PreparedModel};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
@@ -9,20 +9,21 @@ use crate::progress::Progress;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-/// Devices that may be lost before the CPU takes over: a second loss is no accident.
+/// The number of lost devices after which the CPU takes over; a second loss is
+/// unlikely to be an accident.
 const MAX_LOSSES: u32 = 2;
 
-/// Measures distances on one GPU, or on the CPU.
+/// Computes distances on one GPU, or on the CPU.
 #[derive(Debug)]
 pub struct Engine {
     gpu: RefCell<Option<Rc<Gpu>>>,
     losses: Cell<u32>,
-    /// Why there is no GPU, if one was wanted: there is none, or it was lost.
+    /// The reason for which there is no GPU although one was requested.
     missing: RefCell<Option<Error>>,
 }
 
 impl Engine {
-    /// Looks for a GPU unless `backend` is [`Backend::Cpu`].
+    /// Makes an engine, with a GPU if there is one, unless `backend` is [`Backend::Cpu`].
     ///
     /// # Errors
     /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is none.
@@ -38,29 +39,29 @@ impl Engine {
         Ok(engine)
     }
 
-    /// The GPU's name, if there is a GPU and it has one.
+    /// Returns the name of the GPU, if there is a GPU and it has a name.
     #[must_use]
     pub fn adapter(&self) -> Option<String> {
         self.gpu.borrow().as_ref().and_then(|gpu| gpu.adapter())
     }
 
-    /// Whether distances are computed on a GPU by default.
+    /// Returns whether the engine has a GPU.
     #[must_use]
     pub fn has_gpu(&self) -> bool {
         self.gpu.borrow().is_some()
     }
 
-    /// Why there is no GPU, if one was wanted.
+    /// Returns the reason for which there is no GPU although one was requested.
     #[must_use]
     pub fn notice(&self) -> Option<String> {
         self.missing.borrow().as_ref().map(|error| format!("{error}; computed on the CPU"))
     }
 
-    /// The directed distance from A, moved by the options' transform, to B, or
-    /// with `symmetric` the larger of both directions.
+    /// Returns the directed Hausdorff distance from A, moved by the options'
+    /// transform, to B, or with `symmetric` the larger of both directions.
     ///
     /// Guarantee: `lower <= distance <= upper`. If the device is lost, the
-    /// work starts again on a new one, and the second time on the CPU.
+    /// computation starts again on a new one, and after a second loss on the CPU.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::NoAdapter`] or
@@ -76,36 +77,35 @@ impl Engine {
     ) -> Result<DistanceResult> {
         options.validate()?;
         let mut progress = Progress::new(monitor, options.symmetric);
-        let forward = Ends { from: a, to: b, transform: options.transform };
+        let forward = Direction { from: a, to: b, transform: options.transform };
         let forward = self.directed(&forward, options, &mut progress).await?.into_forward();
         if !options.symmetric {
             progress.finish();
             return Ok(forward);
         }
-        let reverse = Ends { from: b, to: a, transform: options.transform.inverse() };
+        let reverse = Direction { from: b, to: a, transform: options.transform.inverse() };
         progress.second_half();
         let reverse = self.directed(&reverse, options, &mut progress).await?.into_reverse(options);
         progress.finish();
         Ok(DistanceResult::symmetric(forward, reverse))
     }
 
-    /// One direction, with the samples that the options ask for besides.
+    /// Runs one direction, and the sampling for the field if the options request it.
     async fn directed(
         &self,
-        direction: &Ends<'_>,
+        direction: &Direction<'_>,
         options: &Options,
         progress: &mut Progress<'_>,
-    ) -> Result<Run> {
+    ) -> Result<DirectedRun> {
         let run = self.run(direction, options.method, options, progress).await?;
         if !options.field || options.method == Method::Iteration || run.is_cancelled() {
             return Ok(run);
         }
-        // The samples follow the interval, on the GPU if there is one.
         let sampled = self.run(direction, Method::Iteration, options, progress).await?;
         Ok(run.with_field_of(sampled))
     }
 
-    /// The GPU that a backend asks for, or none.
+    /// Returns the GPU for a requested backend, or `None` for the CPU.
     fn gpu_for(&self, backend: Backend) -> Result<Option<Rc<Gpu>>> {
         let gpu = self.gpu.borrow().clone().filter(|_| backend != Backend::Cpu);
         if gpu.is_none() && backend == Backend::Gpu {
@@ -118,33 +118,39 @@ impl Engine {
         Ok(gpu)
     }
 
-    /// One direction by one method on the backend at hand, again after a lost device.
+    /// Runs one direction by one method, again if the device is lost.
     async fn run(
         &self,
-        direction: &Ends<'_>,
+        direction: &Direction<'_>,
         method: Method,
         options: &Options,
         progress: &mut Progress<'_>,
-    ) -> Result<Run> {
+    ) -> Result<DirectedRun> {
         loop {
             let gpu = self.gpu_for(options.backend)?;
-            let run = if method == Method::Certified {
-                // On the processor float64 is about as fast, and ready at once.
-                let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
-                direction.certified(gpu.as_ref().filter(helps), options, progress).await
-            } else {
-                let fell_back = gpu.is_none() && options.backend != Backend::Cpu;
-                let notice = if fell_back { self.notice() } else { None };
-                direction.staged(gpu.as_ref(), method, options, notice, progress).await
+            let run = match method {
+                Method::Certified => {
+                    // A software adapter is about as fast as float64, which needs no set-up.
+                    let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                    direction.certified(gpu.as_ref().filter(helps), options, progress).await
+                }
+                Method::Iteration => direction.iteration(gpu.as_ref(), options, progress).await,
+                Method::Hierarchy => direction.hierarchy(gpu.as_ref(), options, progress).await,
             };
             match run {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
+                Ok(mut run) => {
+                    if method != Method::Certified && gpu.is_none() && options.backend != Backend::Cpu {
+                        run.notice = self.notice();
+                    }
+                    return Ok(run);
+                }
                 other => return other,
             }
         }
     }
 
-    /// A new device for the lost one, or none if it was not the first.
+    /// Replaces a lost device by a new one, or by the CPU if it was not the first.
     async fn replace(&self, found: &str, backend: Backend) -> Result<()> {
         self.gpu.replace(None);
         self.losses.set(self.losses.get() + 1);
@@ -172,14 +178,14 @@ mod tests {
     use crate::progress::NoMonitor;
     use crate::shapes::{shape, sphere_parts};
 
-    /// An engine on a GPU, or `None` and a visible line if the environment allows it.
+    /// Returns an engine on a GPU, or `None` and a visible line if the environment allows it.
     fn engine(test: &str) -> Option<Engine> {
         let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
         if engine.has_gpu() {
             return Some(engine);
         }
         assert!(std::env::var_os("NURBS_HAUSDORFF_ALLOW_NO_GPU").is_some(), "{:?}", engine.notice());
-        // Past libtest, which hides what a passing test prints by macro.
+        // Written directly, as libtest hides what a passing test prints by macro.
         let line = format!("\nSKIPPED {test}: no adapter\n");
         std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes()).unwrap();
         None
@@ -205,16 +211,16 @@ mod tests {
         assert!(!engine.has_gpu());
     }
 
-    /// Rounding of a distance between models of size 1.
+    /// The rounding error of a distance between models of size 1.
     const ROUNDING: f64 = 1e-12;
 
     #[test]
     fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
         let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
-        // As if it were no processor, as `auto` has no use for one's kernels.
+        // Pretends to be hardware, as `auto` does not use the kernels of a software adapter.
         let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().pretend_hardware();
         engine.gpu.replace(Some(Rc::new(gpu)));
-        // All of A is equally far from B, and nothing tells that at once: many cells.
+        // All of A is equally far from B, and no bound on whole patches shows it: many cells.
         let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model));
         let run = |backend| {
             let options = Options { backend, ..Options::default() };
@@ -239,10 +245,10 @@ mod tests {
             "{notice}"
         );
 
-        // Who asks for the GPU alone is told by an error.
+        // A request for the GPU alone fails with an error.
         provoke_error();
         assert_eq!(run(Backend::Gpu).unwrap_err().code(), "GPU_FAILED");
-        // The failure was told once, and the device is still there.
+        // The failure was reported once, and the device is still there.
         assert_eq!(run(Backend::Gpu).unwrap().notice, None);
     }
 }

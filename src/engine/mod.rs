@@ -1,15 +1,12 @@
-//! The distance of two prepared models: options in, interval out.
+//! The distance between two prepared models: the choice of method and backend,
+//! and the result.
 
 mod certified;
 mod deviation;
 mod direction;
 mod dispatch;
-mod hierarchy_backend;
-mod hierarchy_cpu;
-mod hierarchy_prepare;
+mod hierarchy;
 mod iteration;
-mod iteration_backend;
-mod iteration_cpu;
 mod options;
 mod prepared;
 mod result;

@@ -1,4 +1,4 @@
-//! A model with everything computed from it once.
+//! Models with the data that is computed from them once.
 
 use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract};
 use crate::bvh::Aabb;
@@ -15,8 +15,8 @@ use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-/// A model ready to be measured: its Bézier patches, and, made at first use
-/// and kept, its flat patches, samples and what the GPU holds of them.
+/// A model ready for distance computations: its Bézier patches, and, computed at
+/// first use and kept, its flat patches, its samples and their copies on the GPU.
 #[derive(Debug)]
 pub struct PreparedModel {
     name: Option<String>,
@@ -30,7 +30,7 @@ pub struct PreparedModel {
 
 type SamplingKey = (usize, SamplingRule);
 
-/// Flat patches with their place on the GPU.
+/// Flat patches, with their copy on the GPU.
 #[derive(Debug)]
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
@@ -40,33 +40,36 @@ pub(crate) struct PreparedTarget {
 }
 
 impl PreparedTarget {
-    /// The patches as method `certified` wants them, which were cut from those of `model`.
+    /// Returns the patches as an operand of method `certified`; they must have been
+    /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
-        Operand::new(&self.target, self.bounds.get_or_init(bounds)).with_revolutions(&model.revolutions)
+        Operand::new(&self.target, self.bounds.get_or_init(bounds))
+            .with_control_box(model.bounding_box)
+            .with_revolutions(&model.revolutions)
     }
 }
 
-/// Samples with their place on the GPU.
+/// Samples, with their copy on the GPU.
 #[derive(Debug)]
 pub(crate) struct PreparedSampling {
     pub(crate) sampling: Sampling,
     pub(crate) resident: Resident<GpuSampling>,
 }
 
-/// A tree of cells with its place on the GPU.
+/// A tree of cells, with its copy on the GPU.
 #[derive(Debug)]
 pub(crate) struct PreparedCells {
     pub(crate) tree: GridTree,
     pub(crate) resident: Resident<GpuGridTree>,
 }
 
-/// Samplings kept at most: the one in use and, for a slider moved back and
-/// forth, its neighbours.
-const SAMPLINGS_KEPT: usize = 4;
+/// The largest number of samplings kept: the one in use and, for a slider moved
+/// back and forth, its neighbours.
+const MAX_SAMPLINGS: usize = 4;
 
 impl PreparedModel {
-    /// Extracts the Bézier patches. O(patches p q (p + q)).
+    /// Extracts the Bézier patches and detects symmetries. O(patches p q (p + q)).
     #[must_use]
     pub fn new(model: &Model) -> Self {
         let bezier = extract(model);
@@ -81,13 +84,13 @@ impl PreparedModel {
         }
     }
 
-    /// The model's name.
+    /// Returns the model's name, if it has one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
-    /// The numbers of Bézier patches along u and v, one entry a surface.
+    /// Returns the numbers of Bézier patches along u and v, one entry per surface.
     pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
         self.bezier.grids.iter().map(PatchGrid::counts)
     }
@@ -96,15 +99,16 @@ impl PreparedModel {
         &self.bezier
     }
 
-    /// The box of the model's control points.
+    /// Returns the box of the model's control points.
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         self.bounding_box
     }
 
+    /// Returns the flat patches, computed at first use.
     pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
         let mut targets = self.targets.borrow_mut();
-        if let Some((_, target)) = targets.iter().find(|(of, _)| *of == flatness) {
+        if let Some((_, target)) = targets.iter().find(|(key, _)| *key == flatness) {
             return Rc::clone(target);
         }
         let flat = flatten(&self.bezier.patches, flatness);
@@ -118,10 +122,10 @@ impl PreparedModel {
         prepared
     }
 
-    /// The tree over `grid` x `grid` cells a surface; the last one is kept.
+    /// Returns the tree over `grid` × `grid` cells per surface; the last one is kept.
     ///
     /// # Errors
-    /// As [`GridTree::new`].
+    /// Those of [`GridTree::new`].
     pub(crate) fn cells(&self, grid: usize) -> Result<Rc<PreparedCells>> {
         let mut cells = self.cells.borrow_mut();
         if let Some(kept) = cells.as_ref()
@@ -129,22 +133,23 @@ impl PreparedModel {
         {
             return Ok(Rc::clone(kept));
         }
-        let made = Rc::new(PreparedCells {
+        let prepared = Rc::new(PreparedCells {
             tree: GridTree::new(&self.bezier, grid)?,
             resident: Resident::default(),
         });
-        *cells = Some(Rc::clone(&made));
-        Ok(made)
+        *cells = Some(Rc::clone(&prepared));
+        Ok(prepared)
     }
 
+    /// Returns the sampling, computed at first use; the last few are kept.
     pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Rc<PreparedSampling> {
         let mut samplings = self.samplings.borrow_mut();
-        if let Some((_, sampling)) = samplings.iter().find(|(of, _)| *of == (samples, rule)) {
+        if let Some((_, sampling)) = samplings.iter().find(|(key, _)| *key == (samples, rule)) {
             return Rc::clone(sampling);
         }
         let sampling = Sampling::new(&self.bezier, samples, rule);
         let prepared = Rc::new(PreparedSampling { sampling, resident: Resident::default() });
-        if samplings.len() == SAMPLINGS_KEPT {
+        if samplings.len() == MAX_SAMPLINGS {
             samplings.remove(0);
         }
         samplings.push(((samples, rule), Rc::clone(&prepared)));

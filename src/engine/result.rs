@@ -158,6 +158,10 @@ pub struct IterationDetails {
 pub struct CertifiedDetails {
     /// The requested width of the interval, in model units.
     pub tolerance: f64,
+    /// The least tolerance, in model units, that the rounding of these
+    /// coordinates allows; the search of a smaller one stops with
+    /// [`Stop::Precision`] at about this width.
+    pub min_tolerance: f64,
     /// Number of cells bounded.
     pub cells: usize,
     /// Number of those bounded in float64 on the CPU.

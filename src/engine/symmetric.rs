@@ -85,6 +85,7 @@ impl CertifiedDetails {
         let forward = self;
         Self {
             tolerance: forward.tolerance,
+            min_tolerance: forward.min_tolerance.max(reverse.min_tolerance),
             cells: forward.cells + reverse.cells,
             cpu_cells: forward.cpu_cells + reverse.cpu_cells,
             levels: forward.levels.max(reverse.levels),

@@ -4,7 +4,7 @@ use super::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
 use crate::bvh::Aabb;
 use crate::parallel::map;
-use crate::rounding::{accumulated, upper_max};
+use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
 
 /// The largest distance of a point of the sampled model from its nearest sample,
@@ -108,8 +108,8 @@ pub(crate) fn cell_pieces(locations: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2
 /// the radius and the centre, √3 times that at a corner.
 fn box_error(patch: &Patch<'_>) -> f64 {
     let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
-    let restriction = accumulated(16.0 * (patch.degree[0] + patch.degree[1]) as f64);
-    restriction * radius + accumulated(6.0) * (radius + patch.center.length())
+    let restriction = gamma(16.0 * (patch.degree[0] + patch.degree[1]) as f64);
+    restriction * radius + gamma(6.0) * (radius + patch.center.length())
 }
 
 /// Returns the box of the control net of the piece `s` × `t` of `patch`.

@@ -76,6 +76,11 @@ export interface CertifiedResult extends Common {
   converged: boolean;
   /** The requested width of the interval, in model units. */
   tolerance: number;
+  /**
+   * The least tolerance, in model units, that the rounding of these coordinates
+   * allows: a search for a smaller one stops with `precision` at about this width.
+   */
+  minTolerance: number;
   /** Number of cells bounded. */
   cells: number;
   /** Number of those bounded in float64 on the CPU. */

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
-use crate::rounding::accumulated;
+use crate::rounding::gamma;
 use glam::{DQuat, DVec3};
 
 /// The largest accepted difference of a quaternion's length from 1: the rounding
@@ -62,7 +62,7 @@ impl RigidTransform {
     /// (lemma R2 of docs/method.md).
     pub(crate) fn rounding(&self, length: f64) -> f64 {
         let moved = length + self.translation.length();
-        accumulated(ROTATION_ROUNDINGS + 1.0) * moved
+        gamma(ROTATION_ROUNDINGS + 1.0) * moved
     }
 
     /// Returns the image of a free vector.

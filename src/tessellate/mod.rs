@@ -47,7 +47,7 @@ pub fn tessellate(model: &Model, tolerance: Option<f64>) -> Result<Tessellation>
     tessellate_patches(&extract(model), tolerance)
 }
 
-/// As [`tessellate`], of patches that are extracted already.
+/// Returns the triangles as [`tessellate`] does, for patches already extracted.
 pub(crate) fn tessellate_patches(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessellation> {
     if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
         return Err(Error::out_of_range("tolerance", found, "a positive finite number"));

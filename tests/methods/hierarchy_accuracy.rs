@@ -206,7 +206,7 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
         let Error::PairBudgetExceeded { level, found, expected, mebibytes } = error else { panic!("{text}") };
         // Two lists of pairs of 8 bytes.
         assert_eq!((expected, mebibytes), ((1 << 20) / 16, 1));
-        assert!(found > expected && text.contains(&format!("wants {found} pairs")), "{text}");
+        assert!(found > expected && text.contains(&format!("requires {found} pairs")), "{text}");
         // With room for it the level has as many pairs as were wanted.
         let pairs = run(256).unwrap().hierarchy().unwrap().pairs.clone();
         assert_eq!(pairs[level], found);

@@ -1,24 +1,24 @@
-// A slider dragged, while what the page shows is recorded.
+// Drags a slider and records what the page shows meanwhile.
 
-/** Milliseconds between two moves: a display's frame. */
+/** Milliseconds between two moves, about one frame of a display. */
 const FRAME = 16;
-/** Moves from one end of the way to the other. */
+/** Moves from one end of the range to the other. */
 const MOVES = 60;
-/** The ends, in diagonals. */
+/** The ends of the range, in diagonals. */
 const FROM = 0.02;
 const TO = 0.5;
-/** Milliseconds of a drag at most: the machine may be busy with other things. */
-const LONGEST = 40_000;
+/** The maxDuration drag, in milliseconds; a busy machine is slow. */
+const MAX_DURATION = 40_000;
 
 /**
- * Drags the slider to and fro until `wanted` different distances were shown,
- * and returns what the read-out said meanwhile: the results, and the heights
- * that parts of the panel stood at. By the page's own timer, as the mouse of
- * a browser without a display waits for frames, which are slow in software.
+ * Drags the slider to and fro until `count` different distances were shown.
+ * Returns the results shown meanwhile and the heights of parts of the panel.
+ * The moves use the page's own timer, because mouse events of a headless
+ * browser wait for frames, which are slow in software.
  */
-export const drag = (page, slider, wanted) =>
+export const drag = (page, slider, count) =>
   page.evaluate(
-    async ({ slider, wanted, frame, moves, from, to, longest }) => {
+    async ({ slider, count, frame, moves, from, to, maxDuration }) => {
       const input = document.querySelector(slider);
       const result = document.getElementById("result");
       const results = [];
@@ -37,7 +37,7 @@ export const drag = (page, slider, wanted) =>
       observer.observe(result, { attributes: true });
       const begin = performance.now();
       const elapsed = () => performance.now() - begin;
-      for (let step = 1; results.length < wanted && elapsed() < longest; step++) {
+      for (let step = 1; results.length < count && elapsed() < maxDuration; step++) {
         const part = 1 - Math.abs(1 - ((step / moves) % 2));
         input.value = from + (to - from) * part;
         input.dispatchEvent(new Event("input"));
@@ -47,5 +47,5 @@ export const drag = (page, slider, wanted) =>
       const perSecond = (1000 * results.length) / elapsed();
       return { results, heights: [...heights], perSecond };
     },
-    { slider, wanted, frame: FRAME, moves: MOVES, from: FROM, to: TO, longest: LONGEST },
+    { slider, count, frame: FRAME, moves: MOVES, from: FROM, to: TO, maxDuration: MAX_DURATION },
   );

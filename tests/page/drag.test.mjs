@@ -7,35 +7,35 @@ import { open } from "./open.mjs";
 let opened;
 
 before(async () => {
-  // Small and without WebGPU: where no GPU is, drawing takes what samples on it would need.
+  // A small window without WebGPU: without a GPU, drawing and samples compete for the CPU.
   opened = await open({ webgpu: false, size: { width: 800, height: 480 } });
   await opened.page.locator('#result[data-state="done"]').waitFor();
 });
 
 after(() => opened.close());
 
-/** Results of a drag that are waited for; a starved page shows none until the mouse rests. */
-const WANTED = 8;
+/** The number of results required during a drag; a page that cannot keep up shows none. */
+const REQUIRED = 8;
 
 for (const method of ["certified", "iteration"]) {
-  test(`a fast drag shows results of ${method} on the way, and nothing jumps`, async (context) => {
+  test(`a fast drag shows results of ${method} while moving, and nothing jumps`, async (context) => {
     await opened.until("done", async () => {
       await opened.page.selectOption("#method", method);
       await opened.page.locator("#samples").evaluate((samples) => {
         samples.value = "16";
       });
-      await opened.page.selectOption("#preset", { label: "Torus, moved" });
+      await opened.page.selectOption("#preset", { label: "Torus and moved copy" });
     });
-    const { results, heights, perSecond } = await drag(opened.page, "#move-x", WANTED);
+    const { results, heights, perSecond } = await drag(opened.page, "#move-x", REQUIRED);
     context.diagnostic(`${perSecond.toFixed(1)} results a second`);
-    assert.ok(results.length >= WANTED, `${results.length} results on the way`);
+    assert.ok(results.length >= REQUIRED, `${results.length} results while moving`);
     for (const { computed, text } of results) assert.equal(text, Number(computed).toFixed(5));
     assert.equal(heights.length, 2, heights.join(", "));
     await opened.page.locator('#result[data-state="done"]').waitFor();
   });
 }
 
-test("a certificate too long for a drag tells intervals on the way, and ends at the last place", async () => {
+test("a certified search too long for a drag shows intervals while moving, and finishes at the end", async () => {
   const { page } = opened;
   await opened.until("done", () => page.selectOption("#method", "certified"));
   for (const [side, part] of Object.entries(sphereParts)) {
@@ -43,11 +43,11 @@ test("a certificate too long for a drag tells intervals on the way, and ends at 
     await opened.until("done", () => page.setInputFiles(`#file-${side}`, sphere));
   }
   await opened.until("working", () => page.selectOption("#tolerance", "1e-9"));
-  const { results } = await drag(page, "#move-x", WANTED);
+  const { results } = await drag(page, "#move-x", REQUIRED);
   await page.selectOption("#tolerance", "1e-4");
-  assert.ok(results.length >= WANTED, `${results.length} results on the way`);
+  assert.ok(results.length >= REQUIRED, `${results.length} results while moving`);
   for (const { lower, upper } of results) {
-    // A, moved by d, comes 0.2 + d from B.
+    // A moved by d is at the distance 0.2 + d from B.
     assert.ok(lower <= upper && upper >= 0.2, `${lower} ${upper}`);
   }
   await opened.until("done", () => page.locator("#move-x-exact").fill("0.05"));
@@ -57,7 +57,7 @@ test("a certificate too long for a drag tells intervals on the way, and ends at 
   await page.selectOption("#tolerance", "1e-6");
 });
 
-/** Results of a real model's drag; enough to tell their rate. */
+/** The number of results of a drag of a real model, enough to estimate their rate. */
 const LIVE = 20;
 
 for (const name of ["duck.json", "utah_teapot_4nurbs.json"]) {
@@ -72,7 +72,7 @@ for (const name of ["duck.json", "utah_teapot_4nurbs.json"]) {
     await opened.until("done", () => page.locator("#move-x").fill("0.04"));
     const { results, perSecond } = await drag(page, "#move-x", LIVE);
     context.diagnostic(`${perSecond.toFixed(1)} results a second`);
-    assert.ok(results.length >= LIVE, `${results.length} results on the way`);
+    assert.ok(results.length >= LIVE, `${results.length} results while moving`);
     for (const { lower, upper } of results) assert.ok(lower <= upper, `${lower} ${upper}`);
     await page.locator('#result[data-state="done"]').waitFor();
     await opened.screenshot(name.replace(".json", ""));

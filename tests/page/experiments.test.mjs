@@ -9,7 +9,7 @@ import { file, modelFile, planes } from "./models.mjs";
 import { open } from "./open.mjs";
 import { choose, painted, parsed, run, saved, state } from "./sweep.mjs";
 
-/** What the command line's example sweeps, and its table's columns. */
+/** The sweeps of the command line's experiments, and the columns of their tables. */
 const plan = JSON.parse(readFileSync(inRoot("examples/experiments/sweep.json"), "utf8"));
 
 let opened;
@@ -25,7 +25,7 @@ after(() => opened.close());
 
 const notes = (method) => page.locator(`[data-method="${method}"] li`).allTextContents();
 
-test("a square past another: every method's curve has the corners' distance in its bounds", async () => {
+test("a square moved past another: the bounds of every method contain the distance of the corners", async () => {
   const methods = ["iteration", "2012 paper: none", "hierarchy", "iteration: tight"];
   const files = [modelFile("a.json", planes(0)), modelFile("b.json", planes(3))];
   await choose(page, { files, methods, positions: "5", samples: "12" });
@@ -34,12 +34,12 @@ test("a square past another: every method's curve has the corners' distance in i
   assert.equal(name, "sweep-own.csv");
   assert.deepEqual(columns, plan.columns);
   assert.equal(rows.length, 5 * 5);
-  // B's diagonal, by whose parts A passes aside; A reaches 1.5 times where the squares part.
+  // A's offset is in units of B's diagonal, and its range is 1.5 times that in which the squares overlap.
   const diagonal = Math.hypot(2, 2);
   rows.forEach(({ position, method, computed, lower, upper, converged, failure }, index) => {
     assert.ok(Math.abs(position - 3 * (((index % 5) * 2) / 4 - 1)) < 1e-12, `${position}`);
     const x = 0.05 * diagonal + position;
-    // A's farthest corner is as far beside B as A is moved in the plane.
+    // A's farthest corner leaves B by A's translation in the plane.
     const distance = Math.hypot(x, 0.04 * diagonal, 0.03 * diagonal);
     const what = `${method} at ${position}: ${lower} ${computed} ${upper}, not ${distance}`;
     assert.ok(lower <= distance + 1e-12 && distance <= upper + 1e-12, what);
@@ -48,13 +48,13 @@ test("a square past another: every method's curve has the corners' distance in i
     if (method === "certified") assert.ok(upper - lower <= 1e-5 && converged === "yes", what);
     assert.equal(failure, "");
   });
-  // What is read at a position is what is in the table.
-  const read = () => page.locator("#reading-rows tr").first().locator("td").allTextContents();
+  // The readout shows the values of the table.
+  const read = () => page.locator("#readout-rows tr").first().locator("td").allTextContents();
   const written = (row) => `${Number(row.computed.toPrecision(9))}`;
   assert.equal((await read())[1], written(rows[4]), "at the newest position");
   await page.locator("#plot-distance .u-over").hover();
   await page.locator("#at-text", { hasText: /^0$/ }).waitFor();
-  assert.equal((await read())[1], written(rows[2]), "where the mouse points");
+  assert.equal((await read())[1], written(rows[2]), "at the position under the pointer");
   await opened.screenshot("experiments-squares");
 });
 
@@ -69,14 +69,14 @@ test("the time axis is logarithmic or linear", async () => {
   await page.locator("#logarithmic-time").check();
 });
 
-test("a failing method is a gap with its code", async () => {
+test("a failure is a gap with its error code", async () => {
   const fields = { positions: "5", samples: "64", limit: "5", budget: "1" };
   await choose(page, { pair: "nested", methods: ["hierarchy"], ...fields });
   await run(page);
   const { rows } = await saved(page);
   for (const { position, method, lower, upper, failure } of rows) {
     if (failure !== "") continue;
-    // Points of A are between these far from the centre of the sphere of radius 2.
+    // The distances of A's points from the centre of B, a sphere of radius 2, lie in [near, far].
     const [near, far] = [Math.abs(Math.abs(position) - 0.2), Math.abs(position) + 0.2];
     const distance = Math.max(2 - near, far - 2);
     const what = `${method} at ${position}: ${lower} ${upper}, not ${distance}`;
@@ -85,12 +85,15 @@ test("a failing method is a gap with its code", async () => {
   const codes = rows.filter(({ method }) => method === "hierarchy").map(({ failure }) => failure);
   const failed = "PAIR_BUDGET_EXCEEDED";
   assert.deepEqual(codes, ["", failed, failed, failed, ""]);
-  assert.match((await notes("hierarchy"))[0], /^PAIR_BUDGET_EXCEEDED at -1.65, 0, 1.65; first: /);
-  // Also in the middle, where all of B is equally far from all of A.
+  assert.match(
+    (await notes("hierarchy"))[0],
+    /^PAIR_BUDGET_EXCEEDED at -1.65, 0, 1.65; the first: /,
+  );
+  // This includes the middle, where all points of A are equally far from B.
   assert.deepEqual(await notes("certified"), []);
   await page.locator("#at").fill("1");
   assert.equal(
-    await page.locator("#reading-rows tr").nth(1).locator("td").textContent(),
+    await page.locator("#readout-rows tr").nth(1).locator("td").textContent(),
     "PAIR_BUDGET_EXCEEDED",
   );
   for (const panel of ["time", "distance"]) {
@@ -98,13 +101,13 @@ test("a failing method is a gap with its code", async () => {
     assert.equal(await painted(page, panel, "hierarchy", 1 / 8), 0, `${panel}: a gap`);
     assert.ok((await painted(page, panel, "hierarchy", 0)) > 0, `${panel}: a point alone`);
   }
-  // In the middle is no point, but the cross of the failure.
+  // In the middle there is no point, only the cross of the failure.
   assert.ok((await painted(page, "time", "hierarchy", 1 / 2)) > 0);
   assert.equal(await painted(page, "distance", "hierarchy", 1 / 2), 0);
   await opened.screenshot("experiments-failures");
 });
 
-test("Stop ends a long run, which leaves no row, and the next sweep runs", async () => {
+test("Stop cancels a long run, which adds no row, and the next sweep runs", async () => {
   // 720,000 samples on 5,000 patches each: 3.6 thousand million projections take minutes anywhere.
   const endless = modelFile("endless.json", planes(...Array(5000).keys()));
   const methods = ["2012 paper: none"];
@@ -122,11 +125,11 @@ test("Stop ends a long run, which leaves no row, and the next sweep runs", async
   const { name, rows } = await saved(page);
   assert.equal(name, "sweep-copy.csv");
   assert.equal(rows.length, 5);
-  // The sheet in its own place.
+  // In the middle the sheet coincides with its copy.
   assert.ok(rows[2].lower === 0 && rows[2].upper < 1e-5, `${rows[2].lower} ${rows[2].upper}`);
 });
 
-test("what a page cannot afford is run in the middle only, and there only as published", async () => {
+test("a method that is too slow for the page is run only in the middle, and only as published", async () => {
   const many = modelFile("many.json", planes(...Array(72).keys()));
   const methods = ["2012 paper: none", "2012 paper: loose"];
   const fields = { positions: "5", samples: "64", limit: "Infinity" };
@@ -134,21 +137,21 @@ test("what a page cannot afford is run in the middle only, and there only as pub
   await run(page);
   // 72 squares of 64 x 64 samples, each to be projected on 72 squares: more than 20 million.
   const found = "left out: 294,912 samples on 72 patches";
-  assert.deepEqual(await notes(methods[0]), [`${found}: too long but for one run in the middle`]);
-  assert.deepEqual(await notes(methods[1]), [`${found} or more: too long for a sweep`]);
+  assert.deepEqual(await notes(methods[0]), [`${found}: too slow except at the middle position`]);
+  assert.deepEqual(await notes(methods[1]), [`${found} or more: too slow for a sweep`]);
   const { rows } = await saved(page);
-  const of = (wanted) => rows.filter(({ method }) => method === wanted);
-  const failures = (method) => of(method).map(({ failure }) => failure);
+  const rowsOf = (name) => rows.filter(({ method }) => method === name);
+  const failures = (method) => rowsOf(method).map(({ failure }) => failure);
   assert.deepEqual(failures(methods[0]), ["left-out", "left-out", "", "left-out", "left-out"]);
   assert.deepEqual(failures(methods[1]), Array(5).fill("left-out"));
-  // As above, where the top square passes the top one of the stack of 71.
+  // As above, with the diagonal of the stack, whose squares are up to 71 apart.
   const diagonal = Math.hypot(2, 2, 71);
   const distance = Math.hypot(0.05 * diagonal, 0.04 * diagonal, 0.03 * diagonal);
-  const { computed } = of(methods[0])[2];
+  const { computed } = rowsOf(methods[0])[2];
   assert.ok(Math.abs(computed - distance) < 1e-4, `${computed}, not ${distance}`);
 });
 
-test("stand-ins make room for models opened, of which a body is the first surface", async () => {
+test("opened files replace the substitute shapes, and a body is the first surface of its file", async () => {
   const fresh = await open({ webgpu: false, path: "experiments.html" });
   const { page } = fresh;
   const names = () =>
@@ -157,21 +160,24 @@ test("stand-ins make room for models opened, of which a body is the first surfac
     await state(page, "ready");
     await choose(page, { pair: "several", positions: "5" });
     assert.deepEqual(await names(), [
-      "Cylinder, for duck.json",
-      "Wing, NACA 2412, for utah_teapot_4nurbs.json",
+      "Cylinder, in place of duck.json",
+      "Wing, NACA 2412, in place of utah_teapot_4nurbs.json",
     ]);
     await run(page);
     assert.ok((await saved(page)).rows.every(({ converged }) => converged === "yes"));
 
     await choose(page, { pair: "body" });
-    assert.deepEqual(await names(), ["Bottle, for duck.json", "Bottle, for duck.json"]);
+    assert.deepEqual(await names(), [
+      "Bottle, in place of duck.json",
+      "Bottle, in place of duck.json",
+    ]);
     await page.setInputFiles("#file-a", modelFile("duck.json", planes(0, 7)));
     assert.deepEqual(await names(), ["duck.json, first surface", "duck.json, first surface"]);
     await run(page);
     const { name, rows } = await saved(page);
     assert.equal(name, "sweep-body.csv");
     assert.equal(rows.length, 5);
-    // One square past its copy, as above; with the second surface the diagonal would be another.
+    // One square moved past its copy, as above; with the second surface the diagonal would differ.
     const diagonal = Math.hypot(2, 2);
     for (const { position, lower, upper } of rows) {
       const x = 0.05 * diagonal + position;
@@ -180,7 +186,7 @@ test("stand-ins make room for models opened, of which a body is the first surfac
       assert.ok(lower <= distance + 1e-12 && distance <= upper + 1e-12, what);
     }
 
-    // The teapot's place is still the stand-in's; where nothing stands in, own files are meant.
+    // The teapot still has its substitute; for a pair without substitutes a file selects the own pair.
     await choose(page, { pair: "several" });
     assert.deepEqual((await names())[0], "duck.json");
     assert.match((await names())[1], /^Wing/);
@@ -194,8 +200,8 @@ test("stand-ins make room for models opened, of which a body is the first surfac
   }
 });
 
-test("where B's patches cannot be counted, methods that try all of them fail with the code", async () => {
-  /** The count, which is of 2 x 2 samples, fails as if the GPU had. */
+test("if the patches of B cannot be counted, methods that project on all of them fail with the error code", async () => {
+  /** Makes the count, a measurement with 2 x 2 samples, fail like a GPU. */
   const prepare = (page) =>
     page.addInitScript(() => {
       globalThis.Worker = class extends Worker {
@@ -224,17 +230,17 @@ test("where B's patches cannot be counted, methods that try all of them fail wit
     for (const { method, failure } of rows) {
       assert.equal(failure, method === "2012 paper: none" ? "GPU_FAILED" : "", method);
     }
-    const told = await fresh.page.locator('[data-method="2012 paper: none"] li').textContent();
+    const note = await fresh.page.locator('[data-method="2012 paper: none"] li').textContent();
     assert.match(
-      told,
-      /^GPU_FAILED at 5 positions; first: B’s patches were not counted: on purpose$/,
+      note,
+      /^GPU_FAILED at 5 positions; the first: the patches of B could not be counted: on purpose$/,
     );
   } finally {
     await fresh.close();
   }
 });
 
-test("a broken file is told by its code, and can be replaced", async () => {
+test("a broken file is reported with its error code, and can be replaced", async () => {
   const good = modelFile("good.json", planes(0));
   await choose(page, { files: [file("broken.json", "not JSON"), good], positions: "5" });
   await page.locator("#run").click();
@@ -248,7 +254,7 @@ test("a broken file is told by its code, and can be replaced", async () => {
 const commandLine = inRoot("target/release/examples/experiments");
 const unbuilt = !existsSync(commandLine) && "the example experiments is not built";
 
-test("the table is the command line's", { skip: unbuilt }, async () => {
+test("the table equals that of the command line", { skip: unbuilt }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "experiments-"));
   const options = ["--out", folder, "--quick", "--only", "sweep-small"];
   execFileSync(commandLine, options, { stdio: "ignore" });
@@ -260,20 +266,20 @@ test("the table is the command line's", { skip: unbuilt }, async () => {
   const ours = await saved(page);
   assert.deepEqual(ours.columns, theirs.columns);
   assert.equal(ours.rows.length, theirs.rows.length);
-  theirs.rows.forEach((wanted, index) => {
+  theirs.rows.forEach((expected, index) => {
     const found = ours.rows[index];
-    assert.equal(found.method, wanted.method);
-    // What a GPU's rounding, or an example built before the last change, leaves as it is.
+    assert.equal(found.method, expected.method);
+    // Columns that depend neither on the GPU's rounding nor on details of the search.
     for (const column of ["position", "computed", "k_a", "patches_of_b"]) {
-      const what = `${wanted.method} at ${wanted.position}: ${column} ${found[column]}`;
-      if (wanted[column] === "") assert.equal(found[column], "", what);
-      else assert.ok(Math.abs(found[column] - wanted[column]) < 1e-4, what);
+      const what = `${expected.method} at ${expected.position}: ${column} ${found[column]}`;
+      if (expected[column] === "") assert.equal(found[column], "", what);
+      else assert.ok(Math.abs(found[column] - expected[column]) < 1e-4, what);
     }
   });
 });
 
 test("the two pages lead to each other", async () => {
-  await page.getByRole("link", { name: "one pair, in 3D" }).click();
+  await page.getByRole("link", { name: "one pair in 3D" }).click();
   await page.getByRole("link", { name: "experiments" }).click();
   await state(page, "ready");
 });

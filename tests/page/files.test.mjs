@@ -15,7 +15,7 @@ before(async () => {
 
 after(() => opened.close());
 
-/** Drops files of these names and texts; whether the browser was kept from opening them. */
+/** Drops files with these names and texts; returns whether the browser's default action was prevented. */
 const drop = (target, part, ...files) =>
   opened.page.locator(target).evaluate(
     (target, [part, files]) => {
@@ -33,7 +33,7 @@ const drop = (target, part, ...files) =>
 
 const chosen = (list) => opened.page.locator(`${list} option:checked`).textContent();
 
-/** All that a user sees of the models and their distance. */
+/** Everything that a user sees of the models and their distance. */
 const seen = async () => ({
   data: await opened.data(),
   distance: await opened.page.locator("#distance").textContent(),
@@ -46,18 +46,18 @@ const seen = async () => ({
   label: await opened.page.locator("#label").isVisible(),
 });
 
-test("a file opened as A is told as an own pair, where it lies", async () => {
+test("a file opened as A makes an own pair, at the file's position", async () => {
   const { page } = opened;
-  await opened.until("done", () => page.selectOption("#preset", { label: "Torus, moved" }));
+  await opened.until("done", () => page.selectOption("#preset", { label: "Torus and moved copy" }));
   await opened.until("done", () => page.setInputFiles("#file-a", modelFile("low.json", planes(0))));
   assert.equal(await chosen("#preset"), "own pair");
   assert.equal(await chosen("#shape-a"), "low.json");
   assert.equal(await page.locator("#move-x-exact").inputValue(), "0");
 });
 
-test("planes dropped on the view's halves; the slider moves A, and the arrow follows", async () => {
+test("planes are dropped on the halves of the view; the slider moves A, and the arrow follows", async () => {
   const { page } = opened;
-  await opened.until("done", () => page.selectOption("#preset", { label: "Torus, moved" }));
+  await opened.until("done", () => page.selectOption("#preset", { label: "Torus and moved copy" }));
   const low = ["low.json", JSON.stringify(planes(0))];
   const high = ["high.json", JSON.stringify(planes(3))];
   await opened.until("done", () => drop("#stage", 0.25, low));
@@ -79,7 +79,7 @@ test("planes dropped on the view's halves; the slider moves A, and the arrow fol
   assert.equal((await seen()).distance, "3.00000");
 });
 
-test("a file dropped beside all places changes nothing, and is not opened by the browser", async () => {
+test("a file dropped outside all targets changes nothing, and is not opened by the browser", async () => {
   await opened.page.locator("#label").waitFor();
   const before = await seen();
   const url = opened.page.url();
@@ -90,7 +90,7 @@ test("a file dropped beside all places changes nothing, and is not opened by the
   assert.ok(await opened.page.locator("#drop").isHidden());
 });
 
-/** What a failed file must leave as it is, with the error that it must give. */
+/** Asserts that opening a file fails with this code, and leaves the models and their result unchanged. */
 async function fails(code, name, open) {
   const { page } = opened;
   await opened.until("done", () => page.selectOption("#preset", { label: "Glass and bottle" }));
@@ -104,7 +104,7 @@ async function fails(code, name, open) {
   assert.ok(text.startsWith(`${code}: `) && text.includes(name), text);
   assert.deepEqual(await seen(), before);
   await opened.screenshot("error");
-  // The models are still there to be measured, and the error is over.
+  // The models can still be measured, and that removes the error.
   await opened.until("done", () => page.locator("#move-x-exact").fill("0.2"));
   assert.ok(await page.locator("#error").isHidden());
 }
@@ -115,13 +115,13 @@ for (const [text, code] of [
   ["not JSON", "JSON_SHAPE"],
   [JSON.stringify(weightless), "WEIGHT_NOT_POSITIVE"],
 ]) {
-  test(`a broken file leaves everything as it is, and is named with ${code}`, () =>
+  test(`a broken file changes nothing, and is reported with ${code}`, () =>
     fails(code, "broken.json", () =>
       opened.page.setInputFiles("#file-b", file("broken.json", text)),
     ));
 }
 
-test("so does a file that is gone when it is read", async () => {
+test("a file that was removed before it is read changes nothing", async () => {
   const folder = mkdtempSync(join(tmpdir(), "page-"));
   const path = join(folder, "gone.json");
   writeFileSync(path, JSON.stringify(planes(0)));

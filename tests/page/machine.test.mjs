@@ -1,4 +1,4 @@
-// Machines that lack something.
+// Machines without WebGPU, without WebGL, or with a failing GPU.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { open } from "./open.mjs";
@@ -13,12 +13,15 @@ async function on(machine, run) {
   }
 }
 
-test("without WebGPU it says so and runs on the CPU, on a narrow screen too", () =>
+test("without WebGPU a warning says so, and every method runs on the CPU, on a narrow screen too", () =>
   on({ webgpu: false, size: { width: 400, height: 800 } }, async (narrow) => {
     await narrow.page.locator('#result[data-state="done"]').waitFor();
     assert.match(await narrow.page.locator("#banner").textContent(), /No WebGPU/);
-    await narrow.until("done", () => narrow.page.selectOption("#method", "iteration"));
-    assert.match((await narrow.texts("#facts")).time, /on the CPU/);
+    for (const method of ["iteration", "hierarchy"]) {
+      await narrow.until("done", () => narrow.page.selectOption("#method", method));
+      assert.match((await narrow.texts("#facts")).time, /on the CPU/);
+      assert.equal(await narrow.page.locator("#warnings details").count(), 1);
+    }
     const sizes = () => [document.documentElement.scrollWidth, innerWidth];
     const [content, window] = await narrow.page.evaluate(sizes);
     assert.ok(content <= window, `${content} pixels on ${window}`);
@@ -27,7 +30,7 @@ test("without WebGPU it says so and runs on the CPU, on a narrow screen too", ()
     assert.ok(await narrow.page.locator("#banner").isHidden());
   }));
 
-test("without WebGL it says so, and the numbers come all the same", () =>
+test("without WebGL a warning says so, and distances are still computed", () =>
   on({ webgpu: false, webgl: false }, async ({ page, until, data, screenshot }) => {
     await page.locator('#result[data-state="done"]').waitFor();
     assert.match(await page.locator("#banner").textContent(), /No WebGL/);
@@ -38,7 +41,7 @@ test("without WebGL it says so, and the numbers come all the same", () =>
     await screenshot("no-webgl");
   }));
 
-test("a module that cannot be loaded is told, not awaited for ever", () =>
+test("a module that cannot be loaded is reported, and ends the waiting", () =>
   on(
     { prepare: (page) => page.route("**/*.wasm", (route) => route.abort()) },
     async ({ page, screenshot }) => {
@@ -48,3 +51,43 @@ test("a module that cannot be loaded is told, not awaited for ever", () =>
       await screenshot("no-module");
     },
   ));
+
+test("with WebGPU the methods of samples and boxes run on the GPU, without a warning", () =>
+  on({}, async ({ page, until, texts }) => {
+    await page.locator('#result[data-state="done"]').waitFor();
+    for (const method of ["iteration", "hierarchy"]) {
+      await until("done", () => page.selectOption("#method", method));
+      assert.match((await texts("#facts")).time, /on the GPU/);
+      assert.ok(await page.locator("#banner").isHidden());
+    }
+  }));
+
+/** Gives the results of method `hierarchy` a notice, as if the GPU had failed on the way. */
+const failHierarchy = (page) =>
+  page.addInitScript(() => {
+    globalThis.Worker = class extends Worker {
+      set onmessage(listener) {
+        super.onmessage = ({ data }) => {
+          if (data.result?.method === "hierarchy") data.result.notice = "failed on purpose";
+          listener({ data });
+        };
+      }
+    };
+  });
+
+test("the notice of one distance is shown with that distance only, and can be dismissed", () =>
+  on({ prepare: failHierarchy }, async ({ page, until, screenshot }) => {
+    const banner = page.locator("#banner");
+    await page.locator('#result[data-state="done"]').waitFor();
+    assert.ok(await banner.isHidden());
+    await until("done", () => page.selectOption("#method", "hierarchy"));
+    assert.match(await banner.textContent(), /GPU could not be used.*failed on purpose/s);
+    await screenshot("notice");
+    await until("done", () => page.selectOption("#method", "certified"));
+    assert.ok(await banner.isHidden(), "the next distance has no notice");
+    await until("done", () => page.selectOption("#method", "hierarchy"));
+    await page.locator("#dismiss").click();
+    assert.ok(await banner.isHidden(), "dismissed");
+    await until("done", () => page.locator("#move-x-exact").fill("0.1"));
+    assert.ok(await banner.isHidden(), "the same notice stays dismissed");
+  }));

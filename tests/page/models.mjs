@@ -1,7 +1,7 @@
-// Models as files, and where the models made by others are.
+// Models as files for the page, and files of the shared models.
 import { existsSync, readFileSync } from "node:fs";
 
-/** A square of side 2 in the plane of this height, its normal upwards. */
+/** A square of side 2 at this height, with its normal upwards. */
 const square = (height) => ({
   degree: [1, 1],
   knots_u: [0, 0, 1, 1],
@@ -9,10 +9,10 @@ const square = (height) => ({
   ctrl: [-1, 1].map((x) => [-1, 1].map((y) => [x, y, height, 1])),
 });
 
-/** One square at each height. */
+/** A model of one square at each height. */
 export const planes = (...heights) => ({ surfaces: heights.map(square) });
 
-/** x, y and w of an arc's control points, `quarters` from an angle on (The NURBS Book, section 7.5). */
+/** x, y and weight of the control points of a circular arc, `quarters` quarter turns from an angle (The NURBS Book, section 7.5). */
 const arc = (from, quarters) =>
   Array.from({ length: 2 * quarters + 1 }, (_, eighth) => {
     const [angle, corner] = [from + (eighth * Math.PI) / 4, eighth % 2 === 1];
@@ -25,14 +25,14 @@ const knots = (quarters) => {
   return [0, 0, 0, ...inner, quarters, quarters, quarters];
 };
 
-/** Turned a little about an axis that is none of the sphere's. */
+/** A small rotation about an axis other than the sphere's own. */
 function turned([x, y, z]) {
   const [cos, sin] = [Math.cos(0.2), Math.sin(0.2)];
   const [a, b] = [cos * x - sin * y, sin * x + cos * y];
   return [a, cos * b - sin * z, sin * b + cos * z];
 }
 
-/** Quarters of a sphere round from an angle on, and along from a latitude on. */
+/** A part of a sphere: quarter turns from an angle in longitude, and from an angle in latitude. */
 function spherePart(radius, [round, rounds], [along, alongs], turn) {
   const ctrl = arc(round, rounds).map(([x, y, weight]) =>
     arc(along, alongs).map(([out, up, weightAlong]) => {
@@ -45,16 +45,16 @@ function spherePart(radius, [round, rounds], [along, alongs], turn) {
 }
 
 /**
- * A quarter of a sphere of radius 2 around -x, turned, and three quarters of
- * one of 2.2 around it: 0.2 from each other all over, which nothing but ever
- * smaller cells tells. Minutes at 1e-9.
+ * A rotated quarter of a sphere of radius 2, and three quarters of a concentric
+ * sphere of radius 2.2. All points of the first are at the distance 0.2 from
+ * the second, which only ever smaller cells can certify: minutes at 1e-9.
  */
 export const sphereParts = {
   a: spherePart(2, [0.75 * Math.PI, 1], [-0.25 * Math.PI, 1], turned),
   b: spherePart(2.2, [0, 3], [-0.5 * Math.PI, 2], (point) => point),
 };
 
-/** What a file input takes for a file of this text. */
+/** A file with this text, for Playwright's file inputs. */
 export const file = (name, text) => ({
   name,
   mimeType: "application/json",
@@ -63,7 +63,7 @@ export const file = (name, text) => ({
 
 export const modelFile = (name, model) => file(name, JSON.stringify(model));
 
-/** A file of ../shared/models, if that folder is there. */
+/** A file of ../shared/models, or undefined if it does not exist. */
 export function sharedFile(name) {
   const path = new URL(`../../../shared/models/${name}`, import.meta.url);
   return existsSync(path) ? file(name, readFileSync(path)) : undefined;

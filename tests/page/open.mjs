@@ -1,18 +1,18 @@
-// The built page, served and opened in headless Chromium.
+// Serves the built page and opens it in headless Chromium.
 import { mkdirSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { launchOptions } from "../../scripts/test/browser.mjs";
 
-/** Milliseconds that anything on the page may take: SwiftShader is slow. */
-const PATIENCE = 60_000;
+/** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
+const TIMEOUT = 60_000;
 
 const screenshots = "tests/screenshots";
 
 /**
- * Opens the page; `webgpu: false` starts a Chromium without it, `webgl: false`
- * one without any 3D, `path` is another page than the main one, and `prepare` is given
- * the page before it is loaded.
+ * Opens the page. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
+ * `path` selects another page than the main one, and `prepare` receives the
+ * page before it is loaded.
  */
 export async function open({
   webgpu = true,
@@ -28,14 +28,14 @@ export async function open({
   const page = await browser.newPage({ viewport: size });
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
-  page.setDefaultTimeout(PATIENCE);
+  page.setDefaultTimeout(TIMEOUT);
   await prepare(page);
   await page.goto(new URL(path, server.resolvedUrls.local[0]).href);
   return {
     page,
     errors,
     data: () => page.locator("#result").evaluate(({ dataset }) => ({ ...dataset })),
-    /** Waits for a state of the read-out that `change` leads to. */
+    /** Waits until the panel of results reaches a state after `change`. */
     async until(state, change = async () => {}) {
       await page.locator("#result").evaluate(({ dataset }) => {
         dataset.state = "awaited";
@@ -43,7 +43,7 @@ export async function open({
       await change();
       await page.locator(`#result[data-state="${state}"]`).waitFor();
     },
-    /** The terms and texts of a list of the read-out. */
+    /** Returns the terms and texts of a list in the panel of results. */
     async texts(list) {
       const terms = await page.locator(`${list} dt`).allTextContents();
       const texts = await page.locator(`${list} dd`).allTextContents();

@@ -14,7 +14,7 @@ before(async () => {
 
 after(() => opened.close());
 
-/** Two squares as models A and B, each over the other's every point. */
+/** Opens stacks of parallel squares at these heights as models A and B. */
 async function openPlanes(a, b) {
   const { page } = opened;
   await page.setInputFiles("#file-a", modelFile("a.json", planes(...a)));
@@ -26,8 +26,8 @@ async function openPlanes(a, b) {
   );
 }
 
-/** Red, green and blue left of the middle of the view, where the arrow is. */
-async function besideMiddle() {
+/** Returns red, green and blue at a point to the left of the arrow, which is in the middle of the view. */
+async function colorLeftOfMiddle() {
   const { page } = opened;
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await page.waitForTimeout(500);
@@ -44,17 +44,33 @@ async function besideMiddle() {
   }, image);
 }
 
-test("the first preset is measured, and shown as people shall see it", async () => {
+/** Takes the README's picture, for `npm run picture`; narrower, which keeps the file small. */
+async function takePicture(path) {
+  const { page } = opened;
+  const size = page.viewportSize();
+  await page.setViewportSize({ width: 1130, height: 800 });
+  await page.locator("#fit").click();
+  await page.mouse.move(0, 0);
+  await page.waitForTimeout(500);
+  await page.screenshot({ path });
+  await page.setViewportSize(size);
+}
+
+test("the first preset is measured and shown", async () => {
   const { page } = opened;
   const { lower, upper, computed, converged } = await opened.data();
   assert.equal(converged, "true");
   assert.ok(Number(lower) <= Number(computed) && Number(computed) <= Number(upper));
   const [from, to] = JSON.parse(await page.locator("#interval").textContent());
-  assert.ok(from <= Number(lower) && Number(upper) <= to, "what is read contains the interval");
-  assert.match(await page.locator("#width").textContent(), /certain to contain it/);
+  assert.ok(
+    from <= Number(lower) && Number(upper) <= to,
+    "the interval shown contains the certified one",
+  );
+  assert.match(await page.locator("#width").textContent(), /contains the distance/);
   assert.match(await page.locator("#engine").textContent(), /WebGPU/);
   assert.ok(await page.locator("#banner").isHidden());
   await opened.screenshot("page");
+  if (process.env.PICTURE) await takePicture(process.env.PICTURE);
 });
 
 for (const method of ["certified", "iteration"]) {
@@ -75,7 +91,7 @@ for (const method of ["certified", "iteration"]) {
   });
 }
 
-test("the deviation of a plane under another and over it is signed, coloured, and counted", async () => {
+test("the deviation of a plane below and above another is signed, coloured, and summarised", async () => {
   const { page } = opened;
   await page.selectOption("#method", "certified");
   await openPlanes([2.9], [3]);
@@ -96,12 +112,77 @@ test("the deviation of a plane under another and over it is signed, coloured, an
     assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
     assert.equal(await page.locator("#scale-low").textContent(), "−0.10000");
     assert.equal(await page.locator("#scale-high").textContent(), "+0.10000");
-    const [r, , b] = await besideMiddle();
+    const [r, , b] = await colorLeftOfMiddle();
     assert.ok(red ? r > b + 50 : b > r + 50, `red ${r}, blue ${b}`);
   }
   await opened.until("done", () => page.locator("#deviation").uncheck());
   assert.ok(await page.locator("#legend").isHidden());
   assert.ok(await page.locator("#estimates").isHidden());
+});
+
+/** The rows of the view, from the top, in which the arrow's pixels are, with their number. */
+async function arrowRows() {
+  const { page } = opened;
+  await page.waitForTimeout(500);
+  // The label has the arrow's colour.
+  const style = "#label, #tools { visibility: hidden }";
+  const image = (await page.locator("#canvas").screenshot({ style })).toString("base64");
+  return page.evaluate(async (image) => {
+    const bitmap = await createImageBitmap(
+      await (await fetch(`data:image/png;base64,${image}`)).blob(),
+    );
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    // --accent of the style sheet.
+    const isAccent = (at) =>
+      [0xcf, 0x2f, 0x4b].every((value, channel) => Math.abs(data[at + channel] - value) < 12);
+    const rows = [];
+    for (let y = 0; y < height; y++) {
+      let count = 0;
+      for (let x = 0; x < width; x++) if (isAccent(4 * (y * width + x))) count++;
+      if (count > 0) rows.push({ y, count });
+    }
+    return rows;
+  }, image);
+}
+
+/** Whether the head, the widest part of the arrow, is in its upper half. */
+async function pointsUp() {
+  const rows = await arrowRows();
+  assert.ok(rows.length > 60, `an arrow of ${rows.length} rows`);
+  const widest = rows.reduce((one, other) => (other.count > one.count ? other : one));
+  const fraction = (widest.y - rows[0].y) / rows.length;
+  assert.ok(Math.abs(fraction - 0.5) > 0.3, `the head is at ${fraction}`);
+  return fraction < 0.5;
+}
+
+test("the arrow starts at the farthest point of the direction with the larger distance", async () => {
+  const { page } = opened;
+  // From A, at 0, it is 3 to B; from B, whose upper square is at 5, it is 5 to A.
+  await page.selectOption("#method", "certified");
+  for (const [file, heights] of [
+    ["#file-a", [0]],
+    ["#file-b", [3, 5]],
+  ]) {
+    await opened.until("done", () =>
+      page.setInputFiles(file, modelFile("planes.json", planes(...heights))),
+    );
+  }
+  assert.equal((await opened.data()).from, "a");
+  assert.equal(await page.locator("#kind").textContent(), "Directed distance, A to B");
+  assert.ok(await pointsUp(), "from A up to the square of B at 3");
+  await opened.until("done", () => page.locator("#symmetric").check());
+  const { from, a, b, computed } = await opened.data();
+  assert.deepEqual([from, numbers(a)[2], numbers(b)[2], Number(computed)], ["b", 0, 5, 5]);
+  assert.equal(await page.locator("#kind").textContent(), "Symmetric distance, B to A");
+  const details = await opened.texts("#facts");
+  assert.equal(details["directed, A to B"], "3.00000");
+  assert.equal(details["directed, B to A"], "5.00000");
+  assert.ok(!(await pointsUp()), "from the square of B at 5 down to A");
+  await opened.screenshot("symmetric");
+  await opened.until("done", () => page.locator("#symmetric").uncheck());
 });
 
 test("projection lines and the painted deviation come with a legend", async () => {
@@ -116,7 +197,7 @@ test("projection lines and the painted deviation come with a legend", async () =
   }
 });
 
-test("a long certificate is cancelled, with the interval so far", async () => {
+test("a long certified search is cancelled, with the interval so far", async () => {
   const { page } = opened;
   for (const [side, part] of Object.entries(sphereParts)) {
     const sphere = modelFile(`${side}.json`, part);
@@ -129,12 +210,12 @@ test("a long certificate is cancelled, with the interval so far", async () => {
   const { converged, lower, upper } = await opened.data();
   assert.equal(converged, "false");
   assert.ok(Number(lower) <= 0.2 + 1e-9 && 0.2 - 1e-9 <= Number(upper), `${lower} ${upper}`);
-  assert.match(await page.locator("#width").textContent(), /wider than asked/);
-  assert.equal((await opened.texts("#facts"))["ended by"], "cancelling");
+  assert.match(await page.locator("#width").textContent(), /wider than the tolerance/);
+  assert.equal((await opened.texts("#facts"))["search ended"], "cancelled");
   await opened.until("done", () => page.selectOption("#tolerance", "1e-6"));
 });
 
-test("cancelled samples leave no numbers behind", async () => {
+test("a cancelled iteration leaves no numbers", async () => {
   const { page } = opened;
   const many = Array.from({ length: 40 }, (_, index) => 0.1 * index);
   await openPlanes(many, many);

@@ -1,10 +1,10 @@
-// The page of experiments: chosen, run, and its table read.
+// Helpers for the page of experiments: choosing, running, and reading the table.
 import { readFileSync } from "node:fs";
 
-/** What the fields are called in the page. */
+/** The check boxes of the methods that can be left out. */
 const METHODS = '#methods input[type="checkbox"]:enabled';
 
-/** Chooses a pair or, given two files, own ones; and of the methods only these and the certified one. */
+/** Chooses a pair, or two files, and only these methods in addition to the certified one. */
 export async function choose(page, { pair, files, methods = [], ...fields }) {
   if (files !== undefined) {
     await page.setInputFiles("#file-a", files[0]);
@@ -22,7 +22,7 @@ export async function run(page) {
   await state(page, "done");
 }
 
-/** The table that the page saves, with its name. */
+/** Returns the table that the page saves, with the file's name. */
 export async function saved(page) {
   const download = page.waitForEvent("download");
   await page.locator("#save").click();
@@ -30,7 +30,7 @@ export async function saved(page) {
   return { name: file.suggestedFilename(), ...parsed(readFileSync(await file.path(), "utf8")) };
 }
 
-/** The columns and rows of a table without quotes; numbers are numbers. */
+/** Parses a table without quotes into columns and rows; cells that are numbers become numbers. */
 export function parsed(text) {
   const [header, ...lines] = text.trimEnd().split("\n");
   const columns = header.split(",");
@@ -41,26 +41,26 @@ export function parsed(text) {
   return { columns, rows };
 }
 
-/** Pixels of a method's colour in a panel, around the x at this part of the way from end to end. */
+/** Counts the pixels of a method's colour in a panel, near the x at this fraction of the range of positions. */
 export const painted = (page, panel, method, part) =>
   page.evaluate(
     ({ panel, method, part }) => {
       const swatch = document.querySelector(`[data-method="${method}"] i`);
-      const wanted = getComputedStyle(swatch).color.match(/\d+/g).map(Number);
+      const expected = getComputedStyle(swatch).color.match(/\d+/g).map(Number);
       const canvas = document.querySelector(`#plot-${panel} canvas`);
       const [all, over] = [canvas, document.querySelector(`#plot-${panel} .u-over`)].map((one) =>
         one.getBoundingClientRect(),
       );
-      // The axis is a little longer than the way, at both ends.
-      const room = 0.03 / 1.06;
-      const x = over.left - all.left + over.width * (room + part * (1 - 2 * room));
+      // The axis extends a little beyond the positions at both ends.
+      const margin = 0.03 / 1.06;
+      const x = over.left - all.left + over.width * (margin + part * (1 - 2 * margin));
       const scale = canvas.width / all.width;
       const [left, top] = [scale * (x - 3), scale * (over.top - all.top)].map(Math.round);
       const [width, height] = [6 * scale, over.height * scale].map(Math.round);
       const { data } = canvas.getContext("2d").getImageData(left, top, width, height);
       let count = 0;
       for (let at = 0; at < data.length; at += 4) {
-        const near = wanted.every((value, channel) => Math.abs(data[at + channel] - value) < 12);
+        const near = expected.every((value, channel) => Math.abs(data[at + channel] - value) < 12);
         if (near && data[at + 3] > 200) count++;
       }
       return count;

@@ -124,9 +124,8 @@ fn evaluation() {
         ],
     );
     let worst = error(BILINEAR, &found, [0.916_089_678_953_927_9, 0.491_506_479_386_823_3]);
-    let others = random_patches(1).map(|(degree, controls, mut random)| {
-        error(degree, &controls, [random.f64(), random.f64()])
-    });
+    let others = random_patches(1)
+        .map(|(degree, controls, mut random)| error(degree, &controls, [random.f64(), random.f64()]));
     assert_met(others.chain([worst]), "evaluation");
 }
 
@@ -157,7 +156,10 @@ fn restriction() {
             [-0.130_592_472_159_068_52, 0.175_031_536_299_245_2],
         ],
     );
-    let [s, t] = [[0.003_818_947_311_996_716_7, 0.005_692_113_848_820_346], [1.334_008_450_466_736_3e-10, 0.999_999_999_955_183_1]];
+    let [s, t] = [
+        [0.003_818_947_311_996_716_7, 0.005_692_113_848_820_346],
+        [1.334_008_450_466_736_3e-10, 0.999_999_999_955_183_1],
+    ];
     let worst = error(BILINEAR, &found, s, t);
     let others = random_patches(1001).map(|(degree, controls, mut random)| {
         let mut interval = || {
@@ -182,14 +184,13 @@ fn squared_distance() {
         let least = quotients.iter().map(|[n, d]| n / d).min().unwrap();
         let lightest = quotients.iter().map(|[_, d]| d).min().unwrap();
         let products = (degree[0] / 2 + 1) * (degree[1] + 1);
-        let longest = controls.iter().map(|control| exact(control.x) * exact(control.x)).max().unwrap();
+        let longest = controls.iter().map(|control| dot(control, control)).max().unwrap();
         let allowance = exact(UNIT * (2 * products + 21) as f64) * longest / lightest;
         // The bound is the computed quotient less at most the allowance.
         assert!(lower <= least.clone().max(exact(0.0)), "a false lower bound");
         ((&lower - &least) / allowance).to_f64().unwrap()
     };
-    let found = on_axis(BILINEAR, &SQUARE);
-    let worst = error(BILINEAR, &found) + 1.0;
+    let worst = error(BILINEAR, &SQUARE.map(DVec4::from_array)) + 1.0;
     assert!((ATTAINED..=1.0).contains(&worst), "{worst} of the allowance");
     for (degree, controls, _) in random_patches(2001) {
         // Away from the origin, where the quotients are positive.
@@ -199,7 +200,16 @@ fn squared_distance() {
 }
 
 /// Found by a search.
-const SQUARE: [[f64; 2]; 4] = SQUARE_PLACEHOLDER;
+const SQUARE: [[f64; 4]; 4] = [
+    [0.7393033815278099, 0.45564815180146784, 0.5069530930653265, 1.0043377017971875],
+    [0.7177500337266678, 0.48138655454504775, 0.5168214098889736, 1.0050236103629946],
+    [0.7124276071282922, 0.43544339623689915, 0.5636796335038992, 1.0040219396523447],
+    [0.7333001170684975, 0.464272911407264, 0.50962445930605, 1.0049352178382087],
+];
+
+fn dot(a: &DVec4, b: &DVec4) -> BigRational {
+    (0..3).map(|axis| exact(a[axis]) * exact(b[axis])).fold(exact(0.0), |sum, term| sum + term)
+}
 
 /// The Bernstein coefficients of the squares of numerator and denominator.
 fn exact_square([p, q]: [usize; 2], controls: &[DVec4]) -> Vec<Exact> {
@@ -213,7 +223,7 @@ fn exact_square([p, q]: [usize; 2], controls: &[DVec4]) -> Vec<Exact> {
             let factor = binomial(p, i) * binomial(q, j) * binomial(p, k) * binomial(q, l)
                 / (binomial(2 * p, i + k) * binomial(2 * q, j + l));
             let sum = &mut sums[(i + k) * (2 * q + 1) + j + l];
-            sum[0] += &factor * exact(left.x) * exact(right.x);
+            sum[0] += &factor * dot(left, right);
             sum[1] += &factor * exact(left.w) * exact(right.w);
         }
     }
@@ -264,8 +274,7 @@ fn differences() {
 
 /// A curve with these knots and control points (x, w), swept along y by 1.
 fn swept(degree: usize, knots: &[f64], points: &[[f64; 2]]) -> Model {
-    let control_points =
-        points.iter().flat_map(|&[x, w]| [[x, 0.0, 0.0, w], [x, 0.0, 0.0, w]]).collect();
+    let control_points = points.iter().flat_map(|&[x, w]| [[x, 0.0, 0.0, w], [x, 0.0, 0.0, w]]).collect();
     let arrays = SurfaceArrays {
         degree: [degree, 1],
         knots: [knots.to_vec(), vec![0.0, 0.0, 1.0, 1.0]],
@@ -282,8 +291,8 @@ fn blossom(knots: &[f64], degree: usize, span: usize, net: &[Exact], arguments: 
         for index in 0..=degree - level {
             let [low, high] = [knots[span - degree + level + index], knots[span + 1 + index]].map(exact);
             let fraction = (&arguments[level - 1] - &low) / (high - low);
-            line[index] = [0, 1]
-                .map(|k| (one() - &fraction) * &line[index][k] + &fraction * &line[index + 1][k]);
+            line[index] =
+                [0, 1].map(|k| (one() - &fraction) * &line[index][k] + &fraction * &line[index + 1][k]);
         }
     }
     line.swap_remove(0)
@@ -328,7 +337,8 @@ fn extraction() {
             }
         }
         if knots[degree] >= knots[count] {
-            knots[count..].fill(knots[degree] + 1.0);
+            let end = knots[degree] + 1.0;
+            knots[count..].fill(end);
         }
         let spread = 40.0 * random.f64();
         let points: Vec<[f64; 2]> =
@@ -339,5 +349,18 @@ fn extraction() {
 }
 
 /// Found by a search.
-const EXTRACTED_KNOTS: [f64; 7] = KNOTS_PLACEHOLDER;
-const EXTRACTED_POINTS: [[f64; 2]; 4] = POINTS_PLACEHOLDER;
+const EXTRACTED_KNOTS: [f64; 7] = [
+    -0.45483509258752586,
+    -0.04318106306823668,
+    -0.02591501498221308,
+    0.05290052284039884,
+    0.6656226543781054,
+    1.401268958404874,
+    1.610293536481803,
+];
+const EXTRACTED_POINTS: [[f64; 2]; 4] = [
+    [0.44726218772313026, 0.05569813049927458],
+    [0.6903786567740857, 0.004903172880901827],
+    [0.5065650061797823, 0.012992639977265352],
+    [-0.33559076263054394, 0.30246912409817045],
+];

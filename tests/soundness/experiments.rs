@@ -108,7 +108,7 @@ fn newton_finds_feet_that_the_tangent_plane_misses_beyond_curvature() {
 #[test]
 fn cutting_finer_misses_fewer_samples() {
     let tables = quick("split-rule");
-    for rule in ["cut in the middle", "cut where turning is halved"] {
+    for rule in ["cut in the middle", "cut at half of the rotation"] {
         let rows = having(&tables["split-rule"], "rule", rule);
         let (first, last) = (rows[0], rows[rows.len() - 1]);
         assert!(number(last, "patches") > number(first, "patches"));

@@ -12,7 +12,10 @@ mod suite;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod allowances;
 mod experiments;
+mod fuzz;
+mod fuzz_seeds;
 mod known_pairs;
 mod nan_folds;
 mod random_pairs;

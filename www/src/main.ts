@@ -1,16 +1,16 @@
-// The page: panel to worker, worker to view and read-out.
-import { Client } from "./client.ts";
-import * as controls from "./controls.ts";
-import { element } from "./elements.ts";
-import * as notices from "./notices.ts";
-import { Pose } from "./pose.ts";
-import type { Reply } from "./protocol.ts";
-import * as results from "./results.ts";
-import { offer, onSource, tellLoading, tellSources } from "./sources.ts";
-import { View } from "./view.ts";
+// The main page: connects the panel, the worker, the view and the results.
+import { element } from "./common/elements.ts";
+import * as options from "./controls/options.ts";
+import { fillShapes, onSource, setLoading, showSources } from "./controls/sources.ts";
+import * as resultPanel from "./results/resultPanel.ts";
+import * as warnings from "./results/warnings.ts";
+import { Pose } from "./scene/pose.ts";
+import { View } from "./scene/view.ts";
+import { Client } from "./worker/client.ts";
+import type { Reply } from "./worker/protocol.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
-const view = new View(canvas, notices.tellNoWebGl);
+const view = new View(canvas, warnings.showNoWebGl);
 const client = new Client(onReply);
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
@@ -18,65 +18,66 @@ element("cancel").addEventListener("click", () => client.cancel());
 element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 canvas.addEventListener("dblclick", () => view.fit());
-controls.onChange(() => {
-  results.hideError();
+options.onChange(() => {
+  resultPanel.hideError();
   measure();
 });
 onSource((sources, placement) => {
-  results.hideError();
-  tellLoading(true);
+  resultPanel.hideError();
+  setLoading(true);
   client.load(sources, placement);
 });
 
 function measure(): void {
   if (!view.models.complete) return;
-  const pose = new Pose(controls.moved(), controls.turned(), view.models.middle);
-  view.show(pose, controls.wanted());
-  results.showPending();
-  client.measure({ ...controls.options(), transform: pose.transform });
+  const pose = new Pose(options.translation(), options.rotationDegrees(), view.models.middle);
+  view.show(pose, options.overlays());
+  resultPanel.showPending();
+  client.measure({ ...options.distanceOptions(), transform: pose.transform });
 }
 
 function onReply(reply: Reply): void {
   switch (reply.kind) {
     case "ready":
-      notices.tellEngine(reply.backend, reply.adapter, reply.notice);
-      offer(reply.shapes);
+      warnings.showEngine(reply.engine);
+      fillShapes(reply.shapes);
       break;
     case "loaded":
       view.models.show(reply.models);
-      tellSources(reply.models, reply.placement);
-      controls.place(reply.placement, view.models.diagonal);
-      tellLoading(false);
+      showSources(reply.models, reply.placement);
+      options.setPlacement(reply.placement, view.models.diagonal);
+      setLoading(false);
       view.hideResult();
-      results.showNone("working");
+      resultPanel.clearResult("working");
       measure();
       view.fit();
       break;
     case "progress":
-      results.showWorking(
+      resultPanel.showWorking(
         reply.fraction,
         reply.interval,
         view.models.diagonal,
-        controls.options().symmetric === true,
+        options.distanceOptions().symmetric === true,
       );
       break;
     case "measured":
-      results.showResult(reply.result, client.isNewest(reply.run));
+      resultPanel.showResult(reply.result, client.isNewest(reply.run));
       view.showResult(reply.result, reply.transform);
-      if (reply.result.notice !== undefined) notices.tellCpu(reply.result.notice);
+      warnings.showEngine(reply.engine);
+      warnings.showResultNotice(reply.result.notice, reply.engine);
       break;
     case "cancelled":
       if (!client.isNewest(reply.run)) break;
-      results.showNone("cancelled");
+      resultPanel.clearResult("cancelled");
       view.hideResult();
       break;
     case "failed":
       if (reply.run !== undefined && !client.isNewest(reply.run)) break;
-      results.showError(reply.code, reply.message);
-      if (reply.run === undefined) tellLoading(false);
-      // A file that could not be read leaves the models and their result as they are.
+      resultPanel.showError(reply.code, reply.message);
+      if (reply.run === undefined) setLoading(false);
+      // After a file that could not be loaded, the old models and their result stay.
       if (reply.run !== undefined || !view.models.complete) {
-        results.showNone("failed");
+        resultPanel.clearResult("failed");
         view.hideResult();
       }
       break;

@@ -1,5 +1,5 @@
-//! How often the iterations miss a foot, by distance times curvature: the
-//! tangent-plane step of the 2012 paper, and the damped Newton step.
+//! The share of feet that the iterations miss, by distance times curvature, for the
+//! tangent-plane step of the 2012 paper and for the damped Newton step.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::{Anyhow, Setup, Table};
@@ -10,25 +10,26 @@ use nurbs_hausdorff::closest::{Foot, nearest_control, newton, tangent_plane};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::shapes::shape;
 
-/// Intervals of d times kappa, from the first one's start.
+/// The number of intervals of d times kappa, the start of the first, and their width.
 const BINS: usize = 20;
 const FIRST: f64 = -1.0;
 const WIDTH: f64 = 0.25;
 
-/// Feet are drawn inside the patch, away from its edges.
+/// The smallest distance of drawn feet from the patch's edges, in its parameters.
 const INSIDE: f64 = 0.2;
 
-/// A foot counts as one only if the distance has a clear minimum there: the
-/// smaller eigenvalue of its Hessian in the metric of the surface.
+/// The smallest eigenvalue of the distance's Hessian, in the metric of the surface,
+/// at which a foot is accepted as a clear minimum.
 const MIN_EIGENVALUE: f64 = 0.1;
 
-/// A foot is missed if the distance found exceeds its own by this part of the patch's diagonal.
+/// A foot is missed if the distance found exceeds its distance by this fraction of
+/// the patch's diagonal.
 const MISSED: f64 = 1e-4;
 
-/// Steps that the paper takes, and steps after which more do not help.
+/// The paper's number of steps, and a number beyond which more do not help.
 const STEPS: [u32; 2] = [5, 100];
 
-/// A change of distance that no iteration stops at before its last step.
+/// A step tolerance so small that no iteration ends before its last step.
 const NO_CHANGE: f64 = 1e-15;
 
 const SEED: u64 = 2012;
@@ -51,23 +52,23 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         patches.append(&flatten(&extract(&shape(name)?).patches, Flatness::Loose).patches);
     }
     let mut rng = Rng::with_seed(SEED);
-    let wanted = setup.choose(2000, 40);
+    let max_draws = setup.choose(2000, 40);
     let mut table = Table::new(&COLUMNS);
     let mut curves: [Vec<Option<[f64; 2]>>; 4] = Default::default();
     for bin in 0..BINS {
         let (mut draws, mut missed) = (0, [0_usize; 4]);
-        // Few points of few patches suit an interval below 0; most suit one above.
-        for _ in 0..20 * wanted {
-            if draws == wanted {
+        // Few points of few patches admit a value below 0; most admit one above.
+        for _ in 0..20 * max_draws {
+            if draws == max_draws {
                 break;
             }
             let d_kappa = FIRST + WIDTH * (bin as f64 + rng.f64());
             let patch = patches.patch(rng.usize(..patches.len()));
             let Some((target, distance)) = draw(&patch, d_kappa, &mut rng) else { continue };
             draws += 1;
-            let enough = distance + MISSED * patch.bounding_box().diagonal();
+            let threshold = distance + MISSED * patch.bounding_box().diagonal();
             for (count, foot) in missed.iter_mut().zip(feet(&patch, target)) {
-                *count += usize::from(foot.distance_squared.sqrt() > enough);
+                *count += usize::from(foot.distance_squared.sqrt() > threshold);
             }
         }
         let middle = FIRST + WIDTH * (bin as f64 + 0.5);
@@ -104,20 +105,20 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
 
 const PERCENT: f64 = 100.0;
 
-/// What the four iterations find.
+/// Returns the results of the four iterations.
 fn feet(patch: &Patch<'_>, target: DVec3) -> [Foot; 4] {
     let start = nearest_control(patch, target);
-    let [few, many] = STEPS;
+    let [published, converged] = STEPS;
     [
-        tangent_plane(patch, target, start, few, NO_CHANGE),
-        tangent_plane(patch, target, start, many, NO_CHANGE),
-        newton(patch, target, start, few),
-        newton(patch, target, start, many),
+        tangent_plane(patch, target, start, published, NO_CHANGE),
+        tangent_plane(patch, target, start, converged, NO_CHANGE),
+        newton(patch, target, start, published),
+        newton(patch, target, start, converged),
     ]
 }
 
-/// A target with a foot on the patch whose distance times its largest
-/// curvature is `d_kappa`, and that distance.
+/// Returns a target with a foot on the patch such that its distance times the
+/// largest curvature is `d_kappa`, and that distance.
 fn draw(patch: &Patch<'_>, d_kappa: f64, rng: &mut Rng) -> Option<(DVec3, f64)> {
     let at = [0, 1].map(|_| INSIDE + (1.0 - 2.0 * INSIDE) * rng.f64());
     let jet = patch.jet(at);
@@ -132,7 +133,7 @@ fn draw(patch: &Patch<'_>, d_kappa: f64, rng: &mut Rng) -> Option<(DVec3, f64)> 
         .then(|| (jet.point + distance * normal, distance))
 }
 
-/// The principal curvatures, positive where the surface bends towards `normal`
+/// Returns the principal curvatures, positive where the surface bends towards `normal`
 /// (do Carmo, *Differential Geometry of Curves and Surfaces*, section 3.3).
 fn curvatures(jet: &Jet, normal: DVec3) -> Option<[f64; 2]> {
     let [e, f, g] = [jet.s.dot(jet.s), jet.s.dot(jet.t), jet.t.dot(jet.t)];

@@ -1,4 +1,5 @@
-//! The 2012 paper's Fig. 5: a plane across a cylinder, where sampling errs most.
+//! The 2012 paper's Fig. 5: a plane across a cylinder, the case with the largest
+//! sampling error.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
@@ -8,13 +9,13 @@ use nurbs_hausdorff::engine::{Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::shapes::{FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
 
-/// Samples along each direction; the paper's spacing of 16 is among them.
+/// The numbers of samples along each axis; the paper's spacing of 16 is among them.
 const SAMPLES: [usize; 9] = [11, 15, 21, 29, FIGURE5_SAMPLES, 57, 81, 113, 161];
 
 const COLUMNS: [&str; 8] =
     ["method", "samples", "spacing", "computed", "lower", "upper", "k_a", "k_a_rigorous"];
 
-/// `figure5`: the iteration as published at several spacings, and `certified`.
+/// `figure5`: the published iteration at several spacings, and `certified`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let (a, b) = (PreparedModel::new(&figure5_plane()?), PreparedModel::new(&figure5_cylinder()?));
     let side = a.bounding_box().extent().x;
@@ -31,9 +32,9 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let result = setup.measure(&a, &b, &options)?;
         let bounds = result.iteration().map(|details| details.bounds).ok_or("no bounds")?;
         let spacing = side / (samples - 1) as f64;
-        let reach = [0.0, bounds.k_a, bounds.k_a_rigorous];
-        for (curve, reach) in curves.iter_mut().zip(reach) {
-            curve.push(Some([spacing, result.computed + reach]));
+        let margins = [0.0, bounds.k_a, bounds.k_a_rigorous];
+        for (curve, margin) in curves.iter_mut().zip(margins) {
+            curve.push(Some([spacing, result.computed + margin]));
         }
         table.rows.push(vec![
             "2012 paper".into(),
@@ -55,7 +56,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let level = |value: f64| ends.map(|spacing| Some([spacing, value])).to_vec();
     let [computed, published, rigorous] = curves;
     let panel = Panel {
-        title: format!("Plane across a cylinder of radius {FIGURE5_RADIUS}: the distance is the radius"),
+        title: format!("Plane through a cylinder of radius {FIGURE5_RADIUS}: the distance is the radius"),
         x: Axis::linear("distance between neighbouring samples, model units"),
         y: Axis::linear("directed distance, model units"),
         series: vec![

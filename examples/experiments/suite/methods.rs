@@ -1,4 +1,4 @@
-//! The methods that are compared.
+//! The methods compared.
 
 use nurbs_hausdorff::closest::Projection;
 use nurbs_hausdorff::engine::{Backend, Method, Options};
@@ -14,16 +14,16 @@ pub(crate) struct Entry {
     pub(crate) on_all_patches: bool,
 }
 
-/// How many times the samples the finer boxes are.
+/// The ratio of the finer boxes to the samples along each axis.
 const FINER: usize = 4;
 
-/// Method `certified` in float64 on the CPU, whose cells and times do not
-/// depend on what takes a GPU's place.
+/// Returns the options of method `certified` in float64 on the CPU, whose cells and
+/// times do not depend on a GPU or its substitute.
 pub(crate) fn certified() -> Options {
     Options { backend: Backend::Cpu, ..Options::default() }
 }
 
-/// Every method, `certified` first; `samples` along each direction of a surface.
+/// Returns all methods, `certified` first, with `samples` along each axis of a surface.
 pub(crate) fn methods(samples: usize) -> Vec<Entry> {
     let iteration = Options { method: Method::Iteration, samples, ..Options::default() };
     let published = |name, flatness| Entry {

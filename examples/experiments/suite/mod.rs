@@ -1,4 +1,4 @@
-//! The experiments, each a table and a figure.
+//! The experiments, each with a table and a figure.
 
 mod chart;
 mod convergence;
@@ -23,32 +23,32 @@ use std::path::PathBuf;
 use std::time::Instant;
 pub(crate) use table::{Cell, Table};
 
-/// A result that any error ends.
+/// A result with any error.
 pub(crate) type Anyhow<T> = Result<T, Box<dyn Error>>;
 
-/// Where results go, how much is measured, and on what.
+/// The output folder, the extent of the measurements, and the engine.
 #[derive(Debug)]
 pub(crate) struct Setup {
     pub(crate) out: PathBuf,
-    /// Few positions, few samples and small models.
+    /// Whether to use few positions, few samples and small models.
     pub(crate) quick: bool,
     only: String,
     engine: Engine,
 }
 
 impl Setup {
-    /// Makes the folder, and an engine on the GPU if there is one.
+    /// Creates the folder, and an engine on the GPU if there is one.
     pub(crate) fn new(out: PathBuf, quick: bool, only: String) -> Anyhow<Self> {
         std::fs::create_dir_all(&out)?;
         Ok(Self { out, quick, only, engine: pollster::block_on(Engine::new(Backend::Auto))? })
     }
 
-    /// Whether the files of this name are wanted, or some that begin with it.
-    pub(crate) fn wants(&self, name: &str) -> bool {
+    /// Returns whether files of this name, or some that begin with it, are requested.
+    pub(crate) fn is_requested(&self, name: &str) -> bool {
         name.contains(&self.only) || self.only.starts_with(name)
     }
 
-    /// The distance from `a` to `b`.
+    /// Computes the distance from `a` to `b`.
     pub(crate) fn measure(
         &self,
         a: &PreparedModel,
@@ -58,7 +58,7 @@ impl Setup {
         pollster::block_on(self.engine.distance(a, b, options, &mut NoMonitor))
     }
 
-    /// `full`, or `quick` in a quick run.
+    /// Returns `full`, or `quick` in a quick run.
     pub(crate) fn choose<T>(&self, full: T, quick: T) -> T {
         if self.quick { quick } else { full }
     }
@@ -72,7 +72,7 @@ impl Setup {
 
 type Experiment = fn(&Setup) -> Anyhow<()>;
 
-/// Every experiment by the name of its files, with a sweep's pair after a hyphen.
+/// Every experiment with the name of its files; a sweep's pair follows a hyphen.
 const EXPERIMENTS: [(&str, Experiment); 8] = [
     ("sweep", sweep_figure::run),
     ("figure5", figure5::run),
@@ -84,11 +84,11 @@ const EXPERIMENTS: [(&str, Experiment); 8] = [
     ("patch-count", patch_count::run),
 ];
 
-/// Runs the experiments that are wanted.
+/// Runs the requested experiments.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
-    let adapter = setup.engine.adapter().unwrap_or_else(|| "none; all on the CPU".to_owned());
+    let adapter = setup.engine.adapter().unwrap_or_else(|| "none, everything runs on the CPU".to_owned());
     println!("GPU: {adapter}");
-    for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| setup.wants(name)) {
+    for (name, experiment) in EXPERIMENTS.iter().filter(|(name, _)| setup.is_requested(name)) {
         let started = Instant::now();
         experiment(setup)?;
         println!("{name}: {:.1} s", started.elapsed().as_secs_f64());

@@ -1,4 +1,5 @@
-//! Models of the papers' sizes: read from beside the project, or stand-ins.
+//! Models of the papers' sizes, read from a folder next to the project, or shapes in
+//! their place.
 
 use super::Anyhow;
 use super::plan::{Plan, Source};
@@ -6,7 +7,7 @@ use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
 use std::path::{Path, PathBuf};
 
-/// A model of `../shared/models`, or `None` if that is not there.
+/// Reads a model of `../shared/models`; `None` if the file does not exist.
 pub(crate) fn shared(name: &str) -> Anyhow<Option<Model>> {
     let path: PathBuf =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/models").join(format!("{name}.json"));
@@ -16,7 +17,7 @@ pub(crate) fn shared(name: &str) -> Anyhow<Option<Model>> {
     Ok(Some(Model::from_json(&std::fs::read_to_string(path)?)?))
 }
 
-/// The model that the source's shape stands in for, if it is there; else the shape.
+/// Returns the model that the source's shape replaces, if its file exists, else the shape.
 pub(crate) fn model(source: Source) -> Anyhow<Model> {
     let found = source.stands_for.map_or(Ok(None), shared)?;
     match found {
@@ -29,7 +30,7 @@ pub(crate) fn model(source: Source) -> Anyhow<Model> {
     }
 }
 
-/// The models of a sweep's pair.
+/// Returns the models of a sweep's pair.
 pub(crate) fn models_of(pair: &str) -> Anyhow<[Model; 2]> {
     let plan = Plan::read()?;
     let pair = plan.pairs.iter().find(|known| known.name == pair).ok_or("no such pair")?;

@@ -1,4 +1,4 @@
-//! How the work of `certified` grows with the tolerance asked.
+//! The growth of the work of `certified` with the requested tolerance.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
@@ -9,16 +9,16 @@ use nurbs_hausdorff::engine::{Options, PreparedModel};
 use nurbs_hausdorff::shapes::{shape, sphere_parts};
 use nurbs_hausdorff::{Model, RigidTransform};
 
-/// Tolerances per order of magnitude, from the first one on.
-const STEPS_A_DECADE: f64 = 2.0;
+/// The number of tolerances per order of magnitude, the first, and their number.
+const STEPS_PER_DECADE: f64 = 2.0;
 const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCES: usize = 11;
 
-/// Cells after which a pair is left at its last tolerance: some ten seconds.
+/// The number of cells after which a pair ends at its last tolerance: about ten seconds.
 const MAX_CELLS: usize = 3_000_000;
 
-/// The exponent to expect on exact offsets: halving cells there makes four of
-/// one and bounds eight times as narrow.
+/// The expected exponent on exact offsets, where halving a cell makes four of one
+/// and bounds eight times as close.
 const SLOPE: f64 = -2.0 / 3.0;
 
 const COLUMNS: [&str; 7] = ["pair", "tolerance", "cells", "levels", "seconds_solve", "lower", "upper"];
@@ -27,11 +27,11 @@ struct Case {
     name: &'static str,
     models: [Model; 2],
     translation: DVec3,
-    /// Whether all of A is equally far from B.
+    /// Whether all points of A are equally far from B.
     offset: bool,
 }
 
-/// `order`: cells by tolerance, on exact offsets and on other pairs.
+/// `order`: the number of cells by tolerance, on exact offsets and on other pairs.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let (mut offsets, mut others) = (Vec::new(), Vec::new());
@@ -60,31 +60,31 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
 
 fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let case = |name, models, translation, offset| Case { name, models, translation, offset };
-    let still = |name, models, offset| case(name, models, DVec3::ZERO, offset);
+    let unmoved = |name, models, offset| case(name, models, DVec3::ZERO, offset);
     let mut cases = vec![
-        still("parts of spheres, radius 1 and 1.1", sphere_parts([1.0, 1.1])?, true),
-        still("wavy sheets", [shape("wavy-sheet")?, shape("wavy-sheet-b")?], false),
+        unmoved("parts of spheres, radius 1 and 1.1", sphere_parts([1.0, 1.1])?, true),
+        unmoved("wavy sheets", [shape("wavy-sheet")?, shape("wavy-sheet-b")?], false),
     ];
     if setup.quick {
         return Ok(cases);
     }
-    cases.push(still("parts of a sphere", sphere_parts([1.0, 1.0])?, true));
-    let aside = DVec3::new(0.3, 0.1, 0.0);
-    cases.push(case("glass and bottle", [shape("glass")?, shape("bottle")?], aside, false));
-    cases.push(still("wings of other sections", [shape("naca-wing")?, shape("naca-wing-thicker")?], false));
+    cases.push(unmoved("parts of a sphere", sphere_parts([1.0, 1.0])?, true));
+    let translation = DVec3::new(0.3, 0.1, 0.0);
+    cases.push(case("glass and bottle", [shape("glass")?, shape("bottle")?], translation, false));
+    cases.push(unmoved("wings of other sections", [shape("naca-wing")?, shape("naca-wing-thicker")?], false));
     let [duck, teapot] = models_of("several")?;
     let twice = [duck.clone(), duck.clone()];
     cases.push(case("duck and duck moved", twice, DVec3::new(0.4, 0.1, 0.0), false));
-    cases.push(still("duck and teapot", [duck, teapot], false));
+    cases.push(unmoved("duck and teapot", [duck, teapot], false));
     Ok(cases)
 }
 
-/// Cells at every tolerance, up to the first that the budget does not reach.
+/// Returns the numbers of cells at all tolerances that the budget allows.
 fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[f64; 2]>>> {
     let [a, b] = case.models.each_ref().map(PreparedModel::new);
     let mut points = Vec::new();
     for step in 0..setup.choose(TOLERANCES, 5) {
-        let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_A_DECADE);
+        let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_PER_DECADE);
         let options = Options {
             tolerance,
             max_cells: Some(MAX_CELLS),

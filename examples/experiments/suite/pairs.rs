@@ -1,4 +1,4 @@
-//! The pairs of the 2012 paper's Table 1, and the way that A takes past B.
+//! The pairs of the 2012 paper's Table 1, and the path of A past B.
 
 use super::models::model;
 use super::plan::{PairPlan, Plan};
@@ -9,28 +9,29 @@ use nurbs_hausdorff::{Model, RigidTransform};
 /// Two models; A moves along `axis` through B.
 #[derive(Debug)]
 pub(crate) struct Pair {
-    /// Short, for file names.
+    /// The short name, used in file names.
     pub(crate) name: &'static str,
     pub(crate) title: String,
     pub(crate) a: Model,
     pub(crate) b: Model,
     axis: DVec3,
-    /// What A passes B's centre at, relative to B's size.
+    /// The offset of A's path from B's centre, relative to B's diagonal.
     aside: DVec3,
-    /// How far A goes from B's centre, relative to where their boxes part.
+    /// The largest distance of A's centre from B's along the path, relative to the
+    /// distance at which their boxes separate.
     reach: f64,
 }
 
-/// The pairs, one whose A comes to lie exactly on B, and one whose A comes to
-/// be equally far from all of B; in a quick run the small one only.
+/// Returns the pairs, including one where A coincides with B at a position and one
+/// where A is equally far from all of B; in a quick run only the first, small one.
 pub(crate) fn pairs(setup: &Setup, plan: &Plan) -> Anyhow<Vec<Pair>> {
-    let wanted = setup.choose(plan.pairs.len(), 1);
-    plan.pairs.iter().take(wanted).map(|pair| self::pair(plan, pair)).collect()
+    let count = setup.choose(plan.pairs.len(), 1);
+    plan.pairs.iter().take(count).map(|pair| self::pair(plan, pair)).collect()
 }
 
 fn pair(plan: &Plan, pair: &PairPlan) -> Anyhow<Pair> {
     let (a, b) = (model(pair.a)?, model(pair.b)?);
-    let of = |model: &Model| {
+    let title = |model: &Model| {
         let largest = model.surfaces().iter().map(|surface| surface.counts()).max_by_key(|[n, m]| n * m);
         let [n, m] = largest.unwrap_or_default();
         let (name, count) = (model.name().unwrap_or("unnamed"), model.surfaces().len());
@@ -39,7 +40,7 @@ fn pair(plan: &Plan, pair: &PairPlan) -> Anyhow<Pair> {
     };
     Ok(Pair {
         name: pair.name,
-        title: format!("{} against {}", of(&a), of(&b)),
+        title: format!("{} against {}", title(&a), title(&b)),
         a,
         b,
         axis: pair.axis.into(),
@@ -49,14 +50,14 @@ fn pair(plan: &Plan, pair: &PairPlan) -> Anyhow<Pair> {
 }
 
 impl Pair {
-    /// `count` positions of A's centre along the axis, 0 beside B's centre.
+    /// Returns `count` positions of A's centre along the axis, where 0 is next to B's centre.
     pub(crate) fn positions(&self, count: usize) -> Vec<f64> {
         let extent = |model: &Model| model.bounding_box().extent().dot(self.axis);
         let reach = self.reach * 0.5 * (extent(&self.a) + extent(&self.b));
         (0..count).map(|index| reach * (2.0 * index as f64 / (count - 1) as f64 - 1.0)).collect()
     }
 
-    /// The translation that brings A to `position`.
+    /// Returns the translation that moves A to `position`.
     pub(crate) fn at(&self, position: f64) -> Anyhow<RigidTransform> {
         let [a, b] = [&self.a, &self.b].map(Model::bounding_box);
         let aside = self.aside * b.diagonal();

@@ -1,4 +1,4 @@
-//! How the work of `certified` grows with the number of B's patches.
+//! The growth of the work of `certified` with the number of B's patches.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
@@ -10,35 +10,35 @@ use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};
 
-/// Sides of B's pieces, relative to the whole.
+/// The sides of B's pieces, relative to the whole.
 const PARTS: [f64; 3] = [0.25, 0.5, 1.0];
 
-/// Side of A, inside the smallest piece by more than A is moved.
-const OF_A: f64 = 0.2;
+/// The side of A, which stays inside the smallest piece when it is moved.
+const SIDE_A: f64 = 0.2;
 
-/// What A is moved by, relative to its diagonal.
+/// The translation of A, relative to its diagonal.
 const MOVE: DVec3 = DVec3::new(0.01, 0.005, 0.002);
 
-/// Solves of which the fastest is told, as other work only adds.
+/// The number of solves, of which the fastest counts, as other load only adds.
 const ROUNDS: usize = 7;
 
 const COLUMNS: [&str; 7] =
     ["part", "patches_of_b", "cells", "seconds_solve", "seconds_prepare", "lower", "upper"];
 
-/// `patch-count`: a corner of a survey, moved, against ever more of the survey.
+/// `patch-count`: a moved corner of a survey against growing parts of the survey.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let whole = match shared("occt_terrain")?.filter(|_| !setup.quick) {
         Some(terrain) => terrain,
         None => wavy_sheet(&WavySheet::of_counts(setup.choose([312, 323], [40, 40]), 0))?,
     };
-    let corner = corner(&whole, OF_A)?;
+    let corner = corner(&whole, SIDE_A)?;
     let a = PreparedModel::new(&corner);
     let shift = MOVE * corner.bounding_box().diagonal();
     let mut table = Table::new(&COLUMNS);
     let mut curves: [Vec<Option<[f64; 2]>>; 2] = Default::default();
     for part in PARTS {
         let b = PreparedModel::new(&self::corner(&whole, part)?);
-        // Of A, so that the same is asked however large B is.
+        // Relative to A, so that the problem is the same for every size of B.
         let tolerance = 1e-6 * corner.bounding_box().diagonal();
         let options = Options {
             tolerance,
@@ -76,14 +76,14 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     };
     let panels = [
         panel("Part of a survey against 1/16, 1/4 and all of it", "cells bounded", "cells", cells),
-        panel("The same", "solve time, milliseconds", "solve time", times),
+        panel("The same pairs", "solve time, milliseconds", "solve time", times),
     ];
     setup.save("patch-count", &table, &panels)
 }
 
 const MILLISECONDS: f64 = 1e3;
 
-/// The piece of the model's first surface over [0, side]^2 of its domain.
+/// Returns the piece of the model's first surface over [0, side]² of its domain.
 fn corner(model: &Model, side: f64) -> Anyhow<Model> {
     if side >= 1.0 {
         return Ok(model.clone());

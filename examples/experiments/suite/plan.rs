@@ -1,51 +1,52 @@
-//! What is swept, and how: `sweep.json`, which the page in `www` reads as well.
+//! The plan of the sweeps in `sweep.json`, which the page in `www` reads as well.
 
 use super::Anyhow;
 use serde::Deserialize;
 
-/// The file's content.
+/// The content of the file.
 #[derive(Debug, Deserialize)]
 #[serde(bound(deserialize = "'de: 'static"))]
 pub(crate) struct Plan {
     /// The table's columns, in order.
     pub(crate) columns: Vec<&'static str>,
-    /// How far A goes from B's centre, relative to where their boxes part.
+    /// The largest distance of A's centre from B's along the path, relative to the
+    /// distance at which their boxes separate.
     pub(crate) reach: f64,
-    /// Projections of samples on patches beyond which a method that tries all
-    /// patches is run in the middle only, and there only if it cuts none.
+    /// The number of projections beyond which a method that tries all patches runs at
+    /// the middle position only, and there only if it subdivides none.
     pub(crate) most_projections: usize,
-    /// Runs at one position are repeated `rounds` times, while all of them
-    /// together take less, in seconds, and the shortest time is told.
+    /// Runs at one position are repeated up to `rounds` times while all of them
+    /// together take less than this many seconds; the shortest time counts.
     pub(crate) repeated_seconds: f64,
     pub(crate) rounds: usize,
-    /// Passes over the positions, of methods that take less than that.
+    /// The number of passes over the positions for methods that take less than that.
     pub(crate) passes: usize,
     pub(crate) pairs: Vec<PairPlan>,
 }
 
-/// Two models, and the way of A past B.
+/// Two models, and the path of A past B.
 #[derive(Debug, Deserialize)]
 pub(crate) struct PairPlan {
-    /// Short, for file names.
+    /// The short name, used in file names.
     pub(crate) name: &'static str,
     pub(crate) a: Source,
     pub(crate) b: Source,
-    /// A moves along it through B.
+    /// The direction of A's path through B.
     pub(crate) axis: [f64; 3],
-    /// What A passes B's centre at, in B's diagonals: off the centre, so that
-    /// equal bodies do not coincide and no symmetry helps.
+    /// The offset of A's path from B's centre, in diagonals of B: equal bodies do not
+    /// coincide, and no symmetry helps.
     pub(crate) aside: [f64; 3],
 }
 
-/// Where a model comes from.
+/// The source of a model.
 #[derive(Debug, Clone, Copy, Deserialize)]
 pub(crate) struct Source {
-    /// A shape's name.
+    /// The name of a shape.
     pub(crate) shape: &'static str,
-    /// The model of others that the shape stands in for.
+    /// The third-party model that the shape replaces where its file does not exist.
     #[serde(rename = "for")]
     pub(crate) stands_for: Option<&'static str>,
-    /// Whether only the first surface of that model is meant.
+    /// Whether to use only the first surface of that model.
     #[serde(default)]
     pub(crate) first_surface: bool,
 }

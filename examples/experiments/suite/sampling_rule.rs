@@ -1,4 +1,4 @@
-//! Samples spread by arc length against samples spread evenly in the
+//! Samples evenly spaced in arc length against samples evenly spaced in the
 //! parameter, an open question of the 2012 paper.
 
 use super::chart::{Axis, Panel, Series, Style};
@@ -18,7 +18,7 @@ const RULES: [(SamplingRule, &str); 2] =
 
 const COLUMNS: [&str; 7] = ["pair", "rule", "samples", "k_a", "k_a_rigorous", "certified", "error"];
 
-/// `sampling-rule`: K_A and the error that it bounds, by samples.
+/// `sampling-rule`: K_A and the actual error, by the number of samples.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let mut panels = Vec::new();
@@ -68,7 +68,7 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let moved = DVec3::new(0.4, 0.1, 0.0);
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
-        cases.push(("duck body against itself moved", models_of("body")?, moved));
+        cases.push(("duck body against its moved copy", models_of("body")?, moved));
         let wings = [shape("naca-wing")?, shape("naca-wing-thicker")?];
         cases.push(("wing against a thicker one", wings, DVec3::ZERO));
     }

@@ -1,5 +1,5 @@
-//! Cutting patches where their curvature is halved against cutting them in
-//! the middle, an open question of the 2012 paper.
+//! Subdivision where the curvature is halved against subdivision in the middle, an
+//! open question of the 2012 paper.
 
 mod rules;
 
@@ -16,10 +16,10 @@ use nurbs_hausdorff::{Model, RigidTransform};
 use rayon::prelude::*;
 use rules::{CUTS, cut_all};
 
-/// Angles that normals of a patch may span, in degrees.
+/// The largest angles between normals of a patch, in degrees.
 const ANGLES: [f64; 7] = [90.0, 60.0, 45.0, 35.0, 25.0, 18.0, 12.0];
 
-/// The certificate's width of a sample's true distance, in model units.
+/// The width of the interval of a sample's true distance, in model units.
 const TRUTH: f64 = 1e-9;
 
 /// The 2012 paper's iteration.
@@ -30,13 +30,13 @@ const PUBLISHED: Rule = Rule {
     culling: Culling::Tree,
 };
 
-/// A sample is missed if its distance is too large by more than the tolerance
-/// of the iteration.
+/// A sample is missed if its distance exceeds the true one by more than the
+/// tolerance of the iteration.
 const MISSED: f64 = PUBLISHED.step_tolerance;
 
 const COLUMNS: [&str; 6] = ["pair", "rule", "degrees", "patches", "missed_percent", "largest_error"];
 
-/// `split-rule`: samples missed by the published iteration, by patches.
+/// `split-rule`: the samples missed by the published iteration, by the number of patches.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let mut panels = Vec::new();
@@ -85,14 +85,14 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
     let moved = DVec3::new(0.4, 0.1, 0.3);
     let mut cases = vec![("glass against bottle", [shape("glass")?, shape("bottle")?], moved)];
     if !setup.quick {
-        cases.push(("duck body against itself moved", models_of("body")?, moved));
+        cases.push(("duck body against its moved copy", models_of("body")?, moved));
         let tori = [shape("torus-fatter")?, shape("torus")?];
-        cases.push(("torus against a thinner one moved", tori, moved));
+        cases.push(("torus against a moved, thinner one", tori, moved));
     }
     Ok(cases)
 }
 
-/// `count` x `count` points of every surface, moved by `shift`.
+/// Returns `count` × `count` points of every surface, moved by `shift`.
 fn samples(model: &Model, count: usize, shift: DVec3) -> Anyhow<Vec<DVec3>> {
     let bezier = extract(model);
     let sampling = Sampling::new(&bezier, count, SamplingRule::Uniform);
@@ -100,7 +100,7 @@ fn samples(model: &Model, count: usize, shift: DVec3) -> Anyhow<Vec<DVec3>> {
     Ok((0..sampling.len()).map(|index| sample(&bezier, &sampling, index, &transform)).collect())
 }
 
-/// Percent of the samples missed, and the largest excess over the true distance.
+/// Returns the percentage of samples missed, and the largest excess over the true distance.
 fn errors(target: &Target, samples: &[DVec3], truth: &[f64]) -> [f64; 2] {
     let excess: Vec<f64> = samples
         .par_iter()

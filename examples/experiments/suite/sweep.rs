@@ -1,4 +1,4 @@
-//! One pair, every position, every method.
+//! The results of all methods on one pair at all positions.
 
 use super::methods::{Entry, methods};
 use super::pairs::Pair;
@@ -9,24 +9,24 @@ use nurbs_hausdorff::engine::{DistanceResult, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
 use std::time::Instant;
 
-/// What one method gave at one position.
+/// The outcome of one method at one position.
 #[derive(Debug, Clone)]
 pub(crate) struct Outcome {
     pub(crate) position: f64,
-    /// The result, or why there is none: an error's code, or "left-out".
+    /// The result, or the reason for its absence: an error's code, or "left-out".
     pub(crate) result: Result<DistanceResult, &'static str>,
 }
 
-/// A method's outcomes in the order of the positions.
+/// The outcomes of one method in the order of the positions.
 #[derive(Debug)]
 pub(crate) struct Curve {
     pub(crate) method: Entry,
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// Runs one method after another, each at every position: right after a GPU's,
-/// whose threads are still about, a method on the processor takes longer. Several
-/// passes over the positions meet what slows the machine for a while at one.
+/// Runs one method after another, each at every position, as a method on the CPU
+/// takes longer right after one on the GPU, whose threads are still active. Several
+/// passes over the positions average out temporary load of the machine.
 pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve>> {
     let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
     let positions = pair.positions(setup.choose(21, 5));
@@ -37,10 +37,10 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
         };
         let mut outcomes = Vec::new();
         for (index, &position) in positions.iter().enumerate() {
-            let in_the_middle = index == positions.len() / 2;
+            let is_middle = index == positions.len() / 2;
             let options = at(position)?;
-            let many = method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
-            let result = if !many || (in_the_middle && options.flatness == Flatness::None) {
+            let is_large = method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
+            let result = if !is_large || (is_middle && options.flatness == Flatness::None) {
                 repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
@@ -51,8 +51,8 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
             for Outcome { position, result } in &mut outcomes {
                 let Ok(DistanceResult { seconds, .. }) = result else { continue };
                 if seconds.solve < plan.repeated_seconds {
-                    let again = repeated(setup, plan, &a, &b, &at(*position)?)?.seconds.solve;
-                    seconds.solve = seconds.solve.min(again);
+                    let repetition = repeated(setup, plan, &a, &b, &at(*position)?)?.seconds.solve;
+                    seconds.solve = seconds.solve.min(repetition);
                 }
             }
         }
@@ -61,15 +61,15 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
     Ok(curves)
 }
 
-/// Projections that a method takes which tries every patch that extraction
-/// gives; flatter patches are more.
+/// Returns the number of projections of a method that tries every patch of the
+/// extraction; subdivision adds patches.
 fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize {
     let patches: usize = b.patch_counts().map(|[rows, columns]| rows * columns).sum();
     a.patch_counts().len() * options.samples * options.samples * patches
 }
 
-/// The result with the shortest of the times, as other work on the machine
-/// only adds.
+/// Returns the result with the shortest of several times, as other load of the
+/// machine only adds.
 fn repeated(
     setup: &Setup,
     plan: &Plan,
@@ -83,19 +83,19 @@ fn repeated(
         if begun.elapsed().as_secs_f64() > plan.repeated_seconds {
             break;
         }
-        let again = setup.measure(a, b, options)?.seconds.solve;
-        result.seconds.solve = result.seconds.solve.min(again);
+        let repetition = setup.measure(a, b, options)?.seconds.solve;
+        result.seconds.solve = result.seconds.solve.min(repetition);
     }
     Ok(result)
 }
 
-/// A row for every method and position.
+/// Returns a table with a row for every method and position.
 pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
     let mut table = Table::new(&plan.columns);
     for curve in curves {
         for Outcome { position, result } in &curve.outcomes {
             let found = result.as_ref().ok();
-            let number = |of: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(of));
+            let number = |value: &dyn Fn(&DistanceResult) -> f64| Cell::from(found.map(value));
             let bounds = found.and_then(|result| result.iteration()).map(|details| details.bounds);
             table.rows.push(vec![
                 (*position).into(),

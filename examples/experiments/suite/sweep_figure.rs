@@ -1,4 +1,4 @@
-//! Times, distances and differences by position (the 2012 paper's Figs 6 to 11).
+//! Times, distances and differences by position, as in the 2012 paper's Figs 6 to 11.
 
 use super::chart::{Axis, Panel, Series, Style};
 use super::pairs::{Pair, pairs};
@@ -7,12 +7,12 @@ use super::sweep::{Curve, sweep, table};
 use super::{Anyhow, Setup};
 use nurbs_hausdorff::engine::{DistanceResult, Method};
 
-/// Every pair: `sweep-NAME`.
+/// `sweep-NAME`: runs every requested pair.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let plan = Plan::read()?;
     for pair in pairs(setup, &plan)? {
         let name = format!("sweep-{}", pair.name);
-        if !setup.wants(&name) {
+        if !setup.is_requested(&name) {
             continue;
         }
         let curves = sweep(setup, &plan, &pair)?;
@@ -22,7 +22,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
 }
 
 fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
-    let along = || Axis::linear("position of A's centre from B's, model units");
+    let along = || Axis::linear("position of A's centre relative to B's, model units");
     [
         Panel {
             title: pair.title.clone(),
@@ -37,13 +37,13 @@ fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
             series: each(curves, Style::Line, |result, _| Some(result.computed)),
         },
         Panel {
-            title: "Distance less that of `certified`, with bounds".to_owned(),
+            title: "Difference from the certified distance, with bounds".to_owned(),
             x: along(),
             y: Axis::linear("difference, model units"),
             series: bounds(curves),
         },
         Panel {
-            title: "Size of that difference".to_owned(),
+            title: "Absolute difference".to_owned(),
             x: along(),
             y: Axis::logarithmic("difference, model units"),
             series: sizes(curves),
@@ -51,33 +51,37 @@ fn panels(pair: &Pair, curves: &[Curve]) -> [Panel; 4] {
     ]
 }
 
-/// A number of every result, a curve a method; a failure is a gap.
-fn each(curves: &[Curve], style: Style, of: impl Fn(&DistanceResult, usize) -> Option<f64>) -> Vec<Series> {
-    curves.iter().enumerate().map(|(color, curve)| series(color, curve, style, "", &of)).collect()
+/// Returns one curve per method, of one number per result; a failure is a gap.
+fn each(
+    curves: &[Curve],
+    style: Style,
+    value: impl Fn(&DistanceResult, usize) -> Option<f64>,
+) -> Vec<Series> {
+    curves.iter().enumerate().map(|(color, curve)| series(color, curve, style, "", &value)).collect()
 }
 
-/// The certified distances: the middles of the intervals.
+/// Returns the certified distances, the middles of the intervals.
 fn truth(curves: &[Curve]) -> Vec<Option<f64>> {
     let middle = |result: &DistanceResult| 0.5 * (result.lower + result.upper);
     let outcomes = curves.first().map_or(&[][..], |certified| &certified.outcomes);
     outcomes.iter().map(|outcome| outcome.result.as_ref().ok().map(middle)).collect()
 }
 
-/// What the methods computed less the certified distance, and where their
-/// bounds say that it can be.
+/// Returns the computed distances and the bounds of all methods, less the certified
+/// distance.
 fn bounds(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
-    let less = |index: usize, value: f64| truth[index].map(|truth| value - truth);
-    let mut all = each(curves, Style::Line, |result, index| less(index, result.computed));
-    let of = |result: &DistanceResult| result.iteration().map(|details| details.bounds);
+    let difference = |index: usize, value: f64| truth[index].map(|truth| value - truth);
+    let mut all = each(curves, Style::Line, |result, index| difference(index, result.computed));
+    let bounds_of = |result: &DistanceResult| result.iteration().map(|details| details.bounds);
     for (color, curve) in curves.iter().enumerate() {
         let dashed = |suffix: &str, value: &dyn Fn(&DistanceResult) -> Option<f64>| {
-            series(color, curve, Style::Dashed, suffix, |result, index| less(index, value(result)?))
+            series(color, curve, Style::Dashed, suffix, |result, index| difference(index, value(result)?))
         };
         // K_A is that of the samples, whatever the flatness; K_B hardly differs.
         if curve.method.name.ends_with("loose") {
-            all.push(dashed(" + K_A", &|result| Some(result.computed + of(result)?.k_a)));
-            all.push(dashed(" - K_B", &|result| Some(result.computed - of(result)?.k_b?)));
+            all.push(dashed(" + K_A", &|result| Some(result.computed + bounds_of(result)?.k_a)));
+            all.push(dashed(" - K_B", &|result| Some(result.computed - bounds_of(result)?.k_b?)));
         }
         if curve.method.name == "hierarchy" {
             all.push(dashed(": upper", &|result| Some(result.upper)));
@@ -87,7 +91,8 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
     all
 }
 
-/// How far from the certified distance each method is; that one's interval is half as wide.
+/// Returns the distance of each method's result from the certified one; for method
+/// `certified` itself, half the width of its interval.
 fn sizes(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
     each(curves, Style::Line, |result, index| match result.method() {
@@ -96,6 +101,7 @@ fn sizes(curves: &[Curve]) -> Vec<Series> {
     })
 }
 
+/// Returns the curve of one method.
 fn series(
     color: usize,
     curve: &Curve,

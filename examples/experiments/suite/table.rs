@@ -1,5 +1,5 @@
-//! A table of numbers and names, written as CSV (RFC 4180 without quotes: no
-//! cell of ours holds a comma, a quote or a line end).
+//! Tables of numbers and names, written as CSV (RFC 4180 without quotes, as no cell
+//! contains a comma, a quote or a line break).
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -16,9 +16,9 @@ pub(crate) struct Table {
 pub(crate) enum Cell {
     /// A name.
     Text(String),
-    /// A number, written so that reading it gives the same number.
+    /// A number, written in full precision.
     Number(f64),
-    /// Not measured, or failed.
+    /// A value that was not measured or failed.
     Empty,
 }
 

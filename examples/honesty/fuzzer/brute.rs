@@ -1,9 +1,9 @@
-//! Distances by dense sampling and polishing: never too small.
+//! Upper bounds on distances by dense sampling and local descent.
 //!
-//! Where extreme weights crowd nearly all of a surface into a millionth of its
-//! domain no grid finds its near points. Before a point counts as far, the
-//! library's own closest point is therefore tried as one more start: what it
-//! says of the distance is not believed, only its parameters are evaluated.
+//! Where extreme weights concentrate nearly all of a surface in a millionth of its
+//! domain, no grid finds its near points. Before a point counts as far, the
+//! library's closest point is therefore used as one more start: its parameters are
+//! evaluated independently, its distance is not used.
 
 use super::sheet::Sheet;
 use glam::{DVec2, DVec3, Vec2Swizzles};
@@ -13,48 +13,48 @@ use nurbs_hausdorff::closest::closest;
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use std::cell::OnceCell;
 
-/// Grid points along each direction of a surface for a first look.
-const GRID: usize = 17;
+/// The number of grid points along each axis of a surface for a first estimate.
+const COARSE_GRID: usize = 17;
 
-/// Starts of descents from that grid.
+/// The number of descents that start from that grid.
 const STARTS: usize = 6;
 
-/// Grid points along each direction of a surface to make sure. Descents start
-/// from every one that is nearer than those around it: a second surface, or a
-/// far part of the same, is not outvoted by a near one.
-const DENSE: [usize; 2] = [65, 1025];
+/// The numbers of grid points along each axis of a surface for the final check.
+/// Descents start from every local minimum of the grid, so that a nearer part of a
+/// surface does not hide another minimum.
+const DENSE_GRIDS: [usize; 2] = [65, 1025];
 
-/// Descents from such a grid, at most; each is polished by looking around.
+/// The largest number of descents from such a grid; each is refined by a pattern search.
 const DENSE_STARTS: usize = 64;
 
-/// Width of the library's interval for a hint, relative to the diagonal.
+/// The width of the library's interval for a hint, relative to the diagonal.
 const HINT_GAP: f64 = 1e-12;
 
-/// Steps of a descent, at most.
-const STEPS: usize = 40;
+/// The largest number of steps of a descent.
+const MAX_STEPS: usize = 40;
 
-/// Damping of a descent: to begin with, and beyond which it ends.
+/// The initial damping of a descent, and the damping at which it ends.
 const DAMPING: f64 = 1e-3;
 const MAX_DAMPING: f64 = 1e12;
 
-/// Looks over a grid around the best point: from the cloud's spacing to rounding.
-const LOOKS: usize = 48;
+/// The rounds of the pattern search, limit from the grid's spacing to rounding.
+const PATTERN_ROUNDS: usize = 48;
 
-/// Points on each side of such a grid's middle.
-const REACH: i32 = 3;
+/// The number of pattern points on each side of its middle.
+const PATTERN_RADIUS: i32 = 3;
 
-/// A point of a model with its place.
+/// A point of a model, by surface and parameters, with its distance from a target point.
 #[derive(Clone, Copy)]
 pub(crate) struct Placed {
     pub(crate) sheet: usize,
-    pub(crate) place: DVec2,
+    pub(crate) parameters: DVec2,
     pub(crate) distance: f64,
 }
 
-/// The model measured to.
+/// The model to which distances are computed.
 pub(crate) struct Target<'a> {
     model: &'a Model,
-    /// What the sheets are relative to.
+    /// The origin of the sheets' coordinates.
     origin: DVec3,
     flat: OnceCell<nurbs_hausdorff::closest::Target>,
     sheets: &'a [Sheet],
@@ -66,29 +66,31 @@ impl<'a> Target<'a> {
         Self { model, origin, flat: OnceCell::new(), sheets, coarse: cloud(sheets) }
     }
 
-    /// A near point of the target, from the nearest grid point or `warm`.
+    /// Returns a near point of the target, found from the nearest grid point and `warm`.
     pub(crate) fn near(&self, point: DVec3, warm: Option<Placed>) -> Placed {
         let nearest = nearest(&self.coarse, point, 1).into_iter().chain(warm);
         self.descend_all(nearest, point, 0.0)
     }
 
-    /// Whether a point of the target within `limit` is found; looks harder and
-    /// harder before it says no. `like` is where the point lies on its own
-    /// model, of which the target may be a copy, or a transposed one.
-    pub(crate) fn is_within(&self, point: DVec3, limit: f64, like: (usize, DVec2)) -> bool {
+    /// Returns whether a point of the target within `limit` is found, by searches of
+    /// increasing cost. `counterpart` is the point's surface and parameters on its own
+    /// model, of which the target may be a copy, or a transposed copy.
+    pub(crate) fn is_within(&self, point: DVec3, limit: f64, counterpart: (usize, DVec2)) -> bool {
         let squared = limit * limit;
-        let alike = |sheet: &Sheet| {
-            let places = [like.1, like.1.yx()];
-            places.iter().any(|&place| sheet.point(sheet.clamp(place)).distance_squared(point) <= squared)
+        let is_near_copy = |sheet: &Sheet| {
+            let grid_parameters = [counterpart.1, counterpart.1.yx()];
+            grid_parameters
+                .iter()
+                .any(|&parameters| sheet.point(sheet.clamp(parameters)).distance_squared(point) <= squared)
         };
-        self.sheets.get(like.0).is_some_and(alike)
+        self.sheets.get(counterpart.0).is_some_and(is_near_copy)
             || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
-            || DENSE.iter().any(|&count| self.search(count, point, limit) <= limit)
+            || DENSE_GRIDS.iter().any(|&count| self.search(count, point, limit) <= limit)
             || self.hinted(point) <= limit
     }
 
-    /// The distance of the place that the library takes for the nearest.
+    /// Returns the distance, evaluated independently, of the library's closest point.
     fn hinted(&self, point: DVec3) -> f64 {
         let flat = || {
             let patches = flatten(&extract(self.model).patches, Flatness::Loose).patches;
@@ -101,55 +103,54 @@ impl<'a> Target<'a> {
             return f64::INFINITY;
         };
         let patch = target.patches.patch(found.patch);
-        let place = DVec2::from_array(patch.surface_parameters(found.parameters));
-        self.sheets[patch.surface].point(place).distance(point)
+        let parameters = DVec2::from_array(patch.surface_parameters(found.parameters));
+        self.sheets[patch.surface].point(parameters).distance(point)
     }
 
-    /// The least distance found by looking hard.
+    /// Returns the smallest distance found by a dense search.
     pub(crate) fn least(&self, point: DVec3) -> f64 {
-        self.search(DENSE[0], point, 0.0)
+        self.search(DENSE_GRIDS[0], point, 0.0)
     }
 
-    /// Descends from every grid point that is nearer than those around it,
-    /// until one comes as near as is enough.
-    fn search(&self, count: usize, point: DVec3, enough: f64) -> f64 {
+    /// Descends from every local minimum of a grid until one is within `limit`.
+    fn search(&self, count: usize, point: DVec3, limit: f64) -> f64 {
         let mut least = f64::INFINITY;
         for start in minima(self.sheets, count, point) {
-            let descended = self.descend(start, point, enough);
+            let descended = self.descend(start, point, limit);
             least = least.min(descended.distance);
-            if least > enough {
-                least = least.min(self.polish(descended, count, point, enough).distance);
+            if least > limit {
+                least = least.min(self.pattern_search(descended, count, point, limit).distance);
             }
-            if least <= enough {
+            if least <= limit {
                 break;
             }
         }
         least
     }
 
-    fn descend_all(&self, starts: impl IntoIterator<Item = Placed>, point: DVec3, enough: f64) -> Placed {
-        let mut best = Placed { sheet: 0, place: DVec2::ZERO, distance: f64::INFINITY };
+    fn descend_all(&self, starts: impl IntoIterator<Item = Placed>, point: DVec3, limit: f64) -> Placed {
+        let mut best = Placed { sheet: 0, parameters: DVec2::ZERO, distance: f64::INFINITY };
         for start in starts {
-            let found = self.descend(start, point, enough);
+            let found = self.descend(start, point, limit);
             if found.distance < best.distance {
                 best = found;
             }
-            if best.distance <= enough {
+            if best.distance <= limit {
                 break;
             }
         }
         best
     }
 
-    /// Levenberg's and Marquardt's method within the domain.
-    fn descend(&self, start: Placed, target: DVec3, enough: f64) -> Placed {
+    /// Runs the Levenberg–Marquardt method within the domain.
+    fn descend(&self, start: Placed, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
-        let mut at = start.place;
+        let mut at = start.parameters;
         let mut tangents = sheet.tangents(at);
         let mut best = tangents.point.distance(target);
         let mut damping = DAMPING;
-        for _ in 0..STEPS {
-            if best <= enough || damping > MAX_DAMPING {
+        for _ in 0..MAX_STEPS {
+            if best <= limit || damping > MAX_DAMPING {
                 break;
             }
             let residual = tangents.point - target;
@@ -174,39 +175,39 @@ impl<'a> Target<'a> {
             if !step.is_finite() || next == at {
                 break;
             }
-            let ahead = sheet.tangents(next);
-            let distance = ahead.point.distance(target);
+            let next_tangents = sheet.tangents(next);
+            let distance = next_tangents.point.distance(target);
             if distance < best {
-                (at, tangents, best) = (next, ahead, distance);
+                (at, tangents, best) = (next, next_tangents, distance);
                 damping *= 0.1;
             } else {
                 damping *= 10.0;
             }
         }
-        Placed { sheet: start.sheet, place: at, distance: best }
+        Placed { sheet: start.sheet, parameters: at, distance: best }
     }
 
-    /// Looks over a grid around the best point, again and again, at half the
-    /// spacing once the best is inside: slower than descending, and not misled
-    /// by a kink or a narrow valley.
-    fn polish(&self, start: Placed, count: usize, target: DVec3, enough: f64) -> Placed {
+    /// Runs a pattern search: evaluates a grid around the best point repeatedly, and
+    /// halves its spacing when the best point is inside. It is slower than descent,
+    /// and robust against kinks and narrow valleys.
+    fn pattern_search(&self, start: Placed, count: usize, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
-        let mut step = sheet.extent() / ((count - 1) as f64 * f64::from(REACH));
+        let mut step = sheet.extent() / ((count - 1) as f64 * f64::from(PATTERN_RADIUS));
         let mut best = start;
-        for _ in 0..LOOKS {
-            let center = best.place;
+        for _ in 0..PATTERN_ROUNDS {
+            let center = best.parameters;
             let mut at_rim = false;
-            for i in -REACH..=REACH {
-                for j in -REACH..=REACH {
-                    let place = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
-                    let distance = sheet.point(place).distance(target);
+            for i in -PATTERN_RADIUS..=PATTERN_RADIUS {
+                for j in -PATTERN_RADIUS..=PATTERN_RADIUS {
+                    let parameters = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
+                    let distance = sheet.point(parameters).distance(target);
                     if distance < best.distance {
-                        best = Placed { place, distance, ..best };
-                        at_rim = i.abs() == REACH || j.abs() == REACH;
+                        best = Placed { parameters, distance, ..best };
+                        at_rim = i.abs() == PATTERN_RADIUS || j.abs() == PATTERN_RADIUS;
                     }
                 }
             }
-            if best.distance <= enough {
+            if best.distance <= limit {
                 break;
             }
             if !at_rim {
@@ -217,26 +218,32 @@ impl<'a> Target<'a> {
     }
 }
 
-/// Grid points of every surface.
+/// Returns grid points of every surface.
 fn cloud(sheets: &[Sheet]) -> Vec<(usize, DVec2, DVec3)> {
     let of_sheet = |(index, sheet): (usize, &Sheet)| {
-        places(sheet, GRID).map(|place| (index, place, sheet.point(place))).collect::<Vec<_>>()
+        grid_parameters(sheet, COARSE_GRID)
+            .map(|parameters| (index, parameters, sheet.point(parameters)))
+            .collect::<Vec<_>>()
     };
     sheets.iter().enumerate().flat_map(of_sheet).collect()
 }
 
-/// A grid over a surface's domain, `count` by `count`.
-fn places(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
+/// Returns a grid of `count` × `count` points over a surface's domain.
+fn grid_parameters(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
     let fraction = move |index: usize| index as f64 / (count - 1) as f64;
     (0..count * count).map(move |at| sheet.at([fraction(at / count), fraction(at % count)]))
 }
 
-/// The nearest of the grid points that are as near as all around them, nearest first.
+/// Returns the local minima of the distance on the grids, nearest first.
 fn minima(sheets: &[Sheet], count: usize, target: DVec3) -> Vec<Placed> {
     let mut minima = Vec::new();
     for (index, sheet) in sheets.iter().enumerate() {
-        let all: Vec<Placed> = places(sheet, count)
-            .map(|place| Placed { sheet: index, place, distance: sheet.point(place).distance(target) })
+        let all: Vec<Placed> = grid_parameters(sheet, count)
+            .map(|parameters| Placed {
+                sheet: index,
+                parameters,
+                distance: sheet.point(parameters).distance(target),
+            })
             .collect();
         let around = |at: usize| at.saturating_sub(1)..(at + 2).min(count);
         minima.extend((0..count * count).filter_map(|at| {
@@ -249,11 +256,11 @@ fn minima(sheets: &[Sheet], count: usize, target: DVec3) -> Vec<Placed> {
     minima
 }
 
-/// The nearest `starts` points of the cloud, nearest first.
+/// Returns the nearest `starts` grid points, nearest first.
 fn nearest(cloud: &[(usize, DVec2, DVec3)], target: DVec3, starts: usize) -> Vec<Placed> {
     let mut all: Vec<Placed> = cloud
         .iter()
-        .map(|&(sheet, place, point)| Placed { sheet, place, distance: point.distance(target) })
+        .map(|&(sheet, parameters, point)| Placed { sheet, parameters, distance: point.distance(target) })
         .collect();
     let count = starts.min(all.len());
     all.select_nth_unstable_by(count - 1, |a, b| a.distance.total_cmp(&b.distance));

@@ -1,4 +1,4 @@
-//! One pair measured and checked.
+//! The check of one pair.
 
 use super::brute::{Placed, Target};
 use super::pairs::{Pair, pair};
@@ -10,23 +10,24 @@ use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, Prepared
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
 
-/// Samples along each direction of a surface of A, one at random in each cell
-/// of the grid: the library's own are at fractions of powers of two.
+/// The number of samples along each axis of a surface of A, one at random in each
+/// cell of a grid, as the library's own samples are at dyadic fractions.
 const SAMPLES: usize = 11;
 
-/// Samples from which a farther point is looked for, and looks, at most.
+/// The number of samples from which local searches for farther points start, and the
+/// rounds of each.
 const CLIMBS: usize = 6;
-const LOOKS: usize = 24;
+const CLIMB_ROUNDS: usize = 24;
 
-/// Rounding of coordinates, of the transform's included, relative to the
+/// The rounding error of coordinates, the transform's included, relative to the
 /// largest one: 16 units of 2^-53.
 const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Rounding of points relative to the models' size, as both are evaluated near
-/// their own origins.
+/// The rounding error of points relative to the models' size, as each model is
+/// evaluated relative to an origin near it.
 const SIZE_ROUNDING: f64 = 1e-14;
 
-/// What checking a pair gave.
+/// The outcome of the check of a pair.
 pub(crate) struct Outcome {
     pub(crate) converged: bool,
     pub(crate) cells: usize,
@@ -38,10 +39,10 @@ pub(crate) fn check(seed: u64) -> Outcome {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
     let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
     let options = Options {
-        // Two points have no diagonal to be relative to.
+        // Two points have no diagonal for a relative tolerance.
         absolute: diagonal == 0.0,
         tolerance: pair.tolerance,
-        max_cells: Some(pair.most_cells),
+        max_cells: Some(pair.max_cells),
         transform: pair.transform,
         symmetric: pair.symmetric,
         limit: pair.limit.map(|limit| limit * diagonal),
@@ -68,7 +69,7 @@ pub(crate) fn check(seed: u64) -> Outcome {
     }
 }
 
-/// From one model to the other, each in its place.
+/// The check of one direction; the models have these poses.
 struct Direction<'a> {
     from: &'a Model,
     to: &'a Model,
@@ -130,23 +131,23 @@ impl<'a> Direction<'a> {
         violations
     }
 
-    /// The witnesses lie where they are told to, as far apart as told.
+    /// Checks that the witnesses lie at their parameters, and at the computed distance.
     fn check_witness(&self, violations: &mut Vec<String>) {
-        let [start, end] = self.witness.map(|told| DVec3::from_array(told.point));
-        for ((model, pose), told) in [self.from, self.to].into_iter().zip(&self.poses).zip(self.witness) {
-            let surface = &model.surfaces()[told.surface];
-            let place = |u: f64, v: f64| pose.apply(DVec3::from_array(point(surface, u, v)));
-            // Parameters are told in float64, whose rounding moves the point.
-            let [du, dv] = [told.u, told.v].map(|parameter| 2.0 * f64::EPSILON * parameter.abs());
-            let at = place(told.u, told.v);
+        let [start, end] = self.witness.map(|witness| DVec3::from_array(witness.point));
+        for ((model, pose), witness) in [self.from, self.to].into_iter().zip(&self.poses).zip(self.witness) {
+            let surface = &model.surfaces()[witness.surface];
+            let evaluate = |u: f64, v: f64| pose.apply(DVec3::from_array(point(surface, u, v)));
+            // Rounding of the parameters moves the point.
+            let [du, dv] = [witness.u, witness.v].map(|parameter| 2.0 * f64::EPSILON * parameter.abs());
+            let at = evaluate(witness.u, witness.v);
             let [[u0, u1], [v0, v1]] = surface.domain().intervals();
-            let slack = [-1.0, 1.0].map(|sign| {
-                let along_u = place((told.u + sign * du).clamp(u0, u1), told.v).distance(at);
-                along_u + place(told.u, (told.v + sign * dv).clamp(v0, v1)).distance(at)
+            let parameter_error = [-1.0, 1.0].map(|sign| {
+                let along_u = evaluate((witness.u + sign * du).clamp(u0, u1), witness.v).distance(at);
+                along_u + evaluate(witness.u, (witness.v + sign * dv).clamp(v0, v1)).distance(at)
             });
-            let off = at.distance(DVec3::from_array(told.point));
-            if off > self.rounding + slack[0] + slack[1] {
-                violations.push(format!("a witness is {off} off its parameters"));
+            let error = at.distance(DVec3::from_array(witness.point));
+            if error > self.rounding + parameter_error[0] + parameter_error[1] {
+                violations.push(format!("a witness is {error} from the point at its parameters"));
             }
         }
         let between = start.distance(end);
@@ -155,40 +156,42 @@ impl<'a> Direction<'a> {
         }
     }
 
-    /// Brute force finds no point of A beyond `upper`, and none of B nearer
-    /// the witness than `lower`.
+    /// Checks by brute force that no point of A found is farther than `upper`, and no
+    /// point of B found is nearer to the witness than `lower`.
     fn check_distances(&self, rng: &mut Rng, violations: &mut Vec<String>) {
         let DistanceResult { lower, upper, .. } = self.result;
         let [from_origin, to_origin] = [self.from, self.to].map(|model| model.bounding_box().center());
         let to_sheets = sheets(self.to, to_origin);
         let from_sheets = sheets(self.from, from_origin);
         let target = Target::new(self.to, to_origin, &to_sheets);
-        // From the frame of one model's sheets into that of the other's.
+        // The transform from the frame of one model's sheets into that of the other's.
         let shift = self.poses[1].apply_inverse(self.poses[0].apply(from_origin)) - to_origin;
         let turn = self.poses[1].rotation().inverse() * self.poses[0].rotation();
         let into = |point: DVec3| turn * point + shift;
-        let told = self.witness[0];
-        let start = self.poses[1].apply_inverse(DVec3::from_array(told.point)) - to_origin;
+        let witness = self.witness[0];
+        let start = self.poses[1].apply_inverse(DVec3::from_array(witness.point)) - to_origin;
         let witness_distance = target.least(start);
         if witness_distance < lower - self.rounding {
             violations.push(format!("lower {lower}, but B is {witness_distance} from the witness"));
         }
-        let mut samples = vec![(told.surface, DVec2::new(told.u, told.v), start)];
+        let mut samples = vec![(witness.surface, DVec2::new(witness.u, witness.v), start)];
         for (index, sheet) in from_sheets.iter().enumerate() {
-            for place in places(sheet, rng) {
-                samples.push((index, place, into(sheet.point(place))));
+            for parameters in sample_parameters(sheet, rng) {
+                samples.push((index, parameters, into(sheet.point(parameters))));
             }
         }
-        let mut found: Vec<(usize, DVec2, Placed)> =
-            samples.iter().map(|&(index, place, point)| (index, place, target.near(point, None))).collect();
+        let mut found: Vec<(usize, DVec2, Placed)> = samples
+            .iter()
+            .map(|&(index, parameters, point)| (index, parameters, target.near(point, None)))
+            .collect();
         found[1..].sort_unstable_by(|a, b| b.2.distance.total_cmp(&a.2.distance));
         let beyond = upper + self.rounding;
         let mut suspects = 0;
-        for &(index, place, near) in &found {
-            let point = into(from_sheets[index].point(place));
+        for &(index, parameters, near) in &found {
+            let point = into(from_sheets[index].point(parameters));
             if near.distance > beyond {
                 suspects += 1;
-                if !target.is_within(point, beyond, (index, place)) {
+                if !target.is_within(point, beyond, (index, parameters)) {
                     violations.push(format!(
                         "upper {upper}, but a point of A is {} from B ({suspects})",
                         target.least(point)
@@ -197,9 +200,9 @@ impl<'a> Direction<'a> {
                 }
             }
         }
-        for &(index, place, near) in found.iter().take(CLIMBS) {
+        for &(index, parameters, near) in found.iter().take(CLIMBS) {
             let sheet = &from_sheets[index];
-            if let Some(point) = climb((index, sheet), place, near, &target, &into, beyond) {
+            if let Some(point) = climb((index, sheet), parameters, near, &target, &into, beyond) {
                 violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
                 return;
             }
@@ -207,27 +210,29 @@ impl<'a> Direction<'a> {
     }
 }
 
-/// One place at random in each cell of a grid, edges and corners.
-fn places(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
-    let mut places = Vec::new();
+/// Returns one random point of the domain in each cell of a grid and on each of its
+/// edges, and the corners.
+fn sample_parameters(sheet: &Sheet, rng: &mut Rng) -> Vec<DVec2> {
+    let mut samples = Vec::new();
     for index in 0..SAMPLES * SAMPLES {
         let [i, j] =
             [index / SAMPLES, index % SAMPLES].map(|cell| (cell as f64 + rng.f64()) / SAMPLES as f64);
-        places.push(sheet.at([i, j]));
+        samples.push(sheet.at([i, j]));
     }
     for cell in 0..SAMPLES {
         let along = (cell as f64 + rng.f64()) / SAMPLES as f64;
         for end in [0.0, 1.0] {
-            places.extend([sheet.at([along, end]), sheet.at([end, along])]);
+            samples.extend([sheet.at([along, end]), sheet.at([end, along])]);
         }
     }
     for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
-        places.push(sheet.at(corner));
+        samples.push(sheet.at(corner));
     }
-    places
+    samples
 }
 
-/// Looks around for ever farther points; one beyond the bound, if any is.
+/// Searches around a sample for farther points; returns one beyond the bound, if it
+/// finds one.
 fn climb(
     (index, sheet): (usize, &Sheet),
     start: DVec2,
@@ -238,23 +243,23 @@ fn climb(
 ) -> Option<DVec3> {
     let (mut at, mut best) = (start, foot);
     let mut step = sheet.extent() / SAMPLES as f64;
-    for _ in 0..LOOKS {
+    for _ in 0..CLIMB_ROUNDS {
         let center = at;
         for i in -1..=1 {
             for j in -1..=1 {
-                let place = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
-                let point = into(sheet.point(place));
+                let parameters = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
+                let point = into(sheet.point(parameters));
                 let near = target.near(point, Some(best));
                 if near.distance <= best.distance {
                     continue;
                 }
                 if near.distance > beyond {
-                    if !target.is_within(point, beyond, (index, place)) {
+                    if !target.is_within(point, beyond, (index, parameters)) {
                         return Some(point);
                     }
                     continue;
                 }
-                (at, best) = (place, near);
+                (at, best) = (parameters, near);
             }
         }
         if at == center {

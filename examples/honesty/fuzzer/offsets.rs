@@ -1,4 +1,4 @@
-//! Pairs whose distance is known: spheres, tori and cylinders.
+//! Pairs with known distances: spheres, tori and cylinders.
 
 use super::surfaces::{direction, magnitude};
 use fastrand::Rng;
@@ -39,8 +39,8 @@ pub(crate) fn offset(rng: &mut Rng) -> Offset {
         })),
         _ => {
             let shift = if rng.bool() { 0.0 } else { magnitude(rng, -4.0, 1.0) };
-            // The distances from one's centre to points of the other fill an
-            // interval, at an end of which the distance is largest.
+            // The distances from one centre to points of the other sphere fill an
+            // interval, and the largest distance is attained at one of its ends.
             let farthest =
                 |from: f64, to: f64| (shift + from - to).abs().max(((shift - from).abs() - to).abs());
             let turned = |rng: &mut Rng, radius: f64, center: DVec3| {

@@ -1,46 +1,46 @@
-//! Random pairs of models of every awkward kind.
+//! Random pairs of models of many difficult kinds.
 
 use super::offsets::{Offset, offset};
-use super::partners::{both_sides, cut, moved, near, place, refined, transposed};
+use super::partners::{both_sides, cut, moved, near, refined, scale_and_shift, transposed};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
-/// Budgets of cells a direction, so that a pair takes milliseconds.
+/// The budgets of cells per direction, with which a pair takes milliseconds.
 const BUDGETS: [usize; 5] = [1, 2000, 8000, 8000, 16000];
 
-/// What is measured.
+/// A pair with the options of its computation.
 pub(crate) struct Pair {
     pub(crate) kind: &'static str,
     pub(crate) a: Model,
     pub(crate) b: Model,
     pub(crate) transform: RigidTransform,
-    /// The directed distances, if they are known.
+    /// The directed distances from A to B and from B to A, if they are known.
     pub(crate) truth: Option<[f64; 2]>,
-    /// Relative to the diagonal.
+    /// The tolerance relative to the diagonal.
     pub(crate) tolerance: f64,
-    pub(crate) most_cells: usize,
+    pub(crate) max_cells: usize,
     pub(crate) symmetric: bool,
-    /// Relative to the diagonal.
+    /// The limit relative to the diagonal.
     pub(crate) limit: Option<f64>,
 }
 
-/// The pair of a seed, always the same.
+/// Returns the pair of a seed, deterministically.
 pub(crate) fn pair(seed: u64) -> Pair {
     let rng = &mut Rng::with_seed(seed);
     let (kind, mut a, mut b, mut truth) = models(rng);
     if rng.u8(0..4) == 0 {
-        let (scale, far) = (magnitude(rng, -3.0, 3.0), direction(rng) * magnitude(rng, 0.0, 6.0));
+        let (scale, shift) = (magnitude(rng, -3.0, 3.0), direction(rng) * magnitude(rng, 0.0, 6.0));
         for model in [&mut a, &mut b] {
-            place(model, scale, far.to_array());
+            scale_and_shift(model, scale, shift.to_array());
         }
         truth = truth.map(|both| both.map(|distance| distance * scale));
     }
     let turns = truth.is_none() && rng.bool();
     let rotation =
         if turns { DQuat::from_axis_angle(direction(rng), rng.f64() * 0.2) } else { DQuat::IDENTITY };
-    // About A's own corner, so that far models stay near each other.
+    // The rotation is about a corner of A, so that models far from the origin stay near each other.
     let corner = DVec3::from_slice(&a[0].control_points[0][..3]);
     let translation = corner - rotation * corner;
     Pair {
@@ -50,7 +50,7 @@ pub(crate) fn pair(seed: u64) -> Pair {
         b: Model::from_arrays(None, b).unwrap(),
         truth,
         tolerance: magnitude(rng, -6.0, -2.0),
-        most_cells: BUDGETS[rng.usize(0..BUDGETS.len())],
+        max_cells: BUDGETS[rng.usize(0..BUDGETS.len())],
         symmetric: rng.u8(0..4) == 0,
         limit: (rng.u8(0..8) == 0).then(|| magnitude(rng, -5.0, 0.0)),
     }

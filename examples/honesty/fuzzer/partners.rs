@@ -1,11 +1,11 @@
-//! Models B that are hard to tell from a model A.
+//! Models B that are nearly the same as a model A.
 
 use super::surfaces::{direction, magnitude};
 use fastrand::Rng;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface, SurfaceArrays};
 
-/// The same nets with control points moved by up to `size`.
+/// Returns the same nets with control points moved by `size` in random directions.
 pub(crate) fn near(rng: &mut Rng, a: &[SurfaceArrays], size: f64) -> Vec<SurfaceArrays> {
     let mut b = a.to_vec();
     for point in b.iter_mut().flat_map(|surface| &mut surface.control_points) {
@@ -20,21 +20,23 @@ pub(crate) fn near(rng: &mut Rng, a: &[SurfaceArrays], size: f64) -> Vec<Surface
 pub(crate) fn moved(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let mut b = a.to_vec();
     let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
-    place(&mut b, 1.0, shift.to_array());
+    scale_and_shift(&mut b, 1.0, shift.to_array());
     b
 }
 
-/// A on both sides of itself, so that it lies where both are equally near.
+/// Returns two translated copies of A on opposite sides, so that A lies on their
+/// medial axis.
 pub(crate) fn both_sides(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let shift = direction(rng) * magnitude(rng, -3.0, 0.0);
     let [mut above, mut below] = [a.to_vec(), a.to_vec()];
-    place(&mut above, 1.0, shift.to_array());
-    place(&mut below, 1.0, (-shift).to_array());
+    scale_and_shift(&mut above, 1.0, shift.to_array());
+    scale_and_shift(&mut below, 1.0, (-shift).to_array());
     above.append(&mut below);
     above
 }
 
-/// The same surfaces with a knot more and a degree more, as far as degrees go.
+/// Returns the same surfaces with one more knot and the degree raised by one where
+/// possible.
 pub(crate) fn refined(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     a.iter()
         .map(|arrays| {
@@ -47,7 +49,7 @@ pub(crate) fn refined(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> 
         .collect()
 }
 
-/// The same surfaces in pieces.
+/// Returns the same surfaces cut into pieces.
 pub(crate) fn cut(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let model = Model::from_arrays(None, a.to_vec()).unwrap();
     let fractions = [0, 1].map(|_| vec![0.1 + 0.8 * rng.f64(); rng.usize(0..=1)]);
@@ -55,7 +57,7 @@ pub(crate) fn cut(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     pieces.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect()
 }
 
-/// The same surfaces with u and v exchanged and all weights scaled.
+/// Returns the same surfaces with u and v exchanged and all weights scaled.
 pub(crate) fn transposed(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     let scale = magnitude(rng, -3.0, 3.0);
     let transpose = |surface: &SurfaceArrays| {
@@ -75,8 +77,8 @@ pub(crate) fn transposed(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArray
     a.iter().map(transpose).collect()
 }
 
-/// Scales about the origin, then shifts.
-pub(crate) fn place(model: &mut [SurfaceArrays], scale: f64, shift: [f64; 3]) {
+/// Scales a model about the origin, then translates it.
+pub(crate) fn scale_and_shift(model: &mut [SurfaceArrays], scale: f64, shift: [f64; 3]) {
     for point in model.iter_mut().flat_map(|surface| &mut surface.control_points) {
         for axis in 0..3 {
             point[axis] = point[axis] * scale + shift[axis];

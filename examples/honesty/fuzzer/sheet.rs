@@ -1,17 +1,16 @@
-//! A second evaluator that shares no code with the library, made for millions
-//! of points: the basis functions of a span in one triangle.
-//!
-//! Piegl and Tiller, *The NURBS Book*, algorithm A2.2, and first derivatives
-//! by the quotient rule. The library extracts Bézier patches instead.
+//! An independent evaluator, fast enough for millions of points: it computes the
+//! basis functions of a span in one triangle (Piegl and Tiller, *The NURBS Book*,
+//! algorithm A2.2), and first derivatives by the quotient rule. The library extracts
+//! Bézier patches instead.
 
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface, ParamBox};
 
-/// Degree 15, plus one, plus one.
-const ROOM: usize = 17;
+/// The number of basis functions of degree 15, and one more for derivatives.
+const CAPACITY: usize = 17;
 
-/// A surface relative to an origin near it, so that points far from the
-/// model's origin lose nothing.
+/// A surface relative to an origin near it, so that no digits of points far from the
+/// model's origin are lost.
 pub(crate) struct Sheet {
     degree: [usize; 2],
     knots: [Vec<f64>; 2],
@@ -20,7 +19,7 @@ pub(crate) struct Sheet {
     pub(crate) domain: ParamBox,
 }
 
-/// A point with first derivatives by u and v.
+/// A point with its first derivatives by u and v.
 pub(crate) struct Tangents {
     pub(crate) point: DVec3,
     pub(crate) u: DVec3,
@@ -29,11 +28,11 @@ pub(crate) struct Tangents {
 
 struct Basis {
     first: usize,
-    values: [f64; ROOM],
-    derivatives: [f64; ROOM],
+    values: [f64; CAPACITY],
+    derivatives: [f64; CAPACITY],
 }
 
-/// The surfaces of a model relative to `origin`.
+/// Returns the surfaces of a model relative to `origin`.
 pub(crate) fn sheets(model: &Model, origin: DVec3) -> Vec<Sheet> {
     model.surfaces().iter().map(|surface| Sheet::new(surface, origin)).collect()
 }
@@ -50,27 +49,27 @@ impl Sheet {
         }
     }
 
-    /// The place in the domain for fractions in [0, 1]^2.
+    /// Returns the parameters at fractions of the domain in [0, 1]².
     pub(crate) fn at(&self, fractions: [f64; 2]) -> DVec2 {
         self.domain.at(fractions).into()
     }
 
-    pub(crate) fn clamp(&self, place: DVec2) -> DVec2 {
-        place.clamp(self.domain.low().into(), self.domain.high().into())
+    pub(crate) fn clamp(&self, parameters: DVec2) -> DVec2 {
+        parameters.clamp(self.domain.low().into(), self.domain.high().into())
     }
 
     pub(crate) fn extent(&self) -> DVec2 {
         self.domain.lengths().into()
     }
 
-    pub(crate) fn point(&self, place: DVec2) -> DVec3 {
-        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
+    pub(crate) fn point(&self, parameters: DVec2) -> DVec3 {
+        let [u, v] = [self.basis(Axis::U, parameters.x), self.basis(Axis::V, parameters.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         sum.xyz() / sum.w
     }
 
-    pub(crate) fn tangents(&self, place: DVec2) -> Tangents {
-        let [u, v] = [self.basis(Axis::U, place.x), self.basis(Axis::V, place.y)];
+    pub(crate) fn tangents(&self, parameters: DVec2) -> Tangents {
+        let [u, v] = [self.basis(Axis::U, parameters.x), self.basis(Axis::V, parameters.y)];
         let sum = self.sum(&u, &u.values, &v, &v.values);
         let by_u = self.sum(&u, &u.derivatives, &v, &v.values);
         let by_v = self.sum(&u, &u.values, &v, &v.derivatives);
@@ -79,7 +78,7 @@ impl Sheet {
         Tangents { point, u: quotient(by_u), v: quotient(by_v) }
     }
 
-    fn sum(&self, u: &Basis, in_u: &[f64; ROOM], v: &Basis, in_v: &[f64; ROOM]) -> DVec4 {
+    fn sum(&self, u: &Basis, in_u: &[f64; CAPACITY], v: &Basis, in_v: &[f64; CAPACITY]) -> DVec4 {
         let mut sum = DVec4::ZERO;
         for (i, n) in in_u[..=self.degree[0]].iter().enumerate() {
             let row = (u.first + i) * self.columns + v.first;
@@ -93,15 +92,16 @@ impl Sheet {
     fn basis(&self, axis: Axis, t: f64) -> Basis {
         let (p, knots) = (self.degree[axis], &self.knots[axis]);
         let [start, end] = self.domain[axis];
-        let reach = if t < end { t.max(start) } else { end };
-        // The last knot up to t, or at the end of the domain the last before it.
-        let above = if reach < end {
-            knots.partition_point(|&knot| knot <= reach)
+        let clamped = if t < end { t.max(start) } else { end };
+        // The span begins at the last knot up to t, at the end of the domain at the last
+        // knot before it.
+        let above = if clamped < end {
+            knots.partition_point(|&knot| knot <= clamped)
         } else {
             knots.partition_point(|&knot| knot < end)
         };
         let span = above - 1;
-        let (mut values, mut derivatives) = ([0.0; ROOM], [0.0; ROOM]);
+        let (mut values, mut derivatives) = ([0.0; CAPACITY], [0.0; CAPACITY]);
         values[0] = 1.0;
         for level in 1..=p {
             let mut saved = 0.0;

@@ -1,10 +1,10 @@
-//! Random surfaces, plain and as awkward as validation allows.
+//! Random surfaces, simple and as degenerate as validation allows.
 
 use fastrand::Rng;
 use glam::DVec3;
 use nurbs_hausdorff::SurfaceArrays;
 
-/// How the weights of a pair's surfaces are drawn.
+/// The distribution of the weights of a pair's surfaces.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Weights {
     Equal,
@@ -34,12 +34,12 @@ pub(crate) fn direction(rng: &mut Rng) -> DVec3 {
     }
 }
 
-/// 10 to the power of a number between the two.
+/// Returns 10 to the power of a random number between the two.
 pub(crate) fn magnitude(rng: &mut Rng, low: f64, high: f64) -> f64 {
     10_f64.powf(low + (high - low) * rng.f64())
 }
 
-/// Degrees 1 to 7; one in four degenerate.
+/// Returns a random surface of degrees 1 to 7; one in four is degenerate.
 pub(crate) fn surface(rng: &mut Rng, weights: Weights) -> SurfaceArrays {
     let degree = [rng.usize(1..=7), rng.usize(1..=7)];
     let counts = degree.map(|degree| degree + 1 + rng.usize(0..=3));
@@ -67,7 +67,8 @@ pub(crate) fn surface(rng: &mut Rng, weights: Weights) -> SurfaceArrays {
     SurfaceArrays { degree, knots, counts, control_points }
 }
 
-/// Clamped or not, repeated or almost, over any part of the parameter axis.
+/// Returns random knots, clamped or not, with repeated and almost coincident knots,
+/// over any part of the parameter axis.
 fn knots(rng: &mut Rng, degree: usize, count: usize) -> Vec<f64> {
     let clamped = rng.u8(0..4) != 0;
     let close = rng.u8(0..8) == 0;
@@ -75,7 +76,7 @@ fn knots(rng: &mut Rng, degree: usize, count: usize) -> Vec<f64> {
     let (mut last, mut run) = (rng.f64() * 4.0 - 2.0, 0);
     for index in 0..count + degree + 1 {
         let at_end = clamped && (1..=degree).contains(&(index % count));
-        // Inside, a knot is repeated up to its degree: a crease, not a gap.
+        // An inner knot is repeated at most degree times: a crease, not a gap.
         let inside = index > degree + 1 && index < count;
         let repeated = at_end || (run < degree && inside && rng.u8(0..6) == 0);
         if !repeated {
@@ -94,14 +95,14 @@ fn knots(rng: &mut Rng, degree: usize, count: usize) -> Vec<f64> {
     knots
 }
 
-/// Poles, rows of no length, creases, slivers, curves and points.
+/// Makes a net degenerate: poles, rows of no length, creases, slivers, curves, points.
 fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]]) {
     let copy = |points: &mut [[f64; 4]], from: usize, to: usize| {
         let source = points[from];
         points[to][..3].copy_from_slice(&source[..3]);
     };
     match rng.u8(0..8) {
-        // An edge, or two opposite, to a point.
+        // An edge, or two opposite edges, collapse to a point.
         kind @ 0..3 => {
             let along_u = rng.bool();
             let edges = if kind == 0 { [0, 1] } else { [rng.usize(0..2); 2] };
@@ -118,32 +119,32 @@ fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]
                 }
             }
         }
-        // A row on the one before: a crease, or no first derivative at an edge.
+        // A row equals the one before: a crease, or no first derivative at an edge.
         3 => {
             let row = rng.usize(1..rows);
             for k in 0..columns {
                 copy(points, (row - 1) * columns + k, row * columns + k);
             }
         }
-        // A corner where all derivatives of first order vanish.
+        // All first derivatives vanish at a corner.
         4 => {
             for to in [1, columns, columns + 1] {
                 copy(points, 0, to);
             }
         }
-        // A sliver, as thin as a curve or nearly.
+        // A sliver, a curve or almost one.
         5 => {
             let thin = if rng.bool() { 0.0 } else { magnitude(rng, -12.0, -3.0) };
             for row in points.chunks_exact_mut(columns) {
-                let [base, rest @ ..] = row else { continue };
-                for point in rest {
+                let [base, others @ ..] = row else { continue };
+                for point in others {
                     for (x, base) in point[..3].iter_mut().zip(&*base) {
                         *x = *base + thin * (*x - *base);
                     }
                 }
             }
         }
-        // Folded back onto itself.
+        // The surface is folded onto itself.
         6 => {
             for row in 0..rows {
                 for k in 0..columns / 2 {
@@ -151,7 +152,7 @@ fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]
                 }
             }
         }
-        // A point.
+        // All control points coincide.
         _ => {
             for to in 1..points.len() {
                 copy(points, 0, to);

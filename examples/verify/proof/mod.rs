@@ -24,6 +24,9 @@ use std::time::{Duration, Instant};
 use target::{Comparison, Target};
 use upper::Finding;
 
+/// The pieces of B that the comparison of the witness with B looks at.
+const MAX_PIECES: usize = 1_000_000;
+
 /// What a result says.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Claim {
@@ -125,7 +128,7 @@ fn check_lower(
         let local = patch.local([witness.u, witness.v])?;
         Some(patch.net.evaluate(local))
     });
-    let farther = |point| matches!(target.compare(&point, limit, deadline), Comparison::Farther);
+    let farther = |point| matches!(target.compare(&point, limit, MAX_PIECES, deadline), Comparison::Farther);
     if points.any(farther) {
         report.lower = Verdict::Proved;
         return;

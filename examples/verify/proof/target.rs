@@ -8,10 +8,6 @@ use super::interval::Interval;
 use super::vector::{Vector, difference, dot, exactly, middle, norm};
 use std::time::Instant;
 
-/// The pieces of B that one comparison of a point with B looks at before it is given up: a point
-/// whose distance is the limit itself would be looked at without end.
-const MAX_PIECES: usize = 100_000;
-
 /// B's patches, and near points on them.
 pub(crate) struct Target {
     pub(crate) patches: Vec<Patch>,
@@ -46,8 +42,14 @@ impl Target {
     ///
     /// Branch and bound: B is subdivided until every piece is proved farther. Every patch is
     /// covered, as the halves of a piece cover it and the tree of boxes leaves out only patches
-    /// that are farther themselves.
-    pub(crate) fn compare(&self, point: &Vector, limit: f64, deadline: Instant) -> Comparison {
+    /// that are farther themselves. Given up after `max_pieces` pieces.
+    pub(crate) fn compare(
+        &self,
+        point: &Vector,
+        limit: f64,
+        max_pieces: usize,
+        deadline: Instant,
+    ) -> Comparison {
         let at = middle(point);
         if let Some(&foot) = self.finder.nearest(at, 1).first().filter(|foot| foot.distance <= limit) {
             return Comparison::Nearer(foot);
@@ -66,7 +68,7 @@ impl Target {
                 return Comparison::Nearer(foot);
             }
             count += 2;
-            if count > MAX_PIECES || Instant::now() >= deadline {
+            if count > max_pieces || Instant::now() >= deadline {
                 return Comparison::Open;
             }
             pieces.extend(piece.halves());

@@ -16,19 +16,30 @@ const CANDIDATES: usize = 4;
 /// The cells that the threads share between two looks at the clock.
 const ROUND: usize = 64;
 
-/// The halvings after which a cell is given up: float64 tells its corners apart no longer.
+/// The halvings after which a cell is given up: float64 no longer separates its corners.
 const MAX_LEVEL: u32 = 90;
 
-/// Halvings after which B is searched for points nearer than those found, as Newton's method may end
-/// at a local minimum: on every cell whose level is a multiple.
+/// On cells whose level is a multiple, B is searched for points nearer than those found, as Newton's
+/// method may end at a local minimum, and cells on which that one crosses the limit are cut without
+/// end.
 const SEARCH_LEVELS: u32 = 6;
 
-/// How much nearer such points are to be, so that proving that there are none is cheap.
+/// How much nearer such points are to be than those found, and these than the limit where they are
+/// looked for: small cells with nearer ones are proved by what is known.
 const NEARER: f64 = 0.8;
+const NEAR_LIMIT: f64 = 0.5;
+
+/// The pieces of B that such a search looks at.
+const MAX_SEARCHED_PIECES: usize = 2000;
+
+/// The pieces of B that a comparison looks at before it is given up: a point whose distance is the
+/// limit itself would be looked at without end.
+const MAX_COMPARED_PIECES: usize = 100_000;
 
 /// Parts along each axis of a patch of A between places at which a point beyond the limit is looked
-/// for first.
-const SAMPLES: usize = 5;
+/// for first, and the number of places on all patches from which on there are fewer.
+const MAX_PARTS: usize = 5;
+const MAX_SAMPLES: f64 = 200_000.0;
 
 /// The points, farthest first, that are then compared with all of B.
 const SUSPECTS: usize = 8;
@@ -122,9 +133,10 @@ pub(crate) fn prove(a: &[Patch], target: &Target, limit: f64, deadline: Instant)
 
 /// A point of A on a grid that is proved beyond the limit, if the farthest of them are.
 fn sampled(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Option<Witness> {
-    let places = (0..=SAMPLES).flat_map(|i| (0..=SAMPLES).map(move |j| [i, j]));
-    let places: Vec<[f64; 2]> =
-        places.map(|place| place.map(|index| index as f64 / SAMPLES as f64)).collect();
+    let affordable = (MAX_SAMPLES / a.len() as f64).sqrt() as usize;
+    let parts = affordable.saturating_sub(1).clamp(1, MAX_PARTS);
+    let places = (0..=parts).flat_map(|i| (0..=parts).map(move |j| [i, j]));
+    let places: Vec<[f64; 2]> = places.map(|place| place.map(|index| index as f64 / parts as f64)).collect();
     let mut suspects: Vec<(f64, usize, [f64; 2])> = (0..a.len())
         .into_par_iter()
         .flat_map_iter(|patch| {
@@ -142,7 +154,7 @@ fn sampled(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Optio
     suspects.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     let beyond = |&&(_, patch, at): &&(f64, usize, [f64; 2])| {
         let point = a[patch].net.evaluate(at.map(Interval::point));
-        matches!(target.compare(&point, limit, deadline), Comparison::Farther)
+        matches!(target.compare(&point, limit, MAX_COMPARED_PIECES, deadline), Comparison::Farther)
     };
     let &(_, patch, at) = suspects.iter().take(SUSPECTS).find(beyond)?;
     Some(Witness::new(&a[patch], at))
@@ -177,14 +189,16 @@ impl Cell {
         let nearest = feet.first().map_or(f64::INFINITY, |foot| foot.distance);
         let searched = self.level > 0 && self.level.is_multiple_of(SEARCH_LEVELS);
         if searched
+            && nearest > NEAR_LIMIT * limit
             && nearest <= limit
-            && let Comparison::Nearer(foot) = target.compare(&center, NEARER * nearest, deadline)
+            && let Comparison::Nearer(foot) =
+                target.compare(&center, NEARER * nearest, MAX_SEARCHED_PIECES, deadline)
         {
             feet.insert(0, foot);
             self.known.push(foot);
         }
         if nearest > limit || nearest.is_nan() {
-            match target.compare(&center, limit, deadline) {
+            match target.compare(&center, limit, MAX_COMPARED_PIECES, deadline) {
                 Comparison::Farther => {
                     let at = [0, 1].map(|axis| self.start[axis] + 0.5 * self.length[axis]);
                     return Outcome::Beyond(Witness::new(&a[self.patch], at));
@@ -245,7 +259,7 @@ enum Attempt {
 ///
 /// Each corner k of the cell gets parameters f_k in [0, 1]² of B's patch near it, found in float64
 /// and from then on exact numbers. Let ψ be the bilinear map of [0, 1]² with ψ(corner k) = f_k and
-/// D = A - B ∘ ψ, whose value at (s, t) is at least as long as the distance of A(s, t) from B. The
+/// D = A - B ∘ ψ, the length of whose value at (s, t) is an upper bound of the distance of A(s, t) from B. The
 /// bilinear interpolant of D is longest at a corner, as norms are convex, and differs from D by at
 /// most (max |D_ss| + max |D_tt|) / 8: with I_s and I_t the linear interpolation along s and t,
 /// |D - I_s D| <= max |D_ss| / 8 and |I_s (D - I_t D)| <= max |D_tt| / 8. So

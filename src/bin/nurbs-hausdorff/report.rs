@@ -1,7 +1,7 @@
 //! A result as text for people to read.
 
-use nurbs_hausdorff::result::{CertifiedDetails, Details, HierarchyDetails, IterationDetails, Stop};
-use nurbs_hausdorff::{DistanceResult, SurfacePoint};
+use nurbs_hausdorff::result::{CertifiedDetails, HierarchyDetails, IterationDetails, Stop};
+use nurbs_hausdorff::{Details, DistanceResult, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Returns some lines, the distance first. Distances, bounds and points are
@@ -59,6 +59,13 @@ fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
         Stop::Cancelled => "cancelled",
     };
     writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
+    if details.stop == Stop::Precision {
+        writeln!(
+            out,
+            "precision  coordinates of this size allow a tolerance of {:?}",
+            details.min_tolerance
+        )?;
+    }
     match details.within {
         Some(true) => writeln!(out, "limit      the distance is within it"),
         Some(false) => writeln!(out, "limit      the distance is beyond it"),

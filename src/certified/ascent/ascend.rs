@@ -44,7 +44,7 @@ pub(super) fn ascend(pair: &Pair<'_>, nearest: &NearestPoint<'_>, start: Sample,
         }
         let mut found = next_feet.nearest();
         if found.distance_squared > best.distance_squared {
-            let query = Query { target, known: found, sufficient: best.distance(), margin: 0.0 };
+            let query = Query { target, known: found, sufficient: best.distance() };
             found = nearest.near(&query).nearest();
         }
         if found.distance_squared > best.distance_squared {

@@ -16,6 +16,7 @@
 //! no knowledge of how the patches meet.
 
 use super::super::nearest::Foot;
+use super::super::rounding::UNIT_ROUNDOFF;
 use super::{CellContext, UpperBound};
 use crate::bezier::DerivativeBounds;
 use glam::DVec3;
@@ -33,6 +34,10 @@ const CROSSING_TOLERANCE: f64 = 0.05;
 /// The least part of the bracket that a secant step takes, so that the bracket shrinks.
 const MIN_FRACTION: f64 = 1e-3;
 
+/// Width of the slivers between two polygons, as the crossings are rounded, in
+/// units of the cell's radius (lemma R14).
+const SLIVER_ROUNDINGS: f64 = 4.0;
+
 /// The cell's corners in [-1, 1]^2, around it.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
@@ -48,10 +53,10 @@ impl UpperBound for Bilinear {
         if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
             return None;
         }
-        let cell_error =
-            interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
+        let cell_error = SLIVER_ROUNDINGS * UNIT_ROUNDOFF * context.radius
+            + interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
         let mut corners = Corners { context, cell_error };
-        if corners.may_suffice(&foot, threshold) { corners.upper_bound(&foot, threshold) } else { None }
+        corners.upper_bound(&foot, threshold)
     }
 }
 
@@ -63,8 +68,8 @@ struct Corners<'a, 'c> {
 }
 
 impl Corners<'_, '_> {
-    /// A quick rejection: the bound is never below the distance of a corner's
-    /// foot plus δ_A. With the centre's foot that is a heuristic only.
+    /// Whether the bound can reach the threshold, which it cannot below the
+    /// distance of a corner's foot plus δ_A.
     fn may_suffice(&self, foot: &Foot, threshold: f64) -> bool {
         foot.distance() + self.cell_error <= threshold
     }

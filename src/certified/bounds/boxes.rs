@@ -62,7 +62,7 @@ pub(in crate::certified) fn bvh_node(
     let mut foot = nearest.at(target, known.patch, known.parameters);
     // The left child has its parent's point, whose foot is known.
     if node.is_leaf() || foot.distance_squared != known.distance_squared {
-        let query = Query { target, known: foot, sufficient: threshold - radius, margin: 0.0 };
+        let query = Query { target, known: foot, sufficient: threshold - radius };
         foot = nearest.near(&query).nearest();
     }
     (foot.distance() + radius, Sample { patch, parameters, foot })

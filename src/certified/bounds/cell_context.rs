@@ -1,6 +1,7 @@
 //! What the bounds of one cell share.
 
 use super::super::nearest::{Feet, Foot, NearestPoint, Sample};
+use super::super::rounding::JetScale;
 use super::super::{Cell, Pair};
 use crate::bezier::{DerivativeBounds, Jet, Patch};
 use std::cell::OnceCell;
@@ -21,6 +22,8 @@ pub(in crate::certified) struct CellContext<'a> {
     pub(in crate::certified) farthest: Sample,
     /// An upper bound on the distance of the cell's points from its centre.
     pub(in crate::certified) radius: f64,
+    /// What the rounding of A's derivatives depends on.
+    pub(super) jet_scale: JetScale,
     local_bounds: OnceCell<DerivativeBounds>,
 }
 
@@ -43,6 +46,7 @@ impl<'a> CellContext<'a> {
             feet: Feet::new(foot),
             farthest: Sample { patch: cell.patch, parameters: cell.center, foot },
             radius: cell.radius(pair.a.patch_bounds(cell.patch).first),
+            jet_scale: pair.a.jet_scale(cell.patch),
             local_bounds: OnceCell::new(),
         }
     }

@@ -13,10 +13,11 @@
 //! where that of every single patch is of first. Two parameters need three
 //! patches at most (Carathéodory's theorem).
 
-use super::super::maximin::{linearized_distance_squared, maximin};
+use super::super::maximin::{AffineFunction, linearized_distance_squared, maximin};
 use super::quadratic::max_coefficient;
-use super::taylor::{Bounds, CellPair, Difference};
+use super::taylor::{Bounds, CellPair, Difference, coefficient_error};
 use super::{CellContext, UpperBound};
+use glam::DVec3;
 
 /// The bound by the known feet of the centre on different patches.
 pub(super) struct ConvexCombination;
@@ -32,11 +33,9 @@ impl UpperBound for ConvexCombination {
         if feet.len() == 1 {
             return None;
         }
-        let (b, half) = (&context.pair.b, context.cell.half);
-        let to_first_order = feet.iter().map(|foot| {
-            let point = b.patch(foot.patch).point(foot.parameters);
-            linearized_distance_squared(&context.jet, point, half.map(|half| -half), half)
-        });
+        let b = &context.pair.b;
+        let to_first_order =
+            feet.iter().map(|foot| linearized(context, b.patch(foot.patch).point(foot.parameters)));
         let multipliers = maximin(&to_first_order.collect::<Vec<_>>()).multipliers;
         if multipliers.iter().any(|(_, weight)| *weight == 1.0) {
             return None;
@@ -63,12 +62,43 @@ impl UpperBound for ConvexCombination {
     }
 }
 
+/// Adds feet on those of the patches near the incumbent's witness that carry the
+/// maximin over the cell: near a maximum where several patches are equally near,
+/// these are the ones whose combination has no slope.
+pub(super) fn add_carrying_feet(context: &mut CellContext<'_>) {
+    let shortlist = context.nearest.shortlist(context.jet.point);
+    if shortlist.is_empty() {
+        return;
+    }
+    let known = context.foot();
+    let point = context.pair.b.patch(known.patch).point(known.parameters);
+    let points = shortlist.iter().map(|nearby| nearby.point).chain([point]);
+    let to_first_order: Vec<AffineFunction> = points.map(|point| linearized(context, point)).collect();
+    let mut feet = context.feet.clone();
+    for (index, weight) in maximin(&to_first_order).multipliers {
+        if let Some(nearby) = shortlist.get(index).filter(|_| weight > 0.0)
+            && nearby.patch != known.patch
+        {
+            feet.add(context.nearest.on_patch(context.jet.point, nearby.patch, nearby.parameters));
+        }
+    }
+    context.set_feet(feet);
+}
+
+/// The squared distance to a point over the cell, to first order.
+fn linearized(context: &CellContext<'_>, point: DVec3) -> AffineFunction {
+    let half = context.cell.half;
+    linearized_distance_squared(&context.jet, point, half.map(|half| -half), half)
+}
+
 /// The root of the largest coefficient of the combination of `(|Q| + R)²`.
 fn upper_bound(terms: &[Term<'_>], remainder: impl Fn(&Difference<'_>) -> f64) -> f64 {
     let mut combination = [[0.0_f64; 5]; 5];
     for (squares, weight, difference) in terms {
         let remainder = remainder(difference);
-        let increase = remainder * (2.0 * max_coefficient(squares).sqrt() + remainder);
+        let error = coefficient_error(&difference.quadratic);
+        let length = (max_coefficient(squares) + error).sqrt();
+        let increase = error + remainder * (2.0 * length + remainder);
         for (sum, square) in combination.iter_mut().flatten().zip(squares.iter().flatten()) {
             *sum += weight * (square + increase);
         }

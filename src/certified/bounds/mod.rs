@@ -19,7 +19,7 @@ pub(super) use cell_context::CellContext;
 pub use quadratic::Quadratic;
 
 use bilinear::Bilinear;
-use convex_combination::ConvexCombination;
+use convex_combination::{ConvexCombination, add_carrying_feet};
 use polynomial_difference::PolynomialDifference;
 use same_net::SameNet;
 use sphere::InSphere;
@@ -44,6 +44,12 @@ const WITH_NEAREST_FEET: [&dyn UpperBound; 5] =
 /// most the threshold.
 pub(super) fn with_any_foot(context: &mut CellContext<'_>, threshold: f64) -> f64 {
     least(&WITH_ANY_FOOT, context, threshold)
+}
+
+/// The bound by the feet that carry the maximin near the incumbent's witness.
+pub(super) fn with_carrying_feet(context: &mut CellContext<'_>, threshold: f64) -> f64 {
+    add_carrying_feet(context);
+    least(&[&ConvexCombination], context, threshold)
 }
 
 /// The least of the bounds with the nearest feet, or the first that is at most

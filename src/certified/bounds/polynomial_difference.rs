@@ -14,17 +14,25 @@
 //! everywhere: zero where A and B are the same polynomials or rational functions.
 
 use super::super::reparametrization::Reparametrization;
+use super::super::rounding::gamma;
 use super::{CellContext, UpperBound};
-use crate::bezier::{relative, scaled, squares, unscale};
-use glam::{DVec2, DVec4, Vec4Swizzles};
+use crate::bezier::{power_of_two_below, relative, scaled, squares, unscale};
+use crate::rounding::upper_max;
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 /// How far, relative to its length along the parameter lines, a map may run
 /// across them or be clamped at the edge of the patch.
 const MAX_SKEW: f64 = 1e-6;
 
-/// Roundings of 2^-53 on the way to one coefficient, per degree and besides.
-const ROUNDINGS_PER_DEGREE: f64 = 8.0;
-const ROUNDINGS_BESIDES: f64 = 64.0;
+/// Roundings of a coefficient of `X v - Y w` besides one for each of its
+/// products, and of a square besides one for each (lemmas R10, R11); both with
+/// the 6 that binomials of more than 54 are off.
+const PRODUCT_ROUNDINGS: f64 = 16.0;
+const SQUARE_ROUNDINGS: f64 = 19.0;
+
+/// Sum of the absolute coefficients of a restriction that goes beyond the patch
+/// in its extension, at most (lemma R6).
+const EXTENSION_GROWTH: f64 = 46.0;
 
 /// The bound from the nearest known foot. O(p^4 q^4).
 pub(super) struct PolynomialDifference;
@@ -46,17 +54,16 @@ impl UpperBound for PolynomialDifference {
         let [s, t] = map.image(foot.parameters);
         let controls = target.restricted(s, t);
         let controls = map.oriented(&controls, target.degree);
-        let y = Net {
-            degree: if map.swapped { [target.degree[1], target.degree[0]] } else { target.degree },
-            controls: relative(&controls, jet.point - target.center),
-        };
+        let degree = if map.swapped { [target.degree[1], target.degree[0]] } else { target.degree };
+        let growth = if map.is_inside(foot.parameters) { 1.0 } else { EXTENSION_GROWTH };
+        let y = Net::new(degree, &controls, jet.point - target.center, growth);
         let [s, t] = context.cell.ranges();
         let mut controls = context.patch.restricted(s, t);
         for control in &mut controls {
             *control = pair.transform.rotate(control.xyz()).extend(control.w);
         }
         let center = pair.transform.apply(context.patch.center);
-        let x = Net { degree: context.patch.degree, controls: relative(&controls, jet.point - center) };
+        let x = Net::new(context.patch.degree, &controls, jet.point - center, 1.0);
         x.max_difference(&y)
     }
 }
@@ -115,6 +122,11 @@ impl AlignedMap {
         [0, 1].map(|axis| [foot[axis] - extent[axis].abs(), foot[axis] + extent[axis].abs()])
     }
 
+    /// Whether the image lies in B's patch, not only in its extension.
+    fn is_inside(&self, foot: [f64; 2]) -> bool {
+        self.image(foot).as_flattened().iter().all(|parameter| (0.0..=1.0).contains(parameter))
+    }
+
     /// The control net of B's patch in the order of A's parameters.
     fn oriented(&self, controls: &[DVec4], [p, q]: [usize; 2]) -> Vec<DVec4> {
         let [rows, columns] = if self.swapped { [q, p] } else { [p, q] };
@@ -136,11 +148,33 @@ impl AlignedMap {
 struct Net {
     degree: [usize; 2],
     controls: Vec<DVec4>,
+    /// The rounding error of its points: restriction and change of origin.
+    point_error: f64,
 }
 
 impl Net {
-    /// An upper bound on the distance between points of equal parameters;
-    /// `None` where a weight is not positive or float64 does not represent it.
+    /// Takes a restricted net relative to another point. The weights are scaled
+    /// by a power of two, which is exact, so that the largest is about 1.
+    ///
+    /// `growth` bounds the sum of the absolute coefficients of a restriction
+    /// beyond [0, 1], 1 inside (lemma R6).
+    fn new(degree: [usize; 2], controls: &[DVec4], shift: DVec3, growth: f64) -> Self {
+        let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
+        let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
+        let controls: Vec<DVec4> = controls.iter().map(|&control| scale * control).collect();
+        let (mut radius, mut lightest) = (0.0_f64, f64::INFINITY);
+        for control in &controls {
+            radius = upper_max(radius, control.xyz().length() / control.w);
+            lightest = lightest.min(control.w);
+        }
+        let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
+        let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
+        let point_error = gamma(restriction * radius + 4.0 * shift.length());
+        Self { degree, controls: relative(&controls, shift), point_error }
+    }
+
+    /// An upper bound on the distance between points of equal parameters, by
+    /// lemma R11; `None` where a weight is not positive or a number overflows.
     fn max_difference(&self, other: &Self) -> Option<f64> {
         let ([p, q], [m, n]) = (self.degree, other.degree);
         let (degree, columns) = ([p + m, q + n], q + n + 1);
@@ -156,27 +190,30 @@ impl Net {
             }
         }
         unscale(degree, &mut quotient);
-        let longest = quotient.iter().fold(0.0_f64, |longest, c| longest.max(c.xyz().length_squared()));
-        let mut largest = 0.0_f64;
-        for (length_squared, weight_squared) in squares(degree, &quotient) {
-            largest = largest.max(length_squared / weight_squared);
-        }
-        let ([reach, heavy, light], [other_reach, other_heavy, other_light]) = (self.sizes(), other.sizes());
-        let roundings = f64::EPSILON * (ROUNDINGS_PER_DEGREE * (p + q + m + n) as f64 + ROUNDINGS_BESIDES);
-        let lightest = light * other_light;
-        let rounding = roundings * (reach * other_heavy + other_reach * heavy) / lightest;
-        let rounding_squared = roundings * (largest + longest / (lightest * lightest));
-        let bound = (largest + rounding_squared).sqrt() + rounding;
-        (light > 0.0 && other_light > 0.0 && bound >= 0.0).then_some(bound)
+        let length = |control: &DVec4| control.xyz().length() / control.w;
+        let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        let largest = squares(degree, &quotient)
+            .into_iter()
+            .map(|(length_squared, weight_squared)| length_squared / weight_squared)
+            .fold(0.0, upper_max);
+        let product_terms = ((p.min(m) + 1) * (q.min(n) + 1)) as f64;
+        let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
+        let of_products = gamma(product_terms + PRODUCT_ROUNDINGS);
+        let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
+        let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
+        let bound = (1.0 + of_products) * under_root.sqrt()
+            + of_products * (self.radius() + other.radius())
+            + self.point_error
+            + other.point_error;
+        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
     }
 
-    /// The longest control, the heaviest weight and the lightest.
-    fn sizes(&self) -> [f64; 3] {
-        let mut sizes = [0.0, 0.0, f64::INFINITY];
-        for control in &self.controls {
-            let [longest, heaviest, lightest] = sizes;
-            sizes = [control.xyz().length().max(longest), control.w.max(heaviest), control.w.min(lightest)];
-        }
-        sizes
+    /// The largest distance of a control point from the origin.
+    fn radius(&self) -> f64 {
+        self.controls.iter().map(|control| control.xyz().length() / control.w).fold(0.0, upper_max)
+    }
+
+    fn is_positive(&self) -> bool {
+        self.controls.iter().all(|control| control.w > 0.0)
     }
 }

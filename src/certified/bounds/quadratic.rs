@@ -46,6 +46,12 @@ impl Quadratic {
         max_coefficient(&self.length_squared())
     }
 
+    /// An upper bound on the length of Q over the square by that of its terms.
+    pub(super) fn size(&self) -> f64 {
+        let [first, second] = [self.s.length() + self.t.length(), self.ss.length() + self.tt.length()];
+        self.value.length() + first + self.st.length() + 0.5 * second
+    }
+
     /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
     /// polynomial does not exceed (convex hull property).
     #[must_use]

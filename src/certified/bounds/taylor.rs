@@ -13,6 +13,7 @@
 
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
+use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
 use super::{CellContext, Quadratic, UpperBound};
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
@@ -31,13 +32,26 @@ impl UpperBound for Taylor {
         }
         let facing = CellPair::new(context, &foot);
         let difference = facing.difference(&facing.linearized());
-        let length = difference.quadratic.max_length_squared().sqrt();
+        let quadratic = &difference.quadratic;
+        let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
         let mut bound = length + difference.remainder(Bounds::Patch);
         if length <= threshold && bound > threshold {
             bound = length + difference.remainder(Bounds::Local);
         }
         Some(if bound < lipschitz { bound } else { lipschitz })
     }
+}
+
+/// Roundings of a sum of remainders, relative to it.
+const REMAINDER_ROUNDINGS: f64 = 32.0;
+
+/// Roundings of a coefficient of `|Q|²`, relative to the square of the size of
+/// Q's terms (lemma R8).
+const COEFFICIENT_ROUNDINGS: f64 = 40.0;
+
+/// An upper bound on the rounding error of the coefficients of `|Q|²`.
+pub(super) fn coefficient_error(quadratic: &Quadratic) -> f64 {
+    COEFFICIENT_ROUNDINGS * UNIT_ROUNDOFF * quadratic.size().powi(2)
 }
 
 /// Derivative bounds over whole patches, or over the parts of them that are
@@ -101,7 +115,8 @@ pub(super) struct Difference<'a> {
 }
 
 impl Difference<'_> {
-    /// An upper bound on the distance between the difference and its quadratic.
+    /// An upper bound on the distance between the difference and its computed
+    /// quadratic: Taylor's remainders and the rounding of the derivatives (lemma R8).
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
@@ -110,7 +125,11 @@ impl Difference<'_> {
             Bounds::Patch => (context.patch_bounds(), *b.extended_bounds(foot.patch, low, high)),
             Bounds::Local => (context.local_bounds(), b.bounds(foot.patch, low, high)),
         };
-        taylor_remainder(of_a, context.cell.half) + taylor_remainder(&of_b, self.map.extent().to_array())
+        let (half, extent) = (context.cell.half, self.map.extent().to_array());
+        let remainder = taylor_remainder(of_a, half) + taylor_remainder(&of_b, extent);
+        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
+            + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
+            + b.jet_scale(foot.patch).quadratic_error(extent, JET_ROUNDINGS)
     }
 }
 

@@ -10,7 +10,7 @@ pub(crate) use feet::Foot;
 pub(super) use feet::{Feet, Sample};
 
 use super::Operand;
-use crate::closest::{self, NearbyPatch, closest_above, nearest_control, newton_below};
+use crate::closest::{self, NearbyPatch, NearbyPatches, closest_above, nearest_control, newton_below};
 use glam::DVec3;
 use shortlist::Shortlist;
 
@@ -35,9 +35,6 @@ pub(super) struct Query {
     pub(super) known: Foot,
     /// A foot within this distance ends the query.
     pub(super) sufficient: f64,
-    /// Patches are not examined that can be nearer than the nearest foot by at
-    /// most this distance.
-    pub(super) margin: f64,
 }
 
 impl<'a> NearestPoint<'a> {
@@ -68,7 +65,7 @@ impl<'a> NearestPoint<'a> {
     /// The nearest foot found, or the first within `sufficient`. O(log patches)
     /// in general position.
     pub(super) fn nearest(&self, target: DVec3, known: Foot, sufficient: f64) -> Foot {
-        self.near(&Query { target, known, sufficient, margin: 0.0 }).nearest()
+        self.near(&Query { target, known, sufficient }).nearest()
     }
 
     /// The nearest foot by the certified search, of which the distance is
@@ -98,6 +95,13 @@ impl<'a> NearestPoint<'a> {
         traversal.feet
     }
 
+    /// The listed patches, if all patches that can be nearest to the target are listed.
+    pub(super) fn shortlist(&self, target: DVec3) -> &[NearbyPatch] {
+        let nearby = self.shortlist.nearby.as_ref();
+        let is_near = |nearby: &&NearbyPatches| nearby.center.distance(target) < nearby.margin();
+        nearby.filter(is_near).map_or(&[], |nearby| &nearby.list)
+    }
+
     /// Forgets the patches queried so far; see [`NearestPoint::update_shortlist`].
     pub(super) fn reset_queries(&mut self) {
         self.shortlist.reset_queries();
@@ -115,31 +119,26 @@ struct Traversal<'a> {
     service: &'a NearestPoint<'a>,
     query: Query,
     feet: Feet,
-    /// Squared distance below which a patch is examined.
-    bound_squared: f64,
     sufficient_squared: f64,
 }
 
 impl<'a> Traversal<'a> {
     fn new(service: &'a NearestPoint<'_>, query: &Query) -> Self {
-        let mut traversal = Self {
+        Self {
             service,
             query: *query,
             feet: Feet::new(query.known),
-            bound_squared: 0.0,
             sufficient_squared: query.sufficient.max(0.0) * query.sufficient,
-        };
-        traversal.tighten();
-        traversal
+        }
     }
 
     fn is_done(&self) -> bool {
-        self.feet.nearest().distance_squared <= self.sufficient_squared
+        self.bound_squared() <= self.sufficient_squared
     }
 
-    fn tighten(&mut self) {
-        let bound = (self.feet.nearest().distance() - self.query.margin).max(0.0);
-        self.bound_squared = bound * bound;
+    /// The squared distance below which a patch is examined.
+    fn bound_squared(&self) -> f64 {
+        self.feet.nearest().distance_squared
     }
 
     /// Examines the listed patches; returns whether no other can be nearer.
@@ -152,14 +151,14 @@ impl<'a> Traversal<'a> {
         for candidate in &nearby.list {
             let NearbyPatch { patch, parameters, lower_bound: least, .. } = *candidate;
             let lower_bound = (least - moved).max(0.0);
-            if lower_bound * lower_bound >= self.bound_squared || self.is_done() {
+            if lower_bound * lower_bound >= self.bound_squared() || self.is_done() {
                 break;
             }
-            if nearby.lower_bound_squared(candidate, self.query.target) < self.bound_squared {
+            if nearby.lower_bound_squared(candidate, self.query.target) < self.bound_squared() {
                 self.examine(patch, parameters);
             }
         }
-        self.bound_squared.sqrt() <= nearby.radius - moved
+        self.bound_squared().sqrt() <= nearby.radius - moved
     }
 
     fn examine_tree(&mut self) {
@@ -172,7 +171,7 @@ impl<'a> Traversal<'a> {
         while height > 0 && !self.is_done() {
             height -= 1;
             let (distance_squared, index) = stack[height];
-            if distance_squared >= self.bound_squared {
+            if distance_squared >= self.bound_squared() {
                 continue;
             }
             let node = &nodes[index];
@@ -185,7 +184,7 @@ impl<'a> Traversal<'a> {
                     [(to_left, left), (to_right, right)]
                 };
                 for (distance_squared, child) in children {
-                    if distance_squared < self.bound_squared {
+                    if distance_squared < self.bound_squared() {
                         stack[height] = (distance_squared, child);
                         height += 1;
                     }
@@ -193,7 +192,7 @@ impl<'a> Traversal<'a> {
                 continue;
             }
             let patch = operand.target.tree.primitive(node);
-            if operand.target.boxes[patch as usize].min_distance_squared(target) < self.bound_squared {
+            if operand.target.boxes[patch as usize].min_distance_squared(target) < self.bound_squared() {
                 self.examine(patch, nearest_control(&operand.patch(patch), target));
             }
         }
@@ -202,7 +201,6 @@ impl<'a> Traversal<'a> {
     /// Adds the foot on a patch from a start.
     fn examine(&mut self, patch: u32, start: [f64; 2]) {
         self.service.shortlist.count_query();
-        self.feet.add(self.service.on_patch_below(self.query.target, patch, start, self.bound_squared));
-        self.tighten();
+        self.feet.add(self.service.on_patch_below(self.query.target, patch, start, self.bound_squared()));
     }
 }

@@ -10,11 +10,11 @@ pub(crate) use node::{Domain, SearchNode};
 use super::ascent::{ascend_across, starting_points};
 use super::bounds::{self, CellContext};
 use super::nearest::{Feet, Foot, NearestPoint, Query, Sample};
+use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
 use super::{Cell, Pair};
 use crate::bezier::Patch;
 use crate::closest::closest_above;
 use crate::parallel::{is_few, map_short, together};
-use crate::rounding::coordinate_rounding;
 use frontier::Frontier;
 use incumbent::Incumbent;
 
@@ -24,11 +24,6 @@ const CHUNK: usize = 1024;
 
 /// Half-width of a cell that float64 does not usefully halve further.
 const MIN_HALF_WIDTH: f64 = 1e-12;
-
-/// Rounding of a bound in those of coordinates: a cell's sums take fewer than
-/// some hundred roundings of 2^-53 each, and a flat piece's control points,
-/// extended beyond an edge, are off by less than 600; 1024 in all.
-const ROUNDING: f64 = 8.0;
 
 /// Part of the tolerance that rounding and slack may take. Where they take more,
 /// the interval cannot be as narrow as requested, and the search stops at the
@@ -43,11 +38,6 @@ const FOOT_PART: f64 = 0.25;
 
 /// The farthest samples of a chunk from which an ascent starts.
 const MAX_ASCENTS: usize = 8;
-
-/// The nearest patch of a cell's centre need not be examined where it can be
-/// nearer than a known one by this many radii of the cell only: the bound is
-/// about as good, and most of several patches at equal distance are skipped.
-const FOOT_MARGIN_IN_RADII: f64 = 0.15;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -83,6 +73,8 @@ struct Goal {
     rounding: f64,
     /// How much farther a point of A may be than the points that are searched.
     slack: f64,
+    /// The part of an interval's width that rounding and slack take.
+    lost: f64,
 }
 
 /// Counters of the work done.
@@ -136,15 +128,15 @@ impl<'a> BranchAndBound<'a> {
     /// `limit` until the distance is known to exceed it or not. Points of A
     /// may be farther by `slack` than those that the operand represents.
     pub(crate) fn new(pair: Pair<'a>, tolerance: f64, limit: Option<f64>, slack: f64) -> Self {
-        let rounding = ROUNDING * coordinate_rounding(largest_coordinate(&pair));
-        // Twice, as both ends of the interval are rounded.
-        let lost = slack + 2.0 * rounding;
+        let rounding = point_error(&pair);
+        // Both ends of the interval are rounded, and so is a certified distance.
+        let lost = slack + 2.0 * rounding + closest_point_error(&pair);
         let reachable = if lost < MAX_ROUNDING_PART * tolerance { tolerance - lost } else { lost };
         let root = SearchNode::root(bounds::whole_models(&pair));
         let mut search = Self {
             pair,
             nearest: NearestPoint::new(pair.b),
-            goal: Goal { tolerance: reachable, limit, rounding, slack },
+            goal: Goal { tolerance: reachable, limit, rounding, slack, lost },
             frontier: Frontier::new(root),
             incumbent: Incumbent::default(),
             exhausted: false,
@@ -158,13 +150,13 @@ impl<'a> BranchAndBound<'a> {
     pub(crate) fn interval(&self) -> Interval {
         let lower = self.incumbent.lower_bound();
         let upper = lower.max(self.incumbent.pruned_upper_bound()).max(self.frontier.upper_bound());
-        Interval { lower, upper: upper + self.goal.slack + self.goal.rounding }
+        Interval { lower, upper: rounded_up(upper) + self.goal.slack + self.goal.rounding }
     }
 
     /// The least width that an interval can be requested to have, given the
     /// rounding of these coordinates.
     pub(crate) fn min_tolerance(&self) -> f64 {
-        (self.goal.slack + 2.0 * self.goal.rounding) / MAX_ROUNDING_PART
+        self.goal.lost / MAX_ROUNDING_PART
     }
 
     pub(crate) fn witness(&self) -> Option<&Witness> {
@@ -214,9 +206,9 @@ impl<'a> BranchAndBound<'a> {
     /// The pruning threshold: a node whose upper bound is at most this is not
     /// searched further.
     pub(crate) fn prune_threshold(&self) -> f64 {
-        let Goal { tolerance, limit, rounding, slack } = self.goal;
+        let Goal { tolerance, limit, rounding, slack, .. } = self.goal;
         let within = self.incumbent.lower_bound() + tolerance;
-        limit.map_or(within, |limit| within.max(limit - rounding - slack))
+        limit.map_or(within, |limit| within.max(before_rounding_up(limit - rounding - slack)))
     }
 
     /// Takes the next cells out, at most `count`. They must come back by
@@ -322,7 +314,10 @@ impl<'a> BranchAndBound<'a> {
     fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
         let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
         let mut upper = bounds::with_any_foot(&mut context, threshold);
-        if !(upper <= threshold) {
+        if upper > threshold {
+            upper = upper.min(bounds::with_carrying_feet(&mut context, threshold));
+        }
+        if upper > threshold {
             self.find_nearest_feet(&mut context, node, threshold);
             upper = upper.min(bounds::with_nearest_feet(&mut context, threshold));
         }
@@ -335,8 +330,7 @@ impl<'a> BranchAndBound<'a> {
         let (target, known) = (context.jet.point, context.foot());
         // The first patch of a leaf has the leaf's point, whose nearest foot is known.
         if !(is_whole && known.distance_squared == node.foot.distance_squared) {
-            let margin = if is_whole { 0.0 } else { FOOT_MARGIN_IN_RADII * context.radius };
-            let query = Query { target, known, sufficient: threshold - context.radius, margin };
+            let query = Query { target, known, sufficient: threshold - context.radius };
             context.set_feet(self.nearest.near(&query));
         }
         // The parent's foot and this one are close to the threshold although no
@@ -430,13 +424,4 @@ impl<'a> BranchAndBound<'a> {
 
 fn is_too_small(node: &SearchNode) -> bool {
     matches!(&node.domain, Domain::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF_WIDTH)
-}
-
-/// An upper bound on the coordinates of both operands, before and after the motion.
-fn largest_coordinate(pair: &Pair<'_>) -> f64 {
-    let [a, b] = [&pair.a, &pair.b].map(|operand| {
-        let root = operand.target.tree.nodes().first();
-        root.map_or(0.0, |root| root.aabb.min.abs().max(root.aabb.max.abs()).max_element())
-    });
-    a + pair.transform.offset().abs().max_element() + b
 }

@@ -153,7 +153,7 @@ impl GpuCertified {
     /// Bounds the cells of the nodes and their descendants of some levels.
     pub(crate) async fn bound(&self, nodes: &[SearchNode], prune_threshold: f64) -> Result<BatchResult> {
         let mut result = BatchResult::default();
-        let cells = self.cells(nodes, &mut result.waiting);
+        let cells = self.cells(nodes, &mut result);
         let Buffers { params, cells: buffers, leftover_cells, tally, .. } = &self.buffers;
         self.upload_level(&cells);
         let mut submission = Submission::new(&self.gpu, params);
@@ -190,19 +190,20 @@ impl GpuCertified {
         Ok(result)
     }
 
-    /// The cells of the nodes, on one subpatch each. Nodes whose cells exceed
-    /// the capacity are appended to `waiting` instead.
-    pub(crate) fn cells(&self, nodes: &[SearchNode], waiting: &mut Vec<SearchNode>) -> Vec<CellState> {
+    /// The cells of the nodes, on one subpatch each. Nodes whose cells exceed the
+    /// capacity are left waiting in the result, and nodes that float32 does not
+    /// represent exactly are left to float64.
+    pub(crate) fn cells(&self, nodes: &[SearchNode], result: &mut BatchResult) -> Vec<CellState> {
         let mut cells = Vec::new();
         for node in nodes {
-            let before = cells.len();
-            if let Domain::Cell(cell) = &node.domain {
-                let intersections = self.subpatches[0].intersections(cell);
-                cells.extend(intersections.map(|cell| self.cell_state(&cell, node)));
-            }
-            if cells.len() > CAPACITY {
-                cells.truncate(before);
-                waiting.push(*node);
+            let Domain::Cell(cell) = &node.domain else { continue };
+            let intersections: Vec<SubpatchCell> = self.subpatches[0].intersections(cell).collect();
+            if !intersections.iter().all(SubpatchCell::is_exact_in_float32) {
+                result.undecided.push(*node);
+            } else if cells.len() + intersections.len() > CAPACITY {
+                result.waiting.push(*node);
+            } else {
+                cells.extend(intersections.iter().map(|cell| self.cell_state(cell, node)));
             }
         }
         cells
@@ -245,7 +246,7 @@ impl GpuCertified {
 
     fn cell_state(&self, cell: &SubpatchCell, node: &SearchNode) -> CellState {
         CellState {
-            // Dyadic numbers of few digits, so that float32 is exact.
+            // Exact, see `SubpatchCell::is_exact_in_float32`.
             center: cell.center.map(|x| x as f32),
             half: cell.half.map(|x| x as f32),
             subpatch: self.uploaded[0].index_of(cell.subpatch),

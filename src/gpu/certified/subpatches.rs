@@ -1,5 +1,6 @@
 //! Patches cut into subpatches that are small enough for float32.
 
+use super::level::LEVELS;
 use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::certified::Cell;
@@ -48,6 +49,21 @@ pub(crate) struct SubpatchCell {
     pub(crate) center: [f64; 2],
     /// Half the widths in σ and τ.
     pub(crate) half: [f64; 2],
+}
+
+/// The smallest half-width of a cell that kernels take. The centres of its
+/// descendants within one submission are multiples of 2^-23 in [-1, 1], which
+/// float32 represents exactly.
+const MIN_HALF_WIDTH: f64 = 1.0 / (1_u32 << (23 - LEVELS - 1)) as f64;
+
+impl SubpatchCell {
+    /// Whether float32 represents the cell and all its descendants within one
+    /// submission exactly.
+    pub(crate) fn is_exact_in_float32(&self) -> bool {
+        let is_exact = |&x: &f64| f64::from(x as f32) == x;
+        self.center.iter().chain(&self.half).all(is_exact)
+            && self.half.iter().all(|&half| half >= MIN_HALF_WIDTH)
+    }
 }
 
 /// The moved subpatches of one model; those of a patch are consecutive.

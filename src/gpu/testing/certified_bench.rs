@@ -1,7 +1,7 @@
 //! Method `certified` stage by stage on one level of cells, for `benches`.
 
 use crate::bezier::{LocalDerivativeBounds, extract};
-use crate::certified::{BranchAndBound, Operand, Pair};
+use crate::certified::{BatchResult, BranchAndBound, Operand, Pair};
 use crate::closest::Target;
 use crate::error::Result;
 use crate::flatness::{Flatness, flatten};
@@ -78,7 +78,7 @@ impl CertifiedBench {
             }
         }
         let Some(driver) = GpuCertified::new(gpu, &search)? else { return Ok(None) };
-        let cells = driver.cells(&search.take_batch(cells), &mut Vec::new());
+        let cells = driver.cells(&search.take_batch(cells), &mut BatchResult::default());
         let params = driver.params(search.prune_threshold());
         Ok(Some(Self { gpu: Rc::clone(gpu), driver, cells, params }))
     }

@@ -54,7 +54,7 @@ pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<Nurbs
 /// Returns `model` with every surface refitted through `count` × `count` points.
 ///
 /// # Errors
-/// As [`refit_surface`].
+/// Those of [`refit_surface`].
 pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
     let surfaces = model.surfaces().iter().map(|surface| refit_surface(surface, [count; 2]));
     Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)

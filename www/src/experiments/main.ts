@@ -1,28 +1,28 @@
-// The page of experiments: the panel's choice swept, drawn as it runs.
+// The page of experiments: runs the sweep that the form describes, and draws it.
 import "uplot/dist/uPlot.min.css";
-import { element } from "../elements.ts";
-import { engineText } from "../engine-text.ts";
-import { axisNumber } from "./axis-number.ts";
-import * as choice from "./choice.ts";
-import * as methodList from "./method-list.ts";
+import { element } from "../common/elements.ts";
+import { engineText } from "../common/engineText.ts";
+import { axisNumber } from "./charts/axisNumber.ts";
+import { Plots } from "./charts/plots.ts";
+import * as form from "./form.ts";
+import * as methodList from "./methodList.ts";
 import { notesOf } from "./notes.ts";
-import type { Curve, Failure } from "./outcome.ts";
-import { Plots } from "./plots.ts";
-import { Reading } from "./reading.ts";
-import { Runs } from "./runs.ts";
-import { Sweep } from "./sweep.ts";
-import { csv } from "./table.ts";
+import { Readout } from "./readout.ts";
+import { Runs } from "./sweep/runs.ts";
+import { Sweep } from "./sweep/sweep.ts";
+import type { Curve, Failure } from "./sweep/sweepPoint.ts";
+import { csv } from "./sweep/table.ts";
 
 const runs = new Runs(
-  ({ backend, adapter, shapes }) => {
-    choice.nameShapes(shapes);
-    element("engine").textContent = engineText(backend, adapter);
-    tellState("ready", "ready");
+  ({ engine, shapes }) => {
+    form.setShapeTitles(shapes);
+    element("engine").textContent = engineText(engine);
+    setState("ready", "ready");
   },
-  (failure) => tellFailure(failure),
+  (failure) => showFailure(failure),
 );
-const reading = new Reading();
-const plots = new Plots((index) => reading.at(index));
+const readout = new Readout();
+const plots = new Plots(methodList.colorOf, (index) => readout.showPosition(index));
 const [start, stop] = [element("run", HTMLButtonElement), element("stop", HTMLButtonElement)];
 const save = element("save", HTMLButtonElement);
 const progress = element("progress", HTMLProgressElement);
@@ -30,79 +30,79 @@ const error = element("error");
 
 let sweep: Sweep | undefined;
 let curves: readonly Curve[] = [];
-let swept = "";
+let pairName = "";
 
-choice.offer();
+form.fill();
 element("panel").addEventListener("submit", (event) => {
   event.preventDefault();
   void run();
 });
 stop.addEventListener("click", () => {
-  tellState("stopping", "stopping");
+  setState("stopping", "stopping");
   sweep?.stop();
 });
 save.addEventListener("click", () => {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([csv(curves)], { type: "text/csv" }));
-  link.download = `sweep-${swept}.csv`;
+  link.download = `sweep-${pairName}.csv`;
   link.click();
   URL.revokeObjectURL(link.href);
 });
 
 async function run(): Promise<void> {
   error.hidden = true;
-  const plan = choice.plan();
-  const sources = choice.sources();
+  const plan = form.plan();
+  const sources = form.sources();
   if (sources === undefined) {
-    tellState("ready", "Open a file as A or B first.");
+    setState("ready", "Open a file as A or B first.");
     return;
   }
   start.disabled = true;
-  tellState("loading", "loading the models");
+  setState("loading", "loading the models");
   const loaded = await runs.load(sources);
   if ("failure" in loaded) {
-    tellFailure(loaded.failure);
+    showFailure(loaded.failure);
     return;
   }
   stop.disabled = false;
-  swept = plan.pair.name;
+  pairName = plan.pair.name;
   sweep = new Sweep(runs, plan, loaded.value);
   const ended = await sweep.run({
-    onBegin(positions, begun) {
-      curves = begun;
-      progress.max = positions.length * begun.length;
+    onBegin(positions, newCurves) {
+      curves = newCurves;
+      progress.max = positions.length * newCurves.length;
       progress.value = 0;
       save.disabled = false;
-      for (const { name } of choice.entries()) methodList.tell(name, []);
+      for (const { name } of form.entries()) methodList.setNotes(name, []);
       element("plots").hidden = false;
-      plots.show(positions, begun);
-      reading.show(positions, begun);
+      plots.show(positions, newCurves);
+      readout.show(positions, newCurves);
     },
     onRun(position, { name }) {
-      tellState("running", `${name} at ${axisNumber(position)}`);
+      setState("running", `${name} at ${axisNumber(position)}`);
     },
-    onOutcome() {
+    onPoint() {
       progress.value += 1;
       plots.update();
-      reading.follow();
-      for (const curve of curves) methodList.tell(curve.method.name, notesOf(curve));
+      readout.update();
+      for (const curve of curves) methodList.setNotes(curve.method.name, notesOf(curve));
     },
   });
-  tellState(ended ? "done" : "stopped", ended ? "done" : "stopped");
+  setState(ended ? "done" : "stopped", ended ? "done" : "stopped");
   start.disabled = false;
   stop.disabled = true;
 }
 
-/** What tests and other programs may read is in the data attribute. */
-function tellState(state: string, text: string): void {
+/** Sets the state, which tests and other programs can read from the data attribute. */
+function setState(state: string, text: string): void {
   element("sweep").dataset.state = state;
   element("status").textContent = text;
 }
 
-function tellFailure({ code, message }: Failure): void {
+function showFailure({ code, message }: Failure): void {
   error.hidden = false;
   error.dataset.code = code;
   error.textContent = `${code}: ${message}`;
-  tellState("failed", "failed");
+  setState("failed", "failed");
   start.disabled = false;
 }

@@ -1,31 +1,31 @@
-// What a reader must know of a curve, and does not see.
-import { axisNumber } from "./axis-number.ts";
-import type { Curve, Outcome } from "./outcome.ts";
+// Notes on a curve that the plots do not show.
+import { axisNumber } from "./charts/axisNumber.ts";
+import type { Curve, SweepPoint } from "./sweep/sweepPoint.ts";
 
-/** Positions that are named one by one, at most. */
-const FEW = 3;
+/** The largest number of positions that are listed one by one. */
+const MAX_LISTED = 3;
 
-/** Failures by their code, what was left out with the reason, and intervals wider than asked. */
-export function notesOf({ method, outcomes }: Curve): string[] {
-  const byCode = new Map<string, Outcome[]>();
-  for (const outcome of outcomes) {
-    const { failure } = outcome;
+/** Returns the failures by code, the reasons for runs left out, and the intervals wider than the tolerance. */
+export function notesOf({ method, points }: Curve): string[] {
+  const byCode = new Map<string, SweepPoint[]>();
+  for (const point of points) {
+    const { failure } = point;
     if (failure === undefined) continue;
-    byCode.set(failure.code, [...(byCode.get(failure.code) ?? []), outcome]);
+    byCode.set(failure.code, [...(byCode.get(failure.code) ?? []), point]);
   }
   const failures = [...byCode].map(([code, failed]) => {
-    const why = failed[0]?.failure?.message ?? "";
-    if (code === "left-out") return `left out: ${why}`;
-    return `${code} ${places(failed)}; ${failed.length > 1 ? "first" : "there"}: ${why}`;
+    const reason = failed[0]?.failure?.message ?? "";
+    if (code === "left-out") return `left out: ${reason}`;
+    return `${code} ${positionsText(failed)}; ${failed.length > 1 ? "the first: " : ""}${reason}`;
   });
-  const loose = outcomes.filter(
+  const wide = points.filter(
     ({ result }) => method.options.method === "certified" && result?.converged === false,
   );
-  if (loose.length === 0) return failures;
-  return [...failures, `interval wider than asked ${places(loose)}: out of time`];
+  if (wide.length === 0) return failures;
+  return [...failures, `interval wider than the tolerance ${positionsText(wide)}: time limit`];
 }
 
-function places(outcomes: Outcome[]): string {
-  if (outcomes.length > FEW) return `at ${outcomes.length} positions`;
-  return `at ${outcomes.map(({ position }) => axisNumber(position)).join(", ")}`;
+function positionsText(points: SweepPoint[]): string {
+  if (points.length > MAX_LISTED) return `at ${points.length} positions`;
+  return `at ${points.map(({ position }) => axisNumber(position)).join(", ")}`;
 }

@@ -1,16 +1,16 @@
-//! The names of the series, beside the curves so that they hide none.
+//! The legend, next to the curves so that it covers none.
 
 use super::{Series, Style};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 
-/// Pixels between two names, from the top to the first, and of a name's line.
+/// The pixels between two names, from the top to the first, and of a sample line.
 const SPACING: i32 = 22;
 const TOP: i32 = 52;
 const SAMPLE: i32 = 26;
 
-/// What is drawn of a broken line.
+/// The dashes of a sample of a dashed line, from pixel to pixel.
 const DASHES: &[(i32, i32)] = &[(0, 6), (10, 16), (20, SAMPLE)];
 
 /// Draws a line and a name for each of `series`.

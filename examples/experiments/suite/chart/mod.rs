@@ -1,4 +1,4 @@
-//! Figures: panels of curves, one below the other, as SVG.
+//! Figures as SVG: panels of curves, one below the other.
 
 mod legend;
 mod panel;
@@ -11,14 +11,14 @@ use plotters::prelude::*;
 use std::error::Error;
 use std::path::Path;
 
-/// Width of a figure and height of one of its panels, in pixels.
+/// The width of a figure and the height of one of its panels, in pixels.
 const WIDTH: u32 = 860;
 const PANEL_HEIGHT: u32 = 330;
 
-/// Width kept for the legend, right of the curves.
+/// The width of the legend, to the right of the curves.
 const LEGEND_WIDTH: u32 = 250;
 
-/// Attributes that say what SVG assumes anyway: a quarter of a figure's bytes.
+/// Attributes that equal SVG's defaults, a quarter of a figure's bytes.
 const DEFAULTS: [&str; 3] = [" opacity=\"1\"", " stroke=\"none\"", " stroke-width=\"1\""];
 
 /// Draws `panels` from top to bottom into the file `path`.

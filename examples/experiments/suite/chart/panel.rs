@@ -1,4 +1,4 @@
-//! One panel: axes, a mesh, and curves.
+//! One panel of a figure: axes, a grid and curves.
 
 use super::{Series, Style};
 use plotters::coord::Shift;
@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use std::error::Error;
 use std::ops::Range;
 
-/// What an axis shows.
+/// The label and the scale of an axis.
 #[derive(Debug, Clone)]
 pub(crate) struct Axis {
     label: String,
@@ -15,21 +15,22 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Even steps.
+    /// Makes an axis with a linear scale.
     pub(crate) fn linear(label: impl Into<String>) -> Self {
         Self { label: label.into(), logarithmic: false }
     }
 
-    /// Even steps of orders of magnitude; numbers up to 0 are left out.
+    /// Makes an axis with a logarithmic scale; numbers up to 0 are left out.
     pub(crate) fn logarithmic(label: impl Into<String>) -> Self {
         Self { label: label.into(), logarithmic: true }
     }
 
+    /// Returns whether the scale contains a value.
     fn shows(&self, value: f64) -> bool {
         value.is_finite() && (!self.logarithmic || value > 0.0)
     }
 
-    /// The range of `values` with room at both ends.
+    /// Returns the range of `values` with a margin at both ends.
     fn range(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
         let (low, high) = values
             .filter(|&value| self.shows(value))
@@ -38,22 +39,23 @@ impl Axis {
             return if self.logarithmic { 1.0..10.0 } else { 0.0..1.0 };
         }
         if self.logarithmic {
-            let (low, high) = (low / LOGARITHMIC_ROOM, high * LOGARITHMIC_ROOM);
-            // Ticks stand at whole orders of magnitude: two at least.
-            let several = high.log10().floor() - low.log10().ceil() >= 1.0;
-            let out = 10_f64.powf(low.log10().floor())..10_f64.powf(high.log10().ceil());
-            return if several { low..high } else { out };
+            let (low, high) = (low / LOGARITHMIC_MARGIN, high * LOGARITHMIC_MARGIN);
+            // Ticks are at whole orders of magnitude; there must be two.
+            let has_ticks = high.log10().floor() - low.log10().ceil() >= 1.0;
+            let widened = 10_f64.powf(low.log10().floor())..10_f64.powf(high.log10().ceil());
+            return if has_ticks { low..high } else { widened };
         }
-        let room = if high > low { LINEAR_ROOM * (high - low) } else { LINEAR_ROOM * high.abs().max(1.0) };
-        low - room..high + room
+        let margin =
+            if high > low { LINEAR_MARGIN * (high - low) } else { LINEAR_MARGIN * high.abs().max(1.0) };
+        low - margin..high + margin
     }
 }
 
-/// Room at the ends of an axis: a part of its length, or a factor above.
-const LINEAR_ROOM: f64 = 0.05;
-const LOGARITHMIC_ROOM: f64 = 1.15;
+/// The margins at the ends of an axis: a fraction of its length, or a factor.
+const LINEAR_MARGIN: f64 = 0.05;
+const LOGARITHMIC_MARGIN: f64 = 1.15;
 
-/// A title, two axes and what is drawn between them.
+/// A title, two axes and the curves between them.
 #[derive(Debug, Clone)]
 pub(crate) struct Panel {
     pub(crate) title: String,
@@ -124,11 +126,11 @@ impl Panel {
     }
 }
 
-/// Numbers from a thousandth to ten thousand with the digits they need, others
-/// as powers of ten.
+/// Writes numbers from 0.001 to 100,000 with the digits required, others with
+/// exponents.
 fn short(value: f64) -> String {
     let size = value.abs();
-    // A tick at 0 comes with the rounding of the steps to it.
+    // Rounding of the steps moves a tick at 0 slightly.
     const ZERO: f64 = 1e-12;
     if size < ZERO {
         return "0".to_owned();

@@ -1,8 +1,8 @@
-//! A curve, or points.
+//! Curves of a chart.
 
 use plotters::style::RGBColor;
 
-/// Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
+/// Colours that colour-blind readers can distinguish (Okabe and Ito 2008).
 const COLORS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -13,14 +13,14 @@ const COLORS: [RGBColor; 7] = [
     RGBColor(70, 70, 70),
 ];
 
-/// How a series is drawn.
+/// The style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {
     /// A line with a mark at every point.
     Marked,
     /// A line.
     Line,
-    /// A broken line, for bounds.
+    /// A dashed line, for bounds.
     Dashed,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Series {
 }
 
 impl Series {
-    /// `color` is a number; from 7 on they repeat.
+    /// Makes a series; `color` is an index, and the colours repeat from 7 on.
     pub(crate) fn new(
         name: impl Into<String>,
         color: usize,
@@ -44,7 +44,7 @@ impl Series {
         Self { name: name.into(), color: COLORS[color % COLORS.len()], style, points }
     }
 
-    /// The unbroken parts of the line whose points `keep` accepts.
+    /// Returns the unbroken parts of the line that consist of points accepted by `keep`.
     pub(crate) fn parts(&self, keep: impl Fn(&[f64; 2]) -> bool) -> Vec<Vec<(f64, f64)>> {
         self.points
             .split(|point| !point.as_ref().is_some_and(&keep))

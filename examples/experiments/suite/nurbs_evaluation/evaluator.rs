@@ -1,11 +1,10 @@
-//! A NURBS surface evaluated from its own knots and control points.
+//! Evaluation of a NURBS surface from its own knots and control points.
 
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use nurbs_hausdorff::bezier::MAX_ORDER;
 use nurbs_hausdorff::{Axis, NurbsSurface};
 
-/// A surface with homogeneous control points and the parameters that each is
-/// near to.
+/// A surface with its homogeneous control points and their Greville abscissae.
 pub(super) struct NurbsEvaluator<'a> {
     surface: &'a NurbsSurface,
     controls: Vec<DVec4>,
@@ -28,7 +27,7 @@ impl<'a> NurbsEvaluator<'a> {
         Self { surface, controls: surface.control_points().iter().map(homogeneous).collect(), greville }
     }
 
-    /// The point at (u, v) and its first derivatives (Piegl and Tiller, *The
+    /// Returns the point at (u, v) and its first derivatives (Piegl and Tiller, *The
     /// NURBS Book*, algorithms A2.1 and A2.3, eq. 4.20).
     fn jet(&self, at: [f64; 2]) -> [DVec3; 3] {
         let [(row, in_u), (column, in_v)] = Axis::BOTH.map(|axis| self.basis(axis, at[axis]));
@@ -49,8 +48,8 @@ impl<'a> NurbsEvaluator<'a> {
         [point, (u.xyz() - u.w * point) / h.w, (v.xyz() - v.w * point) / h.w]
     }
 
-    /// The first basis function of the span of `t`, and the values and
-    /// derivatives of those that do not vanish there.
+    /// Returns the index of the first basis function of the span of `t`, and the
+    /// values and derivatives of the functions that do not vanish there.
     fn basis(&self, axis: Axis, t: f64) -> (usize, [Values; 2]) {
         let knots = self.surface.knots(axis);
         let (degree, count) = (self.surface.degree()[axis], self.surface.counts()[axis]);
@@ -79,19 +78,19 @@ impl<'a> NurbsEvaluator<'a> {
         (span - degree, [values, derivatives])
     }
 
-    /// The distance from `target` where the 2012 paper's iteration ends, from
-    /// the control point nearest to the target, over the whole domain.
+    /// Returns the distance from `target` at the end of the 2012 paper's iteration over
+    /// the whole domain, which starts at the control point nearest to the target.
     pub(super) fn tangent_plane(&self, target: DVec3, steps: u32, tolerance: f64) -> f64 {
-        let of = |control: &DVec4| (control.xyz() / control.w).distance_squared(target);
+        let distance_squared = |control: &DVec4| (control.xyz() / control.w).distance_squared(target);
         let nearest = (0..self.controls.len())
-            .map(|index| (of(&self.controls[index]), index))
-            .fold((f64::INFINITY, 0), |best, this| if this.0 < best.0 { this } else { best })
+            .map(|index| (distance_squared(&self.controls[index]), index))
+            .fold((f64::INFINITY, 0), |best, candidate| if candidate.0 < best.0 { candidate } else { best })
             .1;
         let columns = self.surface.counts()[1];
         let mut at = [self.greville[0][nearest / columns], self.greville[1][nearest % columns]];
         let mut jet = self.jet(at);
         for _ in 0..steps {
-            let before = jet[0].distance(target);
+            let previous = jet[0].distance(target);
             let [point, u, v] = jet;
             let residual = target - point;
             let [uu, uv, vv] = [u.dot(u), u.dot(v), v.dot(v)];
@@ -104,7 +103,7 @@ impl<'a> NurbsEvaluator<'a> {
             let domain = self.surface.domain();
             at = [0, 1].map(|axis| (at[axis] + step[axis]).clamp(domain[axis][0], domain[axis][1]));
             jet = self.jet(at);
-            if (jet[0].distance(target) - before).abs() < tolerance {
+            if (jet[0].distance(target) - previous).abs() < tolerance {
                 break;
             }
         }

@@ -1,4 +1,4 @@
-//! Evaluations a second of the two kernels of `evaluation.wgsl`.
+//! The evaluations per second of the two kernels of `evaluation.wgsl`.
 
 use crate::suite::Anyhow;
 use nurbs_hausdorff::bezier::extract;
@@ -6,22 +6,22 @@ use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use std::time::Instant;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
-/// Entry points of the shader, and evaluations that an invocation does.
+/// The entry points of the shader, and the evaluations per invocation.
 const ENTRY_POINTS: [&str; 2] = ["bezier", "nurbs"];
 const EVALUATIONS: usize = 64;
 
-/// Invocations in one dispatch: some tens of milliseconds on a slow device.
+/// The invocations of one dispatch, which takes tens of milliseconds on a slow device.
 const INVOCATIONS: usize = 1 << 12;
 const WORKGROUP: u32 = 64;
 
-/// Dispatches of which the fastest counts.
+/// The number of dispatches, of which the fastest counts.
 const ROUNDS: usize = 10;
 
-/// How far apart the two kernels' sums may be, relative to the largest: float32
-/// and different orders of operations.
+/// The largest difference of the two kernels' sums, relative to the largest sum: they
+/// use float32 and different orders of operations.
 const AGREEMENT: f32 = 1e-3;
 
-/// A device, and pipelines that do not depend on the surface.
+/// A device with pipelines that do not depend on the surface.
 pub(super) struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
@@ -30,7 +30,7 @@ pub(super) struct Gpu {
 }
 
 impl Gpu {
-    /// `None` without an adapter.
+    /// Opens a device; `None` without an adapter.
     pub(super) fn new() -> Option<Self> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let adapter =
@@ -74,10 +74,11 @@ impl Gpu {
         Some(Self { device, queue, layout, pipelines })
     }
 
-    /// Points with tangents a second, from Bézier patches and from the NURBS
-    /// surface, a bicubic polynomial one with even knots over [0, 1].
+    /// Returns the points with tangents evaluated per second, from Bézier patches and
+    /// from the NURBS surface, which must be bicubic and polynomial with uniform knots
+    /// over [0, 1].
     ///
-    /// Fails if the kernels do not compute the same.
+    /// Fails if the results of the kernels differ.
     pub(super) fn rates(&self, surface: &NurbsSurface, quick: bool) -> Anyhow<[f64; 2]> {
         let sums = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,

@@ -1,5 +1,5 @@
-//! Evaluating the NURBS surface itself in the projection against cutting it
-//! into Bézier patches first, the 2012 paper's first open question.
+//! Projection by evaluation of the NURBS surface itself against projection on its
+//! Bézier patches, the 2012 paper's first open question.
 
 mod evaluator;
 mod kernels;
@@ -15,7 +15,7 @@ use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, project,
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use std::time::Instant;
 
-/// Control points of B along each direction.
+/// The numbers of control points of B along each axis.
 const COUNTS: [usize; 9] = [4, 6, 8, 12, 16, 24, 32, 48, 64];
 
 /// The 2012 paper's iteration on every patch.
@@ -26,24 +26,24 @@ const PUBLISHED: Rule = Rule {
     culling: Culling::None,
 };
 
-/// The certificate's width of a sample's true distance, in model units.
+/// The width of the interval of a sample's true distance, in model units.
 const TRUTH: f64 = 1e-9;
 
-/// How far the sampled sheet lies above B, in model units.
+/// The distance of the sampled sheet above B, in model units.
 const ABOVE: f64 = 0.5;
 
-/// Seconds of runs of which the fastest counts, as other work only adds.
-const ENOUGH: f64 = 0.2;
+/// The seconds for which runs are repeated; the fastest counts, as other load only adds.
+const REPEATED_SECONDS: f64 = 0.2;
 
 const COLUMNS: [&str; 5] =
     ["patches", "method", "seconds_a_sample", "missed_percent", "evaluations_a_second"];
 
-/// `nurbs-evaluation`: cost and errors of a projection by the number of
-/// patches, and evaluations a second on the GPU.
+/// `nurbs-evaluation`: the cost and the errors of a projection by the number of
+/// patches, and the evaluations per second on the GPU.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let points = samples(setup.choose(16, 6))?;
-    let names = ["Bézier: all patches", "Bézier: tree over patches", "NURBS: nearest control point"];
+    let names = ["Bézier: all patches", "Bézier: BVH over patches", "NURBS: nearest control point"];
     let mut curves: [[Vec<Option<[f64; 2]>>; 3]; 2] = Default::default();
     let mut rates: [Vec<Option<[f64; 2]>>; 2] = Default::default();
     let gpu = kernels::Gpu::new();
@@ -55,17 +55,17 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let nurbs = NurbsEvaluator::new(surface);
         let in_tree = Rule { culling: Culling::Tree, ..PUBLISHED };
         let project = |point, rule| project(&target, point, rule).distance_squared.sqrt();
-        let ways: [&dyn Fn(DVec3) -> f64; 3] =
+        let projections: [&dyn Fn(DVec3) -> f64; 3] =
             [&|point| project(point, &PUBLISHED), &|point| project(point, &in_tree), &|point| {
                 nurbs.tangent_plane(point, PUBLISHED.iterations, PUBLISHED.step_tolerance)
             }];
-        for (index, way) in ways.into_iter().enumerate() {
+        for (index, projection) in projections.into_iter().enumerate() {
             let mut seconds = f64::INFINITY;
             let mut distances = Vec::new();
             let begun = Instant::now();
-            while seconds.is_infinite() || begun.elapsed().as_secs_f64() < ENOUGH {
+            while seconds.is_infinite() || begun.elapsed().as_secs_f64() < REPEATED_SECONDS {
                 let started = Instant::now();
-                distances = points.iter().map(|&point| way(point)).collect();
+                distances = points.iter().map(|&point| projection(point)).collect();
                 seconds = seconds.min(started.elapsed().as_secs_f64() / points.len() as f64);
             }
             let is_missed = |(&point, distance): (&DVec3, f64)| {
@@ -105,7 +105,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     ];
     if gpu.is_some() {
         let names = ["Bézier patch", "NURBS surface"];
-        let y = Axis::logarithmic("millions a second");
+        let y = Axis::logarithmic("millions per second");
         panels.push(panel("Points with tangents, float32 in a kernel", y, &names, rates.into()));
     }
     setup.save("nurbs-evaluation", &table, &panels)
@@ -114,7 +114,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
 const MICROSECONDS: f64 = 1e6;
 const MILLION: f64 = 1e6;
 
-/// `count` x `count` points of another sheet above B.
+/// Returns `count` × `count` points of another sheet above B.
 fn samples(count: usize) -> Anyhow<Vec<DVec3>> {
     let bezier = extract(&wavy_sheet(&WavySheet::of_counts([14, 13], 1))?);
     let sampling = Sampling::new(&bezier, count, SamplingRule::Uniform);

@@ -1,30 +1,32 @@
-//! The two rules: the same criterion, another place to cut at.
+//! The two rules, which share a criterion and differ in the parameter of the cut.
 
 use glam::DVec3;
 use nurbs_hausdorff::Axis;
 use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
 
-/// Samples of normals along each direction of a patch.
+/// The number of samples of normals along each axis of a patch.
 const SAMPLES: usize = 9;
 
-/// Cuts of one patch along all directions together, at most.
+/// The largest number of cuts of one patch along both axes together.
 const MAX_CUTS: u32 = 8;
 
-/// The nearest that a cut comes to an end of the patch, so that pieces shrink.
-const MIN_PART: f64 = 0.15;
+/// The smallest fraction of a patch that a cut leaves, so that pieces shrink.
+const MIN_FRACTION: f64 = 0.15;
 
-/// A tangent this much shorter than the patch's longest is that of a
-/// degenerate edge, whose direction is rounding.
+/// A tangent shorter than the patch's longest by this factor belongs to a degenerate
+/// edge, and its direction is rounding.
 const DEGENERATE_RATIO: f64 = 1e-6;
 
+/// The unit normals at the samples, where they exist.
 type Normals = [[Option<DVec3>; SAMPLES]; SAMPLES];
+/// Returns the parameter at which to cut along an axis.
 pub(super) type Cut = fn(&Normals, Axis) -> f64;
 
-/// Where a patch is cut along an axis.
+/// The rules, each with its name.
 pub(super) const CUTS: [(&str, Cut); 2] =
-    [("cut in the middle", |_, _| 0.5), ("cut where turning is halved", halves_turning)];
+    [("cut in the middle", |_, _| 0.5), ("cut at half of the rotation", halves_turning)];
 
-/// The patches, cut until the normals of each span at most `degrees`.
+/// Returns the patches, cut until the normals of each differ by at most `degrees`.
 pub(super) fn cut_all(patches: &PatchSet, degrees: f64, cut: Cut) -> PatchSet {
     let mut pieces = PatchSet::default();
     for patch in patches.iter() {
@@ -44,8 +46,8 @@ fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: 
         (0..SAMPLES).map(across).fold(0.0, f64::max)
     });
     let axis = Axis::of_larger(spans);
-    let place = cut(&normals, axis).clamp(MIN_PART, 1.0 - MIN_PART);
-    for range in [[0.0, place], [place, 1.0]] {
+    let parameter = cut(&normals, axis).clamp(MIN_FRACTION, 1.0 - MIN_FRACTION);
+    for range in [[0.0, parameter], [parameter, 1.0]] {
         let ranges = if axis == Axis::U { [range, [0.0, 1.0]] } else { [[0.0, 1.0], range] };
         let controls = patch.restricted(ranges[0], ranges[1]);
         let mut domain = patch.domain;
@@ -55,24 +57,25 @@ fn cut_one(pieces: &mut PatchSet, patch: Patch<'_>, angle: f64, cut: Cut, left: 
     }
 }
 
-/// The normals at the samples, but those of degenerate edges.
+/// Returns the normals at the samples, without those of degenerate edges.
 fn normals(patch: &Patch<'_>) -> Normals {
     let jets: [[Jet; SAMPLES]; SAMPLES] =
         std::array::from_fn(|i| std::array::from_fn(|j| patch.jet([at(i), at(j)])));
     let longest = |tangent: fn(&Jet) -> DVec3| {
         jets.iter().flatten().map(|jet| tangent(jet).length()).fold(0.0, f64::max)
     };
-    let least = [longest(|jet| jet.s), longest(|jet| jet.t)].map(|longest| DEGENERATE_RATIO * longest);
+    let thresholds = [longest(|jet| jet.s), longest(|jet| jet.t)].map(|longest| DEGENERATE_RATIO * longest);
     jets.map(|line| {
         line.map(|jet| {
-            let regular = jet.s.length() > least[0] && jet.t.length() > least[1];
+            let regular = jet.s.length() > thresholds[0] && jet.t.length() > thresholds[1];
             if regular { jet.normal() } else { None }
         })
     })
 }
 
-/// Where the normals have turned by half of what they turn along the axis,
-/// summed over the lines across: the integral of the normal curvature.
+/// Returns the parameter at which the normals have turned by half of their total
+/// turning along the axis, summed over the lines across, which is the integral of
+/// the normal curvature.
 fn halves_turning(normals: &Normals, axis: Axis) -> f64 {
     let mut turned = [0.0; SAMPLES];
     for moving in 1..SAMPLES {
@@ -94,7 +97,7 @@ fn along(normals: &Normals, axis: Axis, fixed: usize, moving: usize) -> &Option<
     if axis == Axis::U { &normals[moving][fixed] } else { &normals[fixed][moving] }
 }
 
-/// The largest angle between two of the normals.
+/// Returns the largest angle between two of the normals.
 fn span<'a>(normals: impl Iterator<Item = &'a Option<DVec3>>) -> f64 {
     let normals: Vec<DVec3> = normals.flatten().copied().collect();
     let pairs = normals

@@ -1,0 +1,87 @@
+//! Rounding errors of float64 in the bounds, by the lemmas of `docs/method.md`,
+//! section 6.
+
+use super::Pair;
+use crate::bvh::Aabb;
+use crate::closest::Target;
+pub(super) use crate::rounding::{UNIT_ROUNDOFF, gamma};
+use crate::rounding::{VANISHING_LENGTH, closest_rounding};
+
+/// Roundings, relative to its length, of a rotated vector (lemma R2).
+const ROTATION_ROUNDINGS: f64 = 64.0;
+
+/// Halvings of a patch when it is cut flat (lemma R4).
+const FLATTENING_HALVINGS: f64 = 8.0;
+
+/// Roundings of a finished bound, relative to it.
+const BOUND_ROUNDINGS: f64 = 16.0;
+
+/// An upper bound with the rounding of its own sums and roots.
+pub(super) fn rounded_up(bound: f64) -> f64 {
+    bound * (1.0 + BOUND_ROUNDINGS * UNIT_ROUNDOFF)
+}
+
+/// The largest bound of which [`rounded_up`] is at most `limit`.
+pub(super) fn before_rounding_up(limit: f64) -> f64 {
+    limit * (1.0 - (BOUND_ROUNDINGS + 2.0) * UNIT_ROUNDOFF)
+}
+
+/// `E_A + E_B`: how far computed points of both models may be from the exact
+/// ones (lemmas R2 to R5).
+pub(super) fn point_error(pair: &Pair<'_>) -> f64 {
+    let [a, b] =
+        [&pair.a, &pair.b].map(|operand| extracted_point_error(operand.target, &operand.control_box));
+    let length = pair.a.control_box.farthest_from_origin();
+    let offset = pair.transform.offset().length();
+    // A point of A is rotated and moved; the offset of an inverse motion was rotated itself.
+    let moved = gamma(ROTATION_ROUNDINGS * (length + offset) + length + offset);
+    a + b + moved + VANISHING_LENGTH
+}
+
+/// What the lower bound of a certified closest-point query loses.
+pub(super) fn closest_point_error(pair: &Pair<'_>) -> f64 {
+    let length = pair.a.control_box.farthest_from_origin() + pair.transform.offset().length();
+    closest_rounding(length.max(pair.b.control_box.farthest_from_origin()))
+}
+
+/// How far computed points of a model's patches may be from the exact ones:
+/// extraction, cutting and evaluation, with every radius at most the diagonal
+/// of the control points' box and every centre within it.
+fn extracted_point_error(target: &Target, control_box: &Aabb) -> f64 {
+    let degree = target.max_degree as f64;
+    let extraction = 24.0 * degree + 8.0;
+    let cutting = 2.0 * FLATTENING_HALVINGS * degree + 8.0;
+    let evaluation = 16.0 * degree + 8.0;
+    let relative = extraction + cutting + evaluation;
+    gamma(relative * control_box.diagonal() + 2.0 * control_box.farthest_from_origin())
+}
+
+/// What the error of a patch's derivatives depends on (lemma R7).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JetScale {
+    pub(super) degree: [usize; 2],
+    /// The largest distance of a control point from the patch's centre.
+    pub(super) radius: f64,
+    /// The ratio of the largest weight to the smallest.
+    pub(super) weight_ratio: f64,
+}
+
+/// Roundings of the chain rule's sums, with and without the rotation of A's
+/// derivatives (lemma R8).
+pub(super) const MOVED_JET_ROUNDINGS: f64 = 71.0;
+pub(super) const JET_ROUNDINGS: f64 = 7.0;
+
+impl JetScale {
+    /// `J`: how much the errors of the derivatives change a Taylor quadratic over
+    /// steps of at most `extent` in the parameters, after `more` further
+    /// roundings (lemma R8).
+    pub(super) fn quadratic_error(&self, extent: [f64; 2], more: f64) -> f64 {
+        let [p, q] = self.degree.map(|degree| degree as f64);
+        let terms = 4.0 * (p + q) + 6.0;
+        let reach = extent[0] * p + extent[1] * q;
+        let first = (4.0 * terms + 6.0 + more) * 4.0 * self.weight_ratio * reach;
+        let second =
+            (6.0 * terms + 12.0 + more) * 12.0 * self.weight_ratio * self.weight_ratio * reach * reach;
+        gamma((first + second) * self.radius)
+    }
+}

@@ -1,0 +1,25 @@
+//! Arrays of any numbers are either refused or give a model without NaN, whose
+//! distances are intervals.
+
+use super::bytes::Bytes;
+use super::results::{assert_numbers, distance};
+use super::surfaces::{any_arrays, plane};
+use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::{Method, Model, Options};
+
+pub fn check(bytes: &[u8]) {
+    let mut bytes = Bytes::new(bytes);
+    let count = bytes.below(3);
+    let method = bytes.choose(&[Method::Certified, Method::Iteration, Method::Hierarchy]);
+    let other = Model::from_arrays(None, vec![plane(&mut bytes, 4.0)]).unwrap();
+    let Ok(model) = Model::from_arrays(None, (0..count).map(|_| any_arrays(&mut bytes)).collect()) else {
+        return;
+    };
+    for patch in extract(&model).patches.iter() {
+        assert!(patch.controls.iter().all(|control| !control.is_nan()), "{patch:?}");
+    }
+    let options =
+        Options { method, max_cells: Some(32), samples: 4, grid: 4, symmetric: true, ..Options::default() };
+    let result = distance(&model, &other, &options);
+    assert_numbers(&result.unwrap_or_else(|error| panic!("{error}")));
+}

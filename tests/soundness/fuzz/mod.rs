@@ -1,0 +1,29 @@
+//! The properties that the fuzzers of `fuzz/` and the replay of their seeds check.
+//!
+//! Each file is one target: a function of bytes that panics where a property is
+//! violated. Every sequence of bytes is a valid input.
+#![allow(unreachable_pub, reason = "the crate in `fuzz/` makes this module public")]
+
+pub mod arrays;
+mod bytes;
+pub mod closest_point;
+pub mod extraction;
+pub mod json_text;
+pub mod options;
+mod results;
+mod sampling;
+pub mod search;
+mod surfaces;
+
+/// A target.
+pub type Check = fn(&[u8]);
+
+/// The targets by name.
+pub const TARGETS: [(&str, Check); 6] = [
+    ("arrays", arrays::check),
+    ("closest_point", closest_point::check),
+    ("extraction", extraction::check),
+    ("json_text", json_text::check),
+    ("options", options::check),
+    ("search", search::check),
+];

@@ -1,0 +1,42 @@
+//! Options from any text are either refused, by their form or by their ranges,
+//! or lead to an interval within small budgets.
+
+use super::bytes::Bytes;
+use super::results::{assert_numbers, distance};
+use super::surfaces::tame_model;
+use nurbs_hausdorff::{Backend, Error, Options};
+
+/// The budgets: the search of a tiny model then ends in milliseconds.
+const MAX_CELLS: usize = 50;
+const MAX_SAMPLES: usize = 6;
+
+/// The bytes before the text, of which a pair of models is made.
+const MODEL_BYTES: usize = 64;
+
+pub fn check(bytes: &[u8]) {
+    let (models, text) = bytes.split_at(bytes.len().min(MODEL_BYTES));
+    let Ok(mut options) = serde_json::from_slice::<Options>(text) else { return };
+    let valid = options.validate();
+    // A budget that is out of range stays so; one that is within is cut.
+    let cut =
+        |count: &mut usize, limit: usize| *count = if valid.is_ok() { (*count).min(limit) } else { *count };
+    cut(&mut options.samples, MAX_SAMPLES);
+    cut(&mut options.grid, MAX_SAMPLES);
+    cut(options.max_cells.get_or_insert(MAX_CELLS), MAX_CELLS);
+    if options.backend == Backend::Auto {
+        options.backend = Backend::Cpu;
+    }
+    let mut models = Bytes::new(models);
+    let (Some(a), Some(b)) = (tame_model(&mut models), tame_model(&mut models)) else { return };
+    match distance(&a, &b, &options) {
+        Ok(result) => {
+            assert!(valid.is_ok(), "{options:?}");
+            assert_numbers(&result);
+        }
+        Err(error) => match error {
+            Error::OptionOutOfRange { .. } => assert_eq!(valid, Err(error)),
+            Error::NoAdapter { .. } | Error::PairBudgetExceeded { .. } => {}
+            _ => panic!("{error}"),
+        },
+    }
+}

@@ -1,0 +1,12 @@
+// The direction in which a result's distance is attained.
+import type { DistanceResult } from "nurbs-hausdorff";
+import type { Side } from "../worker/protocol.ts";
+
+/**
+ * Returns the model whose point is the farthest one from the other model: A,
+ * unless the result is symmetric and the distance from B to A is larger.
+ */
+export function farthestSide({ forward, reverse }: DistanceResult): Side {
+  if (forward === undefined || reverse === undefined) return "a";
+  return reverse.computed > forward.computed ? "b" : "a";
+}

@@ -1,0 +1,67 @@
+// Formatting of numbers.
+
+/** Decimal digits that float64 represents faithfully. */
+const SIGNIFICANT_DIGITS = 15;
+/** The largest argument that `toFixed` accepts. */
+const MAX_DIGITS = 100;
+/** Digits of a distance below the models' order of magnitude. */
+const RELATIVE_DIGITS = 5;
+
+/** A distance, to `RELATIVE_DIGITS` digits below the order of magnitude of the diagonal. */
+export function distanceText(distance: number, diagonal: number): string {
+  return distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)));
+}
+
+/** A signed distance, always with its sign. */
+export function signedText(distance: number, diagonal: number): string {
+  const text = distanceText(Math.abs(distance), diagonal);
+  return distance < 0 ? `−${text}` : `+${text}`;
+}
+
+/**
+ * An interval with enough digits to distinguish its ends, but no more than
+ * float64 has at the models' size. The ends are rounded outwards, so the
+ * interval shown contains the certified one.
+ */
+export function intervalText(lower: number, upper: number, diagonal: number): string {
+  const width = upper - lower;
+  const available = SIGNIFICANT_DIGITS - 1 - magnitude(Math.max(upper, diagonal));
+  const digits = digitsAfterPoint(
+    width > 0 ? Math.min(2 - magnitude(width), available) : available,
+  );
+  const step = 10 ** -digits;
+  const outwards = (end: number, sign: -1 | 1) => {
+    const rounded = Number(end.toFixed(digits));
+    return (sign * (rounded - end) < 0 ? rounded + sign * step : rounded).toFixed(digits);
+  };
+  return `[${outwards(lower, -1)}, ${outwards(upper, 1)}]`;
+}
+
+/** The decimal exponent of a positive size; 0 for size 0. */
+const magnitude = (size: number): number => (size > 0 ? Math.floor(Math.log10(size)) : 0);
+
+const digitsAfterPoint = (digits: number): number => Math.min(MAX_DIGITS, Math.max(0, digits));
+
+/** A number to two significant digits, such as 2.8·10⁻⁶. */
+export function twoDigits(value: number): string {
+  if (value === 0) return "0";
+  const [digits = "", exponent = ""] = value.toExponential(1).split("e");
+  if (Math.abs(Number(exponent)) < 3) return `${Number(value.toPrecision(2))}`;
+  const superscript = [...`${Number(exponent)}`]
+    .map((digit) => SUPERSCRIPTS[digit] ?? digit)
+    .join("");
+  return `${digits}·10${superscript}`;
+}
+
+const SUPERSCRIPTS: Record<string, string> = {
+  "-": "⁻",
+  ...Object.fromEntries([..."⁰¹²³⁴⁵⁶⁷⁸⁹"].map((superscript, digit) => [digit, superscript])),
+};
+
+/** A duration in milliseconds or seconds. */
+export function duration(seconds: number): string {
+  return seconds < 1 ? `${(seconds * 1e3).toFixed(1)} ms` : `${seconds.toFixed(2)} s`;
+}
+
+/** An integer with its digits in groups of three. */
+export const grouped = (count: number): string => count.toLocaleString("en");

@@ -1,0 +1,42 @@
+// A number input: a slider together with a field for the exact value.
+import { element } from "../common/elements.ts";
+
+/** Significant digits of a value set with the slider. */
+const DIGITS = 5;
+
+export class NumberInput {
+  onChange: () => void = () => {};
+  /** The value that 1 on the slider stands for. */
+  unit = 1;
+  readonly #slider: HTMLInputElement;
+  readonly #exact: HTMLInputElement;
+
+  /** Connects the slider with this identifier to the field named by it and `-exact`. */
+  constructor(id: string) {
+    this.#slider = element(id, HTMLInputElement);
+    this.#exact = element(`${id}-exact`, HTMLInputElement);
+    this.#slider.addEventListener("input", () => {
+      this.#exact.value = short(this.#slider.valueAsNumber * this.unit);
+      this.onChange();
+    });
+    this.#exact.addEventListener("input", () => {
+      // A half-typed number, such as a lone minus sign, parses as NaN.
+      if (!Number.isFinite(this.#exact.valueAsNumber)) return;
+      this.#slider.value = `${this.value / this.unit}`;
+      this.onChange();
+    });
+  }
+
+  /** The value of the field, which may lie outside the slider's range; 0 while it is not a number. */
+  get value(): number {
+    const value = this.#exact.valueAsNumber;
+    return Number.isFinite(value) ? value : 0;
+  }
+
+  set value(value: number) {
+    this.#exact.value = short(value);
+    this.#slider.value = `${value / this.unit}`;
+  }
+}
+
+const short = (value: number): string => `${Number(value.toPrecision(DIGITS))}`;

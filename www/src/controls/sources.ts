@@ -1,0 +1,100 @@
+// Selection of the models: the lists of pairs and shapes, and files.
+import type { ShapeInfo } from "nurbs-hausdorff";
+import { onFilesDropped } from "../common/drop.ts";
+import { element } from "../common/elements.ts";
+import {
+  type DisplayModel,
+  type Placement,
+  SIDES,
+  type Side,
+  type Sides,
+  type Source,
+} from "../worker/protocol.ts";
+import { IN_PLACE, presets } from "./presets.ts";
+
+/** The value of the list entry that stands for models outside the list, such as files. */
+const OTHER = "";
+
+const pair = element("preset", HTMLSelectElement);
+const lists: Record<Side, HTMLSelectElement> = {
+  a: element("shape-a", HTMLSelectElement),
+  b: element("shape-b", HTMLSelectElement),
+};
+
+/** Calls back with the models that the user selects. Only presets move A; other models keep their positions. */
+export function onSource(callback: (sources: Sides<Source>, placement: Placement) => void): void {
+  pair.append(
+    ...presets.map(({ title }, index) => new Option(title, `${index}`)),
+    otherOption("own pair"),
+  );
+  pair.addEventListener("change", () => {
+    const preset = presets[Number(pair.value)];
+    if (preset === undefined) return;
+    callback({ a: { shape: preset.a }, b: { shape: preset.b } }, preset.placement);
+  });
+  for (const side of SIDES) {
+    lists[side].addEventListener("change", () => {
+      callback({ [side]: { shape: lists[side].value } }, IN_PLACE);
+    });
+    const input = element(`file-${side}`, HTMLInputElement);
+    input.addEventListener("change", () => {
+      const file = input.files?.[0];
+      if (file) callback({ [side]: { file } }, IN_PLACE);
+      // Otherwise choosing the same file again, after an edit, raises no event.
+      input.value = "";
+    });
+  }
+  onFilesDropped((files) => {
+    const sources = Object.entries(files).map(([side, file]) => [side, { file }]);
+    callback(Object.fromEntries(sources), IN_PLACE);
+  });
+}
+
+/** Fills the lists of shapes and requests the first pair. */
+export function fillShapes(shapes: ShapeInfo[]): void {
+  for (const list of Object.values(lists)) {
+    list.replaceChildren(
+      ...shapes.map(({ name, title }) => new Option(title, name)),
+      otherOption(""),
+    );
+  }
+  pair.dispatchEvent(new Event("change"));
+}
+
+/** Shows or hides the note that models are being loaded, which takes a while for large files. */
+export function setLoading(loading: boolean): void {
+  element("loading").hidden = !loading;
+}
+
+/** Selects the entries of the lists that name the models shown. */
+export function showSources(models: Sides<DisplayModel>, placement: Placement): void {
+  for (const side of SIDES) {
+    const model = models[side];
+    if (model === undefined) continue;
+    const { source, surfaceCount } = model;
+    const list = lists[side];
+    list.value = "shape" in source ? source.shape : OTHER;
+    if ("file" in source) {
+      const option = list.querySelector<HTMLOptionElement>(`option[value="${OTHER}"]`);
+      if (option) option.textContent = source.file.name;
+    }
+    list.title = `${surfaceCount} ${surfaceCount === 1 ? "surface" : "surfaces"}`;
+  }
+  const index = presets.findIndex(
+    (preset) =>
+      preset.a === lists.a.value &&
+      preset.b === lists.b.value &&
+      samePlacement(preset.placement, placement),
+  );
+  pair.value = index < 0 ? OTHER : `${index}`;
+}
+
+/** Compares by value, as the worker returns copies of placements. */
+const samePlacement = (one: Placement, two: Placement): boolean =>
+  `${one.move} ${one.turn}` === `${two.move} ${two.turn}`;
+
+function otherOption(title: string): HTMLOptionElement {
+  const option = new Option(title, OTHER);
+  option.hidden = true;
+  return option;
+}

@@ -1,0 +1,76 @@
+// The details of a result, as terms and texts.
+import type { DistanceResult } from "nurbs-hausdorff";
+import { distanceText, duration, grouped, signedText, twoDigits } from "../common/numbers.ts";
+
+export type Detail = [term: string, text: string];
+
+/** The reasons for which a certified search ends, in words. */
+const STOPS = {
+  converged: "tolerance reached",
+  cells: "limit on cells",
+  time: "time limit",
+  precision: "precision of float64",
+  cancelled: "cancelled",
+};
+
+export function detailsOf(result: DistanceResult): Detail[] {
+  const { seconds, patches, diagonal } = result;
+  return [
+    ...directions(result),
+    ["time", `${duration(seconds.solve)} on the ${result.backend.toUpperCase()}`],
+    ["preparation", duration(seconds.prepare + seconds.compile)],
+    ...methods(result),
+    ["patches", `${grouped(patches.a)} · ${grouped(patches.b)}`],
+    ["diagonal", distanceText(diagonal, diagonal)],
+  ];
+}
+
+/** The directed distances of a symmetric result. */
+function directions({ forward, reverse, diagonal }: DistanceResult): Detail[] {
+  if (forward === undefined || reverse === undefined) return [];
+  return [
+    ["directed, A to B", distanceText(forward.computed, diagonal)],
+    ["directed, B to A", distanceText(reverse.computed, diagonal)],
+  ];
+}
+
+function methods(result: DistanceResult): Detail[] {
+  if (result.method === "certified") {
+    return [
+      ["cells", `${grouped(result.cells)} in ${result.levels} levels`],
+      ["search ended", STOPS[result.stop]],
+    ];
+  }
+  if (result.method === "hierarchy") {
+    const { grid, pairs } = result;
+    return [
+      ["cells per surface", `${grid} × ${grid}`],
+      ["box pairs on one level, at most", grouped(Math.max(...pairs))],
+    ];
+  }
+  const { bounds, samples, statuses } = result;
+  return [
+    ["K_A (2012 paper)", bounds.kA.toPrecision(4)],
+    ["K_A (rigorous)", bounds.kARigorous.toPrecision(4)],
+    ["K_B (estimate)", bounds.kB === null ? "does not apply" : twoDigits(bounds.kB)],
+    ["samples", grouped(samples)],
+    ["samples converged", grouped(statuses.converged)],
+    ["samples on an edge", grouped(statuses.onEdge)],
+    ["samples at the step limit", grouped(statuses.iterationLimit)],
+  ];
+}
+
+/** Statistics of the deviation over the samples of A; empty for a result without them. */
+export function statisticsOf({ forward, diagonal, ...directed }: DistanceResult): Detail[] {
+  const statistics = forward?.statistics ?? directed.statistics;
+  if (statistics === undefined) return [];
+  const estimate = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  return [
+    ["mean", estimate(statistics.mean)],
+    ["signed mean", `≈ ${signedText(statistics.signedMean, diagonal)}`],
+    ["RMS", estimate(statistics.rms)],
+    ["median", estimate(statistics.median)],
+    ["95th percentile", estimate(statistics.percentile95)],
+    ["99th percentile", estimate(statistics.percentile99)],
+  ];
+}

@@ -1,0 +1,130 @@
+// The panel of results: distance, interval and details, or an error. The
+// section's data attributes hold the same for tests and other programs.
+import type { DistanceResult } from "nurbs-hausdorff";
+import { farthestSide } from "../common/direction.ts";
+import { element } from "../common/elements.ts";
+import { distanceText, intervalText, twoDigits } from "../common/numbers.ts";
+import { type Detail, detailsOf, statisticsOf } from "./resultDetails.ts";
+
+/** The meaning of the interval shown. */
+const SO_FAR = "certified so far";
+/** The two directions are computed in turn, each with an interval of its own. */
+const ONE_DIRECTION = "one direction so far";
+
+const section = element("result");
+const kind = element("kind");
+const distance = element("distance");
+const interval = element("interval");
+const width = element("width");
+const progress = element("progress", HTMLProgressElement);
+const error = element("error");
+const details = element("facts");
+const estimates = element("estimates");
+const statistics = element("statistics");
+
+/** Shows that a new measurement of the same models was requested. */
+export function showPending(): void {
+  section.dataset.state = "working";
+  progress.value = 0;
+}
+
+/** Shows the fraction of the work done, and the interval so far if the method has one. */
+export function showWorking(
+  fraction: number,
+  current: [number, number] | undefined,
+  diagonal: number,
+  symmetric: boolean,
+): void {
+  section.dataset.state = "working";
+  progress.value = fraction;
+  if (current === undefined) return;
+  showInterval(current[0], current[1], diagonal, symmetric ? ONE_DIRECTION : SO_FAR);
+}
+
+/** Shows a result; `last` states that no newer measurement was requested. */
+export function showResult(result: DistanceResult, last: boolean): void {
+  kind.textContent = kindOf(result);
+  distance.textContent = distanceText(result.computed, result.diagonal);
+  showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
+  show(details, detailsOf(result));
+  showEstimates(statisticsOf(result));
+  const { a, b } = result.witness;
+  Object.assign(section.dataset, {
+    method: result.method,
+    computed: result.computed,
+    lower: result.lower,
+    upper: result.upper,
+    converged: result.converged,
+    a: a.point.join(" "),
+    b: b.point.join(" "),
+    from: farthestSide(result),
+    state: last ? "done" : "live",
+  });
+}
+
+/** Clears the result: the measurement was cancelled or failed, or the models are new. */
+export function clearResult(state: "cancelled" | "failed" | "working"): void {
+  kind.textContent = "Distance";
+  distance.textContent = "–";
+  interval.textContent = state === "working" ? "computing" : state;
+  width.textContent = "";
+  details.replaceChildren();
+  showEstimates([]);
+  for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
+    delete section.dataset[name];
+  }
+  section.dataset.state = state;
+}
+
+export function showError(code: string, message: string): void {
+  error.hidden = false;
+  error.dataset.code = code;
+  error.textContent = `${code}: ${message}`;
+}
+
+export function hideError(): void {
+  error.hidden = true;
+  delete error.dataset.code;
+}
+
+function showInterval(lower: number, upper: number, diagonal: number, note: string): void {
+  interval.textContent = intervalText(lower, upper, diagonal);
+  width.textContent = `${note} · width ${twoDigits(upper - lower)}`;
+}
+
+/** The meaning of the interval. It contains the distance whether the method converged or not. */
+function meaning({ method, converged }: DistanceResult, last: boolean): string {
+  if (method !== "certified" || converged) return "contains the distance";
+  return last ? "certified, wider than the tolerance" : SO_FAR;
+}
+
+/** The kind of the distance, and the direction in which it is attained. */
+function kindOf(result: DistanceResult): string {
+  const [from, to] = farthestSide(result) === "a" ? ["A", "B"] : ["B", "A"];
+  const kind = result.forward === undefined ? "Directed" : "Symmetric";
+  return `${kind} distance, ${from} to ${to}`;
+}
+
+function showEstimates(all: Detail[]): void {
+  estimates.hidden = all.length === 0;
+  show(statistics, all);
+}
+
+function show(list: HTMLElement, all: Detail[]): void {
+  list.replaceChildren(
+    ...all.flatMap(([term, text]) => [definition("dt", term), definition("dd", text)]),
+  );
+}
+
+/** A term or text in which the letters after `_` become a subscript. */
+function definition(name: "dt" | "dd", text: string): HTMLElement {
+  const node = document.createElement(name);
+  const [before = "", below, after = ""] = text.split(/_(\w+)/);
+  node.append(before);
+  if (below !== undefined) {
+    const sub = document.createElement("sub");
+    sub.textContent = below;
+    node.append(sub, after);
+  }
+  return node;
+}

@@ -1,0 +1,61 @@
+// Warnings about what this machine cannot do. Each shows one line that unfolds
+// to the reason; it goes when it no longer applies.
+import { element } from "../common/elements.ts";
+import { engineText } from "../common/engineText.ts";
+import type { EngineState } from "../worker/protocol.ts";
+
+const TITLES = {
+  webgl: "No WebGL: the models cannot be drawn, but distances are computed",
+  engine: "No WebGPU: distances are computed on the CPU",
+  result: "The GPU could not be used for all of this distance",
+};
+type Kind = keyof typeof TITLES;
+
+const banner = element("banner");
+const list = element("warnings");
+/** The reasons of the warnings that apply now. */
+const reasons = new Map<Kind, string>();
+/** The reasons that the user has read and dismissed. */
+const dismissed = new Map<Kind, string>();
+
+element("dismiss").addEventListener("click", () => {
+  for (const [kind, reason] of reasons) dismissed.set(kind, reason);
+  draw();
+});
+
+/** Shows the backend, with a warning while there is no GPU. */
+export function showEngine(engine: EngineState): void {
+  element("engine").textContent = engineText(engine);
+  set("engine", engine.notice);
+}
+
+/** Shows why the GPU was not used for a distance; that there is no GPU is the engine's warning. */
+export function showResultNotice(notice: string | undefined, engine: EngineState): void {
+  set("result", notice === undefined || notice === engine.notice ? null : notice);
+}
+
+/** Shows why the models cannot be drawn. */
+export function showNoWebGl(reason: string): void {
+  set("webgl", reason);
+}
+
+function set(kind: Kind, reason: string | null): void {
+  if ((reasons.get(kind) ?? null) === reason) return;
+  if (reason === null) reasons.delete(kind);
+  else reasons.set(kind, reason);
+  draw();
+}
+
+function draw(): void {
+  const visible = [...reasons].filter(([kind, reason]) => dismissed.get(kind) !== reason);
+  list.replaceChildren(...visible.map(([kind, reason]) => line(TITLES[kind], reason)));
+  banner.hidden = visible.length === 0;
+}
+
+function line(title: string, reason: string): HTMLElement {
+  const details = document.createElement("details");
+  const summary = document.createElement("summary");
+  summary.textContent = title;
+  details.append(summary, reason);
+  return details;
+}

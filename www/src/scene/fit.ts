@@ -1,0 +1,26 @@
+// The camera distance at which a box fits the view.
+import { type Box3, Matrix4, type PerspectiveCamera, Vector3 } from "three";
+
+/** The fraction of the view that the box fills. */
+const FILL = 0.92;
+
+/** Returns the smallest distance from the box's centre, in `direction`, at which all its corners are in view. */
+export function fitDistance(camera: PerspectiveCamera, direction: Vector3, box: Box3): number {
+  const center = box.getCenter(new Vector3());
+  const rotation = new Matrix4().lookAt(direction, new Vector3(), camera.up).invert();
+  const vertical = FILL * Math.tan((camera.fov * Math.PI) / 360);
+  const horizontal = vertical * camera.aspect;
+  let distance = 0;
+  for (let corner = 0; corner < 8; corner++) {
+    const position = new Vector3(
+      corner & 1 ? box.max.x : box.min.x,
+      corner & 2 ? box.max.y : box.min.y,
+      corner & 4 ? box.max.z : box.min.z,
+    )
+      .sub(center)
+      .applyMatrix4(rotation);
+    const required = Math.max(Math.abs(position.x) / horizontal, Math.abs(position.y) / vertical);
+    distance = Math.max(distance, position.z + required);
+  }
+  return distance;
+}

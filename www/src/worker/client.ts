@@ -1,0 +1,45 @@
+// The page's side of the worker.
+import type { Placement, PlainOptions, Reply, Request, Sides, Source } from "./protocol.ts";
+
+export class Client {
+  readonly #worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  #newest = 0;
+  /** The first run with the current models. */
+  #first = 0;
+
+  /** Starts the worker. Replies to runs with models that were replaced since are discarded. */
+  constructor(onReply: (reply: Reply) => void) {
+    this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+      if (data.kind === "loaded") this.#first = this.#newest + 1;
+      if (!("run" in data) || data.run === undefined || data.run >= this.#first) onReply(data);
+    };
+    this.#worker.onerror = (event) => {
+      const message = event.message ?? "the worker's script could not be loaded";
+      onReply({ kind: "failed", code: "UNEXPECTED", message });
+    };
+  }
+
+  /** Loads one model or both; if one is invalid, none is replaced. */
+  load(sources: Sides<Source>, placement: Placement): void {
+    this.#post({ kind: "load", sources, placement });
+  }
+
+  /** Requests a measurement, which replaces the current one. */
+  measure(options: PlainOptions): void {
+    this.#newest += 1;
+    this.#post({ kind: "measure", run: this.#newest, options });
+  }
+
+  /** Returns whether no newer measurement was requested. */
+  isNewest(run: number): boolean {
+    return run === this.#newest;
+  }
+
+  cancel(): void {
+    this.#post({ kind: "cancel" });
+  }
+
+  #post(request: Request): void {
+    this.#worker.postMessage(request);
+  }
+}

@@ -1,0 +1,108 @@
+// The queue of measurements: one runs, and only the newest request waits.
+import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
+
+/**
+ * Milliseconds for which a measurement continues although a newer request waits.
+ * If it were cancelled at once, no measurement would finish while a slider is
+ * dragged. A cancelled certified search still returns the interval reached; the
+ * other methods return nothing, so they are given time to finish.
+ */
+const GRACE = { certified: 120, others: 4000 };
+
+interface Requested {
+  run: number;
+  options: PlainOptions;
+  abort: AbortController;
+}
+
+export class Measurements {
+  readonly #engine: Hausdorff;
+  readonly #reply: (reply: Reply) => void;
+  readonly #fail: (error: unknown, run: number) => void;
+  #models: Sides<NurbsModel> = {};
+  #waiting: Requested | undefined;
+  #running: Requested | undefined;
+
+  constructor(
+    engine: Hausdorff,
+    reply: (reply: Reply) => void,
+    fail: (error: unknown, run: number) => void,
+  ) {
+    this.#engine = engine;
+    this.#reply = reply;
+    this.#fail = fail;
+  }
+
+  /** Replaces models, and cancels the measurement of the old ones. */
+  replace(models: Sides<NurbsModel>): void {
+    this.cancel();
+    for (const side of Object.keys(models) as (keyof typeof models)[]) {
+      this.#models[side]?.dispose();
+    }
+    Object.assign(this.#models, models);
+  }
+
+  request(run: number, options: PlainOptions): void {
+    this.#waiting = { run, options, abort: new AbortController() };
+    if (this.#running === undefined) void this.#runAll();
+  }
+
+  /** Cancels the running measurement and the waiting one; both are replied to. */
+  cancel(): void {
+    this.#waiting?.abort.abort();
+    this.#running?.abort.abort();
+  }
+
+  async #runAll(): Promise<void> {
+    while (this.#waiting !== undefined) {
+      this.#running = this.#waiting;
+      this.#waiting = undefined;
+      await this.#measure(this.#running);
+      this.#running = undefined;
+    }
+  }
+
+  async #measure({ run, options, abort }: Requested): Promise<void> {
+    const { a, b } = this.#models;
+    if (a === undefined || b === undefined) return;
+    const begin = performance.now();
+    try {
+      const result = await this.#engine.distance(a, b, {
+        ...options,
+        signal: abort.signal,
+        onProgress: (fraction, interval) => {
+          this.#reply({ kind: "progress", run, fraction, interval });
+          if (this.#waiting === undefined) return;
+          if (mayCancel(options, performance.now() - begin, interval)) abort.abort();
+        },
+      });
+      this.#reply({
+        kind: "measured",
+        run,
+        result,
+        transform: options.transform ?? {},
+        engine: engineState(this.#engine),
+      });
+    } catch (error) {
+      if (error instanceof HausdorffError && error.code === "CANCELLED") {
+        this.#reply({ kind: "cancelled", run });
+      } else this.#fail(error, run);
+    }
+  }
+}
+
+/** Returns whether a measurement may be cancelled for a newer one. */
+function mayCancel(
+  { method, field }: PlainOptions,
+  milliseconds: number,
+  interval: [number, number] | undefined,
+): boolean {
+  if (method !== "certified" || field === true) return milliseconds > GRACE.others;
+  return milliseconds > GRACE.certified && interval !== undefined;
+}
+
+/** The state of the engine, which changes when it loses its device. */
+export function engineState({ backend, adapter, notice }: Hausdorff): EngineState {
+  return { backend, adapter, notice };
+}

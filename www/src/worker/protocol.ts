@@ -1,0 +1,72 @@
+// The messages between the page and its worker.
+import type {
+  DistanceOptions,
+  DistanceResult,
+  ErrorCode,
+  ShapeInfo,
+  Tessellation,
+  Transform,
+  Vector3,
+} from "nurbs-hausdorff";
+
+export type Side = "a" | "b";
+
+export const SIDES: readonly Side[] = ["a", "b"];
+
+/** A value for each of the two models, or for one of them. */
+export type Sides<T> = Partial<Record<Side, T>>;
+
+/** The source of a model: a shape's name, or a file, of which all surfaces or only the first are used. */
+export type Source = { shape: string } | { file: File; firstSurface?: boolean };
+
+/** The initial position of model A. */
+export interface Placement {
+  /** The translation, in units of the larger of the two boxes' diagonals. */
+  move: Vector3;
+  /** The rotation about A's vertical axis, in degrees. */
+  turn: number;
+}
+
+/** The options that can be posted to a worker. */
+export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
+
+export type Request =
+  | { kind: "load"; sources: Sides<Source>; placement: Placement }
+  | { kind: "measure"; run: number; options: PlainOptions }
+  | { kind: "cancel" };
+
+/** What the page needs to draw a model. */
+export interface DisplayModel {
+  source: Source;
+  surfaceCount: number;
+  box: { min: Vector3; max: Vector3 };
+  tessellation: Tessellation;
+  /** The vertices of the tessellation's open edges, two per edge. */
+  outline: Uint32Array<ArrayBuffer>;
+}
+
+/** An error code of the package, or `UNEXPECTED` for any other exception. */
+export type Code = ErrorCode | "UNEXPECTED";
+
+/** The backend of the engine, which changes when a device is lost. */
+export interface EngineState {
+  backend: "gpu" | "cpu";
+  adapter: string | null;
+  /** The reason why there is no GPU. */
+  notice: string | null;
+}
+
+export type Reply =
+  | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
+  | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
+  | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
+  | {
+      kind: "measured";
+      run: number;
+      result: DistanceResult;
+      /** The transform of A with which the result was computed. */
+      transform: Transform;
+      engine: EngineState;
+    }
+  | { kind: "cancelled"; run: number }
+  | { kind: "failed"; run?: number; code: Code; message: string };
