@@ -18,7 +18,8 @@ pub fn check(bytes: &[u8]) {
     let Ok(mut options) = serde_json::from_slice::<Options>(text) else { return };
     let valid = options.validate();
     // A budget that is out of range stays so; one that is within is cut.
-    let cut = |count: &mut usize, limit: usize| *count = if valid.is_ok() { (*count).min(limit) } else { *count };
+    let cut =
+        |count: &mut usize, limit: usize| *count = if valid.is_ok() { (*count).min(limit) } else { *count };
     cut(&mut options.samples, MAX_SAMPLES);
     cut(&mut options.grid, MAX_SAMPLES);
     cut(options.max_cells.get_or_insert(MAX_CELLS), MAX_CELLS);
