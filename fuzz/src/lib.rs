@@ -4,9 +4,4 @@
 #[path = "../../tests/soundness/fuzz/mod.rs"]
 pub mod fuzz;
 
-mod support {
-    #![allow(dead_code, reason = "the tests use all of it")]
-
-    #[path = "../../../tests/support/evaluator.rs"]
-    pub mod evaluator;
-}
+mod support;

@@ -5,6 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod attained_bounds;
 mod bezier_patches;
 mod bvh;
 mod closest_point;

@@ -202,3 +202,26 @@ fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
     let [uu, uv, vv] = bounds.second;
     (u * u * uu + 2.0 * u * v * uv + v * v * vv) / 8.0
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// Linear interpolation over a triangle of the unit square is off by 1/4 at
+    /// the middle of an edge for s² and t², and in the middle of the diagonal for s t.
+    #[test]
+    fn the_error_of_interpolation_is_attained() {
+        for (second, error) in [
+            ([2.0, 0.0, 0.0], 0.25),
+            ([0.0, 1.0, 0.0], 0.25),
+            ([0.0, 0.0, 2.0], 0.25),
+            ([2.0, 1.0, 2.0], 0.75),
+        ] {
+            let bounds = DerivativeBounds { second, ..DerivativeBounds::default() };
+            assert_eq!(interpolation_error(&bounds, [1.0, 1.0]), error);
+        }
+        let bounds = DerivativeBounds { second: [2.0, 1.0, 2.0], ..DerivativeBounds::default() };
+        // Over [0, 2] x [0, 1/2] s² is off by 1, s t by 1/4 and t² by 1/16.
+        assert_eq!(interpolation_error(&bounds, [2.0, 0.5]), 1.3125);
+    }
+}

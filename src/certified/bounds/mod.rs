@@ -4,6 +4,8 @@
 //! in `docs/method.md`. A bound takes any feet as they are: one that is not the
 //! nearest loosens it and cannot falsify it.
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod attained;
 mod bilinear;
 mod boxes;
 mod cell_context;

@@ -49,3 +49,34 @@ impl Incumbent {
         self.pruned_upper_bound = self.pruned_upper_bound.max(bound);
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn witness(lower: f64) -> Witness {
+        let closest = Closest { patch: 0, parameters: [0.5; 2], point: DVec3::ZERO, upper: lower, lower };
+        Witness { patch: 0, parameters: [0.5; 2], point: DVec3::ZERO, closest }
+    }
+
+    #[test]
+    fn the_farthest_witness_is_kept() {
+        let mut incumbent = Incumbent::default();
+        assert_eq!((incumbent.witness(), incumbent.lower_bound()), (None, 0.0));
+        for (lower, kept) in [(0.0, 0.0), (2.0, 2.0), (1.0, 2.0), (f64::NAN, 2.0), (3.0, 3.0)] {
+            incumbent.improve(witness(lower));
+            assert_eq!(incumbent.lower_bound(), kept);
+        }
+    }
+
+    #[test]
+    fn the_largest_pruned_bound_is_kept() {
+        let mut incumbent = Incumbent::default();
+        for (bound, largest) in
+            [(0.0, 0.0), (2.0, 2.0), (1.0, 2.0), (f64::NAN, f64::INFINITY), (3.0, f64::INFINITY)]
+        {
+            incumbent.prune(bound);
+            assert_eq!(incumbent.pruned_upper_bound(), largest);
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! Pairs on which the bounds are attained or nearly so: a bound that is less
+//! than its theorem states is below the distance of some point of these.
+
+use super::bilinear::Bilinear;
+use super::convex_combination::ConvexCombination;
+use super::polynomial_difference::PolynomialDifference;
+use super::taylor::Taylor;
+use super::{CellContext, UpperBound, bvh_node, same_net, sphere, whole_models};
+use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
+use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::{Cell, Operand, Pair};
+use crate::closest::Target;
+use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
+use crate::symmetry::Sphere;
+use glam::{DVec3, DVec4};
+
+/// The rounding of a bound, relative to it.
+const ROUNDING: f64 = 1e-11;
+
+/// Degrees and homogeneous controls of one patch.
+type Net = ([usize; 2], Vec<DVec4>);
+
+/// One operand with what it borrows. Every patch is a surface of its own.
+struct Model {
+    target: Target,
+    bounds: Vec<LocalDerivativeBounds>,
+}
+
+impl Model {
+    fn new(nets: &[Net]) -> Self {
+        let mut patches = PatchSet::default();
+        for (surface, (degree, controls)) in nets.iter().enumerate() {
+            patches.push(Patch {
+                surface,
+                degree: *degree,
+                domain: ParamBox::UNIT,
+                center: DVec3::ZERO,
+                controls,
+                rational: controls.iter().any(|control| control.w != controls[0].w),
+            });
+        }
+        let bounds = patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+        Self { target: Target::new(patches), bounds }
+    }
+
+    fn operand(&self) -> Operand<'_> {
+        Operand::new(&self.target, &self.bounds)
+    }
+}
+
+fn pair<'a>(a: &'a Model, b: &'a Model) -> Pair<'a> {
+    Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY }
+}
+
+/// The bound of a cell of A's first patch, from the foot on B's first patch.
+fn evaluate(bound: &dyn UpperBound, a: &Model, b: &Model, cell: Cell, threshold: f64) -> Option<f64> {
+    let pair = pair(a, b);
+    let nearest = NearestPoint::new(pair.b);
+    let mut context = CellContext::new(&pair, &nearest, cell, &Foot::start(0, [0.5; 2]));
+    bound.evaluate(&mut context, threshold)
+}
+
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// The Bernstein coefficients of `x^power` of this degree.
+fn monomial(power: usize, degree: usize) -> Vec<f64> {
+    (0..=degree).map(|i| if i < power { 0.0 } else { binomial(i, power) / binomial(degree, power) }).collect()
+}
+
+/// The graph z = height + factor s^a t^b over the unit square.
+fn graph(height: f64, factor: f64, [a, b]: [usize; 2]) -> Net {
+    let degree = [a.max(1), b.max(1)];
+    let [s, t] = [0, 1].map(|axis| monomial(1, degree[axis]));
+    let [in_s, in_t] = [monomial(a, degree[0]), monomial(b, degree[1])];
+    let point = |i: usize, j: usize| DVec4::new(s[i], t[j], height + factor * in_s[i] * in_t[j], 1.0);
+    let controls = (0..=degree[0]).flat_map(|i| (0..=degree[1]).map(move |j| (i, j)));
+    (degree, controls.map(|(i, j)| point(i, j)).collect())
+}
+
+/// A bilinear patch with these corners: (s, t) = (0, 0), (0, 1), (1, 0), (1, 1).
+fn bilinear(corners: [[f64; 3]; 4]) -> Net {
+    ([1, 1], corners.map(|[x, y, z]| DVec4::new(x, y, z, 1.0)).to_vec())
+}
+
+/// The rectangle [low, high] x [-2, 3] in the plane z = 0.
+fn plane([low, high]: [f64; 2]) -> Net {
+    bilinear([[low, -2.0, 0.0], [low, 3.0, 0.0], [high, -2.0, 0.0], [high, 3.0, 0.0]])
+}
+
+/// A patch that is one point.
+fn point(at: [f64; 3]) -> Net {
+    bilinear([at; 4])
+}
+
+/// A patch that is the line between two points, along t.
+fn line(from: [f64; 3], to: [f64; 3]) -> Net {
+    bilinear([from, to, from, to])
+}
+
+/// Asserts that a bound is neither below a distance nor above it by more than a part.
+#[track_caller]
+fn assert_attained(bound: f64, distance: f64, excess: f64) {
+    assert!(bound >= distance * (1.0 - ROUNDING), "{bound} is below {distance}");
+    assert!(bound <= distance * (1.0 + excess + ROUNDING), "{bound} is far above {distance}");
+}
+
+/// The exponents of the monomials up to third order.
+fn monomials() -> impl Iterator<Item = [usize; 2]> {
+    (0..=3).flat_map(|a| (0..=3 - a).map(move |b| [a, b])).skip(1)
+}
+
+/// Over a plane the distance of a graph is its height, whose expansion has no
+/// negative term: its quadratic and its remainder are the largest at one corner.
+#[test]
+fn taylor_over_a_plane() {
+    let b = Model::new(&[plane([-2.0, 3.0])]);
+    for powers in monomials() {
+        let a = Model::new(&[graph(0.0, 1.0, powers)]);
+        for (threshold, bounds) in [(0.0, "patch"), (1.0 - 1e-6, "local")] {
+            let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), threshold).unwrap();
+            assert!((1.0 - ROUNDING..1.0 + ROUNDING).contains(&bound), "{powers:?}, {bounds}: {bound}");
+        }
+    }
+}
+
+/// The same with the graph as B, so flat that its normals are almost vertical.
+#[test]
+fn taylor_over_a_graph() {
+    const FACTOR: f64 = 1e-4;
+    let a = Model::new(&[graph(0.0, 0.0, [0, 0])]);
+    for powers in monomials() {
+        // Higher than the first-order bound allows without the expansion.
+        let b = Model::new(&[graph(1e-5, FACTOR, powers)]);
+        for threshold in [0.0, 1.09e-4] {
+            let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), threshold).unwrap();
+            // A slope of 3e-4 moves the foot by 3e-8, and takes 5e-8 off the distance.
+            assert_attained(bound * (1.0 + 1e-7), 1.1e-4, 1e-6);
+        }
+    }
+}
+
+/// A small cell of a quartic: its local bounds are those of its own corner.
+#[test]
+fn taylor_with_local_bounds() {
+    const HALF: f64 = 1.0 / 16.0;
+    let b = Model::new(&[plane([-2.0, 3.0])]);
+    for (powers, axis) in [([4, 0], 0), ([0, 4], 1)] {
+        let a = Model::new(&[graph(0.0, 0.25, powers)]);
+        let mut cell = Cell { patch: 0, center: [0.5; 2], half: [HALF; 2] };
+        cell.center[axis] = 1.0 - HALF;
+        let bound = evaluate(&Taylor, &a, &b, cell, 0.25 - 1e-6).unwrap();
+        // The remainder is 4 h³ / 4 at the corner's derivative, the true one 4 h³ - 3 h⁴.
+        assert_attained(bound, 0.25, 4.0 * 0.76 * HALF.powi(4));
+    }
+}
+
+/// A line that runs away from a point of B: both terms are attained at its end.
+#[test]
+fn lipschitz_along_a_line() {
+    let b = Model::new(&[point([0.0; 3])]);
+    let along_t = line([1.0, 0.0, 0.0], [3.0, 0.0, 0.0]);
+    let along_s = bilinear([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]]);
+    for a in [along_t, along_s] {
+        let bound = evaluate(&Taylor, &Model::new(&[a]), &b, Cell::whole(0), 4.0).unwrap();
+        assert_attained(bound, 3.0, 0.0);
+    }
+}
+
+/// Two points of B so near to each other that both are about as far from all of A.
+#[test]
+fn convex_combination_of_two_points() {
+    const APART: f64 = 1e-2;
+    const WIDTH: f64 = 1e-3;
+    let b = Model::new(&[point([APART, 0.0, -1.0]), point([-APART, 0.0, -1.0])]);
+    // From z = -1/8 to z = 1/8 as a cubic with its inflection at the centre, and
+    // across the bisector in s.
+    let heights = [-0.125, 0.125, -0.125, 0.125];
+    let controls = [-WIDTH, WIDTH].map(|x| heights.map(|z| DVec4::new(x, 0.0, 4.0 * z, 1.0)));
+    let a = Model::new(&[([1, 3], controls.concat())]);
+    let pair = pair(&a, &b);
+    let nearest = NearestPoint::new(pair.b);
+    let truth = (1.5_f64.powi(2) + APART.powi(2)).sqrt();
+    for threshold in [0.0, truth * (1.0 - 1e-6)] {
+        let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+        let mut feet = context.feet.clone();
+        feet.add(nearest.on_patch(context.jet.point, 1, [0.5; 2]));
+        context.set_feet(feet);
+        let bound = ConvexCombination.evaluate(&mut context, threshold).unwrap();
+        assert_attained(bound, truth, 1e-4);
+    }
+}
+
+/// The height over a plane is the largest at a coefficient, of the polynomial
+/// s^a t^b and of the rational function 1 / (1 + s).
+#[test]
+fn polynomial_difference_at_a_corner() {
+    const THRESHOLD: f64 = 1.0 + 1e-9;
+    let b = Model::new(&[plane([-2.0, 3.0])]);
+    for powers in [[1, 0], [2, 1], [3, 3]] {
+        let a = Model::new(&[graph(0.25, 0.75, powers)]);
+        let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), THRESHOLD).unwrap();
+        assert_attained(bound, 1.0, 0.0);
+    }
+    // (s w, t w, 1, w) with w = 1 + s, and the same mirrored, scaled to small weights.
+    let rational = |mirrored: bool, scale: f64| {
+        let rows = [[0.0, 1.0], [0.5, 1.5], [2.0, 2.0]].map(|[x, w]| {
+            let x = if mirrored { w - x } else { x };
+            [0.0, 1.0].map(|t| scale * DVec4::new(x, t * w, 1.0, w))
+        });
+        ([2, 1], rows.concat())
+    };
+    for (mirrored, scale) in [(false, 1.0), (true, 1.0), (false, 0.125)] {
+        let a = Model::new(&[rational(mirrored, scale)]);
+        let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), THRESHOLD).unwrap();
+        assert_attained(bound, 1.0, 0.0);
+    }
+}
+
+/// The roles exchanged: the graph is B, almost flat.
+#[test]
+fn polynomial_difference_from_a_graph() {
+    const HEIGHT: f64 = 1e-6;
+    let a = Model::new(&[graph(0.0, 0.0, [0, 0])]);
+    for powers in [[1, 0], [2, 0], [1, 2]] {
+        let b = Model::new(&[graph(HEIGHT, HEIGHT, powers)]);
+        let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 2.1 * HEIGHT).unwrap();
+        assert_attained(bound * (1.0 + 1e-9), 2.0 * HEIGHT, 1e-6);
+    }
+}
+
+/// An arch over a plane, with its corners at the least height: `δ_A` is the
+/// height of the arch. Then the plane over an arch, with `δ_B`.
+#[test]
+fn bilinear_over_and_under_an_arch() {
+    let arch = |axis: usize, height: f64, rise: f64| -> Net {
+        let (mut net, z) = (graph(height, 0.0, [2, 2]), [height, height + 2.0 * rise, height]);
+        for (index, control) in net.1.iter_mut().enumerate() {
+            control.z = z[[index / 3, index % 3][axis]];
+        }
+        net
+    };
+    for axis in [0, 1] {
+        let a = Model::new(&[arch(axis, 0.1, 0.1)]);
+        let b = Model::new(&[plane([-2.0, 3.0])]);
+        assert_attained(evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap(), 0.2, 1e-9);
+        // Two patches that join across s; where the arch is along s, the places
+        // at which its edges cross the join are near its top; along t, they are off
+        // the join by the tolerance of the secant steps.
+        let b = Model::new(&[plane([-2.0, 0.4]), plane([0.4, 3.0])]);
+        let bound = evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap();
+        assert_attained(bound, 0.2, [0.5, 0.02][axis]);
+        let flat = Model::new(&[graph(0.0, 0.0, [1, 1])]);
+        let b = Model::new(&[arch(axis, 1e-5, 1e-4)]);
+        let bound = evaluate(&Bilinear, &flat, &b, Cell::whole(0), 1.0).unwrap();
+        assert_attained(bound * (1.0 + 1e-6), 1.1e-4, 1e-3);
+    }
+}
+
+/// A copy moved along its normal, with one corner moved farther.
+#[test]
+fn same_net_of_a_moved_copy() {
+    let b = Model::new(&[bilinear([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]])]);
+    for corner in 0..4 {
+        let mut copy = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
+        copy.1[corner].z = 2.0;
+        let a = Model::new(&[copy]);
+        assert_attained(same_net::upper_bound(&pair(&a, &b), 0), 2.0, 0.0);
+        // A weight that differs leaves no copy.
+        let mut other = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
+        other.1[corner] *= 2.0;
+        assert_eq!(same_net::upper_bound(&pair(&Model::new(&[other]), &b), 0), f64::INFINITY);
+    }
+    // No patch of B corresponds to the second patch.
+    let a = Model::new(&[graph(1.0, 0.0, [1, 1]), graph(1.0, 0.0, [1, 1])]);
+    assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
+}
+
+/// Points inside and outside a sphere, and the end of a line.
+#[test]
+fn sphere_and_points() {
+    let sphere = Sphere { center: DVec3::new(1.0, 0.0, 0.0), radius: 2.0, deviation: 0.125 };
+    let bound = |net: Net, cell: Cell| {
+        let model = Model::new(&[net]);
+        sphere::upper_bound(&cell, &model.operand().patch(0), &RigidTransform::IDENTITY, &sphere)
+    };
+    assert_attained(bound(point([1.0, 0.25, 0.0]), Cell::whole(0)), 1.875, 0.0);
+    assert_attained(bound(point([1.0, 0.0, -5.0]), Cell::whole(0)), 3.125, 0.0);
+    let away = || line([3.0, 0.0, 0.0], [7.0, 0.0, 0.0]);
+    assert_attained(bound(away(), Cell::whole(0)), 4.125, 0.0);
+    assert_attained(bound(away(), Cell { half: [0.5, 0.25], ..Cell::whole(0) }), 3.125, 0.0);
+}
+
+/// The farthest corner of A's box from a point, and of B's box from a point.
+#[test]
+fn boxes_are_attained_at_a_corner() {
+    let diagonal = || line([0.0, 0.0, 0.0], [1.0, 2.0, 2.0]);
+    let origin = || point([0.0; 3]);
+    for (a, b) in [(diagonal(), origin()), (origin(), diagonal())] {
+        assert_attained(whole_models(&pair(&Model::new(&[a]), &Model::new(&[b]))), 3.0, 0.0);
+    }
+}
+
+/// Two parts of a line that runs away from a point of B.
+#[test]
+fn bvh_node_of_a_line() {
+    let a = Model::new(&[line([1.0, 0.0, 0.0], [2.0, 0.0, 0.0]), line([2.0, 0.0, 0.0], [5.0, 0.0, 0.0])]);
+    let b = Model::new(&[point([0.0; 3])]);
+    let pair = pair(&a, &b);
+    let nearest = NearestPoint::new(pair.b);
+    let (bound, _) = bvh_node(&pair, &nearest, 0, &Foot::start(0, [0.5; 2]), 0.0);
+    assert_attained(bound, 5.0, 0.0);
+}
