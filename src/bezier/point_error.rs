@@ -1,5 +1,6 @@
 //! The rounding of the points of a model's patches.
 
+use crate::bvh::Aabb;
 use crate::rounding::gamma;
 
 /// Upper bounds on the distance between a point computed on a patch of a model and
@@ -28,6 +29,14 @@ impl PointError {
         self.uncut = self.uncut.max(uncut);
         self.recentring = self.recentring.max(recentring);
         self.halving = self.halving.max(gamma(2.0 * largest) * radius);
+    }
+
+    /// Returns bounds for all patches of degrees up to `degree` in a box, by its
+    /// diagonal and its distance from the origin.
+    pub(crate) fn within(degree: usize, control_box: &Aabb) -> Self {
+        let mut error = Self::default();
+        error.include([degree; 2], control_box.diagonal(), control_box.farthest_from_origin());
+        error
     }
 
     /// Returns the bound for pieces after at most `halvings` halvings of a patch.

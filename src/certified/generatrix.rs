@@ -27,6 +27,7 @@ pub(crate) struct Generatrix {
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
     control_box: Aabb,
+    point_error: f64,
     /// A bound on how much farther from B a point is than the generatrix's
     /// point on its circle.
     pub(crate) slack: f64,
@@ -67,11 +68,17 @@ impl Generatrix {
                 Some(_) => {}
             }
         }
-        Some(Self { target: Target::new(patches), bounds, control_box: pair.a.control_box, slack })
+        Some(Self {
+            target: Target::new(patches),
+            bounds,
+            control_box: pair.a.control_box,
+            point_error: pair.a.point_error,
+            slack,
+        })
     }
 
     pub(crate) fn operand(&self) -> Operand<'_> {
-        Operand::new(&self.target, &self.bounds).with_control_box(self.control_box)
+        Operand::new(&self.target, &self.bounds).with_accuracy(self.control_box, self.point_error)
     }
 }
 

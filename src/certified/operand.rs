@@ -1,9 +1,10 @@
 //! The two models as the search uses them.
 
 use super::rounding::JetScale;
-use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet};
+use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::closest::Target;
+use crate::flatness::MAX_HALVINGS;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::symmetry::{Revolution, Sphere};
@@ -23,19 +24,23 @@ pub(crate) struct Operand<'a> {
     pub(super) sphere: Option<Sphere>,
     /// A box around the control points of the surfaces.
     pub(super) control_box: Aabb,
+    /// How far computed points of the patches may be from the exact ones.
+    pub(super) point_error: f64,
 }
 
 impl<'a> Operand<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
         let control_box = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
-        Self { target, bounds, uncut_patches: &target.patches, revolutions: &[], sphere: None, control_box }
+        let point_error = PointError::within(target.max_degree, &control_box).after(MAX_HALVINGS);
+        let uncut_patches = &target.patches;
+        Self { target, bounds, uncut_patches, revolutions: &[], sphere: None, control_box, point_error }
     }
 
     /// The same model with the box around its surfaces' own control points,
-    /// which contains those of the patches.
-    pub(crate) fn with_control_box(self, control_box: Aabb) -> Self {
-        Self { control_box, ..self }
+    /// which contains those of the patches, and the error of its points.
+    pub(crate) fn with_accuracy(self, control_box: Aabb, point_error: f64) -> Self {
+        Self { control_box, point_error, ..self }
     }
 
     /// The same model for an operand whose patches are cut as `uncut_patches` are.

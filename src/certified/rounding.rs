@@ -2,16 +2,11 @@
 //! section 6.
 
 use super::Pair;
-use crate::bvh::Aabb;
-use crate::closest::Target;
 pub(super) use crate::rounding::{UNIT_ROUNDOFF, gamma};
 use crate::rounding::{VANISHING_LENGTH, closest_rounding};
 
 /// Roundings, relative to its length, of a rotated vector (lemma R2).
 const ROTATION_ROUNDINGS: f64 = 64.0;
-
-/// Halvings of a patch when it is cut flat (lemma R4).
-const FLATTENING_HALVINGS: f64 = 8.0;
 
 /// Roundings of a finished bound, relative to it.
 const BOUND_ROUNDINGS: f64 = 16.0;
@@ -29,31 +24,17 @@ pub(super) fn before_rounding_up(limit: f64) -> f64 {
 /// `E_A + E_B`: how far computed points of both models may be from the exact
 /// ones (lemmas R2 to R5).
 pub(super) fn point_error(pair: &Pair<'_>) -> f64 {
-    let [a, b] =
-        [&pair.a, &pair.b].map(|operand| extracted_point_error(operand.target, &operand.control_box));
     let length = pair.a.control_box.farthest_from_origin();
     let offset = pair.transform.offset().length();
     // A point of A is rotated and moved; the offset of an inverse motion was rotated itself.
     let moved = gamma(ROTATION_ROUNDINGS * (length + offset) + length + offset);
-    a + b + moved + VANISHING_LENGTH
+    pair.a.point_error + pair.b.point_error + moved + VANISHING_LENGTH
 }
 
 /// What the lower bound of a certified closest-point query loses.
 pub(super) fn closest_point_error(pair: &Pair<'_>) -> f64 {
     let length = pair.a.control_box.farthest_from_origin() + pair.transform.offset().length();
     closest_rounding(length.max(pair.b.control_box.farthest_from_origin()))
-}
-
-/// How far computed points of a model's patches may be from the exact ones:
-/// extraction, cutting and evaluation, with every radius at most the diagonal
-/// of the control points' box and every centre within it.
-fn extracted_point_error(target: &Target, control_box: &Aabb) -> f64 {
-    let degree = target.max_degree as f64;
-    let extraction = 24.0 * degree + 8.0;
-    let cutting = 2.0 * FLATTENING_HALVINGS * degree + 8.0;
-    let evaluation = 16.0 * degree + 8.0;
-    let relative = extraction + cutting + evaluation;
-    gamma(relative * control_box.diagonal() + 2.0 * control_box.farthest_from_origin())
 }
 
 /// What the error of a patch's derivatives depends on (lemma R7).

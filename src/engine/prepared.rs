@@ -5,7 +5,7 @@ use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, flatten};
+use crate::flatness::{Flatness, MAX_HALVINGS, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
@@ -45,7 +45,7 @@ impl PreparedTarget {
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
-            .with_control_box(model.bounding_box)
+            .with_accuracy(model.bounding_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
     }
 }

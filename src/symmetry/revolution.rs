@@ -5,7 +5,7 @@ use super::axis::RotationAxis;
 use super::winding_number::winding;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, length_bounds};
-use crate::rounding::upper_max;
+use crate::rounding::{gamma, upper_max};
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// The largest deviation from a surface of revolution, relative to its size, at
@@ -16,6 +16,10 @@ const MAX_DEVIATION: f64 = 1e-6;
 /// error of their weights: less than four times the extent, which is at most
 /// twice the radius.
 const WEIGHT_FACTOR: f64 = 8.0;
+
+/// Roundings of a height or radius about an axis, relative to the lengths of the
+/// point and the axis' origin.
+const AXIS_ROUNDINGS: f64 = 64.0;
 
 /// A surface that, up to `deviation`, is swept by rotating a profile about an
 /// axis as one parameter runs.
@@ -191,6 +195,8 @@ impl Arc {
         }
         let [least, largest] = length_bounds([orders[0] - 1, 0], &arc);
         deviation += WEIGHT_FACTOR * weight_error * radius + upper_max(largest - 1.0, 1.0 - least) * widest;
+        // Heights and radii are dot products with a unit axis (docs/method.md, lemma R13).
+        deviation += gamma(AXIS_ROUNDINGS) * (radius + axis.origin.length() + patch.center.length());
         Some(Self { deviation, radius, widest, from, to, is_short, profile })
     }
 

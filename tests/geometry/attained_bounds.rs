@@ -162,7 +162,13 @@ fn a_constant_distance_is_nearly_attained() {
     for weights in [[1.0; 4], [1.0, 3.0, 3.0, 1.0], [0.5, 0.25, 8.0, 1.0]] {
         let controls = weights.map(|w| w * DVec4::new(3.0, 4.0, 0.0, 1.0));
         let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
-        let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 25.0, gradient: [0.0; 2] };
+        let known = CriticalPoint {
+            parameters: [0.5; 2],
+            distance_squared: 25.0,
+            gradient: [0.0; 2],
+            distance_error: 0.0,
+            gradient_error: [0.0; 2],
+        };
         for bound in [form.lower_bound(), form.lower_bound_about(&known)] {
             assert!(bound < 25.0 && bound > 25.0 * (1.0 - 1e-9), "{weights:?}: {bound}");
         }
@@ -209,6 +215,8 @@ fn the_expansion_of_the_squared_distance_is_nearly_attained() {
             parameters: if mirrored { [1.0; 2] } else { [0.0; 2] },
             distance_squared: 1.0,
             gradient: [gradient(0), gradient(1)],
+            distance_error: 0.0,
+            gradient_error: [0.0; 2],
         };
         let bound = SquaredDistance::new(degree, &controls, DVec3::ZERO).lower_bound_about(&known);
         assert!(bound <= truth, "{powers:?}: {bound} is above {truth}");
@@ -227,7 +235,13 @@ fn the_expansion_of_a_rational_distance_holds() {
         let controls = if axis == 0 { [start, start, end, end] } else { [start, end, start, end] };
         let mut gradient = [0.0; 2];
         gradient[axis] = -C;
-        let known = CriticalPoint { parameters: [0.0; 2], distance_squared: 1.0, gradient };
+        let known = CriticalPoint {
+            parameters: [0.0; 2],
+            distance_squared: 1.0,
+            gradient,
+            distance_error: 0.0,
+            gradient_error: [0.0; 2],
+        };
         let bound = SquaredDistance::new([1, 1], &controls, DVec3::ZERO).lower_bound_about(&known);
         let truth = (1.0 - C) * (1.0 - C);
         assert!(bound <= truth && bound >= 1.0 - 4.0 * C - 1e-9, "{bound}, not {truth}");
@@ -240,7 +254,13 @@ fn a_convex_squared_distance_has_no_gap() {
     let controls =
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]].map(|[x, y]| DVec4::new(x, y, 1.0, 1.0));
     let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
-    let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, gradient: [0.0; 2] };
+    let known = CriticalPoint {
+        parameters: [0.5; 2],
+        distance_squared: 1.0,
+        gradient: [0.0; 2],
+        distance_error: 0.0,
+        gradient_error: [0.0; 2],
+    };
     let bound = form.lower_bound_about(&known);
     assert!(bound < 1.0 && bound > 1.0 - 1e-12, "{bound}");
 }

@@ -22,7 +22,8 @@ use incumbent::Incumbent;
 /// threads busy, few enough that a better incumbent prunes soon.
 const CHUNK: usize = 1024;
 
-/// Half-width of a cell that float64 does not usefully halve further.
+/// Half-width of a cell that float64 does not usefully halve further; centres
+/// are multiples of it and exact.
 const MIN_HALF_WIDTH: f64 = 1e-12;
 
 /// Part of the tolerance that rounding and slack may take. Where they take more,
@@ -423,5 +424,5 @@ impl<'a> BranchAndBound<'a> {
 }
 
 fn is_too_small(node: &SearchNode) -> bool {
-    matches!(&node.domain, Domain::Cell(cell) if cell.half[0].max(cell.half[1]) < MIN_HALF_WIDTH)
+    matches!(&node.domain, Domain::Cell(cell) if cell.half[0].min(cell.half[1]) < MIN_HALF_WIDTH)
 }
