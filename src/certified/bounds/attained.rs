@@ -5,7 +5,10 @@ use super::bilinear::Bilinear;
 use super::convex_combination::ConvexCombination;
 use super::polynomial_difference::PolynomialDifference;
 use super::taylor::Taylor;
-use super::{CellContext, UpperBound, bvh_node, same_net, sphere, whole_models};
+use super::{
+    CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
+    with_nearest_feet,
+};
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
@@ -312,4 +315,36 @@ fn bvh_node_of_a_line() {
     let nearest = NearestPoint::new(pair.b);
     let (bound, _) = bvh_node(&pair, &nearest, 0, &Foot::start(0, [0.5; 2]), 0.0);
     assert_attained(bound, 5.0, 0.0);
+}
+
+/// A bound of a fixed value.
+struct Fixed(Option<f64>);
+
+impl UpperBound for Fixed {
+    fn evaluate(&self, _context: &mut CellContext<'_>, _threshold: f64) -> Option<f64> {
+        self.0
+    }
+}
+
+/// The list of bounds ends at the first that suffices; none and NaN bound nothing.
+#[test]
+fn the_least_bound_of_a_list() {
+    let a = Model::new(&[graph(0.0, 1.0, [3, 0])]);
+    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let pair = pair(&a, &b);
+    let nearest = NearestPoint::new(pair.b);
+    let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+    for (bounds, expected) in [
+        (&[None, Some(3.0), Some(2.0), Some(1.0)][..], 2.0),
+        (&[Some(3.0), Some(4.0), None], 3.0),
+        (&[Some(f64::NAN), Some(3.0)], 3.0),
+        (&[Some(f64::NAN), None], f64::INFINITY),
+        (&[], f64::INFINITY),
+    ] {
+        let fixed: Vec<Fixed> = bounds.iter().map(|&bound| Fixed(bound)).collect();
+        let list: Vec<&dyn UpperBound> = fixed.iter().map(|bound| bound as &dyn UpperBound).collect();
+        assert_eq!(least(&list, &mut context, 2.0), expected, "{bounds:?}");
+    }
+    assert_attained(with_any_foot(&mut context, 0.0), 1.0, 0.0);
+    assert_attained(with_nearest_feet(&mut context, 0.0), 1.0, 0.0);
 }

@@ -44,7 +44,7 @@ fn knots(bytes: &mut Bytes<'_>, degree: usize) -> Vec<f64> {
     let interior = bytes.below(3);
     let clamped = bytes.byte() < 192;
     let mut knots = vec![bytes.coordinate()];
-    let mut push = |knots: &mut Vec<f64>, step: f64| knots.push(knots[knots.len() - 1] + step);
+    let push = |knots: &mut Vec<f64>, step: f64| knots.push(knots[knots.len() - 1] + step);
     // Unclamped, the steps before the domain may be 0 but no more often than the degree.
     for _ in 0..degree {
         let step = if clamped { 0.0 } else { bytes.choose(&SPANS) };
