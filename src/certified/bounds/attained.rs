@@ -4,18 +4,21 @@
 use super::bilinear::Bilinear;
 use super::convex_combination::ConvexCombination;
 use super::polynomial_difference::PolynomialDifference;
+use super::same_net::SameNet;
+use super::sphere::InSphere;
 use super::taylor::Taylor;
 use super::{
     CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
     with_nearest_feet,
 };
-use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
+use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
-use crate::symmetry::Sphere;
+use crate::shapes::shape;
+use crate::symmetry::{Sphere, revolutions};
 use glam::{DVec3, DVec4};
 
 /// The rounding of a bound, relative to it.
@@ -271,6 +274,7 @@ fn same_net_of_a_moved_copy() {
         copy.1[corner].z = 2.0;
         let a = Model::new(&[copy]);
         assert_attained(same_net::upper_bound(&pair(&a, &b), 0), 2.0, 0.0);
+        assert_attained(evaluate(&SameNet, &a, &b, Cell::whole(0), 0.0).unwrap(), 2.0, 0.0);
         // A weight that differs leaves no copy.
         let mut other = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
         other.1[corner] *= 2.0;
@@ -294,6 +298,27 @@ fn sphere_and_points() {
     let away = || line([3.0, 0.0, 0.0], [7.0, 0.0, 0.0]);
     assert_attained(bound(away(), Cell::whole(0)), 4.125, 0.0);
     assert_attained(bound(away(), Cell { half: [0.5, 0.25], ..Cell::whole(0) }), 3.125, 0.0);
+}
+
+/// The same for a surface that is found to be a sphere.
+#[test]
+fn sphere_among_surfaces() {
+    let bezier = extract(&shape("sphere").unwrap());
+    let revolutions = revolutions(&bezier);
+    let radius = revolutions[0].as_ref().unwrap().sphere.unwrap().radius;
+    let center = revolutions[0].as_ref().unwrap().sphere.unwrap().center;
+    let target = Target::new(bezier.patches);
+    let bounds: Vec<_> = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+    for distance in [0.25, 3.0] {
+        let a = Model::new(&[point((center + DVec3::new(distance * radius, 0.0, 0.0)).to_array())]);
+        let b = Operand::new(&target, &bounds).with_revolutions(&revolutions);
+        let pair = Pair { b, ..pair(&a, &a) };
+        let nearest = NearestPoint::new(pair.b);
+        let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+        let bound = InSphere.evaluate(&mut context, 0.0).unwrap();
+        assert_attained(bound, (distance - 1.0).abs() * radius, 1e-9);
+        assert_attained(whole_models(&pair), (distance - 1.0).abs() * radius, 1e-9);
+    }
 }
 
 /// The farthest corner of A's box from a point, and of B's box from a point.
