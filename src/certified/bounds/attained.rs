@@ -11,7 +11,7 @@ use super::{
     CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
     with_nearest_feet,
 };
-use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract};
+use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract, relative};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
@@ -19,10 +19,13 @@ use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::shapes::shape;
 use crate::symmetry::{Sphere, revolutions};
-use glam::{DVec3, DVec4};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The rounding of a bound, relative to it.
 const ROUNDING: f64 = 1e-11;
+
+/// What the patches' controls are relative to, up to half of the first of them.
+const CENTER: DVec3 = DVec3::new(0.5, -0.25, 0.125);
 
 /// Degrees and homogeneous controls of one patch.
 type Net = ([usize; 2], Vec<DVec4>);
@@ -37,12 +40,15 @@ impl Model {
     fn new(nets: &[Net]) -> Self {
         let mut patches = PatchSet::default();
         for (surface, (degree, controls)) in nets.iter().enumerate() {
+            // Not at the origin, and different for different models.
+            let center = CENTER + 0.5 * controls[0].xyz() / controls[0].w;
+            let local = relative(controls, center);
             patches.push(Patch {
                 surface,
                 degree: *degree,
                 domain: ParamBox::UNIT,
-                center: DVec3::ZERO,
-                controls,
+                center,
+                controls: &local,
                 rational: controls.iter().any(|control| control.w != controls[0].w),
             });
         }
@@ -268,21 +274,25 @@ fn bilinear_over_and_under_an_arch() {
 /// A copy moved along its normal, with one corner moved farther.
 #[test]
 fn same_net_of_a_moved_copy() {
-    let b = Model::new(&[bilinear([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]])]);
-    for corner in 0..4 {
-        let mut copy = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
-        copy.1[corner].z = 2.0;
+    let square = |height: f64, weight: f64| -> Net {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        ([1, 1], corners.map(|[x, y]| weight * DVec4::new(x, y, height, 1.0)).to_vec())
+    };
+    for (corner, weight) in [(0, 1.0), (1, 0.5), (2, 2.0), (3, 4.0)] {
+        let b = Model::new(&[square(0.0, weight)]);
+        let mut copy = square(1.0, weight);
+        copy.1[corner].z *= 2.0;
         let a = Model::new(&[copy]);
         assert_attained(same_net::upper_bound(&pair(&a, &b), 0), 2.0, 0.0);
         assert_attained(evaluate(&SameNet, &a, &b, Cell::whole(0), 0.0).unwrap(), 2.0, 0.0);
         // A weight that differs leaves no copy.
-        let mut other = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
+        let mut other = square(1.0, weight);
         other.1[corner] *= 2.0;
         assert_eq!(same_net::upper_bound(&pair(&Model::new(&[other]), &b), 0), f64::INFINITY);
+        // No patch of B corresponds to A's second one.
+        let a = Model::new(&[square(1.0, weight), square(1.0, weight)]);
+        assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
     }
-    // No patch of B corresponds to the second patch.
-    let a = Model::new(&[graph(1.0, 0.0, [1, 1]), graph(1.0, 0.0, [1, 1])]);
-    assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
 }
 
 /// Points inside and outside a sphere, and the end of a line.
@@ -291,7 +301,15 @@ fn sphere_and_points() {
     let sphere = Sphere { center: DVec3::new(1.0, 0.0, 0.0), radius: 2.0, deviation: 0.125 };
     let bound = |net: Net, cell: Cell| {
         let model = Model::new(&[net]);
-        sphere::upper_bound(&cell, &model.operand().patch(0), &RigidTransform::IDENTITY, &sphere)
+        let bound = |motion: DVec3| {
+            let sphere = Sphere { center: sphere.center + motion, ..sphere };
+            let motion = RigidTransform::translation(motion).unwrap();
+            sphere::upper_bound(&cell, &model.operand().patch(0), &motion, &sphere)
+        };
+        // A sphere that moves as the patch does keeps its distance.
+        let bounds = [DVec3::ZERO, DVec3::new(0.0, 8.0, -4.0)].map(bound);
+        assert_eq!(bounds[0], bounds[1]);
+        bounds[0]
     };
     assert_attained(bound(point([1.0, 0.25, 0.0]), Cell::whole(0)), 1.875, 0.0);
     assert_attained(bound(point([1.0, 0.0, -5.0]), Cell::whole(0)), 3.125, 0.0);
