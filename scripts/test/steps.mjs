@@ -49,6 +49,12 @@ export const steps = [
       cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
   },
   {
+    name: "dependencies",
+    tests: true,
+    what: "licences, versions and sources of the crates; npm's audit",
+    run: () => nodeTests("scripts/test", {}),
+  },
+  {
     name: "doc",
     what: "Rust documentation",
     run: () =>

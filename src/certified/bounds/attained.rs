@@ -4,19 +4,28 @@
 use super::bilinear::Bilinear;
 use super::convex_combination::ConvexCombination;
 use super::polynomial_difference::PolynomialDifference;
+use super::same_net::SameNet;
+use super::sphere::InSphere;
 use super::taylor::Taylor;
-use super::{CellContext, UpperBound, bvh_node, same_net, sphere, whole_models};
-use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet};
+use super::{
+    CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
+    with_nearest_feet,
+};
+use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract, relative};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
-use crate::symmetry::Sphere;
-use glam::{DVec3, DVec4};
+use crate::shapes::shape;
+use crate::symmetry::{Sphere, revolutions};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The rounding of a bound, relative to it.
 const ROUNDING: f64 = 1e-11;
+
+/// What the patches' controls are relative to, up to half of the first of them.
+const CENTER: DVec3 = DVec3::new(0.5, -0.25, 0.125);
 
 /// Degrees and homogeneous controls of one patch.
 type Net = ([usize; 2], Vec<DVec4>);
@@ -31,12 +40,15 @@ impl Model {
     fn new(nets: &[Net]) -> Self {
         let mut patches = PatchSet::default();
         for (surface, (degree, controls)) in nets.iter().enumerate() {
+            // Not at the origin, and different for different models.
+            let center = CENTER + 0.5 * controls[0].xyz() / controls[0].w;
+            let local = relative(controls, center);
             patches.push(Patch {
                 surface,
                 degree: *degree,
                 domain: ParamBox::UNIT,
-                center: DVec3::ZERO,
-                controls,
+                center,
+                controls: &local,
                 rational: controls.iter().any(|control| control.w != controls[0].w),
             });
         }
@@ -262,20 +274,25 @@ fn bilinear_over_and_under_an_arch() {
 /// A copy moved along its normal, with one corner moved farther.
 #[test]
 fn same_net_of_a_moved_copy() {
-    let b = Model::new(&[bilinear([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]])]);
-    for corner in 0..4 {
-        let mut copy = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
-        copy.1[corner].z = 2.0;
+    let square = |height: f64, weight: f64| -> Net {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        ([1, 1], corners.map(|[x, y]| weight * DVec4::new(x, y, height, 1.0)).to_vec())
+    };
+    for (corner, weight) in [(0, 1.0), (1, 0.5), (2, 2.0), (3, 4.0)] {
+        let b = Model::new(&[square(0.0, weight)]);
+        let mut copy = square(1.0, weight);
+        copy.1[corner].z *= 2.0;
         let a = Model::new(&[copy]);
         assert_attained(same_net::upper_bound(&pair(&a, &b), 0), 2.0, 0.0);
+        assert_attained(evaluate(&SameNet, &a, &b, Cell::whole(0), 0.0).unwrap(), 2.0, 0.0);
         // A weight that differs leaves no copy.
-        let mut other = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
+        let mut other = square(1.0, weight);
         other.1[corner] *= 2.0;
         assert_eq!(same_net::upper_bound(&pair(&Model::new(&[other]), &b), 0), f64::INFINITY);
+        // No patch of B corresponds to A's second one.
+        let a = Model::new(&[square(1.0, weight), square(1.0, weight)]);
+        assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
     }
-    // No patch of B corresponds to the second patch.
-    let a = Model::new(&[graph(1.0, 0.0, [1, 1]), graph(1.0, 0.0, [1, 1])]);
-    assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
 }
 
 /// Points inside and outside a sphere, and the end of a line.
@@ -284,13 +301,42 @@ fn sphere_and_points() {
     let sphere = Sphere { center: DVec3::new(1.0, 0.0, 0.0), radius: 2.0, deviation: 0.125 };
     let bound = |net: Net, cell: Cell| {
         let model = Model::new(&[net]);
-        sphere::upper_bound(&cell, &model.operand().patch(0), &RigidTransform::IDENTITY, &sphere)
+        let bound = |motion: DVec3| {
+            let sphere = Sphere { center: sphere.center + motion, ..sphere };
+            let motion = RigidTransform::translation(motion).unwrap();
+            sphere::upper_bound(&cell, &model.operand().patch(0), &motion, &sphere)
+        };
+        // A sphere that moves as the patch does keeps its distance.
+        let bounds = [DVec3::ZERO, DVec3::new(0.0, 8.0, -4.0)].map(bound);
+        assert_eq!(bounds[0], bounds[1]);
+        bounds[0]
     };
     assert_attained(bound(point([1.0, 0.25, 0.0]), Cell::whole(0)), 1.875, 0.0);
     assert_attained(bound(point([1.0, 0.0, -5.0]), Cell::whole(0)), 3.125, 0.0);
     let away = || line([3.0, 0.0, 0.0], [7.0, 0.0, 0.0]);
     assert_attained(bound(away(), Cell::whole(0)), 4.125, 0.0);
     assert_attained(bound(away(), Cell { half: [0.5, 0.25], ..Cell::whole(0) }), 3.125, 0.0);
+}
+
+/// The same for a surface that is found to be a sphere.
+#[test]
+fn sphere_among_surfaces() {
+    let bezier = extract(&shape("sphere").unwrap());
+    let revolutions = revolutions(&bezier);
+    let radius = revolutions[0].as_ref().unwrap().sphere.unwrap().radius;
+    let center = revolutions[0].as_ref().unwrap().sphere.unwrap().center;
+    let target = Target::new(bezier.patches);
+    let bounds: Vec<_> = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+    for distance in [0.25, 3.0] {
+        let a = Model::new(&[point((center + DVec3::new(distance * radius, 0.0, 0.0)).to_array())]);
+        let b = Operand::new(&target, &bounds).with_revolutions(&revolutions);
+        let pair = Pair { b, ..pair(&a, &a) };
+        let nearest = NearestPoint::new(pair.b);
+        let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+        let bound = InSphere.evaluate(&mut context, 0.0).unwrap();
+        assert_attained(bound, (distance - 1.0).abs() * radius, 1e-9);
+        assert_attained(whole_models(&pair), (distance - 1.0).abs() * radius, 1e-9);
+    }
 }
 
 /// The farthest corner of A's box from a point, and of B's box from a point.
@@ -312,4 +358,36 @@ fn bvh_node_of_a_line() {
     let nearest = NearestPoint::new(pair.b);
     let (bound, _) = bvh_node(&pair, &nearest, 0, &Foot::start(0, [0.5; 2]), 0.0);
     assert_attained(bound, 5.0, 0.0);
+}
+
+/// A bound of a fixed value.
+struct Fixed(Option<f64>);
+
+impl UpperBound for Fixed {
+    fn evaluate(&self, _context: &mut CellContext<'_>, _threshold: f64) -> Option<f64> {
+        self.0
+    }
+}
+
+/// The list of bounds ends at the first that suffices; none and NaN bound nothing.
+#[test]
+fn the_least_bound_of_a_list() {
+    let a = Model::new(&[graph(0.0, 1.0, [3, 0])]);
+    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let pair = pair(&a, &b);
+    let nearest = NearestPoint::new(pair.b);
+    let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+    for (bounds, expected) in [
+        (&[None, Some(3.0), Some(2.0), Some(1.0)][..], 2.0),
+        (&[Some(3.0), Some(4.0), None], 3.0),
+        (&[Some(f64::NAN), Some(3.0)], 3.0),
+        (&[Some(f64::NAN), None], f64::INFINITY),
+        (&[], f64::INFINITY),
+    ] {
+        let fixed: Vec<Fixed> = bounds.iter().map(|&bound| Fixed(bound)).collect();
+        let list: Vec<&dyn UpperBound> = fixed.iter().map(|bound| bound as &dyn UpperBound).collect();
+        assert_eq!(least(&list, &mut context, 2.0), expected, "{bounds:?}");
+    }
+    assert_attained(with_any_foot(&mut context, 0.0), 1.0, 0.0);
+    assert_attained(with_nearest_feet(&mut context, 0.0), 1.0, 0.0);
 }

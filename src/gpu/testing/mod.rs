@@ -4,6 +4,8 @@
 #[cfg(test)]
 mod adapter;
 #[cfg(test)]
+mod attained;
+#[cfg(test)]
 mod cell_boxes;
 #[cfg(test)]
 mod cell_error;
