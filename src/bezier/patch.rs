@@ -1,5 +1,6 @@
 //! One Bézier patch, and the storage of many.
 
+use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -29,6 +30,17 @@ impl Patch<'_> {
     #[must_use]
     pub fn surface_parameters(&self, parameters: [f64; 2]) -> [f64; 2] {
         self.domain.at(parameters)
+    }
+
+    /// Returns whether the patch does not change along an axis of degree 1, as
+    /// its two rows of controls there are equal. O(p q).
+    pub(crate) fn is_constant(&self, axis: Axis) -> bool {
+        let columns = self.degree[1] + 1;
+        self.degree[axis] == 1
+            && match axis {
+                Axis::U => self.controls[..columns] == self.controls[columns..],
+                Axis::V => self.controls.chunks_exact(2).all(|pair| pair[0] == pair[1]),
+            }
     }
 
     /// Returns the positions of the control points relative to `center`.

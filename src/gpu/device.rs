@@ -39,6 +39,10 @@ impl Gpu {
     pub async fn new() -> Result<Self> {
         static NEXT_ID: AtomicU64 = AtomicU64::new(1);
         let no_adapter = |found: String| Error::NoAdapter { found };
+        #[cfg(target_arch = "wasm32")]
+        if !has_webgpu() {
+            return Err(no_adapter("navigator.gpu does not exist".to_owned()));
+        }
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
@@ -184,6 +188,17 @@ impl Gpu {
         buffer.unmap();
         Ok(content)
     }
+}
+
+/// Whether the host offers WebGPU. wgpu panics where there is neither a window
+/// nor a worker, as in Node.
+#[cfg(target_arch = "wasm32")]
+fn has_webgpu() -> bool {
+    let global = js_sys::global();
+    let has = |name: &str| js_sys::Reflect::has(&global, &name.into()).unwrap_or(false);
+    let gpu = js_sys::Reflect::get(&global, &"navigator".into())
+        .and_then(|navigator| js_sys::Reflect::get(&navigator, &"gpu".into()));
+    (has("window") || has("WorkerGlobalScope")) && gpu.is_ok_and(|gpu| gpu.is_object())
 }
 
 /// Why no adapter was found.

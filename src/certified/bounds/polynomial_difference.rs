@@ -16,6 +16,7 @@
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::gamma;
 use super::{CellContext, UpperBound};
+use crate::axis::Axis;
 use crate::bezier::{power_of_two_below, relative, scaled, squares, unscale};
 use crate::rounding::upper_max;
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
@@ -92,7 +93,7 @@ impl AlignedMap {
         let Reparametrization { p, q } = clamped;
         let swapped = p.y.abs() > p.x.abs();
         let (along, across) = if swapped { ([p.y, q.x], [p.x, q.y]) } else { ([p.x, q.y], [p.y, q.x]) };
-        let is_constant = context.patch_bounds().first.map(|first| first == 0.0);
+        let is_constant = Axis::BOTH.map(|axis| context.patch.is_constant(axis));
         let mut least = f64::INFINITY;
         for axis in 0..2 {
             if !is_constant[axis] {

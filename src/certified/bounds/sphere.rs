@@ -1,10 +1,17 @@
 //! The bound beside a sphere of B, in closed form.
 
 use super::super::Cell;
+use super::super::rounding::gamma;
 use super::{CellContext, UpperBound};
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
+use crate::rounding::upper_max;
 use crate::symmetry::Sphere;
+
+/// Roundings of a restricted control point for each degree (lemma R6), and of the
+/// shift to the sphere's centre.
+const RESTRICTION_ROUNDINGS: f64 = 16.0;
+const SHIFT_ROUNDINGS: f64 = 8.0;
 
 /// The distance to a sphere is that of the radii.
 pub(super) struct InSphere;
@@ -30,5 +37,9 @@ pub(super) fn upper_bound(
     let controls = patch.restricted(s, t);
     // The sphere is moved against the patch: its centre is one point.
     let sphere = Sphere { center: transform.apply_inverse(sphere.center), ..*sphere };
-    sphere.distance_bound(&Patch { controls: &controls, ..*patch })
+    let radius = patch.local_points().map(|point| point.length()).fold(0.0, upper_max);
+    let degrees = (patch.degree[0] + patch.degree[1]) as f64;
+    let shift = patch.center.distance(sphere.center);
+    let rounding = gamma((RESTRICTION_ROUNDINGS * degrees + 8.0) * radius + SHIFT_ROUNDINGS * shift);
+    sphere.distance_bound(&Patch { controls: &controls, ..*patch }) + rounding
 }

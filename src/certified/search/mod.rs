@@ -22,9 +22,9 @@ use incumbent::Incumbent;
 /// threads busy, few enough that a better incumbent prunes soon.
 const CHUNK: usize = 1024;
 
-/// Half-width of a cell that float64 does not usefully halve further; centres
-/// are multiples of it and exact.
-const MIN_HALF_WIDTH: f64 = 1e-12;
+/// Half-width of a cell that float64 does not usefully halve further. Centres
+/// are multiples of such dyadic widths, and exact.
+const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// Part of the tolerance that rounding and slack may take. Where they take more,
 /// the interval cannot be as narrow as requested, and the search stops at the
