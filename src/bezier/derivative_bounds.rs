@@ -58,9 +58,6 @@ const BINOMIAL: [[f64; ORDERS]; ORDERS] =
 /// cover the differences, which are of the size of rounding on a straight net.
 const ROUNDING_FACTOR: f64 = 1.0 + 1e-12;
 
-/// The subtractions in a difference of the highest order.
-const SUBTRACTIONS: f64 = (ORDERS - 1) as f64;
-
 impl Patch<'_> {
     /// Returns bounds on the first to third derivatives over [0, 1]².
     ///
@@ -82,13 +79,7 @@ impl Patch<'_> {
     /// whose homogeneous controls differ from these by at most `error`, in space
     /// and in weight: a difference of order n then differs from this net's by at
     /// most `2^n error`. The bounds are infinite where a weight may be 0.
-    ///
-    /// A computed difference of order n is off by at most `γ_n 2^n` of the largest
-    /// control, as every control passes through n subtractions at most; `error` is
-    /// enlarged by that.
     pub(super) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
-        let sizes = self.largest_controls();
-        let error = [0, 1].map(|kind| error[kind] + gamma(SUBTRACTIONS) * sizes[kind]);
         let least = |weight: f64| (weight - error[1]).max(0.0);
         let weight = self.controls.iter().map(|control| least(control.w)).fold(f64::INFINITY, lower_min);
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
@@ -130,10 +121,16 @@ impl Patch<'_> {
 
     /// Returns, for each order (a, b), the largest length and the largest
     /// weight of the controls of that derivative.
+    ///
+    /// A subtraction is off by one rounding of its result and by the errors of its two
+    /// terms, so the error of a difference is at most one rounding of the largest of its
+    /// order and twice the error of the order before (lemma R9 of docs/method.md). On a
+    /// net that is constant along an axis all of them are 0.
     fn difference_bounds(&self, error: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
         let [p, q] = self.degree;
         let columns = q + 1;
         let mut bounds = [[[0.0; 2]; ORDERS]; ORDERS];
+        let mut roundings = [[[0.0; 2]; ORDERS]; ORDERS];
         let mut by_s = self.controls.to_vec();
         for a in 0..ORDERS.min(p + 1) {
             let mut net = by_s[..(p + 1 - a) * columns].to_vec();
@@ -151,7 +148,17 @@ impl Patch<'_> {
                 }
                 let scale = falling_factorial(p, a) * falling_factorial(q, b);
                 let terms = 2.0_f64.powi((a + b) as i32);
-                *bound = [scale * (space.sqrt() + terms * error[0]), scale * (weight + terms * error[1])];
+                let sizes = [space.sqrt(), weight];
+                let before = match (a, b) {
+                    (0, 0) => None,
+                    (_, 0) => Some(roundings[a - 1][0]),
+                    _ => Some(roundings[a][b - 1]),
+                };
+                if let Some(before) = before {
+                    roundings[a][b] = [0, 1].map(|kind| gamma(1.0) * sizes[kind] + 2.0 * before[kind]);
+                }
+                *bound =
+                    [0, 1].map(|kind| scale * (sizes[kind] + terms * error[kind] + roundings[a][b][kind]));
             }
             for index in 0..(p - a) * columns {
                 by_s[index] = by_s[index + columns] - by_s[index];
