@@ -154,6 +154,20 @@ fn taylor_over_a_graph() {
     }
 }
 
+/// The same under a parallelogram, along whose sides both parameters of B grow:
+/// B's expansion by the parameters of A is attained at the corner (0.8, 0.8).
+#[test]
+fn taylor_across_the_parameter_lines() {
+    const FACTOR: f64 = 1e-4;
+    let a = Model::new(&[bilinear([[0.2, 0.2, 0.0], [0.4, 0.6, 0.0], [0.6, 0.4, 0.0], [0.8, 0.8, 0.0]])]);
+    for powers in monomials() {
+        let b = Model::new(&[graph(0.0, FACTOR, powers)]);
+        let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), 0.0).unwrap();
+        let height = FACTOR * 0.8_f64.powi((powers[0] + powers[1]) as i32);
+        assert_attained(bound * (1.0 + 1e-6), height, 1e-5);
+    }
+}
+
 /// A small cell of a quartic: its local bounds are those of its own corner.
 #[test]
 fn taylor_with_local_bounds() {

@@ -20,10 +20,8 @@ const MONOMIALS: [[f64; 4]; 4] =
 /// A tolerance to which float32 is exact enough for uncut patches.
 const TOLERANCE: f64 = 0.05;
 
-/// The graph z = factor s^a t^b over the square from `low` to `high`.
-fn graph(factor: f64, [a, b]: [usize; 2], [low, high]: [f64; 2]) -> Target {
-    let at = |index: usize| low + MONOMIALS[1][index] * (high - low);
-    let point = |i: usize, j: usize| DVec3::new(at(i), at(j), factor * MONOMIALS[a][i] * MONOMIALS[b][j]);
+/// The patch of degrees 3 with the controls that `point` gives.
+fn patch(point: impl Fn(usize, usize) -> DVec3) -> Target {
     let controls: Vec<DVec4> = (0..16).map(|index| point(index / 4, index % 4).extend(1.0)).collect();
     let mut patches = PatchSet::default();
     patches.push(Patch {
@@ -35,6 +33,21 @@ fn graph(factor: f64, [a, b]: [usize; 2], [low, high]: [f64; 2]) -> Target {
         rational: false,
     });
     Target::new(patches)
+}
+
+/// The graph z = factor s^a t^b over the square from `low` to `high`.
+fn graph(factor: f64, [a, b]: [usize; 2], [low, high]: [f64; 2]) -> Target {
+    let at = |index: usize| low + MONOMIALS[1][index] * (high - low);
+    patch(|i, j| DVec3::new(at(i), at(j), factor * MONOMIALS[a][i] * MONOMIALS[b][j]))
+}
+
+/// The parallelogram in the plane z = 0 around (½, ½) of these half sides.
+fn parallelogram([p, q]: [[f64; 2]; 2]) -> Target {
+    let at = |index: usize| 2.0 * MONOMIALS[1][index] - 1.0;
+    patch(|i, j| {
+        let [x, y] = [0, 1].map(|axis| 0.5 + at(i) * p[axis] + at(j) * q[axis]);
+        DVec3::new(x, y, 0.0)
+    })
 }
 
 /// The kernels' upper bound on the only patch of A.
@@ -59,15 +72,18 @@ fn upper_bound(gpu: &Rc<Gpu>, a: &Target, b: &Target) -> f64 {
 fn the_remainders_of_both_surfaces_are_attained() {
     let Some(gpu) = gpu("the_remainders_of_both_surfaces_are_attained") else { return };
     let plane = graph(0.0, [0, 0], [-2.0, 3.0]);
-    // B's slopes of 0.06 at most take less than 0.2 % off its height. A's square
-    // is smaller, so that feet beyond its edges are inside B.
-    let (factor, inset) = (0.02, [0.05, 0.95]);
-    let square = graph(0.0, [0, 0], inset);
+    // B's slopes of 0.06 at most take less than 0.2 % off its height. A is
+    // smaller than B, so that feet beyond its edges are inside B; along the sides
+    // of the second both parameters of B grow.
+    let factor = 0.02;
+    let flat = [([[0.45, 0.0], [0.0, 0.45]], 0.95), ([[0.2, 0.1], [0.1, 0.2]], 0.8)];
     for powers in (0..=3).flat_map(|a| (0..=3 - a).map(move |b| [a, b])).skip(1) {
         let bound = upper_bound(&gpu, &graph(1.0, powers, [0.0, 1.0]), &plane);
         assert!((1.0..1.001).contains(&bound), "{powers:?}: {bound}");
-        let bound = upper_bound(&gpu, &square, &graph(factor, powers, [0.0, 1.0]));
-        let height = factor * inset[1].powi((powers[0] + powers[1]) as i32);
-        assert!((0.998..1.02).contains(&(bound / height)), "{powers:?}: {bound}, not {height}");
+        for (sides, corner) in flat {
+            let bound = upper_bound(&gpu, &parallelogram(sides), &graph(factor, powers, [0.0, 1.0]));
+            let height = factor * f64::powi(corner, (powers[0] + powers[1]) as i32);
+            assert!((0.998..1.02).contains(&(bound / height)), "{powers:?}: {bound}, not {height}");
+        }
     }
 }
