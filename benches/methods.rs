@@ -16,7 +16,7 @@ use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
 
-/// Rounds of which the median is told.
+/// Rounds, of which the median is printed.
 const ROUNDS: usize = 5;
 
 /// Projections of samples on patches beyond which the published schedule is left out.

@@ -240,6 +240,15 @@ pub enum Error {
 }
 
 impl Error {
+    /// Returns the error for a number of a surface that is too large or not finite.
+    pub(crate) fn number_out_of_range(surface: usize, what: &'static str, index: usize, found: f64) -> Self {
+        if found.is_finite() {
+            Self::NumberTooLarge { surface, what, index, found }
+        } else {
+            Self::NonFinite { surface, what, index, found }
+        }
+    }
+
     /// Returns [`Error::OptionOutOfRange`] with what was found as Rust prints it.
     pub(crate) fn out_of_range(
         option: &'static str,

@@ -1,7 +1,5 @@
 //! Limits of the input within which float64 neither overflows nor underflows.
 
-use crate::error::Error;
-
 /// The largest absolute value of a coordinate, translation, weight or knot.
 ///
 /// Weights are divided by a power of two between 1/2 and 1 of the surface's
@@ -20,15 +18,6 @@ pub(crate) const MAX_WEIGHT_RATIO: f64 = 1e30;
 /// Returns whether the number is at most 1e100 in size; false for NaN.
 pub(crate) fn is_in_range(number: f64) -> bool {
     number.abs() <= MAX_SIZE
-}
-
-/// Returns the error for a number that is not [`is_in_range`].
-pub(crate) fn out_of_range(surface: usize, what: &'static str, index: usize, found: f64) -> Error {
-    if found.is_finite() {
-        Error::NumberTooLarge { surface, what, index, found }
-    } else {
-        Error::NonFinite { surface, what, index, found }
-    }
 }
 
 /// The largest degree accepted in either direction.

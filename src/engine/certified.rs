@@ -1,6 +1,6 @@
 //! One direction of method `certified`, within its budgets.
 
-use super::direction::{DirectedResult, surface_point};
+use super::directed_result::{DirectedResult, surface_point};
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};

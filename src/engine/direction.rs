@@ -1,9 +1,10 @@
 //! The distance in one direction, and its result.
 
 use super::certified::certified;
+use super::directed_result::DirectedResult;
 use super::{
-    Details, DistanceResult, Field, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics,
-    Stop, SurfacePoint, Witness,
+    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, SurfacePoint,
+    Witness,
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
@@ -28,23 +29,6 @@ pub(super) struct Direction<'a> {
     pub(super) from: &'a PreparedModel,
     pub(super) to: &'a PreparedModel,
     pub(super) transform: RigidTransform,
-}
-
-/// The result of one direction by one method; points are in the frame of `to`.
-pub(super) struct DirectedResult {
-    /// The distance of the witness.
-    pub(super) computed: f64,
-    /// A lower bound on the directed distance.
-    pub(super) lower: f64,
-    /// An upper bound on the directed distance.
-    pub(super) upper: f64,
-    pub(super) converged: bool,
-    /// The witness on the model `from`.
-    pub(super) from: SurfacePoint,
-    /// The witness on the model `to`.
-    pub(super) to: SurfacePoint,
-    pub(super) details: Details,
-    pub(super) field: Vec<Field>,
 }
 
 /// A result with the processor that computed it, and the time taken.
@@ -160,11 +144,6 @@ impl DirectedRun {
             field,
         }
     }
-}
-
-/// Returns a point of a surface with its parameters.
-pub(super) fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
-    SurfacePoint { surface, u, v, point: point.to_array() }
 }
 
 /// Returns the image of a point under the transform, with the same parameters.

@@ -26,7 +26,7 @@ impl Engine {
     /// Makes an engine, with a GPU if there is one, unless `backend` is [`Backend::Cpu`].
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is none.
+    /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is no adapter.
     pub async fn new(backend: Backend) -> Result<Self> {
         let engine = Self { gpu: RefCell::default(), losses: Cell::default(), missing: RefCell::default() };
         if backend != Backend::Cpu {

@@ -3,6 +3,7 @@
 
 mod certified;
 mod deviation;
+mod directed_result;
 mod direction;
 mod dispatch;
 mod hierarchy;

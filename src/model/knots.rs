@@ -3,7 +3,7 @@
 use super::MAX_DEGREE;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
-use crate::limits::{is_in_range, out_of_range};
+use crate::limits::is_in_range;
 
 /// Checks degree, number of control points and knots along one axis.
 ///
@@ -26,7 +26,7 @@ pub(super) fn validate(surface: usize, axis: Axis, degree: usize, count: usize, 
             Axis::U => "knot in u",
             Axis::V => "knot in v",
         };
-        return Err(out_of_range(surface, what, index, knots[index]));
+        return Err(Error::number_out_of_range(surface, what, index, knots[index]));
     }
     if let Some(index) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
         return Err(Error::KnotsDecreasing {

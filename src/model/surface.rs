@@ -3,7 +3,7 @@
 use super::knots;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
-use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range, out_of_range};
+use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
 use crate::param_box::ParamBox;
 
 /// A NURBS surface as plain arrays, not validated.
@@ -53,7 +53,7 @@ impl NurbsSurface {
         }
         for (point, &[x, y, z, w]) in arrays.control_points.iter().enumerate() {
             if let Some(found) = [x, y, z, w].into_iter().find(|&value| !is_in_range(value)) {
-                return Err(out_of_range(index, "control point", point, found));
+                return Err(Error::number_out_of_range(index, "control point", point, found));
             }
             if w < MIN_WEIGHT {
                 return Err(Error::WeightNotPositive { surface: index, index: point, found: w });

@@ -42,7 +42,7 @@ pub(crate) struct Revolution {
 }
 
 /// Returns for each surface of the model the surface of revolution that it is, if
-/// it is one. O(patches p² q²), less where a surface is none.
+/// it is one. O(patches p² q²), less for other surfaces.
 pub(crate) fn revolutions(model: &BezierModel) -> Vec<Option<Revolution>> {
     let detect = |grid: &PatchGrid| {
         Axis::BOTH.into_iter().find_map(|round| Strips { patches: &model.patches, grid, round }.revolution())

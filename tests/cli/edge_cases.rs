@@ -49,11 +49,11 @@ fn shape_file(test: &str, name: &str) -> String {
     file(&format!("{test}-{name}"), shape(name).unwrap().to_json().unwrap().as_bytes())
 }
 
-fn assert_refused(run: &Run, code: &str, told: &[&str]) {
+fn assert_refused(run: &Run, code: &str, message: &[&str]) {
     assert_eq!(run.status, 2, "{}", run.stderr);
     assert_eq!(run.stdout, "");
-    for told in [&[format!("error[{code}]: ").as_str()], told].concat() {
-        assert!(run.stderr.contains(told), "{told} in {}", run.stderr);
+    for message in [&[format!("error[{code}]: ").as_str()], message].concat() {
+        assert!(run.stderr.contains(message), "{message} in {}", run.stderr);
     }
 }
 
@@ -78,7 +78,7 @@ fn files_over_the_limit_are_not_read() {
     assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &Model::MAX_JSON_BYTES.to_string()]);
 }
 
-/// A device tells no length.
+/// A device has no length.
 #[cfg(target_os = "linux")]
 #[test]
 fn endless_files_end_at_the_limit() {
@@ -102,8 +102,8 @@ fn bad_arguments_have_codes() {
         (&["--rotate", "0,0,0,90"], "OPTION_INVALID", &["--rotate", "axis has length 0"]),
         (&["--unheard-of"], "OPTION_INVALID", &["--unheard-of"]),
     ];
-    for (arguments, code, told) in cases {
-        assert_refused(&run(&[&["distance", &good, &good], arguments].concat()), code, told);
+    for (arguments, code, message) in cases {
+        assert_refused(&run(&[&["distance", &good, &good], arguments].concat()), code, message);
     }
     assert_refused(&run(&["distance"]), "OPTION_INVALID", &["<A>", "<B>"]);
 }
@@ -136,8 +136,8 @@ fn a_budget_leaves_a_limit_undecided() {
     let budget = ["--translate", "0,0,0.5", "--limit", "2", "--max-cells", "1"];
     let run = run(&[&["distance", &sheet, &other], &budget[..]].concat());
     assert_eq!(run.status, 3, "{}{}", run.stdout, run.stderr);
-    for told in ["ended by the budget of cells", "converged  no"] {
-        assert!(run.stdout.contains(told), "{told} in {}", run.stdout);
+    for message in ["ended by the budget of cells", "converged  no"] {
+        assert!(run.stdout.contains(message), "{message} in {}", run.stdout);
     }
 }
 

@@ -60,7 +60,7 @@ fn points_as_near_to_everything() {
     // The centre of a sphere; the axis of a torus, as near to a circle of points.
     let (ball, ring) = (sphere(DVec3::ZERO, 2.0).unwrap(), torus(3.0, 1.0).unwrap());
     assert_contains(&find(&ball, &target_of(&ball, Flatness::Loose), DVec3::ZERO), 2.0, GAP, "centre");
-    // Where a circle of points is as near, pieces run out before they are told apart.
+    // Where a circle of points is as near, pieces run out before they are distinguished.
     for height in [0.0, 0.5, -4.0] {
         let found = find(&ring, &target_of(&ring, Flatness::Loose), DVec3::new(0.0, 0.0, height));
         assert_contains(&found, 3.0_f64.hypot(height) - 1.0, 1e-4, "axis");

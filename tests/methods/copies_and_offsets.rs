@@ -1,5 +1,5 @@
-//! Copies, moved, edited, by other parameters, degrees and pieces, are told from
-//! their own controls, in few cells; what only nearly coincides is told apart.
+//! Copies that are moved, edited or given by other parameters, degrees and pieces
+//! take few cells; surfaces that only nearly coincide are distinguished.
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};

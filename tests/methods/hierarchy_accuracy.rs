@@ -56,7 +56,7 @@ fn spheres_are_known() {
         let (forward, reverse) = (result.forward.unwrap(), result.reverse.unwrap());
         assert_eq!(result.lower, forward.lower.max(reverse.lower));
         assert_eq!(result.upper, forward.upper.max(reverse.upper));
-        // Named by model and told in B's frame.
+        // Named by model, in B's frame.
         let [on_a, on_b] = [&reverse.witness.a, &reverse.witness.b].map(|end| DVec3::from_array(end.point));
         assert!(((on_a - DVec3::new(0.0, 0.3, 0.75)).length() - 1.0).abs() < ROUNDING);
         assert!((on_b.length() - 1.0).abs() < ROUNDING);
@@ -235,7 +235,7 @@ fn options_out_of_range_are_named() {
     assert_eq!(refused(Options { memory_budget: 257, ..hierarchy() }).0, "memory budget");
 }
 
-/// Notes what it is told, and cancels once it passes a fraction.
+/// Records its calls, and cancels once the progress passes a fraction.
 #[derive(Default)]
 struct Watch {
     cancel_at: Option<f64>,

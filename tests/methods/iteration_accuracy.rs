@@ -75,7 +75,7 @@ fn a_sphere_moved_along_the_axis_is_as_far_as_it_moved() {
         let reverse = result.reverse.unwrap();
         let ends = [reverse.witness.a.point, reverse.witness.b.point].map(DVec3::from_array);
         assert!((ends[0].distance(ends[1]) - 0.75).abs() < ROUNDING);
-        // Named by model and told in B's frame: b on the sphere about the origin, a on the moved one.
+        // Named by model, in B's frame: b on the sphere about the origin, a on the moved one.
         assert!((ends[1].length() - 1.0).abs() < ROUNDING);
         assert!(((ends[0] - DVec3::Z * 0.75).length() - 1.0).abs() < ROUNDING);
     }

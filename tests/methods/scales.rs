@@ -1,5 +1,5 @@
 //! Models of any size, place and weights that are accepted: the interval holds,
-//! and what is told to have converged is as narrow as asked.
+//! and converged intervals are as narrow as requested.
 
 use crate::support::cpu::measure;
 use glam::DVec3;
@@ -27,16 +27,16 @@ fn options(method: Method) -> Options {
     Options { method, symmetric, samples: 8, grid: 16, max_cells: Some(CELLS), ..Options::default() }
 }
 
-/// The interval holds `truth`, and is as narrow as asked where that is told.
+/// The interval holds `truth`, and is as narrow as requested where the result says so.
 fn assert_honest(result: &DistanceResult, truth: f64, tolerance: f64, name: &str) {
     let DistanceResult { computed, lower, upper, converged, .. } = *result;
-    let told = format!("{name}: {truth:e} in [{lower:e}, {upper:e}], computed {computed:e}");
+    let message = format!("{name}: {truth:e} in [{lower:e}, {upper:e}], computed {computed:e}");
     let rounding = ROUNDING * truth;
-    assert!(lower <= truth + rounding && truth - rounding <= upper, "{told}");
-    assert!(lower <= computed && computed <= upper, "{told}");
-    assert!(result.witness.a.point.iter().chain(&result.witness.b.point).all(|x| x.is_finite()), "{told}");
+    assert!(lower <= truth + rounding && truth - rounding <= upper, "{message}");
+    assert!(lower <= computed && computed <= upper, "{message}");
+    assert!(result.witness.a.point.iter().chain(&result.witness.b.point).all(|x| x.is_finite()), "{message}");
     if converged && result.certified().is_some() {
-        assert!(upper - lower <= tolerance * result.diagonal, "{told}");
+        assert!(upper - lower <= tolerance * result.diagonal, "{message}");
     }
 }
 
@@ -99,7 +99,7 @@ fn squares_of_any_weights_are_measured() {
 }
 
 /// Far from the origin coordinates are rounded by more than a fine tolerance;
-/// then it is told that float64 ended the search.
+/// then the result says that float64 ended the search.
 #[test]
 fn what_float64_cannot_tell_has_not_converged() {
     let mut converged = 0;

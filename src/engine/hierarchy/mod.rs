@@ -3,7 +3,8 @@
 mod backend;
 mod cpu;
 
-use super::direction::{DirectedResult, DirectedRun, Direction, surface_point};
+use super::directed_result::{DirectedResult, surface_point};
+use super::direction::{DirectedRun, Direction};
 use super::{Details, HierarchyDetails, Options, PreparedModel, Processor, Seconds};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuHierarchy, Placement};

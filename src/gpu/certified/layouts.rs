@@ -4,6 +4,9 @@ use crate::certified::MAX_ASPECT;
 use crate::gpu::constants::Constant;
 use bytemuck::{Pod, Zeroable};
 
+/// Levels of one submission.
+pub(crate) const LEVELS: usize = 4;
+
 /// `LevelParams` of `cells.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]

@@ -1,7 +1,7 @@
 //! One level of cells: its buffers and its dispatches.
 
 use super::kernels;
-use super::layouts::{Batch, CellState, JET_BYTES, LevelParams, Tally};
+use super::layouts::{Batch, CellState, JET_BYTES, LEVELS, LevelParams, Tally};
 use super::upload::GpuSubpatches;
 use crate::closest::Projection;
 use crate::gpu::Gpu;
@@ -15,9 +15,6 @@ use std::rc::Rc;
 
 /// The most cells of a level.
 pub(crate) const CAPACITY: usize = 1 << 15;
-
-/// Levels of one submission.
-pub(crate) const LEVELS: usize = 4;
 
 /// The most leftover cells of a submission: every cell of every level may be
 /// for float64 or have up to four children without space in the next level.

@@ -30,8 +30,10 @@ use crate::closest::Target;
 use crate::error::Result;
 use crate::model::RigidTransform;
 use bytemuck::{Zeroable, bytes_of, pod_read_unaligned};
-use layouts::{Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, LENGTH_ROUNDINGS, LevelParams, Tally};
-use level::{Buffers, CAPACITY, LEVELS, LevelDispatch, dispatches};
+use layouts::{
+    Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, LENGTH_ROUNDINGS, LEVELS, LevelParams, Tally,
+};
+use level::{Buffers, CAPACITY, LevelDispatch, dispatches};
 use std::rc::Rc;
 use web_time::Instant;
 

@@ -1,6 +1,6 @@
 //! Patches cut into subpatches that are small enough for float32.
 
-use super::level::LEVELS;
+use super::layouts::LEVELS;
 use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid};
 use crate::certified::Cell;

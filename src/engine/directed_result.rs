@@ -1,0 +1,26 @@
+//! The result of one direction, before it is named by model.
+
+use super::{Details, Field, SurfacePoint};
+use glam::DVec3;
+
+/// The result of one direction by one method; points are in the frame of `to`.
+pub(super) struct DirectedResult {
+    /// The distance of the witness.
+    pub(super) computed: f64,
+    /// A lower bound on the directed distance.
+    pub(super) lower: f64,
+    /// An upper bound on the directed distance.
+    pub(super) upper: f64,
+    pub(super) converged: bool,
+    /// The witness on the model `from`.
+    pub(super) from: SurfacePoint,
+    /// The witness on the model `to`.
+    pub(super) to: SurfacePoint,
+    pub(super) details: Details,
+    pub(super) field: Vec<Field>,
+}
+
+/// Returns a point of a surface with its parameters.
+pub(super) fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
+    SurfacePoint { surface, u, v, point: point.to_array() }
+}
