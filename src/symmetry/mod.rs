@@ -19,8 +19,9 @@ mod tests {
     use crate::shapes::{shape, sphere};
     use glam::{DQuat, DVec3};
 
-    /// The rounding error of surfaces of size 1 to 10, about a hundred away from the origin.
-    const ROUNDING: f64 = 1e-12;
+    /// The rounding error of surfaces of size 1 to 10, about a hundred away from the
+    /// origin, with the allowance of lemma R13 of docs/method.md.
+    const ROUNDING: f64 = 1e-11;
 
     fn away(model: &Model) -> Model {
         let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.8);

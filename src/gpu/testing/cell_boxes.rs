@@ -35,12 +35,13 @@ fn rough(degree: [usize; 2], middle: DVec3, size: f64, ratio: f64, seed: u64) ->
     Model::from_arrays(None, vec![SurfaceArrays { degree, knots, counts, control_points }]).unwrap()
 }
 
-/// Four patches whose corners' weights underflow in float32, so that the points are 0 / 0 there.
+/// Four patches whose corners' weights are the smallest that a surface may have:
+/// their products underflow in float32.
 fn weightless_corners() -> Model {
     let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0];
     let point = |i: usize, j: usize| {
         let heavy = i % 2 == 1 && j % 2 == 1;
-        [i as f64, j as f64, 0.0, if heavy { 1.0 } else { 1e-90 }]
+        [i as f64, j as f64, 0.0, if heavy { 1.0 } else { 1e-30 }]
     };
     let control_points = (0..25).map(|k| point(k / 5, k % 5)).collect();
     let arrays =
