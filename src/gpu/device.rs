@@ -190,15 +190,15 @@ impl Gpu {
     }
 }
 
-/// Whether the host offers WebGPU. wgpu panics where there is neither a window
-/// nor a worker, as in Node.
+/// Whether the host offers WebGPU. wgpu panics where there is neither the class
+/// of a window nor that of a worker, as in Node.
 #[cfg(target_arch = "wasm32")]
 fn has_webgpu() -> bool {
     let global = js_sys::global();
     let has = |name: &str| js_sys::Reflect::has(&global, &name.into()).unwrap_or(false);
     let gpu = js_sys::Reflect::get(&global, &"navigator".into())
         .and_then(|navigator| js_sys::Reflect::get(&navigator, &"gpu".into()));
-    (has("window") || has("WorkerGlobalScope")) && gpu.is_ok_and(|gpu| gpu.is_object())
+    (has("Window") || has("WorkerGlobalScope")) && gpu.is_ok_and(|gpu| gpu.is_object())
 }
 
 /// Why no adapter was found.
