@@ -43,7 +43,7 @@ test("both directions have pairs, which the whole adds up", async () => {
 test("more pairs than the budget holds are refused by their number", async () => {
   const a = hd.shape("sphere");
   const options = { method: "hierarchy", grid: 128, memoryBudget: 1 };
-  const message = /wants \d{6,} pairs of boxes, expected at most 65536/;
+  const message = /requires \d{6,} pairs of boxes, expected at most 65536/;
   for (const backend of ["gpu", "cpu"]) {
     await assert.rejects(
       hd.distance(a, a, { ...options, backend }),
