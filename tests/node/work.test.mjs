@@ -63,7 +63,7 @@ test("the event loop turns while work is done", async () => {
   const timer = setInterval(() => {
     turns += 1;
   }, 1);
-  await hd.distance(a, b, { method: "iteration", samples: 128, backend: "cpu" });
+  await hd.distance(a, b, { method: "iteration", samples: 512, backend: "cpu" });
   clearInterval(timer);
   assert.ok(turns > 3, `${turns} turns`);
 });
