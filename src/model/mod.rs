@@ -4,6 +4,7 @@ mod json;
 mod knots;
 mod rigid_transform;
 mod surface;
+pub mod trim;
 
 pub use crate::limits::MAX_DEGREE;
 pub use rigid_transform::RigidTransform;
