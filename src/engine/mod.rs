@@ -3,6 +3,7 @@
 
 mod certified;
 mod deviation;
+mod diff;
 mod directed_result;
 mod direction;
 mod dispatch;
@@ -14,6 +15,7 @@ mod result;
 mod symmetric;
 
 pub use deviation::Statistics;
+pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
