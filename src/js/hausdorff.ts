@@ -1,3 +1,4 @@
+import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
 import { load, type ModuleSource, requireLoaded } from "./load.js";
 import { NurbsModel } from "./model.js";
@@ -114,9 +115,31 @@ export class Hausdorff {
     b: NurbsModel,
     options: DistanceOptions = {},
   ): Promise<DistanceResult> {
+    return this.#inTurn("distance", a, b, options);
+  }
+
+  /**
+   * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`
+   * with `a`, by method `certified` on the CPU: which faces changed by more than the
+   * tolerance, how far and where.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
+    return this.#inTurn("diff", a, b, options);
+  }
+
+  /** Runs a method of the engine when no other is running. */
+  async #inTurn<Result>(
+    method: "distance" | "diff",
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions | DiffOptions,
+  ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const result = engine.distance(
+    const result = engine[method](
       prepared(a, "a"),
       prepared(b, "b"),
       plain,
@@ -124,7 +147,7 @@ export class Hausdorff {
       signal,
       onProgress,
       this.#turn,
-    ) as Promise<DistanceResult>;
+    ) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
       return await result;

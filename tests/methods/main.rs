@@ -8,6 +8,7 @@ mod support;
 mod bisector_maxima;
 mod certified;
 mod copies_and_offsets;
+mod diff;
 mod hierarchy_accuracy;
 mod hierarchy_boxes;
 mod iteration_accuracy;
