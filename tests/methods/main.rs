@@ -9,6 +9,7 @@ mod bisector_maxima;
 mod certified;
 mod copies_and_offsets;
 mod diff;
+mod field;
 mod hierarchy_accuracy;
 mod hierarchy_boxes;
 mod iteration_accuracy;
