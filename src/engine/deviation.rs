@@ -174,7 +174,7 @@ fn weight(parameters: &[f64], index: usize) -> f64 {
 }
 
 /// The distance, negative behind the foot's normal; NaN where there is no normal.
-fn signed(point: DVec3, foot: &Jet) -> f64 {
+pub(super) fn signed(point: DVec3, foot: &Jet) -> f64 {
     let offset = point - foot.point;
     foot.normal().map_or(f64::NAN, |normal| offset.length().copysign(offset.dot(normal)))
 }

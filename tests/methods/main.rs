@@ -7,6 +7,7 @@ mod support;
 
 mod bisector_maxima;
 mod certified;
+mod closest_points;
 mod copies_and_offsets;
 mod diff;
 mod field;
