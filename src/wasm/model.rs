@@ -19,7 +19,7 @@ pub struct PreparedModel(Rc<engine::PreparedModel>);
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Self::new(&Model::from_arrays(None, surfaces.into_inner())?)
+        Self::new(&Model::from_faces(surfaces.into_inner())?)
     }
 
     /// A model of interchange JSON.
@@ -41,6 +41,22 @@ impl PreparedModel {
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> Option<String> {
         self.0.name().map(str::to_owned)
+    }
+
+    /// Metres per unit.
+    #[wasm_bindgen(getter)]
+    pub fn unit(&self) -> Option<f64> {
+        self.0.unit()
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn gap(&self) -> f64 {
+        self.0.gap()
+    }
+
+    /// The name of a face, of which there are [`Self::surface_count`].
+    pub fn part(&self, face: usize) -> Option<String> {
+        if face < self.0.face_count() { self.0.part(face).map(str::to_owned) } else { None }
     }
 
     #[wasm_bindgen(getter, js_name = surfaceCount)]
