@@ -35,7 +35,7 @@ impl Graph {
     }
 
     fn local(&self, v: f64) -> f64 {
-        (v - self.v[0]) / (self.v[1] - self.v[0])
+        ((v - self.v[0]) / (self.v[1] - self.v[0])).clamp(0.0, 1.0)
     }
 
     /// Returns g(v). O(degree²).

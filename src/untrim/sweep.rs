@@ -53,6 +53,8 @@ pub(super) fn cells(face: &Face, boundary: &Boundary) -> Vec<Cell> {
         }
     }
     let mut levels: Vec<f64> = arcs.iter().flat_map(|arc| arc.v).collect();
+    // The order of the arcs changes also where one crosses a knot line of u.
+    levels.extend(&boundary.crossings);
     levels.extend(knots_v.iter().filter(|&&knot| range[0] < knot && knot < range[1]));
     levels.sort_by(f64::total_cmp);
     levels.dedup();
