@@ -13,6 +13,7 @@ import {
 import type { DistanceResult } from "./result.js";
 import {
   type InterchangeModel,
+  type ModelArrays,
   type Numbers,
   numbers,
   prepare,
@@ -83,12 +84,12 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON, or of its text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+  model(input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string): NurbsModel {
     this.#open();
     return translating(() => NurbsModel.of(prepare(input)));
   }
@@ -120,6 +121,7 @@ export class Hausdorff {
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `UNITS_DIFFER`, unless `scaleUnits` is set;
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */

@@ -17,9 +17,14 @@ export type {
 } from "./result.js";
 export type {
   ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
   InterchangeModel,
   InterchangeSurface,
+  ModelArrays,
   Numbers,
   SurfaceArrays,
+  TrimCurveArrays,
 } from "./surface.js";
 export type { Tessellation } from "./tessellation.js";
