@@ -1,5 +1,6 @@
 //! The input: NURBS surfaces and rigid transforms, validated once.
 
+mod arrays;
 mod json;
 mod knots;
 mod rigid_transform;
@@ -7,6 +8,7 @@ mod surface;
 pub mod trim;
 
 pub use crate::limits::MAX_DEGREE;
+pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 
