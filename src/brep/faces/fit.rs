@@ -10,8 +10,9 @@ use glam::{DVec3, DVec4};
 /// about six times the pieces at the tolerance used.
 const DEGREE: usize = 5;
 
-/// The deepest bisection of a piece, 2^-20 of it. The bound falls by 64 a level.
-const MAX_DEPTH: usize = 20;
+/// The deepest bisection of a piece. The bound falls by 64 a level, and the limit keeps
+/// bogus curves from taking long.
+const MAX_DEPTH: usize = 8;
 
 /// The roundings of the interval arithmetic, relative to the bound.
 const ROUNDING: f64 = 1.0 + 1e-9;

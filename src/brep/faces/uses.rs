@@ -113,6 +113,7 @@ fn of_edge(
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
     let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
+    if std::env::var("DBG").is_ok() && gap > 0.05 { eprintln!("measured {gap} {} range {:?} {:?} curve {curve:?} edge {:?} tol {}", surface.kind(), p_curve.range, edge.curve, edge.curve.as_ref().map(|c| &file.curves[c.curve]), edge.tolerance); }
     Ok(Some((spline, gap)))
 }
 
@@ -163,6 +164,7 @@ fn made_on_plane(
         gap = gap.max(scale * local.z.abs());
         *control = (weight * DVec3::new(local.x, local.y, 0.0)).extend(weight);
     }
+    if std::env::var("DBG").is_ok() && gap > 0.05 { eprintln!("plane {gap} {frame:?} {:?} {:?} {:?} tol {}", space, curve, to_plane, edge.tolerance); }
     Ok((spline, gap))
 }
 

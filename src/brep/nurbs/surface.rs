@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{blossom, project, span};
+use super::spline::{project, tensor_point};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -41,17 +41,10 @@ impl SplineSurface {
     }
 
     fn point(&self, u: f64, v: f64) -> DVec3 {
-        let [(knots_u, poles_u), (knots_v, poles_v)] = [self.bases[0].one_period(), self.bases[1].one_period()];
+        let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
         let [u, v] = [self.bases[0].reduced(u), self.bases[1].reduced(v)];
-        let [p, q] = [self.bases[0].degree, self.bases[1].degree];
-        let (row, column) = (span(knots_u, p, poles_u.len(), u), span(knots_v, q, poles_v.len(), v));
-        let along_v = |&i: &usize| {
-            let controls: Vec<DVec4> =
-                poles_v[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]).collect();
-            blossom(knots_v, q, column, &controls, |_| v)
-        };
-        let controls: Vec<DVec4> = poles_u[row - p..=row].iter().map(along_v).collect();
-        project(blossom(knots_u, p, row, &controls, |_| u))
+        let control = |i: usize, j: usize| self.poles[rows[i] * self.columns + columns[j]];
+        tensor_point(self.bases.each_ref().map(|basis| basis.degree), [knots_u, knots_v], [u, v], control)
     }
 
     /// Returns whether the first and last row of control points along an axis coincide.
