@@ -73,7 +73,6 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
         .into_iter()
         .map(|uses| uses.into_iter().flat_map(|trim_use| mapping::map(trim_use, &net, &metric)).collect())
         .collect();
-    if std::env::var("DBG").is_ok() && metric.speeds[0].max(metric.speeds[1]) > 1e5 { eprintln!("{:?} speeds {:?} knots {:?} kind {}", net.degrees, metric.speeds, net.knots, surface.kind()); }
     joints::join(&mut mapped, &net);
     let curves = || mapped.iter().flatten();
     let fitted = curves().filter(|curve| curve.fitted).count();

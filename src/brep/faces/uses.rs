@@ -113,7 +113,6 @@ fn of_edge(
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
     let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
-    if std::env::var("DBG").is_ok() && gap > 0.05 { eprintln!("measured {gap} {} range {:?} {:?} curve {curve:?} edge {:?} tol {}", surface.kind(), p_curve.range, edge.curve, edge.curve.as_ref().map(|c| &file.curves[c.curve]), edge.tolerance); }
     Ok(Some((spline, gap)))
 }
 
@@ -164,12 +163,12 @@ fn made_on_plane(
         gap = gap.max(scale * local.z.abs());
         *control = (weight * DVec3::new(local.x, local.y, 0.0)).extend(weight);
     }
-    if std::env::var("DBG").is_ok() && gap > 0.05 { eprintln!("plane {gap} {frame:?} {:?} {:?} {:?} tol {}", space, curve, to_plane, edge.tolerance); }
     Ok((spline, gap))
 }
 
-/// Returns the largest distance between the edge and its curve on the surface at equally
-/// spaced parameters of the range, where both are at equal parameters in the file.
+/// Returns the largest distance from points of the curve on the surface, at equally spaced
+/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
+/// to a nearer one if that is beyond the edge's tolerance.
 fn measured_gap(
     file: &BrepFile,
     face: &Face,
@@ -181,14 +180,34 @@ fn measured_gap(
 ) -> f64 {
     let Some(space) = &edge.curve else { return 0.0 };
     let space_location = *location * space.location;
+    let in_space = &file.curves[space.curve];
     let mut gap = 0.0_f64;
     for sample in 0..ReadReport::GAP_SAMPLES {
         let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
         let at = |[start, end]: [f64; 2]| (1.0 - fraction) * start + fraction * end;
         let parameters = curve.point(at([start, end]));
         let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
-        let on_edge = space_location.transform_point3(file.curves[space.curve].point(at(space.range)));
-        gap = gap.max(on_surface.distance(on_edge));
+        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
+        let mut t = at(space.range);
+        let mut nearest = distance(t);
+        // Curves of unequal parametrization are nearer to each other elsewhere.
+        for _ in 0..NEAREST_STEPS {
+            if nearest <= edge.tolerance {
+                break;
+            }
+            let tangent = space_location.transform_vector3(in_space.tangent(t));
+            let difference = on_surface - space_location.transform_point3(in_space.point(t));
+            let step = difference.dot(tangent) / tangent.length_squared();
+            if !step.is_finite() {
+                break;
+            }
+            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
+            nearest = nearest.min(distance(t));
+        }
+        gap = gap.max(nearest);
     }
     gap
 }
+
+/// The Gauss-Newton steps towards the nearest point of an edge.
+const NEAREST_STEPS: usize = 4;
