@@ -10,6 +10,7 @@ mod faces;
 mod nurbs;
 mod report;
 mod text;
+mod validation;
 
 pub use report::{ReadReport, Skipped};
 
@@ -29,8 +30,8 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        let (arrays, report) = read(text)?;
-        let model = Self::from_arrays(arrays.name, arrays.faces.into_iter().map(|face| face.surface).collect())?;
+        let (arrays, mut report) = read(text)?;
+        let model = validation::into_model(arrays, &mut report)?;
         Ok((model, report))
     }
 }

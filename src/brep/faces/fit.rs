@@ -147,7 +147,8 @@ impl Fitter<'_> {
 /// its control points, `n! / (n-k)! Δᵏ / hᵏ`.
 fn coefficients(piece: &Spline, coordinate: usize, at_end: Option<bool>) -> Jet {
     let [start, end] = piece.domain();
-    let mut differences: Vec<f64> = piece.controls.iter().map(|control: &DVec4| control[coordinate]).collect();
+    let mut differences: Vec<f64> =
+        piece.controls.iter().map(|control: &DVec4| control[coordinate]).collect();
     let mut jet = [Interval::point(0.0); ORDER];
     let mut factor = 1.0;
     for (order, coefficient) in jet.iter_mut().enumerate() {

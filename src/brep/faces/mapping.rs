@@ -32,9 +32,8 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
     let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
     let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let domain = net.domain();
-    let constant = [0, 1].map(|axis| {
-        high[axis] - low[axis] <= LINE_TOLERANCE * (domain[axis][1] - domain[axis][0])
-    });
+    let constant =
+        [0, 1].map(|axis| high[axis] - low[axis] <= LINE_TOLERANCE * (domain[axis][1] - domain[axis][0]));
     if let Some(axis) = [0, 1].into_iter().find(|&axis| constant[axis])
         && is_line(&curve, 1 - axis)
     {
@@ -42,9 +41,7 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
             return None;
         }
         let value = if low[axis] == high[axis] { low[axis] } else { 0.5 * (low[axis] + high[axis]) };
-        let image = |point: DVec3| {
-            DVec3::new(net.maps[0].apply(point.x), net.maps[1].apply(point.y), 0.0)
-        };
+        let image = |point: DVec3| DVec3::new(net.maps[0].apply(point.x), net.maps[1].apply(point.y), 0.0);
         let end = |mut point: DVec3| {
             point[axis] = value;
             image(point)

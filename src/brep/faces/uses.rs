@@ -27,6 +27,12 @@ impl TrimUse {
         Self { curve, edge: None, vertices: [None; 2], tolerance: 0.0, gap: 0.0 }
     }
 
+    /// Returns the box of the control points.
+    pub(super) fn hull(&self) -> [DVec3; 2] {
+        let points = || self.curve.points();
+        [points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max)]
+    }
+
     /// Returns a box that contains the curve, and little more.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
         let pieces = self.curve.pieces().into_iter().flat_map(|piece| {
@@ -61,8 +67,9 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             Orientation::Internal | Orientation::External => continue,
         };
         let location = wire.location * child.location;
-        let found = of_edge(file, face, edge, &location, reversed)
-            .map_err(|FaceFault { code, why }| FaceFault { code, why: format!("edge {}: {why}", child.shape) })?;
+        let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
+            FaceFault { code, why: format!("edge {}: {why}", child.shape) }
+        })?;
         let Some((curve, gap)) = found else { continue };
         let vertices = vertices(file, child.shape);
         uses.push(TrimUse {
@@ -106,9 +113,9 @@ fn of_edge(
     if start >= end {
         return Ok(None);
     }
-    let (spline, _) = curve
-        .spline(p_curve.range)
-        .ok_or_else(|| FaceFault::new("BREP_OFFSET_CURVE", "the offset of this kind of curve is not rational"))?;
+    let (spline, _) = curve.spline(p_curve.range).ok_or_else(|| {
+        FaceFault::new("BREP_OFFSET_CURVE", "the offset of this kind of curve is not rational")
+    })?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }

@@ -99,9 +99,7 @@ impl Basis {
     /// is periodic.
     pub(crate) fn reduced(&self, parameter: f64) -> f64 {
         match &self.cycle {
-            Some(Cycle { knots, period, .. }) => {
-                knots[0] + (parameter - knots[0]).rem_euclid(*period)
-            }
+            Some(Cycle { knots, period, .. }) => knots[0] + (parameter - knots[0]).rem_euclid(*period),
             None => parameter,
         }
     }

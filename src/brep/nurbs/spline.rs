@@ -59,9 +59,8 @@ impl Spline {
     /// the polynomial on any span of its support. O(controls degree²).
     pub(crate) fn with_knots(&self, knots: &[f64]) -> Self {
         let spans = support_spans(&self.knots, self.degree, self.controls.len(), knots);
-        let control = |(index, &span): (usize, &usize)| {
-            self.blossom(span, |argument| knots[index + 1 + argument])
-        };
+        let control =
+            |(index, &span): (usize, &usize)| self.blossom(span, |argument| knots[index + 1 + argument]);
         let controls = spans.iter().enumerate().map(control).collect();
         Self { degree: self.degree, knots: knots.to_vec(), controls }
     }

@@ -14,14 +14,26 @@ pub(crate) enum Surface {
     Plane(Frame),
     /// The profile, in the frame's coordinates, turned by the angle u about z; v is the
     /// profile's parameter. Cylinders, cones, spheres and tori are of this kind.
-    Revolution { frame: Frame, profile: Curve, kind: &'static str },
+    Revolution {
+        frame: Frame,
+        profile: Curve,
+        kind: &'static str,
+    },
     /// `profile(u) + v direction`.
-    Extrusion { direction: DVec3, profile: Curve },
+    Extrusion {
+        direction: DVec3,
+        profile: Curve,
+    },
     Spline(SplineSurface),
     /// The part of a surface within bounds.
-    Trimmed { bounds: [[f64; 2]; 2], basis: Box<Self> },
-    /// `S + distance (S_u × S_v) / |S_u × S_v|` where that is not of another kind.
-    Offset { distance: f64, basis: Box<Self> },
+    Trimmed {
+        bounds: [[f64; 2]; 2],
+        basis: Box<Self>,
+    },
+    /// An offset that is not rational, which no NURBS equals.
+    Offset {
+        basis: Box<Self>,
+    },
 }
 
 /// A Bézier or B-spline surface.
@@ -51,9 +63,8 @@ impl SplineSurface {
     fn closed(&self, axis: usize) -> bool {
         let rows = self.poles.len() / self.columns;
         let scale = self.poles.iter().map(|&pole| project(pole).abs().max_element()).fold(0.0, f64::max);
-        let near = |a: usize, b: usize| {
-            project(self.poles[a]).distance(project(self.poles[b])) <= CLOSED * scale
-        };
+        let near =
+            |a: usize, b: usize| project(self.poles[a]).distance(project(self.poles[b])) <= CLOSED * scale;
         if axis == 0 {
             (0..self.columns).all(|j| near(j, (rows - 1) * self.columns + j))
         } else {
@@ -67,17 +78,14 @@ impl SplineSurface {
 const CLOSED: f64 = 1e-9;
 
 impl Surface {
-    /// Returns the point at parameters.
+    /// Returns the point at parameters; of an offset that is not rational, its basis's.
     pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
         match self {
             Self::Plane(frame) => frame.point(DVec3::new(u, v, 0.0)),
             Self::Revolution { frame, profile, .. } => {
                 let ((sin, cos), local) = (u.sin_cos(), profile.point(v));
-                let turned = DVec3::new(
-                    cos * local.x - sin * local.y,
-                    sin * local.x + cos * local.y,
-                    local.z,
-                );
+                let turned =
+                    DVec3::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y, local.z);
                 frame.point(turned)
             }
             Self::Extrusion { direction, profile } => profile.point(u) + v * *direction,
@@ -87,7 +95,8 @@ impl Surface {
         }
     }
 
-    /// Returns the offset surface: of the same kind where that is exact.
+    /// Returns the surface `S + distance (S_u × S_v) / |S_u × S_v|`, of the same kind where
+    /// that is exact.
     ///
     /// The normal `S_u × S_v` of a revolution is that of its profile in the plane through
     /// the axis, and of an extrusion `C' × direction`, so that the offset is made of the
@@ -103,17 +112,17 @@ impl Surface {
                 let local = profile.offset(frame.handedness() * distance, -DVec3::Y);
                 match local.filter(|_| in_plane(profile)) {
                     Some(profile) => Self::Revolution { frame, profile, kind },
-                    None => Self::Offset { distance, basis: Box::new(self) },
+                    None => Self::Offset { basis: Box::new(self) },
                 }
             }
             Self::Extrusion { direction, ref profile } => match profile.offset(distance, direction) {
                 Some(profile) => Self::Extrusion { direction, profile },
-                None => Self::Offset { distance, basis: Box::new(self) },
+                None => Self::Offset { basis: Box::new(self) },
             },
             Self::Trimmed { bounds, basis } => {
                 Self::Trimmed { bounds, basis: Box::new(basis.offset(distance)) }
             }
-            Self::Spline(_) | Self::Offset { .. } => Self::Offset { distance, basis: Box::new(self) },
+            Self::Spline(_) | Self::Offset { .. } => Self::Offset { basis: Box::new(self) },
         }
     }
 

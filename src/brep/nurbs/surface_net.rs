@@ -132,10 +132,9 @@ fn reknotted(
         let index = |i| if axis == 0 { i * columns + fixed } else { fixed * columns + i };
         (span - degree..=span).map(|i| controls[index(i)]).collect()
     };
-    let control =
-        |index: usize, fixed: usize| blossom(old, degree, spans[index], &line(fixed, spans[index]), |argument| {
-            new[index + 1 + argument]
-        });
+    let control = |index: usize, fixed: usize| {
+        blossom(old, degree, spans[index], &line(fixed, spans[index]), |argument| new[index + 1 + argument])
+    };
     if axis == 0 {
         (0..spans.len()).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| control(i, j)).collect()
     } else {
