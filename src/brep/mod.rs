@@ -30,17 +30,31 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        let (arrays, mut report) = read(text)?;
-        let model = validation::into_model(arrays, &mut report)?;
-        Ok((model, report))
+        model(text, None, None)
     }
 }
 
-/// Reads a BREP text as plain arrays.
+/// Reads a BREP text as a model of this name and unit, which the text does not state.
+///
+/// # Errors
+/// Those of [`Model::from_brep`], and [`Error::UnitInvalid`].
+pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    let mut read = assembled(text)?;
+    (read.model.name, read.model.unit) = (name, unit);
+    validation::into_model(read)
+}
+
+/// Reads a BREP text as plain arrays, which [`model`] validates.
 ///
 /// # Errors
 /// Those of [`Model::from_brep`].
 pub fn read(text: &str) -> Result<(ModelArrays, ReadReport)> {
+    let read = assembled(text)?;
+    let report = read.report();
+    Ok((read.model, report))
+}
+
+fn assembled(text: &str) -> Result<assembly::Assembled> {
     let found = text.len() as u64;
     if found > Model::MAX_JSON_BYTES {
         return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
