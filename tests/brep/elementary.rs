@@ -12,12 +12,13 @@ const CYLINDER: &str = "2 0 0 0 0 0 1 1 0 0 0 1 0 20";
 fn a_plate_with_a_bore_keeps_both_loops_exact() {
     let bore = circle([50.0, 30.0], 10.0, -1.0);
     let (model, report) = region(PLANE, &[rectangle([0.0, 0.0], [100.0, 60.0]), bore]);
-    assert_eq!((report.trims, report.exact, report.fitted, report.gap), (5, 5, 0, 0.0));
+    assert_eq!((report.trims, report.exact, report.fitted), (5, 5, 0));
+    assert!(report.gap < 1e-14, "{}", report.gap);
     assert_near(area_of(&model), 6000.0 - 100.0 * PI, 1e-13);
     let face = model.faces().next().unwrap();
     assert_eq!(face.kind(), Some("plane"));
     for (index, [x, y, z]) in loop_points(&face) {
-        assert_eq!(z, 3.0);
+        assert_near(z, 3.0, 1e-15);
         if index == 1 {
             assert_near((x - 51.0).hypot(y - 32.0), 10.0, 1e-14);
         }

@@ -32,7 +32,7 @@ fn extrusions_have_the_length_of_their_profile() {
 #[test]
 fn revolutions_turn_their_profile() {
     // A segment from (2, 0, 0) to (5, 0, 4) about z: a cone of slant 5.
-    let segment = "7 0 0 0 0 0 0 1\n8 0 5\n1 2 0 0 0.6 0 0.8";
+    let segment = "7 0 0 0 0 0 1\n8 0 5\n1 2 0 0 0.6 0 0.8";
     let (model, report) = region(segment, &[rectangle([0.0, 0.0], [TAU, 5.0])]);
     assert_eq!(report.exact, 4);
     assert_near(area_of(&model), PI * (2.0 + 5.0) * 5.0, 1e-11);
