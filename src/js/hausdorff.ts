@@ -3,7 +3,7 @@ import { load, type ModuleSource, requireLoaded } from "./load.js";
 import { NurbsModel } from "./model.js";
 import { type Backend, type DistanceOptions, split } from "./options.js";
 import type { DistanceResult } from "./result.js";
-import { type InterchangeModel, prepare, type SurfaceArrays } from "./surface.js";
+import { type BrepText, type InterchangeModel, prepare, type SurfaceArrays } from "./surface.js";
 import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
@@ -69,12 +69,13 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, of interchange JSON or its text, or of
+   * OpenCASCADE's BREP text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+  model(input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string): NurbsModel {
     this.#open();
     return translating(() => NurbsModel.of(prepare(input)));
   }
