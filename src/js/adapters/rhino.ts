@@ -1,6 +1,6 @@
 import type { InterchangeFaces } from "../cad/interchange.js";
 import { brepFaces } from "../cad/rhino/faces.js";
-import { nurbsForm } from "../cad/rhino/surface.js";
+import { nurbsForm, nurbsOf } from "../cad/rhino/surface.js";
 import type { RhinoBrep, RhinoExtrusion, RhinoSurface } from "../cad/rhino/types.js";
 import { HausdorffError } from "../error.js";
 
@@ -25,7 +25,7 @@ export function fromRhino(
     if (typeof (geometry as Partial<RhinoSurface>)?.toNurbsSurface !== "function") {
       throw new HausdorffError("ARGUMENT_INVALID", "expected a Brep or a Surface of rhino3dm");
     }
-    return { ...common, surfaces: [nurbsForm(geometry as RhinoSurface)] };
+    return { ...common, surfaces: [nurbsForm(nurbsOf(geometry as RhinoSurface))] };
   }
   const { faces, skipped } = brepFaces(brep, name);
   const [first] = skipped;

@@ -2,7 +2,7 @@ import { HausdorffError } from "../../error.js";
 import type { InterchangeFace, InterchangeFaces, InterchangeInstance } from "../interchange.js";
 import type { CadReport, SkippedFace } from "../report.js";
 import { brepFaces, type RhinoFaces } from "./faces.js";
-import { nurbsForm } from "./surface.js";
+import { nurbsForm, nurbsOf } from "./surface.js";
 import type {
   Rhino,
   RhinoBrep,
@@ -44,13 +44,14 @@ export function rhinoModel(
   if (file === null) throw new HausdorffError("CAD_UNREADABLE", "rhino3dm cannot read the file");
   const faces: InterchangeFace[] = [];
   const skipped: SkippedFace[] = [];
-  const counts = { trims: 0, gap: 0 };
+  const counts = { trims: 0, fitted: 0, gap: 0 };
   const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }): Placed => {
     const read = facesOf(geometry, type, object.name);
     const surfaces = read.faces.map((_, index) => faces.length + index);
     faces.push(...read.faces);
     skipped.push(...read.skipped);
     counts.trims += read.trims;
+    counts.fitted += read.fitted;
     counts.gap = Math.max(counts.gap, read.gap);
     return {
       ...object,
@@ -70,11 +71,11 @@ export function rhinoModel(
     surfaces: faces,
     ...(instances === null ? {} : { instances }),
   };
-  const { trims, gap } = counts;
+  const { trims, fitted, gap } = counts;
   const surfaces = faces.length;
   return {
     model,
-    report: { kind: "3dm", surfaces, trims, exact: trims, fitted: 0, gap, unit, skipped },
+    report: { kind: "3dm", surfaces, trims, exact: trims - fitted, fitted, gap, unit, skipped },
   };
 }
 
@@ -95,7 +96,7 @@ function objectsOf(rhino: Rhino, file: RhinoFile) {
   });
 }
 
-const NOTHING: RhinoFaces = { faces: [], trims: 0, gap: 0, skipped: [] };
+const NOTHING: RhinoFaces = { faces: [], trims: 0, fitted: 0, gap: 0, skipped: [] };
 
 /** The faces of an object; curves, points and annotations have none. */
 function facesOf(geometry: object | null, type: string, name: string): RhinoFaces {
@@ -109,7 +110,10 @@ function facesOf(geometry: object | null, type: string, name: string): RhinoFace
         : brepFaces(brep, name);
     }
     if (type === "Surface") {
-      return { ...NOTHING, faces: [{ ...nurbsForm(geometry as RhinoSurface), part: name }] };
+      return {
+        ...NOTHING,
+        faces: [{ ...nurbsForm(nurbsOf(geometry as RhinoSurface)), part: name }],
+      };
     }
   } catch (error) {
     if (error instanceof HausdorffError) return skip(error.message);

@@ -4,15 +4,20 @@ import { withEndKnots } from "./curve.js";
 import type { RhinoNurbsSurface, RhinoSurface } from "./types.js";
 
 /**
- * The NURBS form of a surface of rhino3dm.
+ * The NURBS form that rhino3dm makes of a surface.
  *
- * @throws {HausdorffError} `CAD_UNREADABLE` if rhino3dm makes none.
+ * @throws {HausdorffError} `CAD_UNREADABLE` if it makes none.
  */
-export function nurbsForm(surface: RhinoSurface | null): InterchangeSurface {
+export function nurbsOf(surface: RhinoSurface | null): RhinoNurbsSurface {
   const nurbs = surface?.toNurbsSurface() ?? null;
   if (nurbs === null) {
     throw new HausdorffError("CAD_UNREADABLE", "rhino3dm makes no NURBS surface of it");
   }
+  return nurbs;
+}
+
+/** A NURBS surface of rhino3dm as one of the interchange. */
+export function nurbsForm(nurbs: RhinoNurbsSurface): InterchangeSurface {
   return {
     degree: [nurbs.orderU - 1, nurbs.orderV - 1],
     knots_u: withEndKnots(nurbs.knotsU().toList()),
