@@ -154,7 +154,7 @@ pub use engine::{
     Witness,
 };
 pub use error::{Error, Result};
-pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays, TrimFault};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 
