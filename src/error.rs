@@ -217,6 +217,26 @@ pub enum Error {
         /// The parser's message, with the position.
         found: String,
     },
+    /// Text that is not in the format of OpenCASCADE's BREP files.
+    #[error("line {line}: found {found:?}, expected {expected}")]
+    BrepSyntax {
+        /// The line, from 1.
+        line: usize,
+        /// The word found.
+        found: String,
+        /// What the format requires there.
+        expected: String,
+    },
+    /// A BREP file of which no face can be read.
+    #[error("none of the {faces} faces can be read; face {face}: {found}")]
+    BrepUnreadable {
+        /// The number of the first face.
+        face: usize,
+        /// The reason for which it cannot be read.
+        found: String,
+        /// The number of faces.
+        faces: usize,
+    },
     /// A file or text over the size limit.
     #[error("the model is {found} bytes, expected at most {expected}")]
     FileTooLarge {
@@ -343,6 +363,8 @@ impl Error {
             Self::UnitInvalid { .. } => "UNIT_INVALID",
             Self::UnitsDiffer { .. } => "UNITS_DIFFER",
             Self::JsonShape { .. } => "JSON_SHAPE",
+            Self::BrepSyntax { .. } => "BREP_SYNTAX",
+            Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",

@@ -92,6 +92,11 @@ mod bezier;
 #[doc(hidden)]
 pub mod bezier;
 #[cfg(not(feature = "internals"))]
+mod brep;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod brep;
+#[cfg(not(feature = "internals"))]
 mod bvh;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -148,6 +153,7 @@ mod progress;
 pub mod progress;
 
 pub use axis::Axis;
+pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, Details, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint,
