@@ -156,8 +156,8 @@ pub use axis::Axis;
 pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Details, DistanceResult, Engine, Method, Options, PreparedModel, Statistics, SurfacePoint,
-    Witness,
+    Backend, Details, DistanceResult, Engine, Method, ModelInfo, Options, PreparedModel, Statistics,
+    SurfaceInfo, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays, TrimFault};

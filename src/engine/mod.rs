@@ -7,6 +7,7 @@ mod directed_result;
 mod direction;
 mod dispatch;
 mod hierarchy;
+mod info;
 mod iteration;
 mod options;
 mod prepared;
@@ -15,6 +16,7 @@ mod symmetric;
 
 pub use deviation::Statistics;
 pub use dispatch::Engine;
+pub use info::{ModelInfo, SurfaceInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{

@@ -2,9 +2,11 @@
 
 mod args;
 mod completions;
+mod convert;
 mod distance;
 mod failure;
 mod files;
+mod format;
 mod info;
 mod motion;
 mod output;
@@ -25,6 +27,7 @@ fn main() -> std::process::ExitCode {
     };
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };
