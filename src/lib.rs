@@ -156,8 +156,9 @@ pub use axis::Axis;
 pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Details, DistanceResult, Engine, Method, ModelInfo, Options, PreparedModel, Statistics,
-    SurfaceInfo, SurfacePoint, Witness,
+    Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
+    FaceDifference, FaceState, Method, ModelInfo, Options, PreparedModel, Statistics, SurfaceInfo,
+    SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays, TrimFault};

@@ -3,8 +3,7 @@
 use super::certified::certified;
 use super::directed_result::DirectedResult;
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, SurfacePoint,
-    Witness,
+    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, Witness,
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
@@ -110,7 +109,7 @@ impl DirectedRun {
     /// own frame, in the frame of B.
     pub(super) fn into_reverse(mut self, options: &Options) -> DistanceResult {
         let transform = &options.transform;
-        let witness = Witness { a: moved(self.result.to, transform), b: moved(self.result.from, transform) };
+        let witness = Witness { a: self.result.to.moved(transform), b: self.result.from.moved(transform) };
         for field in &mut self.result.field {
             for points in [&mut field.points, &mut field.feet] {
                 for point in points.chunks_exact_mut(3) {
@@ -124,7 +123,8 @@ impl DirectedRun {
     }
 
     fn into_result(self, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let DirectedResult { computed, lower, upper, converged, details, field, .. } = self.result;
+        let DirectedResult { computed, lower, upper, converged, details, mut field, .. } = self.result;
+        field.iter_mut().for_each(|field| field.limit(upper));
         DistanceResult {
             details,
             backend: self.backend,
@@ -144,9 +144,4 @@ impl DirectedRun {
             field,
         }
     }
-}
-
-/// Returns the image of a point under the transform, with the same parameters.
-fn moved(point: SurfacePoint, transform: &RigidTransform) -> SurfacePoint {
-    SurfacePoint { point: transform.apply(DVec3::from_array(point.point)).to_array(), ..point }
 }

@@ -40,6 +40,11 @@ pub(crate) struct PreparedTarget {
 }
 
 impl PreparedTarget {
+    /// Returns the extension of every patch.
+    pub(crate) fn extensions(&self) -> &[ParamBox] {
+        &self.extensions
+    }
+
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
@@ -93,6 +98,11 @@ impl PreparedModel {
     /// Returns the numbers of Bézier patches along u and v, one entry per surface.
     pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
         self.bezier.grids.iter().map(PatchGrid::counts)
+    }
+
+    /// Returns the number of faces.
+    pub(crate) fn face_count(&self) -> usize {
+        self.bezier.grids.len()
     }
 
     pub(crate) fn bezier(&self) -> &BezierModel {

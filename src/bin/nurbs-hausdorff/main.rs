@@ -3,6 +3,7 @@
 mod args;
 mod completions;
 mod convert;
+mod diff;
 mod distance;
 mod failure;
 mod files;
@@ -28,6 +29,7 @@ fn main() -> std::process::ExitCode {
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };
