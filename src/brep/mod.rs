@@ -10,8 +10,10 @@ mod faces;
 mod nurbs;
 mod report;
 mod text;
+mod validation;
 
 pub use report::{ReadReport, Skipped};
+pub use validation::into_model;
 
 use crate::error::{Error, Result};
 use crate::model::{Model, ModelArrays};
@@ -29,8 +31,9 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        let (arrays, report) = read(text)?;
-        Ok((Self::from_faces(arrays)?, report))
+        let (arrays, mut report) = read(text)?;
+        let model = into_model(arrays, &mut report)?;
+        Ok((model, report))
     }
 }
 

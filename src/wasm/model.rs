@@ -56,6 +56,22 @@ impl PreparedModel {
         convert::to_object(&Interchange { json: model.to_json()?, report })
     }
 
+    /// A model of interchange JSON that a reader made: faces that are refused are in the
+    /// report, by their index.
+    #[wasm_bindgen(js_name = fromReader)]
+    pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
+        let (model, report) = reader_model(text)?;
+        let Self(prepared, _) = Self::new(&model);
+        Ok(Self(prepared, Some(report)))
+    }
+
+    /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
+    #[wasm_bindgen(js_name = readerToJson)]
+    pub fn reader_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        let (model, report) = reader_model(text)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report })
+    }
+
     /// `{json, report}` of interchange JSON, validated and written anew.
     #[wasm_bindgen(js_name = jsonToJson)]
     pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
@@ -124,9 +140,17 @@ fn checked(text: &JsString) -> Result<String> {
 }
 
 fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
-    let (arrays, report) = brep::read(&checked(text)?)?;
-    let model = Model::from_faces(ModelArrays { name, unit, ..arrays })?;
-    Ok((model, ReadReport { unit, ..report }))
+    let (arrays, mut report) = brep::read(&checked(text)?)?;
+    report.unit = unit;
+    let model = brep::into_model(ModelArrays { name, unit, ..arrays }, &mut report)?;
+    Ok((model, report))
+}
+
+fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
+    let arrays = Model::arrays_of_json(&checked(text)?)?;
+    let mut report = ReadReport { surfaces: arrays.faces.len(), ..ReadReport::default() };
+    let model = brep::into_model(arrays, &mut report)?;
+    Ok((model, report))
 }
 
 /// The shapes that the crate makes, each with its name and title.
