@@ -14,7 +14,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// A model ready to be measured, shared with the distances that use it, and the report
-/// on reading it from BREP.
+/// on reading it from a text.
 #[wasm_bindgen]
 pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
 
@@ -28,7 +28,9 @@ impl PreparedModel {
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_json(&checked(text)?)?))
+        let model = Model::from_json(&checked(text)?)?;
+        let Self(prepared, _) = Self::new(&model);
+        Ok(Self(prepared, Some(ReadReport::of_exact(&model))))
     }
 
     /// A model of BREP text; undefined is an unknown name or unit.
@@ -39,7 +41,7 @@ impl PreparedModel {
         Ok(Self(prepared, Some(report)))
     }
 
-    /// The report on reading BREP, or undefined.
+    /// The report on reading the text, or undefined.
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
         self.1.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
