@@ -1,45 +1,44 @@
 //! Faces that the model refuses become skipped ones.
 
+use super::assembly::Assembled;
 use super::report::{ReadReport, Skipped};
 use crate::error::Result;
 use crate::model::{Model, ModelArrays};
 use crate::parallel;
 
-/// Makes a model of the faces read. Those that it refuses, as their loops cross, are moved
-/// from the arrays to the report.
+/// Makes a model of the faces read. Those that it refuses, as their loops cross, are
+/// skipped in the report.
 ///
 /// # Errors
 /// Those of [`Model::from_faces`] that concern no face, or every one.
-pub fn into_model(arrays: ModelArrays, report: &mut ReadReport) -> Result<Model> {
-    let refused = match Model::from_faces(arrays.clone()) {
-        Ok(model) => return Ok(model),
-        Err(error) if arrays.faces.len() == 1 => return Err(error),
-        Err(_) => parallel::map(arrays.faces.len(), |index| refusal(&arrays, index)),
+pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
+    let refused = match Model::from_faces(read.model.clone()) {
+        Ok(model) => return Ok((model, read.report())),
+        Err(error) if read.model.faces.len() == 1 => return Err(error),
+        Err(_) => parallel::map(read.model.faces.len(), |index| refusal(&read.model, index)),
     };
-    // The numbers in the file of the faces read, in order.
-    let numbers: Vec<usize> = (0..arrays.faces.len() + report.skipped.len())
-        .filter(|number| !report.skipped.iter().any(|skipped| skipped.face == *number))
-        .collect();
-    let mut kept = ModelArrays { faces: Vec::new(), instances: arrays.instances, ..arrays };
+    let Assembled { model: ModelArrays { name, unit, faces, instances }, counts, skipped } = read;
+    let model = ModelArrays { name, unit, faces: Vec::new(), instances };
+    let mut kept = Assembled { model, counts: Vec::new(), skipped };
     let mut indices = Vec::with_capacity(refused.len());
-    for ((face, refusal), number) in arrays.faces.into_iter().zip(refused).zip(numbers) {
+    for ((face, counts), refusal) in faces.into_iter().zip(counts).zip(refused) {
         indices.push(match refusal {
             None => {
-                kept.faces.push(face);
-                Some(kept.faces.len() - 1)
+                kept.model.faces.push(face);
+                kept.counts.push(counts);
+                Some(kept.model.faces.len() - 1)
             }
             Some((code, why)) => {
-                report.skipped.push(Skipped { face: number, code, why });
-                report.surfaces -= 1;
+                kept.skipped.push(Skipped { face: counts.number, code, why });
                 None
             }
         });
     }
-    for instance in &mut kept.instances {
+    for instance in &mut kept.model.instances {
         instance.surfaces = instance.surfaces.iter().filter_map(|&index| indices[index]).collect();
     }
-    report.skipped.sort_by_key(|skipped| skipped.face);
-    Model::from_faces(kept)
+    kept.skipped.sort_by_key(|skipped| skipped.face);
+    Ok((Model::from_faces(kept.model.clone())?, kept.report()))
 }
 
 /// Returns the code and message with which a model of this one face is refused.

@@ -5,7 +5,7 @@ use super::surfaces::Surfaces;
 use crate::brep::{self, ReadReport};
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
-use crate::model::{Model, ModelArrays};
+use crate::model::Model;
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
@@ -142,17 +142,11 @@ fn checked(text: &JsString) -> Result<String> {
 }
 
 fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
-    let (arrays, mut report) = brep::read(&checked(text)?)?;
-    report.unit = unit;
-    let model = brep::into_model(ModelArrays { name, unit, ..arrays }, &mut report)?;
-    Ok((model, report))
+    brep::model(&checked(text)?, name, unit)
 }
 
 fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
-    let arrays = Model::arrays_of_json(&checked(text)?)?;
-    let mut report = ReadReport { surfaces: arrays.faces.len(), ..ReadReport::default() };
-    let model = brep::into_model(arrays, &mut report)?;
-    Ok((model, report))
+    brep::of_reader(Model::arrays_of_json(&checked(text)?)?)
 }
 
 /// The shapes that the crate makes, each with its name and title.

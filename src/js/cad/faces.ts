@@ -24,19 +24,16 @@ export function facesInterchange(file: FacesFile): { json: string; report: CadRe
   return { json, report: completed(file, report) };
 }
 
-function completed({ model, report }: FacesFile, { skipped }: ModuleReport): CadReport {
-  const refused = new Set(skipped.map(({ face }) => face));
-  const curves = (index: number) => model.surfaces[index]?.trim?.flat().length ?? 0;
-  const lost = [...refused].reduce((sum, index) => sum + curves(index), 0);
-  const named = skipped.map(({ face, why }) => ({
+function completed({ model, report }: FacesFile, read: ModuleReport): CadReport {
+  const refused = read.skipped.map(({ face, why }) => ({
     face: model.surfaces[face]?.part ?? `face ${face}`,
     why,
   }));
   return {
     ...report,
-    surfaces: report.surfaces - refused.size,
-    trims: report.trims - lost,
-    exact: Math.max(0, report.exact - lost),
-    skipped: [...report.skipped, ...named],
+    surfaces: read.surfaces,
+    trims: read.trims,
+    exact: Math.max(0, read.trims - report.fitted),
+    skipped: [...report.skipped, ...refused],
   };
 }
