@@ -44,6 +44,19 @@ pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Mod
     validation::into_model(read)
 }
 
+/// Makes a model of faces that another reader made, whose curves count as exact. Faces
+/// that the model refuses are skipped in the report, by their index.
+///
+/// # Errors
+/// Those of [`Model::from_faces`] that concern no face, or every one.
+#[cfg(target_arch = "wasm32")]
+pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
+    let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
+    let count = |(number, face)| assembly::FaceCounts { number, exact: curves(face), fitted: 0 };
+    let counts = model.faces.iter().enumerate().map(count).collect();
+    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
+}
+
 /// Reads a BREP text as plain arrays, which [`model`] validates.
 ///
 /// # Errors

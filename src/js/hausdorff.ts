@@ -1,3 +1,4 @@
+import { fromBrepText, isBrepText } from "./brep-text.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
@@ -12,6 +13,7 @@ import {
 } from "./options.js";
 import type { DistanceResult } from "./result.js";
 import {
+  type BrepText,
   type InterchangeModel,
   type ModelArrays,
   type Numbers,
@@ -84,13 +86,17 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON or its
+   * text, or of OpenCASCADE's BREP text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string): NurbsModel {
+  model(
+    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
+  ): NurbsModel {
     this.#open();
+    if (isBrepText(input)) return fromBrepText(input);
     return translating(() => NurbsModel.of(prepare(input)));
   }
 

@@ -107,6 +107,13 @@ export interface InterchangeModel {
   instances?: readonly InterchangeInstance[];
 }
 
+/** The text that OpenCASCADE writes of a shape, with `BRepTools.Write`. */
+export interface BrepText {
+  brep: string;
+  /** Metres per unit of its coordinates, which the text does not state. */
+  unit?: number;
+}
+
 /**
  * The module's model of what `Hausdorff.model` takes. Here the types of plain
  * arrays are checked; the module checks their numbers, and parses JSON.
