@@ -1,6 +1,6 @@
 /**
  * What went wrong, as a code that stays the same across releases; the
- * message, for people, may change. All but the last three are Rust's.
+ * message, for people, may change. Those after `CANCELLED` are JavaScript's.
  *
  * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
  *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
@@ -10,6 +10,7 @@
  *   its `memoryBudget` holds; the message states how many;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
+ * - `MODULE_FAILED`: the wasm module could not be fetched, read or compiled; the cause says why;
  * - `DISPOSED`: used after `dispose()`.
  */
 export type ErrorCode =
@@ -40,6 +41,7 @@ export type ErrorCode =
   | "CANCELLED"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
+  | "MODULE_FAILED"
   | "DISPOSED";
 
 /** The class of all errors that the package raises on purpose. */

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
@@ -25,8 +26,8 @@ export interface CreateOptions {
   /** Default `auto`. */
   backend?: Backend;
   /**
-   * The wasm module, where it is not fetched from beside the package's files:
-   * in Node, the bytes of `nurbs-hausdorff/nurbs_hausdorff_bg.wasm`.
+   * The wasm module, `nurbs-hausdorff/nurbs_hausdorff_bg.wasm`, where the package
+   * does not find it beside its own files: compiled, its bytes or its address.
    */
   module?: ModuleSource;
 }
@@ -56,7 +57,7 @@ export class Hausdorff {
    * Loads the module, once, and looks for a GPU.
    *
    * @throws {HausdorffError} `NO_ADAPTER` if `backend` is `gpu` and there is
-   * none; `OPTION_INVALID`. What fetching and compiling the module throw.
+   * none; `OPTION_INVALID`; `MODULE_FAILED`, with its cause.
    */
   static async create({ backend, module }: CreateOptions = {}): Promise<Hausdorff> {
     await load(module);

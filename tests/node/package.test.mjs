@@ -4,9 +4,9 @@ import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
-const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "DISPOSED"];
+const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "MODULE_FAILED", "DISPOSED"];
 
-test("the error codes are Rust's, and three of JavaScript's", () => {
+test("the error codes are Rust's, then those of JavaScript", () => {
   const rust = [...text("src/error.rs").matchAll(/=> "([A-Z_]+)"/g)].map(([, code]) => code);
   const union = /export type ErrorCode =([^;]+);/.exec(text("dist/error.d.ts"))[1];
   const typescript = [...union.matchAll(/"([A-Z_]+)"/g)].map(([, code]) => code);
@@ -22,17 +22,20 @@ test("the types show nothing of the module's", () => {
   for (const file of files) {
     const imports = [...text(`dist/${file}`).matchAll(/from "([^"]+)"/g)].map(([, from]) => from);
     assert.ok(
-      imports.every((from) => /^\.\/[a-z]+\.js$/.test(from)),
+      imports.every((from) => /^\.{1,2}\/[a-z-/]+\.js$/.test(from)),
       `${file} imports ${imports}`,
     );
     assert.doesNotMatch(text(`dist/${file}`), /PreparedModel|Surfaces\b|\bEngine\b/, file);
   }
 });
 
-test("all that the package exports exists", () => {
+test("all that the package exports is packed and exists", () => {
   const { exports, files } = JSON.parse(text("package.json"));
-  assert.deepEqual(Object.keys(exports["."]), ["types", "import"]);
-  for (const path of [...Object.values(exports["."]), exports["./nurbs_hausdorff_bg.wasm"]]) {
+  const paths = Object.values(exports).flatMap((entry) =>
+    typeof entry === "string" ? [entry] : Object.values(entry),
+  );
+  assert.ok(paths.length > 4);
+  for (const path of paths) {
     assert.ok(readFileSync(new URL(`../../${path}`, import.meta.url)).length > 0);
     assert.ok(files.some((folder) => path.startsWith(`./${folder}/`)));
   }
