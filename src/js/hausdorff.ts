@@ -11,7 +11,12 @@ import {
   split,
   type Transform,
 } from "./options.js";
-import type { DistanceResult } from "./result.js";
+import type {
+  CertifiedResult,
+  DistanceResult,
+  HierarchyResult,
+  IterationResult,
+} from "./result.js";
 import {
   type InterchangeModel,
   type Numbers,
@@ -124,6 +129,22 @@ export class Hausdorff {
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options?: DistanceOptions & { method?: "certified" },
+  ): Promise<CertifiedResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "iteration" },
+  ): Promise<IterationResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "hierarchy" },
+  ): Promise<HierarchyResult>;
+  distance(a: NurbsModel, b: NurbsModel, options?: DistanceOptions): Promise<DistanceResult>;
   async distance(
     a: NurbsModel,
     b: NurbsModel,
