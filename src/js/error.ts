@@ -11,6 +11,7 @@
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
  * - `MODULE_FAILED`: the wasm module could not be fetched, read or compiled; the cause says why;
+ * - `WORKER_FAILED`: the worker could not be started, or ended by itself;
  * - `DISPOSED`: used after `dispose()`.
  */
 export type ErrorCode =
@@ -42,6 +43,7 @@ export type ErrorCode =
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
   | "MODULE_FAILED"
+  | "WORKER_FAILED"
   | "DISPOSED";
 
 /** The class of all errors that the package raises on purpose. */

@@ -12,6 +12,7 @@ import {
   type SurfaceArrays,
   type Tessellation,
 } from "nurbs-hausdorff";
+import * as away from "nurbs-hausdorff/worker";
 
 const square: SurfaceArrays = {
   degree: [1, 1],
@@ -66,6 +67,20 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
 function ofIteration({ bounds, forward }: IterationResult): number {
   return (forward?.bounds.kB ?? 0) + bounds.kARigorous;
 }
+
+/** The same API in a worker. */
+export async function elsewhere(text: string): Promise<number> {
+  using hd = await away.Hausdorff.create({ backend: "cpu" });
+  using a: away.NurbsModel = await hd.model(text);
+  const { within } = await hd.distance(a, await hd.shape("sphere"), { limit: 1 });
+  const points = new Float64Array(3);
+  const { distances } = await hd.closestPoints(a, points, { transfer: true });
+  // @ts-expect-error models are the worker's
+  await hd.distance(a, inHere().shape("sphere"));
+  return within ? (distances[0] ?? 0) : a.surfaceCount;
+}
+
+declare function inHere(): Hausdorff;
 
 /** The method that the options name decides the result's type. */
 export async function narrowed(hd: Hausdorff, a: NurbsModel, b: NurbsModel): Promise<boolean> {

@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
-const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "MODULE_FAILED", "DISPOSED"];
+const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "MODULE_FAILED", "WORKER_FAILED", "DISPOSED"];
 
 test("the error codes are Rust's, then those of JavaScript", () => {
   const rust = [...text("src/error.rs").matchAll(/=> "([A-Z_]+)"/g)].map(([, code]) => code);

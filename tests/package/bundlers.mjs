@@ -90,7 +90,7 @@ export function importMap({ source, out, names, installed }) {
   cpSync(join(installed, "dist"), join(out, "package"), { recursive: true });
   const imports = {
     "nurbs-hausdorff": "./package/index.js",
-    "nurbs-hausdorff/inline": "./package/inline.js",
+    "nurbs-hausdorff/worker": "./package/worker/index.js",
   };
   const head = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
   for (const name of names) page(join(out, `${name}.html`), script(name), head);

@@ -22,15 +22,28 @@ import {
 import { install, program } from "./install.mjs";
 import { serve } from "./serve.mjs";
 
-/** Every way to bundle: which entry of the package, which programs, and whether the module is copied by hand. */
+/**
+ * Every way to bundle: the programs that are run, other parts of them, and whether the
+ * module is inlined, or copied by hand.
+ */
 const bundles = {
-  vite: { bundle: viteBundle, names: ["direct", "own-worker"] },
-  webpack: { bundle: webpackBundle, names: ["direct", "own-worker"] },
-  rollup: { bundle: rollupBundle, names: ["direct"], inline: true },
+  vite: { bundle: viteBundle, names: ["direct", "own-worker", "worker"] },
+  webpack: { bundle: webpackBundle, names: ["direct", "own-worker", "worker"] },
+  rollup: {
+    bundle: rollupBundle,
+    names: ["direct", "given-worker"],
+    parts: ["thread"],
+    inline: true,
+  },
   "rollup-copy": { bundle: rollupBundle, names: ["direct"], copy: true },
-  esbuild: { bundle: esbuildBundle, names: ["direct"], inline: true },
+  esbuild: {
+    bundle: esbuildBundle,
+    names: ["direct", "given-worker"],
+    parts: ["thread"],
+    inline: true,
+  },
   "esbuild-copy": { bundle: esbuildBundle, names: ["direct"], copy: true },
-  "import-map": { bundle: importMap, names: ["direct"] },
+  "import-map": { bundle: importMap, names: ["direct", "worker"] },
 };
 
 let packed;
@@ -64,12 +77,12 @@ async function outcome(path) {
   }
 }
 
-for (const [name, { bundle, names, inline, copy }] of Object.entries(bundles)) {
+for (const [name, { bundle, names, parts = [], inline, copy }] of Object.entries(bundles)) {
   test(`${name}: ${names.join(" and ")} run in a browser`, async () => {
     const from = inline ? "nurbs-hausdorff/inline" : "nurbs-hausdorff";
     const source = program(packed.folder, name, from);
     const out = join(packed.folder, name, "out");
-    await bundle({ source, out, names, installed: packed.installed });
+    await bundle({ source, out, names: [...names, ...parts], installed: packed.installed });
     if (copy) copyModule(packed.installed, out);
     for (const page of names) isRight(await outcome(`${name}/out/${page}.html`));
   });
@@ -92,11 +105,15 @@ function inNode(text) {
   return JSON.parse(stdout);
 }
 
-for (const from of ["nurbs-hausdorff", "nurbs-hausdorff/inline"]) {
-  test(`${from} runs in plain Node`, () => {
+for (const [from, name] of [
+  ["nurbs-hausdorff", "direct"],
+  ["nurbs-hausdorff/inline", "direct"],
+  ["nurbs-hausdorff/worker", "worker"],
+]) {
+  test(`${from} runs in plain Node, and lets it end`, () => {
     program(packed.folder, "node", from);
     const print = "console.log(JSON.stringify(await globalThis.outcome))";
-    isRight(inNode(`import "./node/src/direct.js"; ${print};`));
+    isRight(inNode(`import "./node/src/${name}.js"; ${print};`));
   });
 }
 
