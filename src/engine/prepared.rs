@@ -7,11 +7,12 @@ use crate::closest::Target;
 use crate::error::{Error, Result};
 use crate::flatness::{Flatness, MAX_HALVINGS, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
-use crate::hierarchy::GridTree;
+use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
 use crate::pieces::FacePieces;
+use crate::progress::Progress;
 use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
@@ -228,19 +229,19 @@ impl PreparedModel {
     /// Returns the tree over `grid` × `grid` cells per surface; the last one is kept.
     ///
     /// # Errors
-    /// Those of [`GridTree::new`].
-    pub(crate) fn cells(&self, grid: usize) -> Result<Rc<PreparedCells>> {
-        let mut cells = self.cells.borrow_mut();
-        if let Some(kept) = cells.as_ref()
+    /// Those of [`GridTree::new`], [`crate::Error::Cancelled`].
+    pub(crate) async fn cells(&self, grid: usize, progress: &mut Progress<'_>) -> Result<Rc<PreparedCells>> {
+        if let Some(kept) = self.cells.borrow().as_ref()
             && kept.tree.grid == grid
         {
             return Ok(Rc::clone(kept));
         }
-        let prepared = Rc::new(PreparedCells {
-            tree: GridTree::new(&self.bezier, grid)?,
-            resident: Resident::default(),
-        });
-        *cells = Some(Rc::clone(&prepared));
+        let mut builder = GridTreeBuilder::new(&self.bezier, grid)?;
+        while builder.advance() {
+            progress.checkpoint(0.0).await?;
+        }
+        let prepared = Rc::new(PreparedCells { tree: builder.finish(), resident: Resident::default() });
+        *self.cells.borrow_mut() = Some(Rc::clone(&prepared));
         Ok(prepared)
     }
 

@@ -40,7 +40,8 @@ impl Direction<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
+        let a = self.from.cells(options.grid, progress).await?;
+        let b = self.to.cells(options.grid, progress).await?;
         let coordinate_error = self.box_error();
         let transform = self.transform;
         let prepared = Seconds { prepare: started.elapsed().as_secs_f64(), ..Seconds::default() };
@@ -57,9 +58,10 @@ impl Direction<'_> {
                 (HierarchyBackend::Gpu(Box::new(hierarchy)), Processor::Gpu, gpu.adapter(), seconds)
             }
             None => {
+                let (from, to, fixed) = (self.from.bezier(), self.to.bezier(), RigidTransform::IDENTITY);
                 let boxes = [
-                    level_boxes(self.from.bezier(), &a.tree, &transform, coordinate_error),
-                    level_boxes(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, coordinate_error),
+                    level_boxes(from, &a.tree, &transform, coordinate_error, progress).await?,
+                    level_boxes(to, &b.tree, &fixed, coordinate_error, progress).await?,
                 ];
                 let traversal = Traversal::new([&a.tree, &b.tree], boxes);
                 (HierarchyBackend::Cpu(traversal), Processor::Cpu, None, prepared)
