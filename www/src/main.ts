@@ -1,7 +1,9 @@
 // The main page: connects the panel, the worker, the view and the results.
+import type { Transform } from "nurbs-hausdorff";
 import { element } from "./common/elements.ts";
 import * as options from "./controls/options.ts";
 import { fillShapes, onSource, setLoading, showSources } from "./controls/sources.ts";
+import { FacesPanel } from "./faces/facesPanel.ts";
 import * as resultPanel from "./results/resultPanel.ts";
 import * as warnings from "./results/warnings.ts";
 import { Pose } from "./scene/pose.ts";
@@ -12,14 +14,21 @@ import type { Reply } from "./worker/protocol.ts";
 const canvas = element("canvas", HTMLCanvasElement);
 const view = new View(canvas, warnings.showNoWebGl);
 const client = new Client(onReply);
+const faces = new FacesPanel({
+  compare: (tolerance) => client.diff({ tolerance, transform: transform() }),
+  cancel: () => client.cancelDiff(),
+  show: (result) => view.showFaces(result),
+  select: (change) => view.selectFace(change),
+});
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
 element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 canvas.addEventListener("dblclick", () => view.fit());
-options.onChange(() => {
+options.onChange((moved) => {
   resultPanel.hideError();
+  if (moved) outdateFaces();
   measure();
 });
 onSource((sources, placement) => {
@@ -28,12 +37,23 @@ onSource((sources, placement) => {
   client.load(sources, placement);
 });
 
+const pose = (): Pose =>
+  new Pose(options.translation(), options.rotationDegrees(), view.models.middle);
+
+const transform = (): Transform => pose().transform;
+
 function measure(): void {
   if (!view.models.complete) return;
-  const pose = new Pose(options.translation(), options.rotationDegrees(), view.models.middle);
-  view.show(pose, options.overlays());
+  view.show(pose(), options.overlays());
   resultPanel.showPending();
-  client.measure({ ...options.distanceOptions(), transform: pose.transform });
+  client.measure({ ...options.distanceOptions(), transform: transform() });
+}
+
+/** Ends a comparison of faces whose positions are no longer those shown. */
+function outdateFaces(): void {
+  if (!faces.active) return;
+  client.cancelDiff();
+  faces.clear("outdated", "A was moved: compare again.");
 }
 
 function onReply(reply: Reply): void {
@@ -43,7 +63,9 @@ function onReply(reply: Reply): void {
       fillShapes(reply.shapes);
       break;
     case "loaded":
+      faces.clear("idle", "");
       view.models.show(reply.models);
+      faces.propose(view.models.diagonal);
       showSources(reply.models, reply.placement);
       options.setPlacement(reply.placement, view.models.diagonal);
       setLoading(false);
@@ -65,6 +87,10 @@ function onReply(reply: Reply): void {
       view.showResult(reply.result, reply.transform);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);
+      break;
+    case "diff":
+      // A comparison that ended because A was moved is no longer shown.
+      if (faces.active || reply.state === "working") faces.show(reply);
       break;
     case "cancelled":
       if (!client.isNewest(reply.run)) break;

@@ -51,13 +51,13 @@ export function setPlacement(placement: Placement, diagonal: number): void {
   rotation.value = placement.turn;
 }
 
-/** Calls back on every change of an option or of the position. */
-export function onChange(callback: () => void): void {
+/** Calls back on every change of an option or of the position; `moved` states which. */
+export function onChange(callback: (moved: boolean) => void): void {
   const changed = () => {
     showApplicable();
-    callback();
+    callback(false);
   };
-  for (const input of [x, y, z, rotation]) input.onChange = changed;
+  for (const input of [x, y, z, rotation]) input.onChange = () => callback(true);
   for (const control of [
     ...[samples, method, tolerance, flatness],
     ...[symmetric, deviation, lines, triangles],

@@ -1,5 +1,6 @@
 // One model in the scene: its surface, plain or painted, its outline and its triangles.
 import {
+  type Box3,
   BufferAttribute,
   BufferGeometry,
   Group,
@@ -10,6 +11,7 @@ import {
   MeshBasicMaterial,
 } from "three";
 import type { DisplayModel } from "../worker/protocol.ts";
+import { type FaceClass, FaceColors } from "./faces.ts";
 import { glass, painted, satin } from "./material.ts";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
@@ -23,6 +25,8 @@ export class ModelMesh {
   readonly #painted = new Mesh(new BufferGeometry(), painted());
   readonly #triangles: Mesh;
   readonly #outline: LineSegments;
+  readonly #faces: FaceColors;
+  #hasPaint = false;
 
   constructor(model: DisplayModel, color: string) {
     this.model = model;
@@ -48,7 +52,11 @@ export class ModelMesh {
     this.#triangles.renderOrder = 3;
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
-    this.group.add(this.#surface, this.#painted, this.#outline, this.#triangles);
+    this.#faces = new FaceColors(geometry, model.tessellation.surfaces, color);
+    this.group.add(
+      ...[this.#surface, this.#painted, this.#faces.mesh],
+      ...[this.#outline, this.#triangles],
+    );
     this.group.matrixAutoUpdate = false;
   }
 
@@ -65,12 +73,30 @@ export class ModelMesh {
   paint(geometry: BufferGeometry | undefined): void {
     this.#painted.geometry.dispose();
     if (geometry !== undefined) this.#painted.geometry = geometry;
-    this.#painted.visible = geometry !== undefined;
-    this.#surface.visible = geometry === undefined;
+    this.#hasPaint = geometry !== undefined;
+    this.#showSurface();
+  }
+
+  /** Colours every face by its class, instead of all paint; without classes, ends that. */
+  classify(classes: FaceClass[] | undefined): void {
+    this.#faces.show(classes);
+    this.#showSurface();
+  }
+
+  /** The box of one face, in scene coordinates. */
+  faceBox(face: number): Box3 {
+    return this.#faces.box(face).applyMatrix4(this.group.matrix);
+  }
+
+  #showSurface(): void {
+    const plain = !this.#faces.mesh.visible;
+    this.#painted.visible = plain && this.#hasPaint;
+    this.#surface.visible = plain && !this.#hasPaint;
   }
 
   dispose(): void {
     this.group.removeFromParent();
+    this.#faces.dispose();
     const parts = [this.#surface, this.#painted, this.#outline, this.#triangles];
     for (const part of parts) part.geometry.dispose();
     const materials = [this.#satin, this.#glass, ...parts.slice(1).map(({ material }) => material)];

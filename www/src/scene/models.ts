@@ -2,8 +2,9 @@
 import type { Field, Transform } from "nurbs-hausdorff";
 import { Box3, Group, Vector3 } from "three";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
-import { deviationGeometry } from "./deviation.ts";
+import type { FaceClass } from "./faces.ts";
 import { ModelMesh } from "./mesh.ts";
+import { deviationGeometry } from "./overlays/deviation.ts";
 import type { Pose } from "./pose.ts";
 
 export class Models {
@@ -48,6 +49,16 @@ export class Models {
     if (a === undefined) return;
     const origin = new Vector3(...a.model.tessellation.origin);
     a.paint(deviationGeometry(fields, largest, transform, origin));
+  }
+
+  /** Colours the faces of both models by their classes; without classes, as models. */
+  classify(classes: Sides<FaceClass[]>): void {
+    for (const side of SIDES) this.#meshes[side]?.classify(classes[side]);
+  }
+
+  /** The box of one face, in scene coordinates. */
+  faceBox(side: Side, face: number): Box3 {
+    return this.#meshes[side]?.faceBox(face) ?? new Box3();
   }
 
   /** Removes the paint from A. */

@@ -1,5 +1,13 @@
 // The page's side of the worker.
-import type { Placement, PlainOptions, Reply, Request, Sides, Source } from "./protocol.ts";
+import type {
+  Placement,
+  PlainDiffOptions,
+  PlainOptions,
+  Reply,
+  Request,
+  Sides,
+  Source,
+} from "./protocol.ts";
 
 export class Client {
   readonly #worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
@@ -37,6 +45,15 @@ export class Client {
 
   cancel(): void {
     this.#post({ kind: "cancel" });
+  }
+
+  /** Requests the comparison of the models face by face. */
+  diff(options: PlainDiffOptions): void {
+    this.#post({ kind: "diff", options });
+  }
+
+  cancelDiff(): void {
+    this.#post({ kind: "cancelDiff" });
   }
 
   #post(request: Request): void {

@@ -43,6 +43,11 @@ export class Measurements {
     Object.assign(this.#models, models);
   }
 
+  /** The models that are measured. */
+  get models(): Sides<NurbsModel> {
+    return this.#models;
+  }
+
   request(run: number, options: PlainOptions): void {
     this.#waiting = { run, options, abort: new AbortController() };
     if (this.#running === undefined) void this.#runAll();

@@ -1,5 +1,7 @@
 // The messages between the page and its worker.
 import type {
+  DiffOptions,
+  DiffResult,
   DistanceOptions,
   DistanceResult,
   ErrorCode,
@@ -30,10 +32,15 @@ export interface Placement {
 /** The options that can be posted to a worker. */
 export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 
+/** The options of a comparison face by face that can be posted to a worker. */
+export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
+
 export type Request =
   | { kind: "load"; sources: Sides<Source>; placement: Placement }
   | { kind: "measure"; run: number; options: PlainOptions }
-  | { kind: "cancel" };
+  | { kind: "cancel" }
+  | { kind: "diff"; options: PlainDiffOptions }
+  | { kind: "cancelDiff" };
 
 /** What the page needs to draw a model. */
 export interface DisplayModel {
@@ -56,7 +63,16 @@ export interface EngineState {
   notice: string | null;
 }
 
+/** The state of the comparison face by face. */
+export type DiffReply = { kind: "diff" } & (
+  | { state: "working"; fraction: number }
+  | { state: "done"; result: DiffResult }
+  | { state: "cancelled" }
+  | { state: "failed"; code: Code; message: string }
+);
+
 export type Reply =
+  | DiffReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
   | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }

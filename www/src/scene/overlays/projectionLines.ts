@@ -7,7 +7,7 @@ import {
   LineSegments,
   type Vector3,
 } from "three";
-import { deviationColor } from "./colors.ts";
+import { deviationColor } from "../colors.ts";
 
 /** The largest number of lines drawn; more would hide the models. */
 const MAX_LINES = 4096;

@@ -1,7 +1,7 @@
 // Triangles between the samples of A, coloured by the signed deviation from B.
 import type { Field, Transform } from "nurbs-hausdorff";
 import { BufferAttribute, BufferGeometry, Quaternion, Vector3 } from "three";
-import { deviationColor } from "./colors.ts";
+import { deviationColor } from "../colors.ts";
 
 /** Returns the largest distance of a sample, which is the end of the colour scale. */
 export function largestDistance(fields: Field[]): number {
