@@ -194,6 +194,14 @@ pub enum Error {
         /// The part of the transform that is invalid.
         found: String,
     },
+    /// A point to be measured with a coordinate that is missing, not finite or too large.
+    #[error("point {index} has a coordinate {found}, expected three finite numbers of at most 1e100 in size")]
+    PointOutOfRange {
+        /// The index of the point.
+        index: usize,
+        /// The coordinate, NaN where it is missing.
+        found: f64,
+    },
     /// A shape that is not in the catalogue.
     #[error("there is no shape \"{found}\", expected one of {expected}")]
     UnknownShape {
@@ -280,6 +288,7 @@ impl Error {
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",
+            Self::PointOutOfRange { .. } => "POINT_OUT_OF_RANGE",
             Self::UnknownShape { .. } => "UNKNOWN_SHAPE",
             Self::NoAdapter { .. } => "NO_ADAPTER",
             Self::DeviceLost { .. } => "DEVICE_LOST",

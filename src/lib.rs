@@ -150,8 +150,8 @@ pub mod progress;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Details, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference, FaceState, Method,
-    Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
+    FaceDifference, FaceState, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};

@@ -123,7 +123,8 @@ impl DirectedRun {
     }
 
     fn into_result(self, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let DirectedResult { computed, lower, upper, converged, details, field, .. } = self.result;
+        let DirectedResult { computed, lower, upper, converged, details, mut field, .. } = self.result;
+        field.iter_mut().for_each(|field| field.limit(upper));
         DistanceResult {
             details,
             backend: self.backend,

@@ -2,6 +2,7 @@
 //! and the result.
 
 mod certified;
+mod closest_points;
 mod deviation;
 mod diff;
 mod directed_result;
@@ -14,6 +15,7 @@ mod prepared;
 mod result;
 mod symmetric;
 
+pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use deviation::Statistics;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;

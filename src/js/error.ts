@@ -31,6 +31,7 @@ export type ErrorCode =
   | "OPTION_OUT_OF_RANGE"
   | "OPTION_INVALID"
   | "TRANSFORM_NOT_RIGID"
+  | "POINT_OUT_OF_RANGE"
   | "UNKNOWN_SHAPE"
   | "NO_ADAPTER"
   | "DEVICE_LOST"

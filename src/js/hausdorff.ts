@@ -1,10 +1,23 @@
+import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
 import { load, type ModuleSource, requireLoaded } from "./load.js";
 import { NurbsModel } from "./model.js";
-import { type Backend, type DistanceOptions, split } from "./options.js";
+import {
+  type Backend,
+  type DistanceOptions,
+  type OnProgress,
+  split,
+  type Transform,
+} from "./options.js";
 import type { DistanceResult } from "./result.js";
-import { type InterchangeModel, prepare, type SurfaceArrays } from "./surface.js";
+import {
+  type InterchangeModel,
+  type Numbers,
+  numbers,
+  prepare,
+  type SurfaceArrays,
+} from "./surface.js";
 import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
@@ -115,7 +128,8 @@ export class Hausdorff {
     b: NurbsModel,
     options: DistanceOptions = {},
   ): Promise<DistanceResult> {
-    return this.#inTurn("distance", a, b, options);
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, ...rest) => engine.distance(...models, ...rest));
   }
 
   /**
@@ -127,27 +141,38 @@ export class Hausdorff {
    * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
    */
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
-    return this.#inTurn("diff", a, b, options);
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, ...rest) => engine.diff(...models, ...rest));
+  }
+
+  /**
+   * The closest points of `model` to `points` (x, y, z each, such as the vertices of
+   * a mesh or a scan), moved by `transform`: distances, feet and a bound for each.
+   * Points that follow each other should be near each other.
+   *
+   * @throws {HausdorffError} `POINT_OUT_OF_RANGE`, with the index of the point;
+   * `CANCELLED`, `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  async closestPoints(
+    model: NurbsModel,
+    points: Numbers,
+    options: ClosestPointOptions = {},
+  ): Promise<ClosestPoints> {
+    const surfaces = prepared(model, "model");
+    const coordinates = numbers(points, "points");
+    return this.#inTurn(options, (engine, ...rest) =>
+      engine.closestPoints(surfaces, coordinates, ...rest),
+    );
   }
 
   /** Runs a method of the engine when no other is running. */
   async #inTurn<Result>(
-    method: "distance" | "diff",
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions | DiffOptions,
+    options: DistanceOptions | DiffOptions | ClosestPointOptions,
+    run: (engine: Engine, ...rest: TurnArguments) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const result = engine[method](
-      prepared(a, "a"),
-      prepared(b, "b"),
-      plain,
-      transform,
-      signal,
-      onProgress,
-      this.#turn,
-    ) as Promise<Result>;
+    const result = run(engine, plain, transform, signal, onProgress, this.#turn) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
       return await result;
@@ -173,6 +198,15 @@ export class Hausdorff {
     return this.#engine;
   }
 }
+
+/** The last arguments of every method of the engine that takes its turn. */
+type TurnArguments = [
+  plain: object,
+  transform: Transform | undefined,
+  signal: AbortSignal | undefined,
+  onProgress: OnProgress | undefined,
+  turn: Promise<unknown>,
+];
 
 function prepared(model: NurbsModel, name: string): PreparedModel {
   if (!(model instanceof NurbsModel)) {

@@ -1,4 +1,5 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
+export type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./diff.js";
 export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";

@@ -104,7 +104,11 @@ function pair(value: unknown, where: string): [number, number] {
   return [first, second];
 }
 
-function numbers(value: unknown, where: string): Float64Array {
+/**
+ * The numbers as float64, checked to be numbers.
+ * @internal
+ */
+export function numbers(value: unknown, where: string): Float64Array {
   if (value instanceof Float64Array) return value;
   if (value instanceof Float32Array) return Float64Array.from(value);
   if (!isArray(value)) throw invalid(`${where} is ${typeof value}, expected an array of numbers`);

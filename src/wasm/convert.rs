@@ -1,7 +1,7 @@
 //! Values on their way between Rust and JavaScript: options, results,
 //! tessellations and errors.
 
-use crate::engine::{DiffOptions, DistanceResult, Field, Options};
+use crate::engine::{ClosestPointOptions, ClosestPoints, DiffOptions, DistanceResult, Field, Options};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tessellate::Tessellation;
@@ -33,6 +33,16 @@ pub(super) fn diff_options(options: &JsValue, transform: &JsValue) -> Result<Dif
     let transform = rigid_transform(transform)?;
     let options: DiffOptions = properties(options).map_err(invalid)?;
     Ok(DiffOptions { transform, ..options })
+}
+
+/// The options of closest points, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn closest_point_options(options: &JsValue, transform: &JsValue) -> Result<ClosestPointOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: ClosestPointOptions = properties(options).map_err(invalid)?;
+    Ok(ClosestPointOptions { transform, ..options })
 }
 
 /// The transform of an object; undefined is the identity.
@@ -176,6 +186,37 @@ impl From<&Field> for FieldArrays {
             statuses: field.statuses.as_slice().into(),
         }
     }
+}
+
+#[derive(Serialize)]
+struct ClosestPointArrays {
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    distances: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    bounds: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    signed: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    feet: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    surfaces: Uint32Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    parameters: Float64Array,
+}
+
+/// Closest points as typed arrays.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsValue, JsValue> {
+    to_object(&ClosestPointArrays {
+        distances: found.distances.as_slice().into(),
+        bounds: found.bounds.as_slice().into(),
+        signed: found.signed.as_slice().into(),
+        feet: found.feet.as_slice().into(),
+        surfaces: found.surfaces.as_slice().into(),
+        parameters: found.parameters.as_slice().into(),
+    })
 }
 
 /// Triangles as typed arrays.

@@ -79,6 +79,26 @@ impl Engine {
             convert::to_object(&engine.diff(&a, &b, &options?, monitor).await?)
         })
     }
+
+    /// As `distance`, for the closest points of a model to `points`, x, y, z each.
+    #[wasm_bindgen(js_name = closestPoints)]
+    pub fn closest_points(
+        &self,
+        model: &PreparedModel,
+        points: Vec<f64>,
+        options: &JsValue,
+        transform: &JsValue,
+        signal: Option<AbortSignal>,
+        on_progress: Option<Function>,
+        turn: Promise,
+    ) -> Promise {
+        let engine = Rc::clone(&self.0);
+        let model = model.inner();
+        let options = convert::closest_point_options(options, transform);
+        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
+            convert::closest_points(&engine.closest_points(&model, &points, &options?, monitor).await?)
+        })
+    }
 }
 
 /// Does `work` when `turn` is settled, unless the monitor cancels it before.

@@ -7,8 +7,10 @@ mod support;
 
 mod bisector_maxima;
 mod certified;
+mod closest_points;
 mod copies_and_offsets;
 mod diff;
+mod field;
 mod hierarchy_accuracy;
 mod hierarchy_boxes;
 mod iteration_accuracy;

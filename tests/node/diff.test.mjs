@@ -41,7 +41,10 @@ test("moved back, nothing changed", async () => {
 
 test("a wrong option is refused by its name", async () => {
   const a = hd.model([square(0)]);
-  await assert.rejects(hd.diff(a, a, { tolerance: 0 }), withCode("OPTION_OUT_OF_RANGE", /tolerance/));
+  await assert.rejects(
+    hd.diff(a, a, { tolerance: 0 }),
+    withCode("OPTION_OUT_OF_RANGE", /tolerance/),
+  );
   await assert.rejects(hd.diff(a, a, { samples: 4 }), withCode("OPTION_INVALID", /samples/));
   const signal = AbortSignal.abort("why");
   await assert.rejects(hd.diff(a, a, { signal }), withCode("CANCELLED"));

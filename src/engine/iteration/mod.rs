@@ -148,7 +148,7 @@ impl SampledDirection<'_> {
                 projected.append(&mut backend.field().await?);
             }
         }
-        let field = if self.options.field { self.field(&projected) } else { Vec::new() };
+        let field = if self.options.field { self.field(&projected, progress).await? } else { Vec::new() };
         Ok(farthest
             .map(|farthest| self.bound(backend.distance_error(), farthest, unrefined, statuses, field)))
     }
