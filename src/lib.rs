@@ -92,6 +92,11 @@ mod bezier;
 #[doc(hidden)]
 pub mod bezier;
 #[cfg(not(feature = "internals"))]
+mod brep;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod brep;
+#[cfg(not(feature = "internals"))]
 mod bvh;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -148,13 +153,14 @@ mod progress;
 pub mod progress;
 
 pub use axis::Axis;
+pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
     FaceDifference, FaceState, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
-pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays, TrimFault};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 

@@ -20,7 +20,7 @@ pub use derivative_bounds::DerivativeBounds;
 pub use evaluate::Jet;
 pub(crate) use evaluate::normal;
 pub use extract::{BezierModel, PatchGrid, extract};
-pub(crate) use extract::{center_grid, power_of_two_below, snapped};
+pub(crate) use extract::{center_grid, power_of_two_below, snapped, spans};
 pub(crate) use grid_basis::GridBasis;
 pub use local_derivative_bounds::LocalDerivativeBounds;
 pub(crate) use local_derivative_bounds::{BEYOND, MAX_DEGREES};

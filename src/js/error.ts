@@ -1,6 +1,6 @@
 /**
  * What went wrong, as a code that stays the same across releases; the
- * message, for people, may change. All but the last three are Rust's.
+ * message, for people, may change. All but the last five are Rust's.
  *
  * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
  *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
@@ -8,6 +8,9 @@
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
  *   its `memoryBudget` holds; the message states how many;
+ * - a file is of a format that is not read: `FORMAT_UNSUPPORTED`, breaks its
+ *   format: `CAD_UNREADABLE`, or needs a package that is not installed:
+ *   `PEER_MISSING`; the messages state how to convert or to install;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
  * - `DISPOSED`: used after `dispose()`.
@@ -28,6 +31,7 @@ export type ErrorCode =
   | "JSON_SHAPE"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"
+  | "FORMAT_UNSUPPORTED"
   | "OPTION_OUT_OF_RANGE"
   | "OPTION_INVALID"
   | "TRANSFORM_NOT_RIGID"
@@ -38,6 +42,8 @@ export type ErrorCode =
   | "GPU_FAILED"
   | "PAIR_BUDGET_EXCEEDED"
   | "CANCELLED"
+  | "CAD_UNREADABLE"
+  | "PEER_MISSING"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
   | "DISPOSED";

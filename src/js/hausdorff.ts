@@ -12,6 +12,7 @@ import {
 } from "./options.js";
 import type { DistanceResult } from "./result.js";
 import {
+  type BrepText,
   type InterchangeModel,
   type Numbers,
   numbers,
@@ -83,12 +84,13 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, of interchange JSON or its text, or of
+   * OpenCASCADE's BREP text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+  model(input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string): NurbsModel {
     this.#open();
     return translating(() => NurbsModel.of(prepare(input)));
   }

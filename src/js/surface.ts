@@ -37,13 +37,20 @@ export interface InterchangeModel {
   surfaces: readonly InterchangeSurface[];
 }
 
+/** The text that OpenCASCADE writes of a shape, with `BRepTools.Write`. */
+export interface BrepText {
+  brep: string;
+  /** Metres per unit of its coordinates, which the text does not state. */
+  unit?: number;
+}
+
 /**
  * The module's model of what `Hausdorff.model` takes. Here the types of plain
  * arrays are checked; the module checks their numbers, and parses JSON.
  * @internal
  */
 export function prepare(
-  input: readonly SurfaceArrays[] | InterchangeModel | string,
+  input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string,
 ): PreparedModel {
   if (isArray(input)) return fromArrays(input as readonly SurfaceArrays[]);
   if (typeof input === "string") return PreparedModel.fromJson(input);
@@ -53,7 +60,16 @@ export function prepare(
       `the model is ${found}, expected an array of surfaces, interchange JSON or its text`,
     );
   }
+  if ("brep" in input) return fromBrep(input);
   return PreparedModel.fromJson(JSON.stringify(input));
+}
+
+function fromBrep({ brep, unit }: BrepText): PreparedModel {
+  if (typeof brep !== "string") throw invalid(`brep is ${typeof brep}, expected a text`);
+  if (unit !== undefined && typeof unit !== "number") {
+    throw invalid(`unit is ${typeof unit}, expected a number`);
+  }
+  return PreparedModel.fromBrep(brep, undefined, unit);
 }
 
 function fromArrays(input: readonly SurfaceArrays[]): PreparedModel {

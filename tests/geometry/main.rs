@@ -16,3 +16,4 @@ mod newton_and_tangent_plane;
 mod shape_operations;
 mod shapes;
 mod tessellation;
+mod trim_validation;

@@ -13,3 +13,4 @@ pub mod evaluator;
 pub mod fixtures;
 pub mod gpu;
 pub mod models;
+pub mod trims;

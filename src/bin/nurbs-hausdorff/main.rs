@@ -11,6 +11,8 @@ mod motion;
 mod output;
 mod progress;
 mod report;
+#[cfg(test)]
+mod table;
 mod usage;
 
 /// Exit status of bad arguments, bad input or a failed machine.

@@ -1,0 +1,48 @@
+//! The reader of OpenCASCADE's BREP text.
+//!
+//! The stages: [`text`] reads the sections into curves, surfaces and shapes as they
+//! stand in the file; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
+//! turns a face into a surface and closed loops in its parameters; [`assembly`] collects
+//! the faces and their placements.
+
+mod assembly;
+mod faces;
+mod nurbs;
+mod report;
+mod text;
+
+pub use report::{ReadReport, Skipped};
+
+use crate::error::{Error, Result};
+use crate::model::{Model, ModelArrays};
+
+impl Model {
+    /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
+    /// trimmed as it is.
+    ///
+    /// Elementary and swept surfaces become exact NURBS over the region that their loops
+    /// cover. Trimming curves stay exact on planes and B-splines and along parameter
+    /// lines; others are fitted, with the bound of the difference in their gap. A face
+    /// that cannot be read is in the report, never dropped silently. O(size).
+    ///
+    /// # Errors
+    /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
+    /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
+    pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
+        let (arrays, report) = read(text)?;
+        Ok((Self::from_faces(arrays)?, report))
+    }
+}
+
+/// Reads a BREP text as plain arrays.
+///
+/// # Errors
+/// Those of [`Model::from_brep`].
+pub fn read(text: &str) -> Result<(ModelArrays, ReadReport)> {
+    let found = text.len() as u64;
+    if found > Model::MAX_JSON_BYTES {
+        return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
+    }
+    let file = text::BrepFile::parse(text)?;
+    assembly::assemble(&file)
+}

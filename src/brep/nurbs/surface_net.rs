@@ -1,0 +1,166 @@
+//! Surfaces of the file as exact NURBS over a rectangle of parameters.
+
+use super::conic::Conic;
+use super::parameter_map::ParameterMap;
+use super::spline::{Spline, blossom, project, support_spans};
+use super::surface::{SplineSurface, Surface};
+use crate::model::SurfaceArrays;
+use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
+
+/// An exact NURBS and the maps from the parameters of the file to its own.
+#[derive(Debug, Clone)]
+pub(crate) struct SurfaceNet {
+    pub(crate) degrees: [usize; 2],
+    pub(crate) knots: [Vec<f64>; 2],
+    /// Homogeneous control points, v fastest.
+    pub(crate) controls: Vec<DVec4>,
+    pub(crate) maps: [ParameterMap; 2],
+}
+
+impl Surface {
+    /// Returns the exact NURBS over these ranges of u and v; `None` for an offset
+    /// surface that is not rational. Where a B-spline is not periodic, it keeps its
+    /// domain and is extended to the ranges.
+    pub(crate) fn net(&self, ranges: [[f64; 2]; 2]) -> Option<SurfaceNet> {
+        match self {
+            Self::Plane(frame) => {
+                let edge = |v: f64| {
+                    let [start, end] = ranges[0].map(|u| frame.point(DVec3::new(u, v, 0.0)));
+                    Spline::segment(ranges[0], start, end)
+                };
+                let sides = ranges[1].map(edge);
+                Some(ruled(&sides, ranges[1], ParameterMap::Identity))
+            }
+            Self::Revolution { frame, profile, .. } => {
+                let (profile, map) = profile.spline(ranges[1])?;
+                let breaks = Conic::Elliptic.breaks(ranges[0]);
+                let circle = Conic::Elliptic.spline(&breaks, DVec3::ZERO, DVec3::X, DVec3::Y);
+                let turned = |arc: &DVec4, local: &DVec4| {
+                    frame.homogeneous(DVec4::new(
+                        arc.x * local.x - arc.y * local.y,
+                        arc.y * local.x + arc.x * local.y,
+                        arc.w * local.z,
+                        arc.w * local.w,
+                    ))
+                };
+                let controls = circle
+                    .controls
+                    .iter()
+                    .flat_map(|arc| profile.controls.iter().map(move |local| turned(arc, local)))
+                    .collect();
+                Some(SurfaceNet {
+                    degrees: [2, profile.degree],
+                    knots: [circle.knots, profile.knots],
+                    controls,
+                    maps: [ParameterMap::Circular(breaks), map],
+                })
+            }
+            Self::Extrusion { direction, profile } => {
+                let (profile, map) = profile.spline(ranges[0])?;
+                let sides = ranges[1].map(|v| profile.clone().translated(v * *direction));
+                Some(ruled(&sides, ranges[1], map))
+            }
+            Self::Spline(spline) => Some(spline.net(ranges)),
+            Self::Trimmed { basis, .. } => basis.net(ranges),
+            Self::Offset { .. } => None,
+        }
+    }
+}
+
+/// Returns the ruled surface between two splines over equal knots.
+fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap) -> SurfaceNet {
+    SurfaceNet {
+        degrees: [low.degree, 1],
+        knots: [low.knots.clone(), vec![start, start, end, end]],
+        controls: low.controls.iter().zip(&high.controls).flat_map(|(&a, &b)| [a, b]).collect(),
+        maps: [map, ParameterMap::Identity],
+    }
+}
+
+impl SplineSurface {
+    /// Returns the surface over its domain extended to these ranges; where it is periodic,
+    /// over the ranges alone.
+    fn net(&self, ranges: [[f64; 2]; 2]) -> SurfaceNet {
+        let unrolled = [0, 1].map(|axis| self.bases[axis].unrolled(ranges[axis]));
+        let mut knots = unrolled.each_ref().map(|(knots, _)| knots.clone());
+        let degrees = self.bases.each_ref().map(|basis| basis.degree);
+        let [rows, columns] = unrolled.each_ref().map(|(_, poles)| poles);
+        let mut controls: Vec<DVec4> = rows
+            .iter()
+            .flat_map(|&i| columns.iter().map(move |&j| self.poles[i * self.columns + j]))
+            .collect();
+        let mut counts = [rows.len(), columns.len()];
+        for axis in [0, 1] {
+            let [start, end] = self.bases[axis].domain();
+            let [low, high] = ranges[axis];
+            let range = match self.bases[axis].period() {
+                Some(_) => [low, high],
+                None => [start.min(low), end.max(high)],
+            };
+            let clamped = self.bases[axis].clamped(range);
+            if clamped != knots[axis] {
+                controls = reknotted(&controls, counts, axis, degrees[axis], &knots[axis], &clamped);
+                counts[axis] = clamped.len() - degrees[axis] - 1;
+                knots[axis] = clamped;
+            }
+        }
+        SurfaceNet { degrees, knots, controls, maps: [ParameterMap::Identity, ParameterMap::Identity] }
+    }
+}
+
+/// Returns the control points over new clamped knots along an axis, as
+/// [`Spline::with_knots`] does for curves.
+fn reknotted(
+    controls: &[DVec4],
+    [rows, columns]: [usize; 2],
+    axis: usize,
+    degree: usize,
+    old: &[f64],
+    new: &[f64],
+) -> Vec<DVec4> {
+    let count = if axis == 0 { rows } else { columns };
+    let spans = support_spans(old, degree, count, new);
+    let line = |fixed: usize, span: usize| -> Vec<DVec4> {
+        let index = |i| if axis == 0 { i * columns + fixed } else { fixed * columns + i };
+        (span - degree..=span).map(|i| controls[index(i)]).collect()
+    };
+    let control =
+        |index: usize, fixed: usize| blossom(old, degree, spans[index], &line(fixed, spans[index]), |argument| {
+            new[index + 1 + argument]
+        });
+    if axis == 0 {
+        (0..spans.len()).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| control(i, j)).collect()
+    } else {
+        (0..rows).flat_map(|i| (0..spans.len()).map(move |j| (i, j))).map(|(i, j)| control(j, i)).collect()
+    }
+}
+
+impl SurfaceNet {
+    /// Returns the domain.
+    pub(crate) fn domain(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|axis| {
+            let knots = &self.knots[axis];
+            [knots[self.degrees[axis]], knots[knots.len() - 1 - self.degrees[axis]]]
+        })
+    }
+
+    /// Returns the surface moved by an affine map, as plain arrays.
+    pub(crate) fn into_arrays(self, location: &DAffine3) -> SurfaceArrays {
+        let counts = [0, 1].map(|axis| self.knots[axis].len() - self.degrees[axis] - 1);
+        let point = |&control: &DVec4| {
+            let point = location.transform_point3(project(control));
+            point.extend(control.w).to_array()
+        };
+        SurfaceArrays {
+            degree: self.degrees,
+            counts,
+            control_points: self.controls.iter().map(point).collect(),
+            knots: self.knots,
+        }
+    }
+
+    /// Returns whether all weights are positive, which extension may violate.
+    pub(crate) fn has_positive_weights(&self) -> bool {
+        self.controls.iter().all(|control| control.w > 0.0 && control.xyz().is_finite())
+    }
+}

@@ -1,0 +1,55 @@
+//! The account of what was read, which accompanies the model.
+
+use serde::Serialize;
+
+/// The result of reading a CAD file, face by face.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ReadReport {
+    /// The number of faces read.
+    pub surfaces: usize,
+    /// The number of trimming curves of those faces.
+    pub trims: usize,
+    /// The number of trimming curves that are exact images of the file's.
+    pub exact: usize,
+    /// The number of trimming curves fitted to the file's, with a proven bound in their gaps.
+    pub fitted: usize,
+    /// The largest gap of a trimming curve, in model units: the distance between the curve
+    /// on its surface and the edge of the file, of which the part that the file itself
+    /// causes is measured at [`ReadReport::GAP_SAMPLES`] points of an edge, unless the
+    /// curve was made from the edge.
+    pub gap: f64,
+    /// Metres per model unit; `None` where the file does not state it, as in BREP.
+    pub unit: Option<f64>,
+    /// The faces that could not be read.
+    pub skipped: Vec<Skipped>,
+}
+
+impl ReadReport {
+    /// The number of points of an edge at which its distance to the curve in the file is measured.
+    pub const GAP_SAMPLES: usize = 17;
+}
+
+/// A face that could not be read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Skipped {
+    /// The number of the face among those of the file, from 0.
+    pub face: usize,
+    /// The stable code of the reason.
+    pub code: &'static str,
+    /// The reason.
+    pub why: String,
+}
+
+/// The reason for which a face cannot be read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FaceFault {
+    pub(super) code: &'static str,
+    pub(super) why: String,
+}
+
+impl FaceFault {
+    pub(super) fn new(code: &'static str, why: impl Into<String>) -> Self {
+        Self { code, why: why.into() }
+    }
+}
