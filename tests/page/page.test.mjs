@@ -219,7 +219,7 @@ test("a cancelled iteration leaves no numbers", async () => {
   const { page } = opened;
   const many = Array.from({ length: 40 }, (_, index) => 0.1 * index);
   await openPlanes(many, many);
-  assert.equal(await page.locator("#distance").textContent(), "0.00000");
+  assert.match(await page.locator("#distance").textContent(), /^(0|≤ \d\.\de-\d+)$/);
   await page.locator("#samples").evaluate((samples) => {
     samples.value = "160";
   });

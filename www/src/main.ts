@@ -4,6 +4,7 @@ import { element } from "./common/elements.ts";
 import * as options from "./controls/options.ts";
 import { fillShapes, onSource, setLoading, showSources } from "./controls/sources.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
+import { showFileNotes } from "./files/fileNotes.ts";
 import * as resultPanel from "./results/resultPanel.ts";
 import * as warnings from "./results/warnings.ts";
 import { Pose } from "./scene/pose.ts";
@@ -62,11 +63,15 @@ function onReply(reply: Reply): void {
       warnings.showEngine(reply.engine);
       fillShapes(reply.shapes);
       break;
+    case "loading":
+      setLoading(true, reply.text);
+      break;
     case "loaded":
       faces.clear("idle", "");
       view.models.show(reply.models);
       faces.propose(view.models.diagonal);
       showSources(reply.models, reply.placement);
+      showFileNotes(reply.models);
       options.setPlacement(reply.placement, view.models.diagonal);
       setLoading(false);
       view.hideResult();

@@ -2,6 +2,7 @@
 import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
+import { ACCEPT } from "../files/formats.ts";
 import {
   type DisplayModel,
   type Placement,
@@ -37,6 +38,7 @@ export function onSource(callback: (sources: Sides<Source>, placement: Placement
       callback({ [side]: { shape: lists[side].value } }, IN_PLACE);
     });
     const input = element(`file-${side}`, HTMLInputElement);
+    input.accept = ACCEPT;
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       if (file) callback({ [side]: { file } }, IN_PLACE);
@@ -61,9 +63,10 @@ export function fillShapes(shapes: ShapeInfo[]): void {
   pair.dispatchEvent(new Event("change"));
 }
 
-/** Shows or hides the note that models are being loaded, which takes a while for large files. */
-export function setLoading(loading: boolean): void {
+/** Shows or hides the note that models are being loaded, or what for, which takes a while for large files. */
+export function setLoading(loading: boolean, text = "loading…"): void {
   element("loading").hidden = !loading;
+  element("loading").textContent = text;
 }
 
 /** Selects the entries of the lists that name the models shown. */

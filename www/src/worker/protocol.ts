@@ -10,6 +10,7 @@ import type {
   Transform,
   Vector3,
 } from "nurbs-hausdorff";
+import type { CadReport } from "nurbs-hausdorff/cad";
 
 export type Side = "a" | "b";
 
@@ -46,6 +47,8 @@ export type Request =
 export interface DisplayModel {
   source: Source;
   surfaceCount: number;
+  /** What reading a file kept, changed and left out; null for a shape. */
+  report: CadReport | null;
   box: { min: Vector3; max: Vector3 };
   tessellation: Tessellation;
   /** The vertices of the tessellation's open edges, two per edge. */
@@ -74,6 +77,8 @@ export type DiffReply = { kind: "diff" } & (
 export type Reply =
   | DiffReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
+  /** A library is fetched that a file needs. */
+  | { kind: "loading"; text: string }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
   | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
   | {

@@ -43,7 +43,9 @@ async function replace(
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
-    const { models, display } = await load(engine, sources);
+    const { models, display } = await load(engine, sources, (text) =>
+      reply({ kind: "loading", text }),
+    );
     differences.drop();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
