@@ -253,6 +253,18 @@ pub enum Error {
         /// The message of the operating system.
         found: String,
     },
+    /// A file of a format that the package's command line in Node reads, but this crate
+    /// does not.
+    #[error(
+        "found {found}; read are interchange JSON and OpenCASCADE's BREP text: \
+         `npx nurbs-hausdorff convert {path} model.json` converts it"
+    )]
+    FormatUnsupported {
+        /// The format, with its article.
+        found: &'static str,
+        /// The path as given.
+        path: String,
+    },
     /// An option outside its range.
     #[error("option {option} is {found}, expected {expected}")]
     OptionOutOfRange {
@@ -375,6 +387,7 @@ impl Error {
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
+            Self::FormatUnsupported { .. } => "FORMAT_UNSUPPORTED",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",

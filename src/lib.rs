@@ -157,7 +157,8 @@ pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
-    FaceDifference, FaceState, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    FaceDifference, FaceState, Method, ModelInfo, Options, PreparedModel, Statistics, SurfaceInfo,
+    SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays, TrimFault};

@@ -1,5 +1,6 @@
 //! The account of what was read, which accompanies the model.
 
+use crate::model::Model;
 use serde::Serialize;
 
 /// The result of reading a CAD file, face by face.
@@ -28,6 +29,22 @@ pub struct ReadReport {
 impl ReadReport {
     /// The number of points of an edge at which its distance to the curve in the file is measured.
     pub const GAP_SAMPLES: usize = 17;
+
+    /// Returns the report on a model that was read without a change, as interchange JSON is.
+    #[must_use]
+    pub fn of_exact(model: &Model) -> Self {
+        let loops = model.faces().filter_map(|face| face.to_arrays().trim).flatten();
+        let trims = loops.map(|curves| curves.len()).sum();
+        Self {
+            surfaces: model.surfaces().len(),
+            trims,
+            exact: trims,
+            fitted: 0,
+            gap: model.gap(),
+            unit: model.unit(),
+            skipped: Vec::new(),
+        }
+    }
 }
 
 /// A face that could not be read.

@@ -2,18 +2,21 @@
 
 use super::convert;
 use super::surfaces::Surfaces;
-use crate::engine;
+use crate::brep::{self, ReadReport};
+use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
-use crate::model::Model;
+use crate::model::{Model, ModelArrays};
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
+use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// A model ready to be measured, shared with the distances that use it.
+/// A model ready to be measured, shared with the distances that use it, and the report
+/// on reading it from BREP.
 #[wasm_bindgen]
-pub struct PreparedModel(Rc<engine::PreparedModel>);
+pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
 
 #[wasm_bindgen]
 impl PreparedModel {
@@ -25,12 +28,44 @@ impl PreparedModel {
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
-        // No text has fewer bytes than characters: a longer one is not copied into the module's memory.
-        let found = u64::from(text.length());
-        if found > Model::MAX_JSON_BYTES {
-            return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
-        }
-        Ok(Self::new(&Model::from_json(&String::from(text))?))
+        Ok(Self::new(&Model::from_json(&checked(text)?)?))
+    }
+
+    /// A model of BREP text; undefined is an unknown name or unit.
+    #[wasm_bindgen(js_name = fromBrep)]
+    pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
+        let (model, report) = brep_model(text, name, unit)?;
+        let Self(prepared, _) = Self::new(&model);
+        Ok(Self(prepared, Some(report)))
+    }
+
+    /// The report on reading BREP, or undefined.
+    #[wasm_bindgen(getter)]
+    pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
+        self.1.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
+    }
+
+    /// `{json, report}` of BREP text: its interchange JSON.
+    #[wasm_bindgen(js_name = brepToJson)]
+    pub fn brep_to_json(
+        text: &JsString,
+        name: Option<String>,
+        unit: Option<f64>,
+    ) -> std::result::Result<JsValue, JsValue> {
+        let (model, report) = brep_model(text, name, unit)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report })
+    }
+
+    /// `{json, report}` of interchange JSON, validated and written anew.
+    #[wasm_bindgen(js_name = jsonToJson)]
+    pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        let model = Model::from_json(&checked(text)?)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
+    }
+
+    /// The numbers of a model of interchange JSON, as the command line prints them.
+    pub fn info(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        convert::to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?))
     }
 
     /// One of [`shapes`].
@@ -63,12 +98,35 @@ impl PreparedModel {
 
 impl PreparedModel {
     fn new(model: &Model) -> Self {
-        Self(Rc::new(engine::PreparedModel::new(model)))
+        Self(Rc::new(engine::PreparedModel::new(model)), None)
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
         Rc::clone(&self.0)
     }
+}
+
+/// A model's interchange JSON, and the report on reading it.
+#[derive(Serialize)]
+struct Interchange {
+    json: String,
+    report: ReadReport,
+}
+
+/// A text of JavaScript. No text has fewer bytes than characters: one over the limit is
+/// not copied into the module's memory.
+fn checked(text: &JsString) -> Result<String> {
+    let found = u64::from(text.length());
+    if found > Model::MAX_JSON_BYTES {
+        return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
+    }
+    Ok(String::from(text))
+}
+
+fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    let (arrays, report) = brep::read(&checked(text)?)?;
+    let model = Model::from_faces(ModelArrays { name, unit, ..arrays })?;
+    Ok((model, ReadReport { unit, ..report }))
 }
 
 /// The shapes that the crate makes, each with its name and title.

@@ -2,10 +2,12 @@
 
 mod args;
 mod completions;
+mod convert;
 mod diff;
 mod distance;
 mod failure;
 mod files;
+mod format;
 mod info;
 mod motion;
 mod output;
@@ -26,6 +28,7 @@ fn main() -> std::process::ExitCode {
     };
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
