@@ -30,6 +30,7 @@ export interface FacesListener {
 export class FacesPanel {
   readonly #listener: FacesListener;
   readonly #list: FaceList;
+  #result: DiffResult | undefined;
 
   constructor(listener: FacesListener) {
     this.#listener = listener;
@@ -47,6 +48,11 @@ export class FacesPanel {
   /** Proposes a tolerance for models of this size: one digit. */
   propose(diagonal: number): void {
     if (diagonal > 0) tolerance.value = `${Number((RELATIVE_TOLERANCE * diagonal).toPrecision(1))}`;
+  }
+
+  /** The comparison shown. */
+  get result(): DiffResult | undefined {
+    return this.#result;
   }
 
   /** Whether a comparison is shown or in progress. */
@@ -76,6 +82,7 @@ export class FacesPanel {
   clear(state: "idle" | "cancelled" | "failed" | "outdated", text: string): void {
     this.#setState(state);
     summary.textContent = text;
+    this.#result = undefined;
     this.#list.show([], 0);
     clear.hidden = true;
     this.#listener.show(undefined);
@@ -83,6 +90,7 @@ export class FacesPanel {
 
   #showResult(result: DiffResult): void {
     this.#setState("done");
+    this.#result = result;
     const table = SIDES.map((side) => {
       const { unchanged, changed, undecided } = countsOf(result[side]);
       const name = side.toUpperCase();

@@ -5,7 +5,7 @@ import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { certifiedText, intervalText, twoDigits } from "../common/numbers.ts";
 import { commonUnit } from "../files/fileNotes.ts";
-import { type Detail, detailsOf, statisticsOf } from "./resultDetails.ts";
+import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
 /** The meaning of the interval shown. */
@@ -22,8 +22,6 @@ const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const details = element("facts");
-const estimates = element("estimates");
-const statistics = element("statistics");
 
 /** Shows that a new measurement of the same models was requested. */
 export function showPending(): void {
@@ -51,8 +49,7 @@ export function showResult(result: DistanceResult, last: boolean): void {
   const ends = [result.lower, result.upper] as const;
   distance.textContent = certifiedText(result.computed, ends, result.diagonal);
   showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
-  show(details, detailsOf(result));
-  showEstimates(statisticsOf(result));
+  showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
   Object.assign(section.dataset, {
     method: result.method,
@@ -75,7 +72,6 @@ export function clearResult(state: "cancelled" | "failed" | "working"): void {
   width.textContent = "";
   showVerdict();
   details.replaceChildren();
-  showEstimates([]);
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
     delete section.dataset[name];
   }
@@ -113,12 +109,8 @@ function kindOf(result: DistanceResult): string {
   return `${kind} distance, ${from} to ${to}`;
 }
 
-function showEstimates(all: Detail[]): void {
-  estimates.hidden = all.length === 0;
-  show(statistics, all);
-}
-
-function show(list: HTMLElement, all: Detail[]): void {
+/** Fills a list with terms and texts. */
+export function showDetails(list: HTMLElement, all: Detail[]): void {
   list.replaceChildren(
     ...all.flatMap(([term, text]) => [definition("dt", term), definition("dd", text)]),
   );

@@ -63,8 +63,8 @@ export class FaceColors {
     return box;
   }
 
+  /** Frees the geometry; the model's mesh frees all materials. */
   dispose(): void {
     this.mesh.geometry.dispose();
-    for (const material of this.mesh.material) material.dispose();
   }
 }

@@ -1,10 +1,12 @@
 // The page's side of the worker.
+import type { Transform, Vector3 } from "nurbs-hausdorff";
 import type {
   Placement,
   PlainDiffOptions,
   PlainOptions,
   Reply,
   Request,
+  Side,
   Sides,
   Source,
 } from "./protocol.ts";
@@ -54,6 +56,16 @@ export class Client {
 
   cancelDiff(): void {
     this.#post({ kind: "cancelDiff" });
+  }
+
+  /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */
+  probe(id: number, side: Side, near: Vector3, transform: Transform): void {
+    this.#post({ kind: "probe", id, side, near, transform });
+  }
+
+  /** Requests the samples of the last measurement as a table. */
+  csv(): void {
+    this.#post({ kind: "csv" });
   }
 
   #post(request: Request): void {

@@ -12,6 +12,8 @@ import type {
 } from "nurbs-hausdorff";
 import type { CadReport } from "nurbs-hausdorff/cad";
 
+import type { FieldDisplay } from "./field/fieldDisplay.ts";
+
 export type Side = "a" | "b";
 
 export const SIDES: readonly Side[] = ["a", "b"];
@@ -36,12 +38,32 @@ export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 /** The options of a comparison face by face that can be posted to a worker. */
 export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
 
+/** A point of one model, and its closest point on the other. */
+export interface Probe {
+  side: Side;
+  face: number;
+  u: number;
+  v: number;
+  point: Vector3;
+  foot: Vector3;
+  /** The other model's face. */
+  footFace: number;
+  distance: number;
+  /** The true distance differs from `distance` by at most this. */
+  bound: number;
+  /** The distance with a sign; NaN without one. */
+  signed: number;
+}
+
 export type Request =
   | { kind: "load"; sources: Sides<Source>; placement: Placement }
   | { kind: "measure"; run: number; options: PlainOptions }
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
-  | { kind: "cancelDiff" };
+  | { kind: "cancelDiff" }
+  /** `near` is in the model's own coordinates. */
+  | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform }
+  | { kind: "csv" };
 
 /** What the page needs to draw a model. */
 export interface DisplayModel {
@@ -84,10 +106,14 @@ export type Reply =
   | {
       kind: "measured";
       run: number;
+      /** Without its field, of which the page draws `field`. */
       result: DistanceResult;
+      field: FieldDisplay | undefined;
       /** The transform of A with which the result was computed. */
       transform: Transform;
       engine: EngineState;
     }
+  | { kind: "probed"; id: number; probe: Probe | undefined }
+  | { kind: "csv"; table: Blob }
   | { kind: "cancelled"; run: number }
   | { kind: "failed"; run?: number; code: Code; message: string };

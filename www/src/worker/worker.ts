@@ -2,8 +2,10 @@
 import { Hausdorff } from "nurbs-hausdorff";
 import { Differences } from "./differences.ts";
 import { codeOf, messageOf } from "./failure.ts";
+import { csvOf } from "./field/csv.ts";
 import { load } from "./load.ts";
 import { engineState, Measurements } from "./measurements.ts";
+import { probe } from "./probe.ts";
 import type { Reply, Request } from "./protocol.ts";
 
 const ready = start();
@@ -33,6 +35,12 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancelDiff":
       differences.cancel();
       break;
+    case "probe":
+      void reportProbe(started, data);
+      break;
+    case "csv":
+      reply({ kind: "csv", table: csvOf(measurements.fields ?? []) });
+      break;
     case "load":
       loaded = loaded.then(() => replace(started, data));
   }
@@ -58,6 +66,17 @@ async function replace(
   } catch (error) {
     fail(error);
   }
+}
+
+async function reportProbe(
+  { engine, measurements }: Awaited<typeof ready>,
+  { id, side, near, transform }: Extract<Request, { kind: "probe" }>,
+): Promise<void> {
+  // A point that cannot be measured, for example while models are replaced, is not reported.
+  const found = await probe(engine, measurements.models, side, near, transform).catch(
+    () => undefined,
+  );
+  reply({ kind: "probed", id, probe: found });
 }
 
 async function start() {

@@ -6,10 +6,10 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
-  type PerspectiveCamera,
   SphereGeometry,
   Vector3,
 } from "three";
+import type { Viewport } from "../camera/viewport.ts";
 
 /** Radii in pixels, independent of the zoom: short arrows stay visible and long ones slim. */
 const SHAFT_RADIUS = 2.2;
@@ -76,14 +76,13 @@ export class Arrow {
   }
 
   /** Adapts the arrow's thickness to the camera, and moves the label to its midpoint on the screen. */
-  update(camera: PerspectiveCamera, width: number, height: number): void {
+  update(viewport: Viewport): void {
     if (!this.group.visible) return;
-    const projected = this.#middle.clone().project(camera);
-    this.#label.hidden = Math.abs(projected.z) > 1;
-    this.#label.style.left = `${(0.5 + 0.5 * projected.x) * width}px`;
-    this.#label.style.top = `${(0.5 - 0.5 * projected.y) * height}px`;
-    const depth = camera.position.distanceTo(this.#middle);
-    this.#size((2 * depth * Math.tan((camera.fov * Math.PI) / 360)) / height);
+    const place = viewport.project(this.#middle);
+    this.#label.hidden = place === undefined;
+    this.#label.style.left = `${place?.[0] ?? 0}px`;
+    this.#label.style.top = `${place?.[1] ?? 0}px`;
+    this.#size(viewport.pixelAt(this.#middle));
   }
 
   #size(pixel: number): void {
