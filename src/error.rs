@@ -148,6 +148,14 @@ pub enum Error {
         /// The degree.
         found: usize,
     },
+    /// A trimmed face that cannot be cut into patches.
+    #[error("surface {surface}: the trimmed face cannot be cut into patches: {found}")]
+    FaceNotCut {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The reason.
+        found: String,
+    },
     /// A model without surfaces.
     #[error("the model has 0 surfaces, expected at least 1")]
     EmptyModel,
@@ -374,6 +382,7 @@ impl Error {
             Self::RaggedNet { .. } => "RAGGED_NET",
             Self::TooFewControlPoints { .. } => "TOO_FEW_CONTROL_POINTS",
             Self::DegreeOutOfRange { .. } => "DEGREE_OUT_OF_RANGE",
+            Self::FaceNotCut { .. } => "FACE_NOT_CUT",
             Self::EmptyModel => "EMPTY_MODEL",
             Self::Trim { fault, .. } => fault.code(),
             Self::GapInvalid { .. } => "GAP_INVALID",

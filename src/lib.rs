@@ -151,6 +151,12 @@ mod progress;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod progress;
+#[cfg(not(feature = "internals"))]
+#[allow(dead_code, reason = "the model's preparation calls it once trims are part of models")]
+mod untrim;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod untrim;
 
 pub use axis::Axis;
 pub use brep::{ReadReport, Skipped};

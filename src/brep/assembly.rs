@@ -12,6 +12,38 @@ use std::collections::HashMap;
 /// a short file may describe more placements than memory holds.
 const MAX_VISITS: usize = 1 << 22;
 
+/// The faces of a file with the account of each.
+pub(super) struct Assembled {
+    pub(super) model: ModelArrays,
+    /// One entry a face of the model.
+    pub(super) counts: Vec<FaceCounts>,
+    pub(super) skipped: Vec<Skipped>,
+}
+
+/// The number of a face among those of the file, and those of its curves.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceCounts {
+    pub(super) number: usize,
+    pub(super) exact: usize,
+    pub(super) fitted: usize,
+}
+
+impl Assembled {
+    /// Returns the report on these faces.
+    pub(super) fn report(&self) -> ReadReport {
+        let curves = || self.model.faces.iter().filter_map(|face| face.trim.as_ref()).flatten().flatten();
+        ReadReport {
+            surfaces: self.counts.len(),
+            trims: curves().count(),
+            exact: self.counts.iter().map(|face| face.exact).sum(),
+            fitted: self.counts.iter().map(|face| face.fitted).sum(),
+            gap: curves().map(|curve| curve.gap).fold(0.0, f64::max),
+            unit: self.model.unit,
+            skipped: self.skipped.clone(),
+        }
+    }
+}
+
 /// A face where an assembly places it.
 struct Placed {
     shape: usize,
@@ -20,9 +52,9 @@ struct Placed {
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &BrepFile) -> Result<(ModelArrays, ReadReport)> {
+pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
     let mut model = ModelArrays::default();
-    let mut report = ReadReport::default();
+    let (mut counts, mut skipped) = (Vec::new(), Vec::new());
     // The index of each face among those of the file, and among those read.
     let mut faces: HashMap<usize, Option<usize>> = HashMap::new();
     let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
@@ -30,19 +62,14 @@ pub(super) fn assemble(file: &BrepFile) -> Result<(ModelArrays, ReadReport)> {
         let number = faces.len();
         let index = *faces.entry(placed.shape).or_insert_with(|| match convert(file, placed.shape) {
             Ok(mut converted) => {
-                report.surfaces += 1;
-                report.exact += converted.exact;
-                report.fitted += converted.fitted;
-                let curves = || converted.face.trim.iter().flatten().flatten();
-                report.trims += curves().count();
-                report.gap = curves().map(|curve| curve.gap).fold(report.gap, f64::max);
+                counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.part = Some(format!("face {number}"));
                 model.faces.push(converted.face);
                 Some(model.faces.len() - 1)
             }
             Err(fault) => {
-                report.skipped.push(Skipped { face: number, code: fault.code, why: fault.why });
+                skipped.push(Skipped { face: number, code: fault.code, why: fault.why });
                 None
             }
         });
@@ -63,12 +90,12 @@ pub(super) fn assemble(file: &BrepFile) -> Result<(ModelArrays, ReadReport)> {
     {
         model.instances.clear();
     }
-    match report.skipped.first() {
+    match skipped.first() {
         Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
-            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: report.skipped.len() })
+            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: skipped.len() })
         }
         _ if model.faces.is_empty() => Err(Error::EmptyModel),
-        _ => Ok((model, report)),
+        _ => Ok(Assembled { model, counts, skipped }),
     }
 }
 

@@ -10,6 +10,7 @@ mod faces;
 mod nurbs;
 mod report;
 mod text;
+mod validation;
 
 pub use report::{ReadReport, Skipped};
 
@@ -29,16 +30,44 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        let (arrays, report) = read(text)?;
-        Ok((Self::from_faces(arrays)?, report))
+        model(text, None, None)
     }
 }
 
-/// Reads a BREP text as plain arrays.
+/// Reads a BREP text as a model of this name and unit, which the text does not state.
+///
+/// # Errors
+/// Those of [`Model::from_brep`], and [`Error::UnitInvalid`].
+pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    let mut read = assembled(text)?;
+    (read.model.name, read.model.unit) = (name, unit);
+    validation::into_model(read)
+}
+
+/// Makes a model of faces that another reader made, whose curves count as exact. Faces
+/// that the model refuses are skipped in the report, by their index.
+///
+/// # Errors
+/// Those of [`Model::from_faces`] that concern no face, or every one.
+#[cfg(target_arch = "wasm32")]
+pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
+    let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
+    let count = |(number, face)| assembly::FaceCounts { number, exact: curves(face), fitted: 0 };
+    let counts = model.faces.iter().enumerate().map(count).collect();
+    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
+}
+
+/// Reads a BREP text as plain arrays, which [`model`] validates.
 ///
 /// # Errors
 /// Those of [`Model::from_brep`].
 pub fn read(text: &str) -> Result<(ModelArrays, ReadReport)> {
+    let read = assembled(text)?;
+    let report = read.report();
+    Ok((read.model, report))
+}
+
+fn assembled(text: &str) -> Result<assembly::Assembled> {
     let found = text.len() as u64;
     if found > Model::MAX_JSON_BYTES {
         return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });

@@ -2,8 +2,9 @@
  * What went wrong, as a code that stays the same across releases; the
  * message, for people, may change. All but the last five are Rust's.
  *
- * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
- *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
+ * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
+ *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
+ *   text: `BREP_…`, or it is too long: `FILE_TOO_LARGE`;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
@@ -28,7 +29,15 @@ export type ErrorCode =
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
   | "EMPTY_MODEL"
+  | "GAP_INVALID"
+  | "INSTANCE_SURFACE"
+  | "INSTANCE_TRANSFORM"
+  | "TOO_MANY_FACES"
+  | "UNIT_INVALID"
+  | "UNITS_DIFFER"
   | "JSON_SHAPE"
+  | "BREP_SYNTAX"
+  | "BREP_UNREADABLE"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"
   | "FORMAT_UNSUPPORTED"
@@ -42,6 +51,14 @@ export type ErrorCode =
   | "GPU_FAILED"
   | "PAIR_BUDGET_EXCEEDED"
   | "CANCELLED"
+  | "TRIM_NO_LOOPS"
+  | "TRIM_CURVE_INVALID"
+  | "TRIM_WEIGHT_NOT_POSITIVE"
+  | "TRIM_LOOP_OPEN"
+  | "TRIM_OUTSIDE_DOMAIN"
+  | "TRIM_LOOP_NO_AREA"
+  | "TRIM_LOOPS_CROSS"
+  | "TRIM_WRONG_NESTING"
   | "CAD_UNREADABLE"
   | "PEER_MISSING"
   | "ARGUMENT_INVALID"

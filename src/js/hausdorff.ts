@@ -1,3 +1,4 @@
+import { fromBrepText, isBrepText } from "./brep-text.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
@@ -92,6 +93,7 @@ export class Hausdorff {
    */
   model(input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string): NurbsModel {
     this.#open();
+    if (isBrepText(input)) return fromBrepText(input);
     return translating(() => NurbsModel.of(prepare(input)));
   }
 

@@ -50,7 +50,7 @@ export interface BrepText {
  * @internal
  */
 export function prepare(
-  input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string,
+  input: readonly SurfaceArrays[] | InterchangeModel | string,
 ): PreparedModel {
   if (isArray(input)) return fromArrays(input as readonly SurfaceArrays[]);
   if (typeof input === "string") return PreparedModel.fromJson(input);
@@ -60,16 +60,7 @@ export function prepare(
       `the model is ${found}, expected an array of surfaces, interchange JSON or its text`,
     );
   }
-  if ("brep" in input) return fromBrep(input);
   return PreparedModel.fromJson(JSON.stringify(input));
-}
-
-function fromBrep({ brep, unit }: BrepText): PreparedModel {
-  if (typeof brep !== "string") throw invalid(`brep is ${typeof brep}, expected a text`);
-  if (unit !== undefined && typeof unit !== "number") {
-    throw invalid(`unit is ${typeof unit}, expected a number`);
-  }
-  return PreparedModel.fromBrep(brep, undefined, unit);
 }
 
 function fromArrays(input: readonly SurfaceArrays[]): PreparedModel {

@@ -5,7 +5,7 @@ use super::surfaces::Surfaces;
 use crate::brep::{self, ReadReport};
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
-use crate::model::{Model, ModelArrays};
+use crate::model::Model;
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
@@ -14,7 +14,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// A model ready to be measured, shared with the distances that use it, and the report
-/// on reading it from BREP.
+/// on reading it from a text.
 #[wasm_bindgen]
 pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
 
@@ -28,7 +28,9 @@ impl PreparedModel {
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_json(&checked(text)?)?))
+        let model = Model::from_json(&checked(text)?)?;
+        let Self(prepared, _) = Self::new(&model);
+        Ok(Self(prepared, Some(ReadReport::of_exact(&model))))
     }
 
     /// A model of BREP text; undefined is an unknown name or unit.
@@ -39,7 +41,7 @@ impl PreparedModel {
         Ok(Self(prepared, Some(report)))
     }
 
-    /// The report on reading BREP, or undefined.
+    /// The report on reading the text, or undefined.
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
         self.1.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
@@ -53,6 +55,22 @@ impl PreparedModel {
         unit: Option<f64>,
     ) -> std::result::Result<JsValue, JsValue> {
         let (model, report) = brep_model(text, name, unit)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report })
+    }
+
+    /// A model of interchange JSON that a reader made: faces that are refused are in the
+    /// report, by their index.
+    #[wasm_bindgen(js_name = fromReader)]
+    pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
+        let (model, report) = reader_model(text)?;
+        let Self(prepared, _) = Self::new(&model);
+        Ok(Self(prepared, Some(report)))
+    }
+
+    /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
+    #[wasm_bindgen(js_name = readerToJson)]
+    pub fn reader_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        let (model, report) = reader_model(text)?;
         convert::to_object(&Interchange { json: model.to_json()?, report })
     }
 
@@ -124,9 +142,11 @@ fn checked(text: &JsString) -> Result<String> {
 }
 
 fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
-    let (arrays, report) = brep::read(&checked(text)?)?;
-    let model = Model::from_faces(ModelArrays { name, unit, ..arrays })?;
-    Ok((model, ReadReport { unit, ..report }))
+    brep::model(&checked(text)?, name, unit)
+}
+
+fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
+    brep::of_reader(Model::arrays_of_json(&checked(text)?)?)
 }
 
 /// The shapes that the crate makes, each with its name and title.

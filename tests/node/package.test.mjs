@@ -4,10 +4,16 @@ import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
-const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "DISPOSED"];
+const own = ["CAD_UNREADABLE", "PEER_MISSING", "ARGUMENT_INVALID", "MODULE_NOT_LOADED", "DISPOSED"];
 
-test("the error codes are Rust's, and three of JavaScript's", () => {
-  const rust = [...text("src/error.rs").matchAll(/=> "([A-Z_]+)"/g)].map(([, code]) => code);
+test("the error codes are Rust's, and five of JavaScript's", () => {
+  const files = ["src/error.rs", "src/model/trim/fault.rs"];
+  const rust = [
+    ...files
+      .map(text)
+      .join("")
+      .matchAll(/=> "([A-Z_]+)"/g),
+  ].map(([, code]) => code);
   const union = /export type ErrorCode =([^;]+);/.exec(text("dist/error.d.ts"))[1];
   const typescript = [...union.matchAll(/"([A-Z_]+)"/g)].map(([, code]) => code);
   assert.ok(rust.length > 15);
@@ -30,9 +36,13 @@ test("the types show nothing of the module's", () => {
 });
 
 test("all that the package exports exists", () => {
-  const { exports, files } = JSON.parse(text("package.json"));
+  const { exports, bin, files } = JSON.parse(text("package.json"));
   assert.deepEqual(Object.keys(exports["."]), ["types", "import"]);
-  for (const path of [...Object.values(exports["."]), exports["./nurbs_hausdorff_bg.wasm"]]) {
+  assert.deepEqual(Object.keys(exports), [".", "./cad", "./adapters", "./nurbs_hausdorff_bg.wasm"]);
+  const entries = Object.values(exports).flatMap((entry) =>
+    typeof entry === "string" ? [entry] : Object.values(entry),
+  );
+  for (const path of [...entries, `./${bin["nurbs-hausdorff"]}`]) {
     assert.ok(readFileSync(new URL(`../../${path}`, import.meta.url)).length > 0);
     assert.ok(files.some((folder) => path.startsWith(`./${folder}/`)));
   }

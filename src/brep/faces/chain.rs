@@ -93,8 +93,8 @@ impl Frame {
             let ends = uses.iter().map(|trim_use| trim_use.curve.start());
             ends.chain(middles.clone()).map(|point| surface.point(point.x, point.y))
         };
-        let size = in_space().fold(DVec3::NEG_INFINITY, DVec3::max)
-            - in_space().fold(DVec3::INFINITY, DVec3::min);
+        let size =
+            in_space().fold(DVec3::NEG_INFINITY, DVec3::max) - in_space().fold(DVec3::INFINITY, DVec3::min);
         Self {
             extents: [0, 1].map(|axis| (high[axis] - low[axis]).max(f64::MIN_POSITIVE)),
             periods: surface.periods(),

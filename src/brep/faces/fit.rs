@@ -10,8 +10,9 @@ use glam::{DVec3, DVec4};
 /// about six times the pieces at the tolerance used.
 const DEGREE: usize = 5;
 
-/// The deepest bisection of a piece, 2^-20 of it. The bound falls by 64 a level.
-const MAX_DEPTH: usize = 20;
+/// The deepest bisection of a piece. The bound falls by 64 a level, and the limit keeps
+/// bogus curves from taking long.
+const MAX_DEPTH: usize = 8;
 
 /// The roundings of the interval arithmetic, relative to the bound.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -146,7 +147,8 @@ impl Fitter<'_> {
 /// its control points, `n! / (n-k)! Δᵏ / hᵏ`.
 fn coefficients(piece: &Spline, coordinate: usize, at_end: Option<bool>) -> Jet {
     let [start, end] = piece.domain();
-    let mut differences: Vec<f64> = piece.controls.iter().map(|control: &DVec4| control[coordinate]).collect();
+    let mut differences: Vec<f64> =
+        piece.controls.iter().map(|control: &DVec4| control[coordinate]).collect();
     let mut jet = [Interval::point(0.0); ORDER];
     let mut factor = 1.0;
     for (order, coefficient) in jet.iter_mut().enumerate() {

@@ -53,7 +53,8 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let [a, b, c, d] = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
+        let [a, b, c, d] =
+            [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         Self::EMPTY.with(a).with(b).with(c).with(d)
     }
 }
@@ -90,7 +91,8 @@ impl Jet {
         let mut slope = [Interval::point(0.0); ORDER];
         for k in 0..ORDER {
             if k > 0 {
-                let sum = (1..=k).fold(Interval::point(0.0), |sum, j| sum + z[j].scaled(j as f64) * slope[k - j]);
+                let sum =
+                    (1..=k).fold(Interval::point(0.0), |sum, j| sum + z[j].scaled(j as f64) * slope[k - j]);
                 y[k] = sum.scaled(1.0 / k as f64);
             }
             let square = (0..=k).fold(Interval::point(0.0), |sum, j| sum + y[j] * y[k - j]);

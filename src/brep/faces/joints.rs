@@ -1,7 +1,6 @@
 //! Loops whose curves meet in equal floats, inside the domain.
 
 use super::mapping::Mapped;
-use super::metric::Metric;
 use crate::brep::nurbs::{Spline, SurfaceNet, project};
 use glam::DVec3;
 
@@ -12,8 +11,9 @@ const SAME_PARAMETER: f64 = 1e-9;
 /// Makes every curve begin in the floats in which the one before it ends, keeps parameter
 /// lines constant, and adds to the gaps what the ends are moved by.
 ///
-/// Moving an end control point moves a clamped curve by at most as much.
-pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet, metric: &Metric) {
+/// Moving an end control point moves a clamped curve by at most as much in the parameters;
+/// the length of the move in space is measured there.
+pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet) {
     let domain = net.domain();
     for axis in [0, 1] {
         align(loops, axis, domain[axis]);
@@ -34,11 +34,11 @@ pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet, metric: &Metric)
                 }
             }
             joint = clamped(joint, domain);
-            move_end(&mut curves[index], true, joint, metric);
-            move_end(&mut curves[next], false, joint, metric);
+            move_end(&mut curves[index], true, joint, net);
+            move_end(&mut curves[next], false, joint, net);
         }
         for mapped in curves {
-            keep_inside(mapped, domain, metric);
+            keep_inside(mapped, net);
         }
     }
 }
@@ -79,27 +79,40 @@ fn clamped(point: DVec3, [[u0, u1], [v0, v1]]: [[f64; 2]; 2]) -> DVec3 {
     DVec3::new(point.x.clamp(u0, u1), point.y.clamp(v0, v1), 0.0)
 }
 
+/// Returns the distance in space between two points of the parameters.
+fn moved_by(net: &SurfaceNet, from: DVec3, to: DVec3) -> f64 {
+    net.point(from.x, from.y).distance(net.point(to.x, to.y))
+}
+
 /// Moves the start or end of a curve.
-fn move_end(mapped: &mut Mapped, at_end: bool, to: DVec3, metric: &Metric) {
+fn move_end(mapped: &mut Mapped, at_end: bool, to: DVec3, net: &SurfaceNet) {
     let controls = &mut mapped.curve.controls;
     let index = if at_end { controls.len() - 1 } else { 0 };
     let from = project(controls[index]);
     if from != to {
-        mapped.gap += metric.length(to - from);
+        mapped.gap += moved_by(net, from, to);
         controls[index] = (controls[index].w * to).extend(controls[index].w);
     }
 }
 
 /// Moves control points that rounding or a fit placed outside of the domain into it.
-fn keep_inside(mapped: &mut Mapped, domain: [[f64; 2]; 2], metric: &Metric) {
+fn keep_inside(mapped: &mut Mapped, net: &SurfaceNet) {
+    let domain = net.domain();
     let mut moved = 0.0_f64;
     let Spline { controls, .. } = &mut mapped.curve;
     let last = controls.len() - 1;
     for control in &mut controls[1..last.max(1)] {
         let from = project(*control);
         let to = clamped(from, domain);
+        // Control points may lie farther out where the curve does not.
+        let near = (0..2).all(|axis| {
+            (from[axis] - to[axis]).abs() <= SAME_PARAMETER * (domain[axis][1] - domain[axis][0])
+        });
+        if !near {
+            continue;
+        }
         if from.x != to.x || from.y != to.y {
-            moved = moved.max(metric.length(to - from));
+            moved = moved.max(moved_by(net, from, to));
             *control = (control.w * to).extend(control.w);
         }
     }

@@ -11,9 +11,9 @@ use glam::DVec3;
 /// tolerances of files, at about ten pieces a turn.
 const FIT_TOLERANCE: f64 = 1e-9;
 
-/// The deviation in space, relative to the size of the surface, below which a curve is a
-/// parameter line: files state parameters to 15 digits.
-const LINE_TOLERANCE: f64 = 1e-10;
+/// The deviation, relative to the domain, below which a curve is a parameter line: files
+/// state parameters to 15 digits, and joints are made to meet within as much.
+const LINE_TOLERANCE: f64 = 1e-9;
 
 /// A trimming curve in the parameters of the NURBS.
 #[derive(Debug, Clone)]
@@ -31,12 +31,9 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
     let TrimUse { curve, edge, gap, .. } = trim_use;
     let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
     let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
-    let spread = |axis: usize| {
-        let mut difference = DVec3::ZERO;
-        difference[axis] = high[axis] - low[axis];
-        metric.length(difference)
-    };
-    let constant = [0, 1].map(|axis| spread(axis) <= LINE_TOLERANCE * metric.size);
+    let domain = net.domain();
+    let constant =
+        [0, 1].map(|axis| high[axis] - low[axis] <= LINE_TOLERANCE * (domain[axis][1] - domain[axis][0]));
     if let Some(axis) = [0, 1].into_iter().find(|&axis| constant[axis])
         && is_line(&curve, 1 - axis)
     {
@@ -44,16 +41,21 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
             return None;
         }
         let value = if low[axis] == high[axis] { low[axis] } else { 0.5 * (low[axis] + high[axis]) };
-        let end = |point: DVec3| {
-            let mut image = DVec3::ZERO;
-            image[axis] = net.maps[axis].apply(value);
-            image[1 - axis] = net.maps[1 - axis].apply(point[1 - axis]);
-            image
+        let image = |point: DVec3| DVec3::new(net.maps[0].apply(point.x), net.maps[1].apply(point.y), 0.0);
+        let end = |mut point: DVec3| {
+            point[axis] = value;
+            image(point)
         };
+        // Where the line moves both ends by less than files resolve, it is exact.
+        let moved = |point: DVec3| {
+            let (from, to) = (image(point), end(point));
+            net.point(from.x, from.y).distance(net.point(to.x, to.y))
+        };
+        let moved = moved(curve.start()).max(moved(curve.end()));
         let mut constant = [false; 2];
         constant[axis] = true;
         let curve = Spline::segment(curve.domain(), end(curve.start()), end(curve.end()));
-        return Some(Mapped { curve, edge, gap: gap + spread(axis), fitted: false, constant });
+        return Some(Mapped { curve, edge, gap: gap + moved, fitted: false, constant });
     }
     let constant = [false; 2];
     let exact = net.maps.iter().all(|map| *map == ParameterMap::Identity);

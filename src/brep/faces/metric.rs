@@ -38,7 +38,8 @@ impl Metric {
                 let relative = |control: glam::DVec4| control.w * (project(control) - center);
                 let change = relative(to).distance(relative(*from)) + radius * (to.w - from.w).abs();
                 if change > 0.0 {
-                    largest = largest.max(degree as f64 * change / (knots[along + degree + 1] - knots[along + 1]));
+                    largest =
+                        largest.max(degree as f64 * change / (knots[along + degree + 1] - knots[along + 1]));
                 }
             }
             largest / least
@@ -49,7 +50,8 @@ impl Metric {
     /// Returns an upper bound on the length in space of a difference of parameters.
     pub(super) fn length(&self, difference: DVec3) -> f64 {
         let [u, v] = self.speeds;
-        let part = |speed: f64, difference: f64| if difference == 0.0 { 0.0 } else { speed * difference.abs() };
+        let part =
+            |speed: f64, difference: f64| if difference == 0.0 { 0.0 } else { speed * difference.abs() };
         part(u, difference.x) + part(v, difference.y)
     }
 }

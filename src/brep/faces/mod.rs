@@ -73,7 +73,7 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
         .into_iter()
         .map(|uses| uses.into_iter().flat_map(|trim_use| mapping::map(trim_use, &net, &metric)).collect())
         .collect();
-    joints::join(&mut mapped, &net, &metric);
+    joints::join(&mut mapped, &net);
     let curves = || mapped.iter().flatten();
     let fitted = curves().filter(|curve| curve.fitted).count();
     let exact = curves().count() - fitted;
@@ -102,15 +102,21 @@ fn loops(file: &BrepFile, shape: usize, surface: &Surface) -> Result<Vec<Vec<Tri
 /// Returns the ranges of u and v that loops cover.
 fn ranges(surface: &Surface, loops: &[Vec<TrimUse>]) -> Result<[[f64; 2]; 2], FaceFault> {
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    // Control points inside of the domain need no cuts later; but beyond a pole, and where a
+    // B-spline would have to be extended to them, the curves themselves are bounded.
+    let tight = matches!(surface, Surface::Spline(_)) || !surface.poles().is_empty();
     for curve in loops.iter().flatten() {
-        let [curve_low, curve_high] = curve.bounds();
+        let [curve_low, curve_high] = if tight { curve.bounds() } else { curve.hull() };
         (low, high) = (low.min(curve_low), high.max(curve_high));
     }
     let periods = surface.periods();
     for axis in [0, 1] {
         let length = high[axis] - low[axis];
         if !(length > 0.0 && length.is_finite()) {
-            return Err(FaceFault::new("BREP_LOOP_NO_AREA", format!("the loops cover a range of {length:?}")));
+            return Err(FaceFault::new(
+                "BREP_LOOP_NO_AREA",
+                format!("the loops cover a range of {length:?}"),
+            ));
         }
         if periods[axis].is_some_and(|period| length > MAX_PERIODS * period * (1.0 + 1e-9)) {
             let why = format!("the loops cover a range of {length:?}, expected at most two periods");

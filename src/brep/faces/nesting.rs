@@ -34,8 +34,7 @@ impl Loop {
     fn contains(&self, point: DVec2) -> bool {
         let pairs = self.polygon.iter().zip(self.polygon.iter().cycle().skip(1));
         let crossings = pairs.filter(|&(&a, &b)| {
-            (a.y > point.y) != (b.y > point.y)
-                && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+            (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
         });
         crossings.count() % 2 == 1
     }
@@ -126,9 +125,8 @@ fn is_closed(surface: &Surface) -> bool {
 /// if their box leaves room.
 fn whole(surface: &Surface, loops: &[Loop]) -> Loop {
     let bounds = loops.iter().map(Loop::bounds);
-    let [low, high] = bounds.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], [a, b]| {
-        [low.min(a), high.max(b)]
-    });
+    let [low, high] =
+        bounds.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
     let natural = surface.natural_ranges();
     let periods = surface.periods();
     let range = |axis: usize| match (periods[axis], natural[axis]) {

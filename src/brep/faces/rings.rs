@@ -130,7 +130,12 @@ pub(super) fn reversed(uses: Vec<TrimUse>) -> Vec<TrimUse> {
 
 /// Returns the curves of a ring begun where it passes `parameter`, up to periods, with
 /// the curves before that point moved behind the others.
-fn begun_at(mut uses: Vec<TrimUse>, axis: usize, parameter: f64, period: f64) -> Result<Vec<TrimUse>, FaceFault> {
+fn begun_at(
+    mut uses: Vec<TrimUse>,
+    axis: usize,
+    parameter: f64,
+    period: f64,
+) -> Result<Vec<TrimUse>, FaceFault> {
     let (start, end) = (uses[0].curve.start()[axis], uses[uses.len() - 1].curve.end()[axis]);
     // The value to pass, between both ends.
     let target = parameter + period * ((start.max(end) - parameter) / period).floor();

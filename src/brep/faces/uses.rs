@@ -27,6 +27,12 @@ impl TrimUse {
         Self { curve, edge: None, vertices: [None; 2], tolerance: 0.0, gap: 0.0 }
     }
 
+    /// Returns the box of the control points.
+    pub(super) fn hull(&self) -> [DVec3; 2] {
+        let points = || self.curve.points();
+        [points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max)]
+    }
+
     /// Returns a box that contains the curve, and little more.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
         let pieces = self.curve.pieces().into_iter().flat_map(|piece| {
@@ -61,8 +67,9 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             Orientation::Internal | Orientation::External => continue,
         };
         let location = wire.location * child.location;
-        let found = of_edge(file, face, edge, &location, reversed)
-            .map_err(|FaceFault { code, why }| FaceFault { code, why: format!("edge {}: {why}", child.shape) })?;
+        let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
+            FaceFault { code, why: format!("edge {}: {why}", child.shape) }
+        })?;
         let Some((curve, gap)) = found else { continue };
         let vertices = vertices(file, child.shape);
         uses.push(TrimUse {
@@ -106,9 +113,9 @@ fn of_edge(
     if start >= end {
         return Ok(None);
     }
-    let (spline, _) = curve
-        .spline(p_curve.range)
-        .ok_or_else(|| FaceFault::new("BREP_OFFSET_CURVE", "the offset of this kind of curve is not rational"))?;
+    let (spline, _) = curve.spline(p_curve.range).ok_or_else(|| {
+        FaceFault::new("BREP_OFFSET_CURVE", "the offset of this kind of curve is not rational")
+    })?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
@@ -166,8 +173,9 @@ fn made_on_plane(
     Ok((spline, gap))
 }
 
-/// Returns the largest distance between the edge and its curve on the surface at equally
-/// spaced parameters of the range, where both are at equal parameters in the file.
+/// Returns the largest distance from points of the curve on the surface, at equally spaced
+/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
+/// to a nearer one if that is beyond the edge's tolerance.
 fn measured_gap(
     file: &BrepFile,
     face: &Face,
@@ -179,14 +187,34 @@ fn measured_gap(
 ) -> f64 {
     let Some(space) = &edge.curve else { return 0.0 };
     let space_location = *location * space.location;
+    let in_space = &file.curves[space.curve];
     let mut gap = 0.0_f64;
     for sample in 0..ReadReport::GAP_SAMPLES {
         let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
         let at = |[start, end]: [f64; 2]| (1.0 - fraction) * start + fraction * end;
         let parameters = curve.point(at([start, end]));
         let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
-        let on_edge = space_location.transform_point3(file.curves[space.curve].point(at(space.range)));
-        gap = gap.max(on_surface.distance(on_edge));
+        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
+        let mut t = at(space.range);
+        let mut nearest = distance(t);
+        // Curves of unequal parametrization are nearer to each other elsewhere.
+        for _ in 0..NEAREST_STEPS {
+            if nearest <= edge.tolerance {
+                break;
+            }
+            let tangent = space_location.transform_vector3(in_space.tangent(t));
+            let difference = on_surface - space_location.transform_point3(in_space.point(t));
+            let step = difference.dot(tangent) / tangent.length_squared();
+            if !step.is_finite() {
+                break;
+            }
+            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
+            nearest = nearest.min(distance(t));
+        }
+        gap = gap.max(nearest);
     }
     gap
 }
+
+/// The Gauss-Newton steps towards the nearest point of an edge.
+const NEAREST_STEPS: usize = 4;

@@ -99,9 +99,7 @@ impl Basis {
     /// is periodic.
     pub(crate) fn reduced(&self, parameter: f64) -> f64 {
         match &self.cycle {
-            Some(Cycle { knots, period, .. }) => {
-                knots[0] + (parameter - knots[0]).rem_euclid(*period)
-            }
+            Some(Cycle { knots, period, .. }) => knots[0] + (parameter - knots[0]).rem_euclid(*period),
             None => parameter,
         }
     }
@@ -112,15 +110,16 @@ impl Basis {
     }
 
     /// Returns clamped knots over `range`: the knots inside, with their multiplicities.
-    /// A range beyond the knots extends the outer spans.
+    /// A range beyond the knots extends the outer spans, so that the old ends are no knots.
     pub(crate) fn clamped(&self, [start, end]: [f64; 2]) -> Vec<f64> {
-        let (knots, _) = self.unrolled([start, end]);
+        let (knots, poles) = self.unrolled([start, end]);
         // Knots nearer to an end than rounding moves parameters in files are the end itself.
         let margin = KNOT_RESOLUTION * (end - start);
+        let low = knots[self.degree].max(start + margin);
+        let high = knots[poles.len()].min(end - margin);
         let mut clamped = vec![start; self.degree + 1];
-        clamped.extend(knots.iter().filter(|&&knot| knot > start + margin && knot < end - margin));
+        clamped.extend(knots.iter().filter(|&&knot| knot > low && knot < high));
         clamped.extend(vec![end; self.degree + 1]);
-        // An interior knot of multiplicity degree + 1 is a jump; evaluation needs no more.
         clamped
     }
 }

@@ -81,9 +81,8 @@ impl Conic {
     /// cos a` and weight cos a; of the hyperbola with cosh in the place of cos
     /// (Piegl and Tiller, *The NURBS Book*, chapter 7).
     pub(crate) fn spline(self, breaks: &[f64], center: DVec3, x: DVec3, y: DVec3) -> Spline {
-        let control = |[a, b]: [f64; 2], weight: f64| -> DVec4 {
-            (weight * center + a * x + b * y).extend(weight)
-        };
+        let control =
+            |[a, b]: [f64; 2], weight: f64| -> DVec4 { (weight * center + a * x + b * y).extend(weight) };
         let mut controls = vec![control(self.point(breaks[0]), 1.0)];
         let mut knots = vec![breaks[0]; 3];
         for pair in breaks.windows(2) {

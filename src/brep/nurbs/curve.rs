@@ -170,10 +170,9 @@ impl Curve {
     /// Returns the curve in the coordinates of a frame.
     pub(crate) fn in_frame(self, frame: &Frame) -> Self {
         match self {
-            Self::Line { point, direction } => Self::Line {
-                point: frame.local_point(point),
-                direction: frame.local_vector(direction),
-            },
+            Self::Line { point, direction } => {
+                Self::Line { point: frame.local_point(point), direction: frame.local_vector(direction) }
+            }
             Self::Conic { conic, center, x, y } => Self::Conic {
                 conic,
                 center: frame.local_point(center),

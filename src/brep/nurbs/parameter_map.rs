@@ -37,9 +37,7 @@ impl ParameterMap {
             return parameter;
         }
         match self {
-            Self::Hyperbolic(_) => {
-                middle + half * (0.5 * (parameter - middle)).tanh() / (0.5 * half).tanh()
-            }
+            Self::Hyperbolic(_) => middle + half * (0.5 * (parameter - middle)).tanh() / (0.5 * half).tanh(),
             _ => middle + half * (0.5 * (parameter - middle)).tan() / (0.5 * half).tan(),
         }
     }

@@ -59,9 +59,8 @@ impl Spline {
     /// the polynomial on any span of its support. O(controls degree²).
     pub(crate) fn with_knots(&self, knots: &[f64]) -> Self {
         let spans = support_spans(&self.knots, self.degree, self.controls.len(), knots);
-        let control = |(index, &span): (usize, &usize)| {
-            self.blossom(span, |argument| knots[index + 1 + argument])
-        };
+        let control =
+            |(index, &span): (usize, &usize)| self.blossom(span, |argument| knots[index + 1 + argument]);
         let controls = spans.iter().enumerate().map(control).collect();
         Self { degree: self.degree, knots: knots.to_vec(), controls }
     }
@@ -164,6 +163,26 @@ pub(crate) fn blossom(
         }
     }
     work[0]
+}
+
+/// Returns the point of a tensor product surface with these control points.
+pub(crate) fn tensor_point(
+    [p, q]: [usize; 2],
+    [knots_u, knots_v]: [&[f64]; 2],
+    [u, v]: [f64; 2],
+    control: impl Fn(usize, usize) -> DVec4,
+) -> DVec3 {
+    let row = span(knots_u, p, knots_u.len() - p - 1, u);
+    let column = span(knots_v, q, knots_v.len() - q - 1, v);
+    let mut across = [DVec4::ZERO; MAX_ORDER];
+    for (i, point) in across[..=p].iter_mut().enumerate() {
+        let mut along = [DVec4::ZERO; MAX_ORDER];
+        for (j, value) in along[..=q].iter_mut().enumerate() {
+            *value = control(row - p + i, column - q + j);
+        }
+        *point = blossom(knots_v, q, column, &along[..=q], |_| v);
+    }
+    project(blossom(knots_u, p, row, &across[..=p], |_| u))
 }
 
 /// One more than the highest degree that the reader accepts.

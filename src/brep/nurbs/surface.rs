@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{blossom, project, span};
+use super::spline::{project, tensor_point};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -14,14 +14,26 @@ pub(crate) enum Surface {
     Plane(Frame),
     /// The profile, in the frame's coordinates, turned by the angle u about z; v is the
     /// profile's parameter. Cylinders, cones, spheres and tori are of this kind.
-    Revolution { frame: Frame, profile: Curve, kind: &'static str },
+    Revolution {
+        frame: Frame,
+        profile: Curve,
+        kind: &'static str,
+    },
     /// `profile(u) + v direction`.
-    Extrusion { direction: DVec3, profile: Curve },
+    Extrusion {
+        direction: DVec3,
+        profile: Curve,
+    },
     Spline(SplineSurface),
     /// The part of a surface within bounds.
-    Trimmed { bounds: [[f64; 2]; 2], basis: Box<Self> },
-    /// `S + distance (S_u × S_v) / |S_u × S_v|` where that is not of another kind.
-    Offset { distance: f64, basis: Box<Self> },
+    Trimmed {
+        bounds: [[f64; 2]; 2],
+        basis: Box<Self>,
+    },
+    /// An offset that is not rational, which no NURBS equals.
+    Offset {
+        basis: Box<Self>,
+    },
 }
 
 /// A Bézier or B-spline surface.
@@ -41,26 +53,18 @@ impl SplineSurface {
     }
 
     fn point(&self, u: f64, v: f64) -> DVec3 {
-        let [(knots_u, poles_u), (knots_v, poles_v)] = [self.bases[0].one_period(), self.bases[1].one_period()];
+        let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
         let [u, v] = [self.bases[0].reduced(u), self.bases[1].reduced(v)];
-        let [p, q] = [self.bases[0].degree, self.bases[1].degree];
-        let (row, column) = (span(knots_u, p, poles_u.len(), u), span(knots_v, q, poles_v.len(), v));
-        let along_v = |&i: &usize| {
-            let controls: Vec<DVec4> =
-                poles_v[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]).collect();
-            blossom(knots_v, q, column, &controls, |_| v)
-        };
-        let controls: Vec<DVec4> = poles_u[row - p..=row].iter().map(along_v).collect();
-        project(blossom(knots_u, p, row, &controls, |_| u))
+        let control = |i: usize, j: usize| self.poles[rows[i] * self.columns + columns[j]];
+        tensor_point(self.bases.each_ref().map(|basis| basis.degree), [knots_u, knots_v], [u, v], control)
     }
 
     /// Returns whether the first and last row of control points along an axis coincide.
     fn closed(&self, axis: usize) -> bool {
         let rows = self.poles.len() / self.columns;
         let scale = self.poles.iter().map(|&pole| project(pole).abs().max_element()).fold(0.0, f64::max);
-        let near = |a: usize, b: usize| {
-            project(self.poles[a]).distance(project(self.poles[b])) <= CLOSED * scale
-        };
+        let near =
+            |a: usize, b: usize| project(self.poles[a]).distance(project(self.poles[b])) <= CLOSED * scale;
         if axis == 0 {
             (0..self.columns).all(|j| near(j, (rows - 1) * self.columns + j))
         } else {
@@ -74,17 +78,14 @@ impl SplineSurface {
 const CLOSED: f64 = 1e-9;
 
 impl Surface {
-    /// Returns the point at parameters.
+    /// Returns the point at parameters; of an offset that is not rational, its basis's.
     pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
         match self {
             Self::Plane(frame) => frame.point(DVec3::new(u, v, 0.0)),
             Self::Revolution { frame, profile, .. } => {
                 let ((sin, cos), local) = (u.sin_cos(), profile.point(v));
-                let turned = DVec3::new(
-                    cos * local.x - sin * local.y,
-                    sin * local.x + cos * local.y,
-                    local.z,
-                );
+                let turned =
+                    DVec3::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y, local.z);
                 frame.point(turned)
             }
             Self::Extrusion { direction, profile } => profile.point(u) + v * *direction,
@@ -94,7 +95,8 @@ impl Surface {
         }
     }
 
-    /// Returns the offset surface: of the same kind where that is exact.
+    /// Returns the surface `S + distance (S_u × S_v) / |S_u × S_v|`, of the same kind where
+    /// that is exact.
     ///
     /// The normal `S_u × S_v` of a revolution is that of its profile in the plane through
     /// the axis, and of an extrusion `C' × direction`, so that the offset is made of the
@@ -110,17 +112,17 @@ impl Surface {
                 let local = profile.offset(frame.handedness() * distance, -DVec3::Y);
                 match local.filter(|_| in_plane(profile)) {
                     Some(profile) => Self::Revolution { frame, profile, kind },
-                    None => Self::Offset { distance, basis: Box::new(self) },
+                    None => Self::Offset { basis: Box::new(self) },
                 }
             }
             Self::Extrusion { direction, ref profile } => match profile.offset(distance, direction) {
                 Some(profile) => Self::Extrusion { direction, profile },
-                None => Self::Offset { distance, basis: Box::new(self) },
+                None => Self::Offset { basis: Box::new(self) },
             },
             Self::Trimmed { bounds, basis } => {
                 Self::Trimmed { bounds, basis: Box::new(basis.offset(distance)) }
             }
-            Self::Spline(_) | Self::Offset { .. } => Self::Offset { distance, basis: Box::new(self) },
+            Self::Spline(_) | Self::Offset { .. } => Self::Offset { basis: Box::new(self) },
         }
     }
 

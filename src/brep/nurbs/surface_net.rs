@@ -2,7 +2,7 @@
 
 use super::conic::Conic;
 use super::parameter_map::ParameterMap;
-use super::spline::{Spline, blossom, project, support_spans};
+use super::spline::{Spline, blossom, project, support_spans, tensor_point};
 use super::surface::{SplineSurface, Surface};
 use crate::model::SurfaceArrays;
 use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
@@ -77,6 +77,10 @@ fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap) -
     }
 }
 
+/// Part of a domain by which loops may leave it without an extension of the surface: it
+/// would add less to the surface than the loops' joints are moved by.
+const DOMAIN_MARGIN: f64 = 1e-9;
+
 impl SplineSurface {
     /// Returns the surface over its domain extended to these ranges; where it is periodic,
     /// over the ranges alone.
@@ -93,9 +97,13 @@ impl SplineSurface {
         for axis in [0, 1] {
             let [start, end] = self.bases[axis].domain();
             let [low, high] = ranges[axis];
+            let margin = DOMAIN_MARGIN * (end - start);
             let range = match self.bases[axis].period() {
                 Some(_) => [low, high],
-                None => [start.min(low), end.max(high)],
+                None => [
+                    if low < start - margin { low } else { start },
+                    if high > end + margin { high } else { end },
+                ],
             };
             let clamped = self.bases[axis].clamped(range);
             if clamped != knots[axis] {
@@ -124,10 +132,9 @@ fn reknotted(
         let index = |i| if axis == 0 { i * columns + fixed } else { fixed * columns + i };
         (span - degree..=span).map(|i| controls[index(i)]).collect()
     };
-    let control =
-        |index: usize, fixed: usize| blossom(old, degree, spans[index], &line(fixed, spans[index]), |argument| {
-            new[index + 1 + argument]
-        });
+    let control = |index: usize, fixed: usize| {
+        blossom(old, degree, spans[index], &line(fixed, spans[index]), |argument| new[index + 1 + argument])
+    };
     if axis == 0 {
         (0..spans.len()).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| control(i, j)).collect()
     } else {
@@ -142,6 +149,13 @@ impl SurfaceNet {
             let knots = &self.knots[axis];
             [knots[self.degrees[axis]], knots[knots.len() - 1 - self.degrees[axis]]]
         })
+    }
+
+    /// Returns the point at parameters of this net.
+    pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
+        let columns = self.knots[1].len() - self.degrees[1] - 1;
+        let knots = self.knots.each_ref().map(Vec::as_slice);
+        tensor_point(self.degrees, knots, [u, v], |i, j| self.controls[i * columns + j])
     }
 
     /// Returns the surface moved by an affine map, as plain arrays.

@@ -95,7 +95,11 @@ fn spline(lexer: &mut Lexer<'_>, dimension: Dimension) -> Result<Curve> {
 pub(super) fn degree(lexer: &mut Lexer<'_>) -> Result<usize> {
     let word = lexer.peek().unwrap_or_default();
     let degree = lexer.count("a degree")?;
-    if (1..=MAX_FILE_DEGREE).contains(&degree) { Ok(degree) } else { Err(lexer.error(word, "a degree, 1 to 25")) }
+    if (1..=MAX_FILE_DEGREE).contains(&degree) {
+        Ok(degree)
+    } else {
+        Err(lexer.error(word, "a degree, 1 to 25"))
+    }
 }
 
 /// Reads a control point, returned in homogeneous coordinates.

@@ -34,7 +34,7 @@ export function fromRhino(
 }
 
 function brepOf(geometry: RhinoGeometry): RhinoBrep | null {
-  const { faces, toBrep } = geometry as Partial<RhinoBrep & RhinoExtrusion>;
+  const { faces, toBrep } = (geometry ?? {}) as Partial<RhinoBrep & RhinoExtrusion>;
   if (typeof faces === "function") return geometry as RhinoBrep;
   return typeof toBrep === "function" ? (geometry as RhinoExtrusion).toBrep(false) : null;
 }

@@ -13,8 +13,10 @@ export interface BrepFile {
   declared: number;
 }
 
-/** The module's report on a BREP text. */
-type BrepReport = Omit<CadReport, "kind" | "unit">;
+/** A report of the module: it numbers the faces. */
+export interface ModuleReport extends Omit<CadReport, "kind" | "skipped"> {
+  skipped: { face: number; why: string }[];
+}
 
 /** The model of a BREP text, and the report on the file. */
 export function prepareBrep(
@@ -22,7 +24,7 @@ export function prepareBrep(
   name: string | undefined,
 ): { prepared: PreparedModel; report: CadReport } {
   const prepared = PreparedModel.fromBrep(file.brep, name, file.unit);
-  return { prepared, report: completed(file, prepared.report as BrepReport) };
+  return { prepared, report: completed(file, prepared.report as ModuleReport) };
 }
 
 /** The interchange JSON of a BREP text, and the report on the file. */
@@ -32,18 +34,21 @@ export function brepInterchange(
 ): { json: string; report: CadReport } {
   const { json, report } = PreparedModel.brepToJson(file.brep, name, file.unit) as {
     json: string;
-    report: BrepReport;
+    report: ModuleReport;
   };
   return { json, report: completed(file, report) };
 }
 
 /** The report with what the translation to BREP text lost. */
-function completed({ kind, unit, declared }: BrepFile, report: BrepReport): CadReport {
-  const lost: SkippedFace[] = [];
-  const missing = declared - report.surfaces - report.skipped.length;
+function completed({ kind, declared }: BrepFile, report: ModuleReport): CadReport {
+  const skipped: SkippedFace[] = report.skipped.map(({ face, why }) => ({
+    face: `face ${face}`,
+    why,
+  }));
+  const missing = declared - report.surfaces - skipped.length;
   if (missing > 0) {
     const why = "OpenCASCADE did not translate them";
-    lost.push({ face: `${missing} of ${declared} faces`, why });
+    skipped.push({ face: `${missing} of ${declared} faces`, why });
   }
-  return { kind, ...report, unit: unit ?? null, skipped: [...report.skipped, ...lost] };
+  return { ...report, kind, unit: report.unit ?? null, skipped };
 }

@@ -1,9 +1,11 @@
 import { HausdorffError, translating } from "../error.js";
 import { requireLoaded } from "../load.js";
 import { NurbsModel } from "../model.js";
-import { prepare } from "../surface.js";
+import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import { brepInterchange, prepareBrep } from "./brep.js";
+import { facesInterchange, prepareFaces } from "./faces.js";
 import { inflate } from "./inflate.js";
+import { prepareInterchange, rewritten } from "./json.js";
 import { isGzip, kindByContent } from "./kind.js";
 import type { CadOptions } from "./options.js";
 import type { CadReport } from "./report.js";
@@ -26,11 +28,11 @@ export async function readCad(
   bytes: Uint8Array | ArrayBuffer,
   options: CadOptions = {},
 ): Promise<NurbsModel> {
-  const translated = await translatedFile(bytes, options);
+  const file = await translatedFile(bytes, options);
   return translating(() => {
-    if ("json" in translated) return NurbsModel.of(prepare(translated.json), translated.report);
-    const { prepared, report } = prepareBrep(translated, options.name);
-    return NurbsModel.of(prepared, report);
+    if ("brep" in file) return modelOf(prepareBrep(file, options.name));
+    if ("model" in file) return modelOf(prepareFaces(file));
+    return modelOf(prepareInterchange(file.text));
   });
 }
 
@@ -43,9 +45,15 @@ export async function convertCad(
   bytes: Uint8Array | ArrayBuffer,
   options: CadOptions = {},
 ): Promise<{ json: string; report: CadReport }> {
-  const translated = await translatedFile(bytes, options);
-  if ("json" in translated) return translated;
-  return translating(() => brepInterchange(translated, options.name));
+  const file = await translatedFile(bytes, options);
+  return translating(() => {
+    if ("brep" in file) return brepInterchange(file, options.name);
+    return "model" in file ? facesInterchange(file) : rewritten(file.text);
+  });
+}
+
+function modelOf({ prepared, report }: { prepared: PreparedModel; report: CadReport }): NurbsModel {
+  return NurbsModel.of(prepared, report);
 }
 
 async function translatedFile(

@@ -1,4 +1,3 @@
-import type { InterchangeFaces } from "./interchange.js";
 import type { CadKind } from "./kind.js";
 
 /** A face that was not read, and the reason. */
@@ -30,29 +29,4 @@ export interface CadReport {
   unit: number | null;
   /** The faces left out. */
   skipped: SkippedFace[];
-}
-
-/** The report on interchange JSON, whose curves are exact; zeros for a text that is no model. */
-export function interchangeReport(text: string): CadReport {
-  const { surfaces, unit } = parsed(text);
-  const curves = surfaces.flatMap(({ trim = [] }) => trim.flat());
-  return {
-    kind: "json",
-    surfaces: surfaces.length,
-    trims: curves.length,
-    exact: curves.length,
-    fitted: 0,
-    gap: curves.reduce((largest, { gap = 0 }) => Math.max(largest, gap), 0),
-    unit: unit ?? null,
-    skipped: [],
-  };
-}
-
-/** The module states what is wrong with a text, once it reads it. */
-function parsed(text: string): InterchangeFaces {
-  try {
-    const model = JSON.parse(text) as InterchangeFaces;
-    if (model.surfaces.every(({ trim = [] }) => trim.every(Array.isArray))) return model;
-  } catch {}
-  return { surfaces: [] };
 }

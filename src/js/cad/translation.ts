@@ -1,16 +1,17 @@
 import { translating } from "../error.js";
 import { type BrepFile, brepInterchange } from "./brep.js";
+import type { FacesFile } from "./faces.js";
 import { type DocumentShapes, documentShapes } from "./fcstd.js";
 import type { InterchangeFaces } from "./interchange.js";
 import { joined } from "./join.js";
 import type { CadKind } from "./kind.js";
 import { declaredFaces, translated } from "./occt.js";
 import type { CadOptions } from "./options.js";
-import { type CadReport, interchangeReport } from "./report.js";
+import type { CadReport } from "./report.js";
 import { readRhino } from "./rhino/index.js";
 
-/** A file as BREP text, to be read by the module, or as interchange JSON. */
-export type Translation = BrepFile | { json: string; report: CadReport };
+/** A file as BREP text, as the faces of a reader here, or as interchange JSON. */
+export type Translation = BrepFile | FacesFile | { text: string };
 
 /** Metres per unit of FreeCAD's shapes. */
 const FREECAD_UNIT = 0.001;
@@ -38,15 +39,14 @@ export async function translation(
     case "3dm": {
       const { model, report } = await readRhino(bytes, name, rhino);
       const known = report.unit ?? unit;
-      return {
-        json: JSON.stringify({ ...model, unit: known }),
-        report: { ...report, unit: known ?? null },
-      };
+      return known === undefined
+        ? { model, report }
+        : { model: { ...model, unit: known }, report: { ...report, unit: known } };
     }
     case "fcstd":
       return documentModel(await documentShapes(bytes), name);
     case "json":
-      return { json: text(bytes), report: interchangeReport(text(bytes)) };
+      return { text: text(bytes) };
   }
 }
 
@@ -65,7 +65,7 @@ function documentModel({ shapes, skipped }: DocumentShapes, name: string | undef
   const sum = (count: (report: CadReport) => number) =>
     files.reduce((total, { report }) => total + count(report), 0);
   return {
-    json: JSON.stringify({ name, unit: FREECAD_UNIT, ...joined(models) }),
+    model: { ...(name === undefined ? {} : { name }), unit: FREECAD_UNIT, ...joined(models) },
     report: {
       kind: "fcstd",
       surfaces: sum(({ surfaces }) => surfaces),

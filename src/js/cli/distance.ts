@@ -1,8 +1,9 @@
 import type { Hausdorff } from "../hausdorff.js";
-import type { Backend, DistanceOptions, Transform } from "../options.js";
+import type { Backend, DistanceOptions } from "../options.js";
 import type { DistanceResult } from "../result.js";
 import type { Invocation } from "./arguments.js";
 import { readModel } from "./files.js";
+import { libraryOptions } from "./library-options.js";
 import { print, printJson } from "./output.js";
 import { Progress } from "./progress.js";
 import { text } from "./report.js";
@@ -12,9 +13,6 @@ const WITHIN = 0;
 const BEYOND = 1;
 const UNDECIDED = 3;
 
-/** The arguments that are no options of the library. */
-const OWN = new Set(["a", "b", "json", "translate", "rotate"]);
-
 type Values = Invocation["values"];
 
 /** Computes and prints the distance, and returns the exit status. */
@@ -22,7 +20,7 @@ export async function distance(
   values: Values,
   create: (backend: Backend) => Promise<Hausdorff>,
 ): Promise<number> {
-  const options = optionsOf(values);
+  const options: DistanceOptions = libraryOptions(values);
   // Method certified usually ends in float64 before a GPU could be initialised.
   const staged = (options.method ?? "certified") !== "certified" || options.field === true;
   const backend = options.backend ?? "auto";
@@ -36,20 +34,6 @@ export async function distance(
   else print(text(result));
   const { limit } = options;
   return limit === undefined ? WITHIN : verdict(result, limit);
-}
-
-/** The library's options; their names are the arguments' in camel case. */
-function optionsOf(values: Values): DistanceOptions {
-  const named = [...values].filter(([name]) => !OWN.has(name));
-  const camel = (name: string) =>
-    name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
-  const options: DistanceOptions = Object.fromEntries(
-    named.map(([name, value]) => [camel(name), value]),
-  );
-  const moves = ["translate", "rotate"].filter((name) => values.has(name));
-  if (moves.length === 0) return options;
-  const transform: Transform = Object.assign({}, ...moves.map((name) => values.get(name)));
-  return { ...options, transform };
 }
 
 /** The result without its samples, which the native command does not print either. */

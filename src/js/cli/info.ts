@@ -8,6 +8,7 @@ import { print, printJson } from "./output.js";
 /** A model in numbers, as the native command prints it. */
 interface ModelInfo {
   name: string | null;
+  unit: number | null;
   surfaces: SurfaceInfo[];
   patches: number;
   boundingBox: [number[], number[]];
@@ -20,6 +21,7 @@ interface SurfaceInfo {
   domain: [[number, number], [number, number]];
   rational: boolean;
   clamped: [boolean, boolean];
+  loops: number;
   patches: number;
 }
 
@@ -31,11 +33,12 @@ export async function info(values: Invocation["values"]): Promise<void> {
   else print(text(info));
 }
 
-function text({ name, surfaces, patches, boundingBox, diagonal }: ModelInfo): string {
+function text({ name, unit, surfaces, patches, boundingBox, diagonal }: ModelInfo): string {
   const [min, max] = boundingBox.map((corner) => `[${corner.map(full).join(", ")}]`);
   const lines = [
     `model     ${name ?? "without a name"}`,
     `box       ${min} to ${max}, diagonal ${full(diagonal)}`,
+    ...(unit === null ? [] : [`unit      ${full(unit)} m`]),
     `surfaces  ${surfaces.length}, ${patches} Bézier patches`,
     ...surfaces.map(surfaceLine),
   ];
@@ -43,7 +46,7 @@ function text({ name, surfaces, patches, boundingBox, diagonal }: ModelInfo): st
 }
 
 function surfaceLine(surface: SurfaceInfo, index: number): string {
-  const { degree, counts, domain, rational, clamped, patches } = surface;
+  const { degree, counts, domain, rational, clamped, loops, patches } = surface;
   const [u, v] = domain.map((ends) => `[${ends.map(full).join(", ")}]`);
   const columns = [
     String(index).padStart(8),
@@ -52,6 +55,7 @@ function surfaceLine(surface: SurfaceInfo, index: number): string {
     rational ? "rational" : "polynomial",
     clamped.every(Boolean) ? "clamped" : "unclamped",
     `${u} x ${v}`,
+    ...(loops === 0 ? [] : [`${loops} loops`]),
     `${patches} patches`,
   ];
   return columns.join("  ");

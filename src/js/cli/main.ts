@@ -6,6 +6,7 @@ import { Hausdorff } from "../hausdorff.js";
 import type { Backend } from "../options.js";
 import { type Invocation, parseArguments } from "./arguments.js";
 import { convert } from "./convert.js";
+import { diff } from "./diff.js";
 import { distance } from "./distance.js";
 import { help } from "./help.js";
 import { info } from "./info.js";
@@ -24,6 +25,7 @@ function create(backend: Backend): Promise<Hausdorff> {
 
 async function run({ command, values }: Invocation): Promise<number> {
   if (command.name === "distance") return distance(values, create);
+  if (command.name === "diff") return diff(values, create);
   if (command.name === "completions") {
     const native = "completions are printed by the native command, cargo install nurbs-hausdorff";
     throw new HausdorffError("OPTION_INVALID", native);
