@@ -68,7 +68,10 @@ function otherArchive(entries: ReadonlyMap<string, ZipEntry>): HausdorffError {
 
 /** The elements of this name that have properties inside. */
 function elements(xml: string, tag: string): DocumentObject[] {
-  const pattern = new RegExp(`<${tag} [^>]*\\bname="([^"]+)"[^>]*[^/]>([\\s\\S]*?)</${tag}>`, "g");
+  const pattern = new RegExp(
+    `<${tag} [^>]*\\bname="([^"]+)"[^>]*(?<!/)>([\\s\\S]*?)</${tag}>`,
+    "g",
+  );
   return [...xml.matchAll(pattern)].map(([, name = "", content = ""]) => ({ name, xml: content }));
 }
 

@@ -1,17 +1,15 @@
-// The arrow from the farthest point of one model to the closest point of the other.
-import type { DistanceResult } from "nurbs-hausdorff";
+// The arrow from a point of one model to the closest point of the other.
+import type { Vector3 as Point } from "nurbs-hausdorff";
 import {
   ConeGeometry,
   CylinderGeometry,
   Group,
   Mesh,
   MeshBasicMaterial,
-  type PerspectiveCamera,
   SphereGeometry,
   Vector3,
 } from "three";
-import { farthestSide } from "../common/direction.ts";
-import { distanceText } from "../common/numbers.ts";
+import type { Viewport } from "../camera/viewport.ts";
 
 /** Radii in pixels, independent of the zoom: short arrows stay visible and long ones slim. */
 const SHAFT_RADIUS = 2.2;
@@ -59,19 +57,12 @@ export class Arrow {
     this.#label.hidden = true;
   }
 
-  /**
-   * Shows the arrow from the farthest point to its closest point on the other
-   * model, in the direction in which the distance is attained. `center` is the
-   * origin of the scene.
-   */
-  show(result: DistanceResult, center: Vector3): void {
-    const { witness, computed, diagonal } = result;
-    const [from, to] =
-      farthestSide(result) === "a" ? [witness.a, witness.b] : [witness.b, witness.a];
-    this.#from.set(...from.point).sub(center);
-    this.#to.set(...to.point).sub(center);
+  /** Shows the arrow between two points of the models. `center` is the origin of the scene. */
+  show(from: Point, to: Point, text: string, center: Vector3): void {
+    this.#from.set(...from).sub(center);
+    this.#to.set(...to).sub(center);
     this.#middle.copy(this.#from).lerp(this.#to, 0.5);
-    this.#label.textContent = distanceText(computed, diagonal);
+    this.#label.textContent = text;
     this.group.visible = true;
   }
 
@@ -85,14 +76,13 @@ export class Arrow {
   }
 
   /** Adapts the arrow's thickness to the camera, and moves the label to its midpoint on the screen. */
-  update(camera: PerspectiveCamera, width: number, height: number): void {
+  update(viewport: Viewport): void {
     if (!this.group.visible) return;
-    const projected = this.#middle.clone().project(camera);
-    this.#label.hidden = Math.abs(projected.z) > 1;
-    this.#label.style.left = `${(0.5 + 0.5 * projected.x) * width}px`;
-    this.#label.style.top = `${(0.5 - 0.5 * projected.y) * height}px`;
-    const depth = camera.position.distanceTo(this.#middle);
-    this.#size((2 * depth * Math.tan((camera.fov * Math.PI) / 360)) / height);
+    const place = viewport.project(this.#middle);
+    this.#label.hidden = place === undefined;
+    this.#label.style.left = `${place?.[0] ?? 0}px`;
+    this.#label.style.top = `${place?.[1] ?? 0}px`;
+    this.#size(viewport.pixelAt(this.#middle));
   }
 
   #size(pixel: number): void {
