@@ -21,11 +21,11 @@ const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 
 /// A non-empty knot span with the linear map from its degree + 1 control
 /// points to its Bézier controls.
-struct Span {
-    first_control: usize,
-    ends: [f64; 2],
+pub(super) struct Span {
+    pub(super) first_control: usize,
+    pub(super) ends: [f64; 2],
     /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
-    operator: Vec<[f64; MAX_ORDER]>,
+    pub(super) operator: Vec<[f64; MAX_ORDER]>,
 }
 
 /// The grid of the patches of one surface.
@@ -191,7 +191,7 @@ fn breaks(spans: &[Span]) -> Vec<f64> {
 }
 
 /// Returns the non-empty spans of the domain.
-fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
+pub(super) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
     (degree..count)
         .filter(|&index| knots[index] < knots[index + 1])
         .map(|index| Span {

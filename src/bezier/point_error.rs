@@ -14,6 +14,8 @@ pub struct PointError {
     recentring: f64,
     /// What every halving adds.
     halving: f64,
+    /// What the removal of knots adds.
+    knot_removal: f64,
 }
 
 impl PointError {
@@ -31,6 +33,11 @@ impl PointError {
         self.halving = self.halving.max(gamma(2.0 * largest) * radius);
     }
 
+    /// Makes the bounds those of a model that is within `error` of the patches' own.
+    pub(crate) fn include_knot_removal(&mut self, error: f64) {
+        self.knot_removal = self.knot_removal.max(error);
+    }
+
     /// Returns bounds for all patches of degrees up to `degree` in a box, by its
     /// diagonal and its distance from the origin.
     pub(crate) fn within(degree: usize, control_box: &Aabb) -> Self {
@@ -43,6 +50,6 @@ impl PointError {
     #[must_use]
     pub fn after(&self, halvings: u32) -> f64 {
         let recentring = if halvings > 0 { self.recentring } else { 0.0 };
-        self.uncut + recentring + f64::from(halvings) * self.halving
+        self.knot_removal + self.uncut + recentring + f64::from(halvings) * self.halving
     }
 }

@@ -1,6 +1,6 @@
 //! Models with the data that is computed from them once.
 
-use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract};
+use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract, without_removable_knots};
 use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
@@ -23,6 +23,7 @@ pub struct PreparedModel {
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
+    control_box: Aabb,
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
@@ -45,7 +46,7 @@ impl PreparedTarget {
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
-            .with_accuracy(model.bounding_box, model.bezier.point_error.after(MAX_HALVINGS))
+            .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
     }
 }
@@ -69,15 +70,21 @@ pub(crate) struct PreparedCells {
 const MAX_SAMPLINGS: usize = 4;
 
 impl PreparedModel {
-    /// Extracts the Bézier patches and detects symmetries. O(patches p q (p + q)).
+    /// Removes removable knots, extracts the Bézier patches and detects symmetries.
+    /// O(patches p q (p + q)).
     #[must_use]
     pub fn new(model: &Model) -> Self {
-        let bezier = extract(model);
+        let reduced = without_removable_knots(model);
+        let (simple, error) =
+            reduced.as_ref().map_or((model, 0.0), |reduced| (&reduced.model, reduced.error));
+        let mut bezier = extract(simple);
+        bezier.point_error.include_knot_removal(error);
         Self {
             name: model.name().map(str::to_owned),
             revolutions: revolutions(&bezier),
             bezier,
             bounding_box: model.bounding_box(),
+            control_box: model.bounding_box().union(simple.bounding_box()),
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
@@ -103,6 +110,11 @@ impl PreparedModel {
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         self.bounding_box
+    }
+
+    /// Returns a box around the model's control points and those of its patches.
+    pub(crate) fn control_box(&self) -> Aabb {
+        self.control_box
     }
 
     /// Returns the flat patches, computed at first use.
