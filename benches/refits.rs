@@ -12,11 +12,11 @@
 
 mod support;
 
+use nurbs_hausdorff::Model;
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::Model;
 use std::time::Instant;
 use support::shared;
 
@@ -106,9 +106,11 @@ fn models() -> Vec<(String, Model)> {
         println!("SKIPPED the shared models: there is no ../shared/models");
         return models;
     };
-    let mut paths: Vec<_> = std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path()).collect();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path()).collect();
     paths.sort();
-    for path in paths.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "json")) {
+    for path in paths.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+    {
         let text = std::fs::read_to_string(&path).expect("a model");
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         models.push((name, Model::from_json(&text).expect("a valid model")));

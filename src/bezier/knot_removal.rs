@@ -187,7 +187,8 @@ impl Net {
         let heaviest = if self.weight.is_some() { 0.0 } else { 2.0 };
         // Homogeneous controls are at most twice the radius long.
         self.differences[0] += differences[0] + roundings * 2.0 * self.radius;
-        self.differences[1] += if self.weight.is_some() { 0.0 } else { differences[1] + roundings * heaviest };
+        self.differences[1] +=
+            if self.weight.is_some() { 0.0 } else { differences[1] + roundings * heaviest };
         self.replace(axis, &spans, &pieces);
         true
     }
@@ -215,7 +216,8 @@ impl Net {
             }
             let line = self.line(axis, line);
             for (index, joined) in joined.iter_mut().enumerate() {
-                *joined = *joined && continues(&spans[index], &spans[index + 1], degree, &line, self.tolerance());
+                *joined =
+                    *joined && continues(&spans[index], &spans[index + 1], degree, &line, self.tolerance());
             }
         }
         let mut runs = Vec::new();
@@ -385,7 +387,8 @@ impl Pieces<'_> {
         let mut controls = Vec::with_capacity(self.lines.len() * (self.degree + 1));
         for line in self.lines {
             if run.len() == 1 {
-                controls.extend_from_slice(&bezier(&self.spans[run.start], self.degree, line)[..=self.degree]);
+                controls
+                    .extend_from_slice(&bezier(&self.spans[run.start], self.degree, line)[..=self.degree]);
                 continue;
             }
             let piece = self.interpolated(&run, line);

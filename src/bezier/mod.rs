@@ -13,6 +13,7 @@ mod oriented_box;
 mod patch;
 mod point_error;
 mod power_form;
+mod seam_jumps;
 mod subdivide;
 
 pub use bernstein::MAX_ORDER;
@@ -30,3 +31,4 @@ pub use oriented_box::OrientedBox;
 pub(crate) use patch::relative;
 pub use patch::{Patch, PatchSet};
 pub use point_error::PointError;
+pub(crate) use seam_jumps::SeamJumps;

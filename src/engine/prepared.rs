@@ -2,10 +2,10 @@
 
 use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract, without_removable_knots};
 use crate::bvh::Aabb;
-use crate::certified::Operand;
+use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, MAX_HALVINGS, flatten};
+use crate::flatness::{Flatness, MAX_HALVINGS, Place, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
@@ -36,6 +36,8 @@ type SamplingKey = (usize, SamplingRule);
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
     extensions: Vec<ParamBox>,
+    places: Vec<Place>,
+    sheets: SheetCache,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
 }
@@ -48,6 +50,7 @@ impl PreparedTarget {
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
+            .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })
     }
 }
 
@@ -127,6 +130,8 @@ impl PreparedModel {
         let prepared = Rc::new(PreparedTarget {
             target: Target::new(flat.patches),
             extensions: flat.extensions,
+            places: flat.places,
+            sheets: SheetCache::default(),
             bounds: OnceCell::new(),
             resident: Resident::default(),
         });

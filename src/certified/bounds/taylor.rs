@@ -14,7 +14,9 @@
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
+use super::super::sheets::{Chart, Reach};
 use super::{CellContext, Quadratic, UpperBound};
+use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
 use glam::DVec3;
@@ -31,7 +33,7 @@ impl UpperBound for Taylor {
             return Some(lipschitz);
         }
         let facing = CellPair::new(context, &foot);
-        let difference = facing.difference(&facing.linearized());
+        let difference = facing.difference(threshold);
         let quadratic = &difference.quadratic;
         let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
         let mut bound = length + difference.remainder(Bounds::Patch);
@@ -43,7 +45,7 @@ impl UpperBound for Taylor {
 }
 
 /// Roundings of a sum of remainders, relative to it.
-const REMAINDER_ROUNDINGS: f64 = 32.0;
+const REMAINDER_ROUNDINGS: f64 = 64.0;
 
 /// Roundings of a coefficient of `|Q|²`, relative to the square of the size of
 /// Q's terms (lemma R8).
@@ -98,11 +100,40 @@ impl<'a> CellPair<'a> {
             .unwrap_or(Reparametrization::CONSTANT)
     }
 
-    /// `A - B∘φ` with φ the map clamped to B's patch.
-    pub(super) fn difference(&self, map: &Reparametrization) -> Difference<'_> {
-        let map = map.clamped_to(self.domain, self.foot.parameters);
+    /// `A - B∘φ` with φ the foot's linearization: over the patches that it
+    /// leads to where these join smoothly and the bound may reach the threshold,
+    /// else clamped to B's patch.
+    pub(super) fn difference(&self, threshold: f64) -> Difference<'_> {
+        let linear = self.linearized();
+        let map = linear.clamped_to(self.domain, self.foot.parameters);
+        if map != linear
+            && self.foot.distance_squared <= threshold * threshold
+            && let Some(difference) = self.across_seams()
+        {
+            return difference;
+        }
         let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
-        Difference { pair: self, map, quadratic }
+        Difference { pair: self, map, quadratic, sheet: None }
+    }
+
+    /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
+    /// has a crease at an edge to which the foot is bound.
+    fn across_seams(&self) -> Option<Difference<'_>> {
+        let chart = Chart::new(self.context.pair.b.sheets?, self.foot.patch, self.foot.parameters);
+        let jet = chart.jet();
+        let (a, [h, k]) = (&self.context.jet, self.context.cell.half);
+        let residual = jet.point - a.point;
+        let frozen = Axis::BOTH.map(|axis| {
+            let gradient = residual.dot(if axis == Axis::U { jet.s } else { jet.t });
+            let parameter = chart.parameters[axis];
+            (parameter <= 0.0 && gradient > 0.0 && !chart.continues(axis, 0))
+                || (parameter >= 1.0 && gradient < 0.0 && !chart.continues(axis, 1))
+        });
+        let map = Reparametrization::linearized(&jet, residual, [h * a.s, k * a.t], frozen)?;
+        let reach = chart.reach(map.extent().to_array());
+        let map = map.clamped_to(reach.domain, chart.parameters);
+        let quadratic = taylor_quadratic(a, &jet, [h, k], &map);
+        Some(Difference { pair: self, map, quadratic, sheet: Some((chart, reach)) })
     }
 }
 
@@ -112,6 +143,8 @@ pub(super) struct Difference<'a> {
     map: Reparametrization,
     /// The Taylor quadratic at the centre.
     pub(super) quadratic: Quadratic,
+    /// The surface of B that the map runs over, if that is not the foot's patch alone.
+    sheet: Option<(Chart<'a>, Reach)>,
 }
 
 impl Difference<'_> {
@@ -120,6 +153,9 @@ impl Difference<'_> {
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
+        if let Some((chart, reach)) = &self.sheet {
+            return self.remainder_on_sheet(chart, reach, bounds);
+        }
         let [low, high] = self.map.image(foot.parameters);
         let (of_a, of_b) = match bounds {
             Bounds::Patch => (context.patch_bounds(), *b.extended_bounds(foot.patch, low, high)),
@@ -130,6 +166,21 @@ impl Difference<'_> {
         (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
             + b.jet_scale(foot.patch).quadratic_error(extent, JET_ROUNDINGS)
+    }
+
+    /// The same where the map runs over seams.
+    fn remainder_on_sheet(&self, chart: &Chart<'_>, reach: &Reach, bounds: Bounds) -> f64 {
+        let context = self.pair.context;
+        let of_a = match bounds {
+            Bounds::Patch => context.patch_bounds(),
+            Bounds::Local => context.local_bounds(),
+        };
+        let (half, extent) = (context.cell.half, self.map.extent().to_array());
+        let remainder =
+            taylor_remainder(of_a, half) + chart.remainder(reach, extent, bounds == Bounds::Local);
+        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
+            + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
+            + chart.jet_scale().quadratic_error(extent, JET_ROUNDINGS)
     }
 }
 
