@@ -33,12 +33,16 @@ impl UpperBound for Taylor {
             return Some(lipschitz);
         }
         let facing = CellPair::new(context, &foot);
-        let difference = facing.difference(threshold);
-        let quadratic = &difference.quadratic;
-        let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
-        let mut bound = length + difference.remainder(Bounds::Patch);
-        if length <= threshold && bound > threshold {
-            bound = length + difference.remainder(Bounds::Local);
+        let difference = facing.difference();
+        let mut bound = difference.upper_bound(threshold);
+        // NaN is no bound.
+        if !(bound <= threshold)
+            && difference.is_clamped
+            && foot.distance() <= threshold
+            && let Some(difference) = facing.across_seams()
+        {
+            let across = difference.upper_bound(threshold);
+            bound = if across < bound { across } else { bound };
         }
         Some(if bound < lipschitz { bound } else { lipschitz })
     }
@@ -100,20 +104,12 @@ impl<'a> CellPair<'a> {
             .unwrap_or(Reparametrization::CONSTANT)
     }
 
-    /// `A - B∘φ` with φ the foot's linearization: over the patches that it
-    /// leads to where these join smoothly and the bound may reach the threshold,
-    /// else clamped to B's patch.
-    pub(super) fn difference(&self, threshold: f64) -> Difference<'_> {
+    /// `A - B∘φ` with φ the foot's linearization clamped to B's patch.
+    pub(super) fn difference(&self) -> Difference<'_> {
         let linear = self.linearized();
         let map = linear.clamped_to(self.domain, self.foot.parameters);
-        if map != linear
-            && self.foot.distance_squared <= threshold * threshold
-            && let Some(difference) = self.across_seams()
-        {
-            return difference;
-        }
         let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
-        Difference { pair: self, map, quadratic, sheet: None }
+        Difference { pair: self, is_clamped: map != linear, map, quadratic, sheet: None }
     }
 
     /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
@@ -133,7 +129,7 @@ impl<'a> CellPair<'a> {
         let reach = chart.reach(map.extent().to_array());
         let map = map.clamped_to(reach.domain, chart.parameters);
         let quadratic = taylor_quadratic(a, &jet, [h, k], &map);
-        Some(Difference { pair: self, map, quadratic, sheet: Some((chart, reach)) })
+        Some(Difference { pair: self, map, is_clamped: false, quadratic, sheet: Some((chart, reach)) })
     }
 }
 
@@ -141,6 +137,8 @@ impl<'a> CellPair<'a> {
 pub(super) struct Difference<'a> {
     pair: &'a CellPair<'a>,
     map: Reparametrization,
+    /// Whether the map is another than the linearization, which leaves B's patch.
+    is_clamped: bool,
     /// The Taylor quadratic at the centre.
     pub(super) quadratic: Quadratic,
     /// The surface of B that the map runs over, if that is not the foot's patch alone.
@@ -148,6 +146,18 @@ pub(super) struct Difference<'a> {
 }
 
 impl Difference<'_> {
+    /// An upper bound on its length over the cell, with local derivative bounds
+    /// where these may bring it to the threshold.
+    fn upper_bound(&self, threshold: f64) -> f64 {
+        let quadratic = &self.quadratic;
+        let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
+        let bound = length + self.remainder(Bounds::Patch);
+        if length <= threshold && bound > threshold {
+            return length + self.remainder(Bounds::Local);
+        }
+        bound
+    }
+
     /// An upper bound on the distance between the difference and its computed
     /// quadratic: Taylor's remainders and the rounding of the derivatives (lemma R8).
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
