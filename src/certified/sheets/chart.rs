@@ -258,6 +258,40 @@ impl<'a> Chart<'a> {
         [0, 1, 2, 3].map(|k| (1.0 + MARGIN) * scales[k] * third[k])
     }
 
+    /// The patch that is so many patches away, cyclically.
+    pub(in crate::certified) fn neighbour(&self, offsets: [isize; 2]) -> Patch<'a> {
+        self.sheets.bezier.patches.patch(self.patch_at(offsets))
+    }
+
+    /// The lines at the ends of the patches that cover a range of parameters along
+    /// an axis; `None` where the surface ends before.
+    pub(in crate::certified) fn lines_between(
+        &self,
+        axis: Axis,
+        [low, high]: [f64; 2],
+    ) -> Option<RangeInclusive<isize>> {
+        let (mut first, mut last) = (0_isize, 1_isize);
+        while low < self.line(axis, first) - MARGIN {
+            if !self.is_joined(axis, first) {
+                return None;
+            }
+            first -= 1;
+        }
+        while high > self.line(axis, last) + MARGIN {
+            if !self.is_joined(axis, last) {
+                return None;
+            }
+            last += 1;
+        }
+        Some(first..=last)
+    }
+
+    /// Whether a line lies inside the surface, or where its two ends join.
+    fn is_joined(&self, axis: Axis, line: isize) -> bool {
+        let count = self.grid.breaks[axis].len() as isize - 1;
+        (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
+    }
+
     /// The index of the patch that is so many patches away, cyclically.
     fn patch_at(&self, offsets: [isize; 2]) -> usize {
         let counts = self.grid.counts();
@@ -269,7 +303,7 @@ impl<'a> Chart<'a> {
     }
 
     /// The width of the span so many spans away, in widths of the chart's own.
-    fn width(&self, axis: Axis, offset: isize) -> f64 {
+    pub(in crate::certified) fn width(&self, axis: Axis, offset: isize) -> f64 {
         let breaks = &self.grid.breaks[axis];
         let count = breaks.len() as isize - 1;
         let span = (self.index[axis] as isize + offset).rem_euclid(count) as usize;
@@ -283,7 +317,7 @@ impl<'a> Chart<'a> {
 
     /// The parameter at the start of the span so many spans away. Beyond an end of
     /// the surface its other end follows.
-    fn line(&self, axis: Axis, offset: isize) -> f64 {
+    pub(in crate::certified) fn line(&self, axis: Axis, offset: isize) -> f64 {
         match offset {
             0 => 0.0,
             1 => 1.0,
