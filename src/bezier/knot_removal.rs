@@ -455,3 +455,112 @@ impl Pieces<'_> {
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::super::extract;
+    use super::*;
+    use crate::shapes::operations::{elevate_degree, insert_knot, refit_model};
+    use crate::shapes::{shape, wavy_sheet};
+
+    /// The largest distance of points of equal parameters.
+    fn difference(a: &Model, b: &Model) -> f64 {
+        let [a, b] = [a, b].map(extract);
+        let random = &mut fastrand::Rng::with_seed(5);
+        let mut largest = 0.0_f64;
+        for (of_a, of_b) in a.grids.iter().zip(&b.grids) {
+            for _ in 0..300 {
+                let fractions = [random.f64(), random.f64()];
+                let points = [(&a, of_a), (&b, of_b)].map(|(bezier, grid)| {
+                    let [(row, s), (column, t)] = Axis::BOTH.map(|axis| {
+                        let breaks = &grid.breaks[axis];
+                        let [start, end] = [breaks[0], breaks[breaks.len() - 1]];
+                        grid.locate(axis, start + fractions[axis] * (end - start))
+                    });
+                    bezier.patches.patch(grid.first + row * grid.counts()[1] + column).point([s, t])
+                });
+                largest = largest.max(points[0].distance(points[1]));
+            }
+        }
+        largest
+    }
+
+    fn patches(model: &Model) -> usize {
+        extract(model).patches.len()
+    }
+
+    #[test]
+    fn inserted_knots_are_removed() {
+        for name in ["torus", "wavy-sheet", "naca-wing", "net-6x6"] {
+            let model = shape(name).unwrap();
+            let refined: Vec<_> = model
+                .surfaces()
+                .iter()
+                .map(|surface| {
+                    let mut refined = surface.clone();
+                    for (axis, fraction, times) in
+                        [(Axis::U, 0.31, 1), (Axis::V, 0.77, 2), (Axis::U, 0.6, 1), (Axis::U, 0.6001, 1)]
+                    {
+                        let [start, end] = surface.domain()[axis];
+                        let times = times.min(surface.degree()[axis]);
+                        let knot = start + fraction * (end - start);
+                        refined = insert_knot(&refined, axis, knot, times).unwrap();
+                    }
+                    elevate_degree(&refined, Axis::V).unwrap()
+                })
+                .collect();
+            let refined = Model::new(None, refined).unwrap();
+            let reduced = without_removable_knots(&refined).unwrap();
+            let least = without_removable_knots(&model).map_or(patches(&model), |least| patches(&least.model));
+            assert_eq!(patches(&reduced.model), least, "{name}");
+            let size = model.bounding_box().diagonal();
+            assert!(reduced.error < 3e-13 * size, "{name}: {}", reduced.error);
+            assert!(difference(&refined, &reduced.model) <= reduced.error, "{name}");
+        }
+    }
+
+    #[test]
+    fn an_exact_refit_has_the_patches_of_its_original() {
+        let sheet = wavy_sheet(&crate::shapes::WavySheet {
+            counts: [4, 4],
+            size: [1.0, 2.0],
+            amplitude: 0.5,
+            waves: [0.5, 0.5],
+            phase: 0.1,
+        })
+        .unwrap();
+        for count in [5, 12, 60] {
+            let refit = refit_model(&sheet, count).unwrap();
+            let reduced = without_removable_knots(&refit).unwrap();
+            assert_eq!(patches(&reduced.model), 1, "{count}");
+            assert!(difference(&sheet, &reduced.model) < 1e-14);
+        }
+    }
+
+    /// The error covers what a removal changes: a knot at which the polynomials differ a
+    /// little is removed with that difference, and one at which they differ by more stays.
+    #[test]
+    fn the_error_is_that_of_the_removal() {
+        let model = shape("wavy-sheet").unwrap();
+        let surface = &model.surfaces()[0];
+        let [start, end] = surface.domain()[Axis::U];
+        let refined = insert_knot(surface, Axis::U, start + 0.49 * (end - start), 1).unwrap();
+        let columns = refined.counts()[1];
+        for (units, is_removed) in [(20.0, true), (1e4, false)] {
+            let mut arrays = refined.clone().into_arrays();
+            let row = refined.knots(Axis::U).partition_point(|&knot| knot < start + 0.49 * (end - start)) - 2;
+            let size = model.bounding_box().diagonal();
+            for point in &mut arrays.control_points[row * columns..][..columns] {
+                point[2] += units * UNIT_ROUNDOFF * size;
+            }
+            let edited = Model::from_arrays(None, vec![arrays]).unwrap();
+            let reduced = without_removable_knots(&edited);
+            assert_eq!(reduced.is_some(), is_removed, "{units}");
+            if let Some(reduced) = reduced {
+                let changed = difference(&edited, &reduced.model);
+                assert!(changed <= reduced.error && changed > 1e-3 * reduced.error, "{changed}");
+            }
+        }
+    }
+}

@@ -38,7 +38,7 @@ impl UpperBound for Taylor {
         // NaN is no bound.
         if !(bound <= threshold)
             && difference.is_clamped
-            && foot.distance() <= threshold
+            && foot.distance() <= threshold.min(MAX_DISTANCE_IN_RADII * context.radius)
             && let Some(difference) = facing.across_seams()
         {
             let across = difference.upper_bound(threshold);
@@ -47,6 +47,10 @@ impl UpperBound for Taylor {
         Some(if bound < lipschitz { bound } else { lipschitz })
     }
 }
+
+/// Distance of the centre's foot, in radii of the cell, up to which seams are
+/// crossed: on near copies cells are large for their distance.
+const MAX_DISTANCE_IN_RADII: f64 = 1.0;
 
 /// Roundings of a sum of remainders, relative to it.
 const REMAINDER_ROUNDINGS: f64 = 64.0;

@@ -264,26 +264,20 @@ impl<'a> Chart<'a> {
     }
 
     /// The lines at the ends of the patches that cover a range of parameters along
-    /// an axis; `None` where the surface ends before.
+    /// an axis, or the part of it in which the surface lies.
     pub(in crate::certified) fn lines_between(
         &self,
         axis: Axis,
         [low, high]: [f64; 2],
-    ) -> Option<RangeInclusive<isize>> {
+    ) -> RangeInclusive<isize> {
         let (mut first, mut last) = (0_isize, 1_isize);
-        while low < self.line(axis, first) - MARGIN {
-            if !self.is_joined(axis, first) {
-                return None;
-            }
+        while low < self.line(axis, first) - MARGIN && self.is_joined(axis, first) {
             first -= 1;
         }
-        while high > self.line(axis, last) + MARGIN {
-            if !self.is_joined(axis, last) {
-                return None;
-            }
+        while high > self.line(axis, last) + MARGIN && self.is_joined(axis, last) {
             last += 1;
         }
-        Some(first..=last)
+        first..=last
     }
 
     /// Whether a line lies inside the surface, or where its two ends join.
