@@ -32,6 +32,9 @@ use std::ops::Range;
 /// an interpolation problem, which a refit is, carries some units.
 const MAX_DIFFERENCE: f64 = 64.0;
 
+/// A bound on the weights of a surface, of which the largest is in [1, 2).
+const MAX_WEIGHT: f64 = 2.0;
+
 /// The largest error of a surface with fewer knots, in the same units: four times the
 /// error of a bicubic patch's extraction, halving and evaluation.
 const MAX_ERROR: f64 = 1024.0;
@@ -82,7 +85,7 @@ fn reduced_surface(index: usize, surface: &NurbsSurface) -> Option<(NurbsSurface
         return None;
     }
     let error = net.error();
-    if !(error <= MAX_ERROR * UNIT_ROUNDOFF * net.largest()) {
+    if !(net.lightest > 0.0 && error <= MAX_ERROR * UNIT_ROUNDOFF * net.largest()) {
         return None;
     }
     Some((NurbsSurface::new(index, net.into_arrays()).ok()?, error))
@@ -128,7 +131,7 @@ impl Net {
             controls,
             center,
             radius: 0.0,
-            lightest: 0.0,
+            lightest: f64::INFINITY,
             weight: None,
             differences: [0.0; 2],
         };
@@ -141,8 +144,7 @@ impl Net {
     fn measure(&mut self) {
         let length = |control: &DVec4| control.xyz().length() / control.w;
         self.radius = self.controls.iter().map(length).fold(self.radius, upper_max);
-        let lightest = self.controls.iter().fold(f64::INFINITY, |least, control| least.min(control.w));
-        self.lightest = if self.lightest > 0.0 { self.lightest.min(lightest) } else { lightest };
+        self.lightest = self.controls.iter().fold(self.lightest, |least, control| least.min(control.w));
     }
 
     /// The largest length of a coordinate vector.
@@ -157,9 +159,9 @@ impl Net {
             + gamma(ROUNDINGS) * self.largest()
     }
 
-    /// The largest difference of controls at which they count as equal. Weights are at most 2.
+    /// The largest difference of controls at which they count as equal.
     fn tolerance(&self) -> f64 {
-        2.0 * MAX_DIFFERENCE * UNIT_ROUNDOFF * self.largest()
+        MAX_WEIGHT * MAX_DIFFERENCE * UNIT_ROUNDOFF * self.largest()
     }
 
     /// Replaces runs of spans along `axis` that are one polynomial by one span each;
@@ -183,13 +185,14 @@ impl Net {
         if pieces.len() == spans.len() {
             return false;
         }
-        let roundings = gamma(ROUNDINGS_PER_DEGREE * degree as f64 + ROUNDINGS);
-        let heaviest = if self.weight.is_some() { 0.0 } else { 2.0 };
-        // Homogeneous controls are at most twice the radius long.
-        self.differences[0] += differences[0] + roundings * 2.0 * self.radius;
-        self.differences[1] +=
-            if self.weight.is_some() { 0.0 } else { differences[1] + roundings * heaviest };
         self.replace(axis, &spans, &pieces);
+        let roundings = gamma(ROUNDINGS_PER_DEGREE * degree as f64 + ROUNDINGS);
+        let heaviest = self.controls.iter().fold(MAX_WEIGHT, |heaviest, control| heaviest.max(control.w));
+        self.differences[0] += differences[0] + roundings * heaviest * self.radius;
+        // Equal weights stay as they are.
+        if self.weight.is_none() {
+            self.differences[1] += differences[1] + roundings * heaviest;
+        }
         true
     }
 
@@ -512,7 +515,8 @@ mod tests {
                 .collect();
             let refined = Model::new(None, refined).unwrap();
             let reduced = without_removable_knots(&refined).unwrap();
-            let least = without_removable_knots(&model).map_or(patches(&model), |least| patches(&least.model));
+            let least =
+                without_removable_knots(&model).map_or(patches(&model), |least| patches(&least.model));
             assert_eq!(patches(&reduced.model), least, "{name}");
             let size = model.bounding_box().diagonal();
             assert!(reduced.error < 3e-13 * size, "{name}: {}", reduced.error);

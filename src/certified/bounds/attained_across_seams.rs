@@ -96,9 +96,9 @@ fn ramp(axis: usize, height: f64, factor: f64, k: f64, power: usize) -> SurfaceA
         let points = values.iter().flat_map(|&value| [0.0, 1.0].map(|across| point(value, across)));
         ([3, 1], [count, 2], [knots, flat], points.collect())
     } else {
-        let points = [0.0, 1.0].into_iter().flat_map(|across| {
-            values.iter().map(move |&value| point(value, across)).collect::<Vec<_>>()
-        });
+        let points = [0.0, 1.0]
+            .into_iter()
+            .flat_map(|across| values.iter().map(move |&value| point(value, across)).collect::<Vec<_>>());
         ([1, 3], [2, count], [flat, knots], points.collect())
     };
     SurfaceArrays { degree, knots, counts, control_points }
@@ -209,10 +209,7 @@ fn closed(seed: u64, rational: bool) -> SurfaceArrays {
     }
     SurfaceArrays {
         degree: [3, 3],
-        knots: [
-            (0..around + 7).map(|knot| knot as f64).collect(),
-            clamped(3, &[0.25, 0.6]),
-        ],
+        knots: [(0..around + 7).map(|knot| knot as f64).collect(), clamped(3, &[0.25, 0.6])],
         counts: [around + 3, along],
         control_points: points,
     }
