@@ -96,7 +96,7 @@ impl Direction<'_> {
     /// [`BOX_ROUNDINGS`].
     fn box_error(&self) -> f64 {
         let models = [self.from, self.to];
-        let [a, b] = models.map(|model| model.bounding_box().farthest_from_origin());
+        let [a, b] = models.map(|model| model.control_box().farthest_from_origin());
         let [of_a, of_b] = models.map(|model| model.bezier().point_error.after(0));
         let length = (a + self.transform.offset().length()).max(b);
         (of_a + self.transform.rounding(a)).max(of_b) + gamma(BOX_ROUNDINGS) * length + VANISHING_LENGTH
