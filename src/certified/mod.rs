@@ -28,7 +28,7 @@ pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, SearchNode};
 
 #[cfg(feature = "internals")]
 pub use bounds::Quadratic;

@@ -7,7 +7,7 @@
 mod models;
 
 use models::{bilinear, model, nets, repeated, shelf, surface, swept};
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Stop};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, SurfaceArrays};
 
@@ -30,7 +30,7 @@ const TRUTH_ROUNDING: f64 = 1e-9;
 const MAX_CELLS: usize = 200_000;
 
 /// The seconds after which a search counts as endless.
-const MAX_SECONDS: f64 = 20.0;
+const MAX_SECONDS: f64 = 60.0;
 
 /// The distance of two models on the CPU.
 async fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
@@ -222,7 +222,18 @@ pub(crate) async fn plane_1e7() {
 /// Two points: the models' diagonals are 0, and so is a relative tolerance.
 pub(crate) async fn points() {
     let point = |x: f64, y: f64, z: f64| model(vec![bilinear([[x, y, z, 1.0]; 4])]);
-    assert_ends(&point(0.3, 0.2, 0.1), &point(1.3, 0.6, 0.1), Some(1.0_f64.hypot(0.4)), "points").await;
+    let [a, b] = [point(0.3, 0.2, 0.1), point(1.3, 0.6, 0.1)];
+    let truth = 1.0_f64.hypot(0.4);
+    assert_ends(&a, &b, Some(truth), "points").await;
+    // No interval is 0 wide: the result says so, and which tolerance can be reached.
+    let result = measure(&a, &b, &budgeted()).await;
+    let details = result.certified().unwrap();
+    assert_eq!((details.tolerance, details.stop, result.converged), (0.0, Stop::Precision, false));
+    assert!(result.notice.unwrap().contains("single points"));
+    let absolute = Options { absolute: true, tolerance: details.min_tolerance, ..budgeted() };
+    let result = measure(&a, &b, &absolute).await;
+    assert_contains(&result, truth, "points");
+    assert!(result.converged && result.notice.is_none());
 }
 
 /// A sheet and a sphere 2.5e8 from the origin, where 1e-6 of their size is a

@@ -1,9 +1,11 @@
 //! Branch and bound over A.
 
 mod frontier;
+mod gains;
 mod incumbent;
 mod node;
 
+pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;
 pub(crate) use node::{Domain, SearchNode};
 
