@@ -29,7 +29,7 @@ pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, SearchNode};
 
 pub(crate) use sheets::{SheetCache, Sheets};
 

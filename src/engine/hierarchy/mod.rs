@@ -144,7 +144,7 @@ impl TreePair<'_> {
             pairs.push(bounds.pairs);
             lower = lower.max(bounds.lower);
             upper = upper.min(bounds.upper);
-            progress.interval(lower, upper);
+            progress.interval(lower, upper, false);
         }
         let farthest = backend.farthest(progress).await?;
         let [(a_parameters, a), (b_parameters, b)] =
