@@ -66,7 +66,9 @@ pub(super) fn mapped(face: &Face, cell: &Cell) -> Mapped {
                 None => Mapped::Halve,
             }
         }
-        [Side::Own(left), Side::Own(right)] => two_curves(face, cell, part(left, cell.v), part(right, cell.v)),
+        [Side::Own(left), Side::Own(right)] => {
+            two_curves(face, cell, part(left, cell.v), part(right, cell.v))
+        }
     }
 }
 

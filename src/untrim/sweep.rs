@@ -175,7 +175,8 @@ fn flat_pieces(face: &Face, [from, to]: [f64; 2], v: f64) -> Vec<Cell> {
     ends.push(to);
     ends.windows(2)
         .map(|pair| {
-            let line = |u: f64| Side::Own(super::curve::Curve::line(glam::DVec2::new(u, v), glam::DVec2::new(u, v)));
+            let line =
+                |u: f64| Side::Own(super::curve::Curve::line(glam::DVec2::new(u, v), glam::DVec2::new(u, v)));
             Cell {
                 sides: [line(pair[0]), line(pair[1])],
                 v: [v, v],
