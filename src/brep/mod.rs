@@ -44,16 +44,6 @@ pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Mod
     validation::into_model(read)
 }
 
-/// Reads a BREP text as plain arrays, which [`model`] validates.
-///
-/// # Errors
-/// Those of [`Model::from_brep`].
-pub fn read(text: &str) -> Result<(ModelArrays, ReadReport)> {
-    let read = assembled(text)?;
-    let report = read.report();
-    Ok((read.model, report))
-}
-
 fn assembled(text: &str) -> Result<assembly::Assembled> {
     let found = text.len() as u64;
     if found > Model::MAX_JSON_BYTES {

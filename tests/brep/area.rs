@@ -31,7 +31,8 @@ fn breaks(knots: &[f64], [start, end]: [f64; 2]) -> Vec<f64> {
 
 fn integral([start, end]: [f64; 2], f: &mut dyn FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-    let pairs = GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
+    let pairs =
+        GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
     half * pairs.sum::<f64>()
 }
 

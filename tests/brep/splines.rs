@@ -100,7 +100,8 @@ fn a_periodic_surface_is_unrolled_over_its_loops() {
 /// A smooth periodic curve: the cubic basis of eight equal knots, against its definition.
 #[test]
 fn smooth_periodic_curves_follow_their_basis() {
-    let poles = [[0.2, 0.2], [0.5, 0.1], [0.8, 0.2], [0.9, 0.5], [0.8, 0.8], [0.5, 0.9], [0.2, 0.8], [0.1, 0.5]];
+    let poles =
+        [[0.2, 0.2], [0.5, 0.1], [0.8, 0.2], [0.9, 0.5], [0.8, 0.8], [0.5, 0.9], [0.2, 0.8], [0.1, 0.5]];
     let mut entry = "7 0 1  3 8 9 ".to_owned();
     entry += &poles.iter().map(|[u, v]| format!(" {u:?} {v:?}")).collect::<String>();
     entry += &(0..9).map(|knot| format!("\n {knot} 1")).collect::<String>();

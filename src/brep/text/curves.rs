@@ -107,7 +107,11 @@ pub(super) fn pole(lexer: &mut Lexer<'_>, dimension: Dimension, rational: bool) 
     let point = lexer.point(dimension)?;
     let word = lexer.peek().unwrap_or_default();
     let weight = if rational { lexer.number("a weight above 0")? } else { 1.0 };
-    if weight > 0.0 { Ok((weight * point).extend(weight)) } else { Err(lexer.error(word, "a weight above 0")) }
+    if weight > 0.0 {
+        Ok((weight * point).extend(weight))
+    } else {
+        Err(lexer.error(word, "a weight above 0"))
+    }
 }
 
 /// Reads `knots` pairs of knot and multiplicity for `count` control points.
