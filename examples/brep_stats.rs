@@ -4,7 +4,7 @@ fn main() {
     for path in std::env::args().skip(1) {
         let text = std::fs::read_to_string(&path).unwrap();
         let start = Instant::now();
-        let read = nurbs_hausdorff::brep::read(&text);
+        let read = nurbs_hausdorff::brep::model(&text, None, None);
         let ms = start.elapsed().as_secs_f64() * 1e3;
         let validated = Instant::now();
         match nurbs_hausdorff::Model::from_brep(&text) {
