@@ -5,6 +5,7 @@
  * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
  *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
  *   text: `BREP_…`, or it is too long: `FILE_TOO_LARGE`;
+ * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
@@ -28,7 +29,9 @@ export type ErrorCode =
   | "RAGGED_NET"
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
+  | "FACE_NOT_CUT"
   | "EMPTY_MODEL"
+  | "MODEL_TRIMMED"
   | "GAP_INVALID"
   | "INSTANCE_SURFACE"
   | "INSTANCE_TRANSFORM"

@@ -15,6 +15,7 @@ import type { DistanceResult } from "./result.js";
 import {
   type BrepText,
   type InterchangeModel,
+  type ModelArrays,
   type Numbers,
   numbers,
   prepare,
@@ -85,13 +86,15 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON or its text, or of
-   * OpenCASCADE's BREP text.
+   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON or its
+   * text, or of OpenCASCADE's BREP text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | BrepText | string): NurbsModel {
+  model(
+    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
+  ): NurbsModel {
     this.#open();
     if (isBrepText(input)) return fromBrepText(input);
     return translating(() => NurbsModel.of(prepare(input)));
@@ -124,6 +127,7 @@ export class Hausdorff {
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `UNITS_DIFFER`, unless `scaleUnits` is set;
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */
