@@ -13,13 +13,17 @@ use wasm_bindgen::prelude::*;
 
 /// A model ready to be measured, shared with the distances that use it.
 #[wasm_bindgen]
-pub struct PreparedModel(Rc<engine::PreparedModel>);
+pub struct PreparedModel {
+    /// The model itself, for updates.
+    source: Model,
+    prepared: Rc<engine::PreparedModel>,
+}
 
 #[wasm_bindgen]
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_arrays(None, surfaces.into_inner())?))
+        Ok(Self::new(Model::from_arrays(None, surfaces.into_inner())?))
     }
 
     /// A model of interchange JSON.
@@ -30,44 +34,53 @@ impl PreparedModel {
         if found > Model::MAX_JSON_BYTES {
             return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
         }
-        Ok(Self::new(&Model::from_json(&String::from(text))?))
+        Ok(Self::new(Model::from_json(&String::from(text))?))
     }
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Ok(Self::new(&shape(name)?))
+        Ok(Self::new(shape(name)?))
     }
 
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> Option<String> {
-        self.0.name().map(str::to_owned)
+        self.prepared.name().map(str::to_owned)
     }
 
     #[wasm_bindgen(getter, js_name = surfaceCount)]
     pub fn surface_count(&self) -> usize {
-        self.0.bezier().grids.len()
+        self.prepared.bezier().grids.len()
     }
 
     /// The smallest x, y, z, then the largest.
     #[wasm_bindgen(getter, js_name = boundingBox)]
     pub fn bounding_box(&self) -> Vec<f64> {
-        let aabb = self.0.bounding_box();
+        let aabb = self.prepared.bounding_box();
         [aabb.min.to_array(), aabb.max.to_array()].concat()
+    }
+
+    /// Replaces the control points of a surface, x, y, z, w each; distances that are
+    /// being computed keep the old ones.
+    pub fn update(&mut self, surface: usize, control_points: Vec<f64>) -> Result<()> {
+        let (points, _) = control_points.as_chunks();
+        self.source = self.source.with_control_points(surface, points.to_vec())?;
+        self.prepared = Rc::new(self.prepared.updated(&self.source));
+        Ok(())
     }
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.0.bezier(), tolerance)?)
+        convert::tessellation(&tessellate_patches(self.prepared.bezier(), tolerance)?)
     }
 }
 
 impl PreparedModel {
-    fn new(model: &Model) -> Self {
-        Self(Rc::new(engine::PreparedModel::new(model)))
+    fn new(source: Model) -> Self {
+        Self { prepared: Rc::new(engine::PreparedModel::new(&source)), source }
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
-        Rc::clone(&self.0)
+        Rc::clone(&self.prepared)
     }
 }
 
