@@ -83,11 +83,7 @@ export class NurbsModel {
    * @throws {HausdorffError} as `Hausdorff.model`; `OPTION_OUT_OF_RANGE` for an index
    * that the model does not have. The model is then unchanged.
    */
-  update(
-    surface: number,
-    points: Numbers,
-    { homogeneous }: { homogeneous?: boolean } = {},
-  ): void {
+  update(surface: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
     const prepared = this.prepared;
     if (!Number.isInteger(surface) || surface < 0 || surface > MAX_SURFACE) {
       throw new HausdorffError("ARGUMENT_INVALID", `surface is ${surface}, expected an index`);
