@@ -89,7 +89,7 @@ fn main() {
 /// and the seconds of the search.
 fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, max_cells: usize) -> String {
     let started = Instant::now();
-    let [a, b] = pair.map(PreparedModel::new);
+    let [a, b] = pair.map(|model| PreparedModel::new(model).expect("valid trims"));
     let extraction = started.elapsed().as_secs_f64();
     let options = Options { tolerance, max_cells: Some(max_cells), ..Options::default() };
     let result = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");

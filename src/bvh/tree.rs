@@ -49,6 +49,25 @@ impl Bvh {
         tree
     }
 
+    /// Returns the same tree over primitives that have moved: its boxes are those of
+    /// `boxes`, as many as before. O(n).
+    ///
+    /// Sound for any boxes, and slower to search the more their order has changed.
+    #[must_use]
+    pub fn refitted(&self, boxes: &[Aabb]) -> Self {
+        let mut tree = self.clone();
+        // Children follow their parents.
+        for index in (0..tree.nodes.len()).rev() {
+            let node = tree.nodes[index];
+            tree.nodes[index].aabb = if node.is_leaf() {
+                boxes[tree.primitive(&node) as usize]
+            } else {
+                tree.nodes[index + 1].aabb.union(tree.nodes[node.right_child as usize].aabb)
+            };
+        }
+        tree
+    }
+
     /// Appends the subtree over the primitives `order`, which begin at `first_leaf`.
     fn build(&mut self, boxes: &[Aabb], order: &mut [u32], first_leaf: u32) {
         let box_at = |index: &u32| boxes[*index as usize];

@@ -1,7 +1,7 @@
 //! The patches that points are projected on.
 
 use crate::bezier::{OrientedBox, PatchSet};
-use crate::bvh::Bvh;
+use crate::bvh::{Aabb, Bvh};
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -20,9 +20,19 @@ impl Target {
     /// Builds the boxes and the hierarchy. O(n log n).
     #[must_use]
     pub fn new(patches: PatchSet) -> Self {
+        Self::with_tree(patches, Bvh::new)
+    }
+
+    /// Returns a target with the hierarchy of this one over patches that have moved, as
+    /// many as before. O(n).
+    pub(crate) fn refitted(&self, patches: PatchSet) -> Self {
+        Self::with_tree(patches, |boxes| self.tree.refitted(boxes))
+    }
+
+    fn with_tree(patches: PatchSet, tree: impl FnOnce(&[Aabb]) -> Bvh) -> Self {
         let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
         let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).collect();
         let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
-        Self { tree: Bvh::new(&boxes), boxes: oriented, max_degree, patches }
+        Self { tree: tree(&boxes), boxes: oriented, max_degree, patches }
     }
 }

@@ -1,11 +1,13 @@
 //! Models with the data that is computed from them once.
 
-use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract, without_removable_knots};
+use crate::bezier::{
+    BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
+};
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::{Error, Result};
-use crate::flatness::{Flatness, MAX_HALVINGS, Place, flatten};
+use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
@@ -37,10 +39,15 @@ pub struct PreparedModel {
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
+    /// The number of updates since cuts and trees were chosen.
+    refits: u32,
 }
 
 /// The roundings of a coordinate scaled to another unit: the factor and the product.
 const SCALE_ROUNDINGS: f64 = 4.0;
+/// The number of updates after which cuts and trees are chosen anew, for the shape that
+/// the model has by then; they are chosen for an older one meanwhile.
+const MAX_REFITS: u32 = 32;
 
 type SamplingKey = (usize, SamplingRule);
 
@@ -51,11 +58,24 @@ pub(crate) struct PreparedTarget {
     extensions: Vec<ParamBox>,
     places: Vec<Place>,
     sheets: SheetCache,
+    cuts: Cuts,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
 }
 
 impl PreparedTarget {
+    fn new(flat: FlatPatches, target: impl FnOnce(PatchSet) -> Target) -> Self {
+        Self {
+            target: target(flat.patches),
+            extensions: flat.extensions,
+            places: flat.places,
+            sheets: SheetCache::default(),
+            cuts: flat.cuts,
+            bounds: OnceCell::new(),
+            resident: Resident::default(),
+        }
+    }
+
     /// Returns the extension of every patch.
     pub(crate) fn extensions(&self) -> &[ParamBox] {
         &self.extensions
@@ -122,7 +142,34 @@ impl PreparedModel {
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
+            refits: 0,
         })
+    }
+
+    /// Returns `model`, which has other control points on the same knots, prepared with
+    /// the cuts, the trees and the cells of this one. Equal to [`PreparedModel::new`] but
+    /// for the time that both take, here and in a search.
+    ///
+    /// O(patches p q (p + q)); a model of other patches is prepared anew.
+    ///
+    /// # Errors
+    /// Those of [`PreparedModel::new`].
+    pub fn updated(&self, model: &Model) -> Result<Self> {
+        let mut updated = Self::new(model)?;
+        if self.refits == MAX_REFITS || !self.patch_counts().eq(updated.patch_counts()) {
+            return Ok(updated);
+        }
+        updated.refits = self.refits + 1;
+        for (flatness, kept) in &*self.targets.borrow() {
+            let flat = recut(&updated.bezier.patches, &kept.cuts);
+            let target = PreparedTarget::new(flat, |patches| kept.target.refitted(patches));
+            updated.targets.get_mut().push((*flatness, Rc::new(target)));
+        }
+        if let Some(kept) = &*self.cells.borrow() {
+            let tree = kept.tree.refitted(&updated.bezier);
+            *updated.cells.get_mut() = Some(Rc::new(PreparedCells { tree, resident: Resident::default() }));
+        }
+        Ok(updated)
     }
 
     /// Returns the model's name, if it has one.
@@ -231,14 +278,7 @@ impl PreparedModel {
             return Rc::clone(target);
         }
         let flat = flatten(&self.bezier.patches, flatness);
-        let prepared = Rc::new(PreparedTarget {
-            target: Target::new(flat.patches),
-            extensions: flat.extensions,
-            places: flat.places,
-            sheets: SheetCache::default(),
-            bounds: OnceCell::new(),
-            resident: Resident::default(),
-        });
+        let prepared = Rc::new(PreparedTarget::new(flat, Target::new));
         targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }

@@ -69,6 +69,8 @@ pub struct FlatPatches {
     pub extensions: Vec<ParamBox>,
     /// For every piece, where it is in the patch that it was cut from.
     pub places: Vec<Place>,
+    /// The cuts that made them, for [`recut`].
+    pub cuts: Cuts,
 }
 
 /// A part of a patch.
@@ -99,17 +101,55 @@ impl Place {
     }
 }
 
+/// The cuts of a set of patches, each patch's in depth-first order.
+#[derive(Debug, Clone, Default)]
+pub struct Cuts {
+    /// The axis of every cut, `None` for a piece that is kept.
+    axes: Vec<Option<Axis>>,
+    /// The position in `axes` of every patch's first entry.
+    starts: Vec<usize>,
+}
+
+impl Cuts {
+    fn append(&mut self, other: &Self) {
+        let offset = self.axes.len();
+        self.axes.extend_from_slice(&other.axes);
+        self.starts.extend(other.starts.iter().map(|start| start + offset));
+    }
+}
+
 /// Returns `patches` with each replaced, in place, by flat pieces that together
 /// are the same surface. O(pieces p q (p + q)).
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     if flatness == Flatness::None {
-        return FlatPatches {
-            patches: patches.clone(),
-            extensions: vec![ParamBox::UNIT; patches.len()],
-            places: (0..patches.len()).map(Place::whole).collect(),
-        };
+        let extensions = vec![ParamBox::UNIT; patches.len()];
+        let places = (0..patches.len()).map(Place::whole).collect();
+        return FlatPatches { patches: patches.clone(), extensions, places, cuts: Cuts::default() };
     }
+    cut(patches, &Rule::Flat(flatness))
+}
+
+/// Returns `patches` cut as others were by [`flatten`], of which they are as many of the
+/// same degrees. The pieces are the same surface; how flat they are depends on how much
+/// the patches differ from those. O(pieces p q (p + q)).
+#[must_use]
+pub fn recut(patches: &PatchSet, cuts: &Cuts) -> FlatPatches {
+    if cuts.starts.is_empty() {
+        return flatten(patches, Flatness::None);
+    }
+    cut(patches, &Rule::Recorded(cuts))
+}
+
+/// The rule by which patches are cut.
+enum Rule<'a> {
+    /// Where a piece is not flat.
+    Flat(Flatness),
+    /// Where others were.
+    Recorded(&'a Cuts),
+}
+
+fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let grid = center_grid(patches.bounding_box().diagonal());
     let mut flat = FlatPatches::default();
     for part in map_ranges(patches.len(), |range| {
@@ -117,7 +157,12 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
         for index in range {
             let patch = patches.patch(index);
             let basis = GridBasis::new(patch.degree, sample_parameter);
-            let subdivision = Subdivision { flatness, basis, grid };
+            part.cuts.starts.push(part.cuts.axes.len());
+            let recorded = match rule {
+                Rule::Flat(_) => &[],
+                Rule::Recorded(cuts) => &cuts.axes[cuts.starts[index]..],
+            };
+            let mut subdivision = Subdivision { rule, recorded, basis, grid };
             let place = Place::whole(index);
             subdivision.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
         }
@@ -126,29 +171,46 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
         flat.patches.append(&part.patches);
         flat.extensions.extend(part.extensions);
         flat.places.extend(part.places);
+        flat.cuts.append(&part.cuts);
     }
     flat
 }
 
-/// The subdivision of patches of one pair of degrees.
-struct Subdivision {
-    flatness: Flatness,
+/// The subdivision of a patch.
+struct Subdivision<'a> {
+    rule: &'a Rule<'a>,
+    /// The recorded cuts that are left, if the rule is to repeat them.
+    recorded: &'a [Option<Axis>],
     basis: GridBasis<SAMPLES>,
     grid: f64,
 }
 
-impl Subdivision {
+impl Subdivision<'_> {
+    /// Returns the axis along which to halve a piece next, or `None` to keep it.
+    fn split_axis(&mut self, patch: &Patch<'_>, halvings: u32) -> Option<Axis> {
+        match self.rule {
+            Rule::Flat(flatness) if halvings > 0 => flatness.split_axis(patch, &self.basis),
+            Rule::Flat(_) => None,
+            Rule::Recorded(_) => {
+                let (&next, rest) = self.recorded.split_first()?;
+                self.recorded = rest;
+                next
+            }
+        }
+    }
+
     /// Appends the flat pieces of a patch, or of a piece that was cut from one at the
     /// starts and ends that `cuts` states, cut at most `halvings` times.
     fn append_pieces(
-        &self,
+        &mut self,
         flat: &mut FlatPatches,
         patch: Patch<'_>,
         place: Place,
         cuts: [[bool; 2]; 2],
         halvings: u32,
     ) {
-        let split_axis = if halvings > 0 { self.flatness.split_axis(&patch, &self.basis) } else { None };
+        let split_axis = self.split_axis(&patch, halvings);
+        flat.cuts.axes.push(split_axis);
         let Some(axis) = split_axis else {
             if halvings == MAX_HALVINGS {
                 flat.patches.push(patch);

@@ -94,6 +94,18 @@ impl GridTree {
         Ok(tree)
     }
 
+    /// Returns the same tree over a model of the same patches with other control points:
+    /// only the growth of the parts differs. O(cells + patches) times p q.
+    pub(crate) fn refitted(&self, model: &BezierModel) -> Self {
+        let patches = &model.patches;
+        let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
+        let part = |part: &CellPart| {
+            CellPart::new(part.patch, &patches.patch(part.patch), &bounds[part.patch], part.s, part.t)
+        };
+        let parts = map(self.parts.len(), |index| part(&self.parts[index]));
+        Self { parts, levels: self.levels.clone(), cells: self.cells.clone(), ..*self }
+    }
+
     /// Returns the surface parameters of the middle of a cell, and the point there.
     #[must_use]
     pub fn middle(&self, model: &BezierModel, cell: usize) -> ([f64; 2], DVec3) {

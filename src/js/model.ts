@@ -2,8 +2,12 @@
 import type { CadReport } from "./cad/report.js";
 import { HausdorffError, translating } from "./error.js";
 import type { Vector3 } from "./options.js";
+import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation } from "./tessellation.js";
 import type { PreparedModel } from "./wasm/nurbs_hausdorff.js";
+
+/** The largest index that the module's 32 bits take. */
+const MAX_SURFACE = 2 ** 32 - 1;
 
 /**
  * One or more NURBS surfaces, measured as one set of points; made by
@@ -87,6 +91,25 @@ export class NurbsModel {
       );
     }
     return translating(() => prepared.tessellate(tolerance) as Tessellation);
+  }
+
+  /**
+   * Gives a surface other control points, as many as it has, on the same knots: a
+   * deforming surface, frame after frame. Faster than a new model, as its cuts and
+   * trees are kept. Distances that are being computed still measure the old surface.
+   *
+   * @param surface its index
+   * @param points x, y, z, w each, v fastest; with `homogeneous`, x, y, z multiplied by w
+   * @throws {HausdorffError} as `Hausdorff.model`; `OPTION_OUT_OF_RANGE` for an index
+   * that the model does not have. The model is then unchanged.
+   */
+  update(surface: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
+    const prepared = this.prepared;
+    if (!Number.isInteger(surface) || surface < 0 || surface > MAX_SURFACE) {
+      throw new HausdorffError("ARGUMENT_INVALID", `surface is ${surface}, expected an index`);
+    }
+    const changed = controlPoints(points, homogeneous, "");
+    translating(() => prepared.update(surface, changed));
   }
 
   /** Frees its memory; distances that use it still end well. */

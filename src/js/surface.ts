@@ -167,18 +167,13 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
   if (typeof surface !== "object" || surface === null) {
     throw invalid(`${where} is ${surface === null ? "null" : typeof surface}, expected an object`);
   }
-  const controlPoints = numbers(surface.controlPoints, `${where}: controlPoints`);
-  if (controlPoints.length % 4 !== 0) {
-    throw invalid(
-      `${where}: controlPoints has ${controlPoints.length} numbers, expected four a point`,
-    );
-  }
+  const points = controlPoints(surface.controlPoints, surface.homogeneous, `${where}: `);
   surfaces.push(
     ...pair(surface.degree, `${where}: degree`),
     numbers(surface.knotsU, `${where}: knotsU`),
     numbers(surface.knotsV, `${where}: knotsV`),
     ...pair(surface.counts, `${where}: counts`),
-    flag(surface.homogeneous, `${where}: homogeneous`) ? projected(controlPoints) : controlPoints,
+    points,
   );
   surfaces.describe(
     optional(surface.reversed, "boolean", `${where}: reversed`) ?? false,
@@ -233,18 +228,25 @@ function pushInstance(surfaces: Surfaces, instance: InstanceArrays, where: strin
   );
 }
 
+/**
+ * The control points of a surface as the module takes them.
+ * @internal
+ */
+export function controlPoints(value: unknown, homogeneous: unknown, where: string): Float64Array {
+  const points = numbers(value, `${where}controlPoints`);
+  if (points.length % 4 !== 0) {
+    throw invalid(`${where}controlPoints has ${points.length} numbers, expected four a point`);
+  }
+  return flag(homogeneous, `${where}homogeneous`) ? projected(points) : points;
+}
+
 /** Control points divided by their weights; the module refuses weights that are not positive. */
 function projected(homogeneous: Float64Array): Float64Array {
-  const points = homogeneous.slice();
-  for (let index = 0; index < points.length; index += 4) {
-    const weight = points[index + 3] as number;
-    if (weight > 0)
-      points.set(
-        points.subarray(index, index + 3).map((x) => x / weight),
-        index,
-      );
-  }
-  return points;
+  return homogeneous.map((value, index) => {
+    // The last of the point's four numbers.
+    const weight = homogeneous[index | 3] as number;
+    return (index & 3) < 3 && weight > 0 ? value / weight : value;
+  });
 }
 
 function flag(value: unknown, where: string): boolean {

@@ -99,6 +99,25 @@ impl Model {
         Self::of_faces(name, unit, surfaces, faces)
     }
 
+    /// Returns the model with other control points on the same knots of one surface.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if there is no such surface, [`Error::ModelTrimmed`] if
+    /// it is trimmed, those of [`NurbsSurface::new`].
+    pub fn with_control_points(&self, surface: usize, control_points: Vec<[f64; 4]>) -> Result<Self> {
+        let mut model = self.clone();
+        let Some(changed) = model.surfaces.get_mut(surface) else {
+            let expected = "the index of a surface";
+            return Err(Error::OptionOutOfRange { option: "surface", found: surface.to_string(), expected });
+        };
+        if self.faces[surface].trim.is_some() {
+            return Err(Error::ModelTrimmed { surface });
+        }
+        *changed =
+            NurbsSurface::new(surface, SurfaceArrays { control_points, ..changed.clone().into_arrays() })?;
+        Ok(model)
+    }
+
     /// Returns the name of the model, if it has one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {

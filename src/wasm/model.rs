@@ -16,33 +16,40 @@ use wasm_bindgen::prelude::*;
 /// A model ready to be measured, shared with the distances that use it, and the report
 /// on reading it from a text.
 #[wasm_bindgen]
-pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
+pub struct PreparedModel {
+    /// The model itself, for updates.
+    source: Model,
+    prepared: Rc<engine::PreparedModel>,
+    /// The report on reading it from a text.
+    report: Option<ReadReport>,
+}
 
 #[wasm_bindgen]
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Self::new(&Model::from_faces(surfaces.into_inner())?, None)
+        Self::new(Model::from_faces(surfaces.into_inner())?, None)
     }
 
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
         let model = Model::from_json(&checked(text)?)?;
-        Self::new(&model, Some(ReadReport::of_exact(&model)))
+        let report = ReadReport::of_exact(&model);
+        Self::new(model, Some(report))
     }
 
     /// A model of BREP text; undefined is an unknown name or unit.
     #[wasm_bindgen(js_name = fromBrep)]
     pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
         let (model, report) = brep_model(text, name, unit)?;
-        Self::new(&model, Some(report))
+        Self::new(model, Some(report))
     }
 
     /// The report on reading the text, or undefined.
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
-        self.1.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
+        self.report.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
     }
 
     /// `{json, report}` of BREP text: its interchange JSON.
@@ -61,7 +68,7 @@ impl PreparedModel {
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
         let (model, report) = reader_model(text)?;
-        Self::new(&model, Some(report))
+        Self::new(model, Some(report))
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
@@ -85,55 +92,65 @@ impl PreparedModel {
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Self::new(&shape(name)?, None)
+        Self::new(shape(name)?, None)
     }
 
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> Option<String> {
-        self.0.name().map(str::to_owned)
+        self.prepared.name().map(str::to_owned)
     }
 
     /// Metres per unit.
     #[wasm_bindgen(getter)]
     pub fn unit(&self) -> Option<f64> {
-        self.0.unit()
+        self.prepared.unit()
     }
 
     #[wasm_bindgen(getter)]
     pub fn gap(&self) -> f64 {
-        self.0.gap()
+        self.prepared.gap()
     }
 
     /// The name of a face, of which there are [`Self::surface_count`].
     pub fn part(&self, face: usize) -> Option<String> {
-        if face < self.0.face_count() { self.0.part(face).map(str::to_owned) } else { None }
+        if face < self.prepared.face_count() { self.prepared.part(face).map(str::to_owned) } else { None }
     }
 
     #[wasm_bindgen(getter, js_name = surfaceCount)]
     pub fn surface_count(&self) -> usize {
-        self.0.face_count()
+        self.prepared.face_count()
     }
 
     /// The smallest x, y, z, then the largest.
     #[wasm_bindgen(getter, js_name = boundingBox)]
     pub fn bounding_box(&self) -> Vec<f64> {
-        let aabb = self.0.bounding_box();
+        let aabb = self.prepared.bounding_box();
         [aabb.min.to_array(), aabb.max.to_array()].concat()
+    }
+
+    /// Replaces the control points of a surface, x, y, z, w each; distances that are
+    /// being computed keep the old ones.
+    pub fn update(&mut self, surface: usize, control_points: Vec<f64>) -> Result<()> {
+        let (points, _) = control_points.as_chunks();
+        let source = self.source.with_control_points(surface, points.to_vec())?;
+        self.prepared = Rc::new(self.prepared.updated(&source)?);
+        self.source = source;
+        Ok(())
     }
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.0.bezier(), self.0.pieces(), tolerance)?)
+        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), tolerance)?)
     }
 }
 
 impl PreparedModel {
-    fn new(model: &Model, report: Option<ReadReport>) -> Result<Self> {
-        Ok(Self(Rc::new(engine::PreparedModel::new(model)?), report))
+    fn new(source: Model, report: Option<ReadReport>) -> Result<Self> {
+        Ok(Self { prepared: Rc::new(engine::PreparedModel::new(&source)?), source, report })
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
-        Rc::clone(&self.0)
+        Rc::clone(&self.prepared)
     }
 }
 

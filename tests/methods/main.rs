@@ -18,3 +18,4 @@ mod iteration_sampling;
 mod revolution_and_spheres;
 mod scales;
 mod trimmed;
+mod update;

@@ -1,6 +1,7 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../options.js";
+import type { Numbers } from "../surface.js";
 import type { Tessellation } from "../tessellation.js";
 import type { Channel } from "./channel.js";
 import type { ModelFacts } from "./messages.js";
@@ -17,7 +18,7 @@ const abandoned = new FinalizationRegistry<{ channel: Channel; id: number }>(({ 
 export class NurbsModel {
   readonly #channel: Channel;
   readonly #id: number;
-  readonly #facts: ModelFacts;
+  #facts: ModelFacts;
   #disposed = false;
 
   private constructor(channel: Channel, id: number, facts: ModelFacts) {
@@ -67,6 +68,17 @@ export class NurbsModel {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("tessellate", [id, options]);
     return result as Tessellation;
+  }
+
+  /** As the plain model's; what is called afterwards uses the new control points. */
+  async update(
+    surface: number,
+    points: Numbers,
+    options: { homogeneous?: boolean } = {},
+  ): Promise<void> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [facts] = await this.#channel.call("update", [id, surface, points, options]);
+    this.#facts = facts as ModelFacts;
   }
 
   /** Frees its memory in the worker; distances that use it still end well. */

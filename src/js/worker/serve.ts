@@ -67,6 +67,11 @@ class Server {
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
+    update: ([, id, surface, points, options]) => {
+      const model = this.#model(id);
+      model.update(surface as number, points as Float64Array, options as object);
+      return facts(model);
+    },
     distance: ([, a, b, options], watch) =>
       this.#open.distance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     diff: ([, a, b, options], watch) =>
