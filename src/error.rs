@@ -167,6 +167,12 @@ pub enum Error {
         /// The violation.
         fault: TrimFault,
     },
+    /// An operation on whole surfaces was given a trimmed face.
+    #[error("surface {surface} is trimmed, expected whole surfaces")]
+    ModelTrimmed {
+        /// The index of the surface in its model.
+        surface: usize,
+    },
     /// The gap of a surface is negative or not finite.
     #[error("surface {surface}: gap is {found:?}, expected a finite number of at least 0")]
     GapInvalid {
@@ -385,6 +391,7 @@ impl Error {
             Self::FaceNotCut { .. } => "FACE_NOT_CUT",
             Self::EmptyModel => "EMPTY_MODEL",
             Self::Trim { fault, .. } => fault.code(),
+            Self::ModelTrimmed { .. } => "MODEL_TRIMMED",
             Self::GapInvalid { .. } => "GAP_INVALID",
             Self::InstanceSurface { .. } => "INSTANCE_SURFACE",
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",

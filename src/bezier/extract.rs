@@ -23,7 +23,7 @@ const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 /// points to its Bézier controls.
 pub(crate) struct Span {
     pub(crate) first_control: usize,
-    ends: [f64; 2],
+    pub(crate) ends: [f64; 2],
     /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
     pub(crate) operator: Vec<[f64; MAX_ORDER]>,
 }
@@ -35,6 +35,8 @@ pub struct PatchGrid {
     pub first: usize,
     /// The distinct knots of the domain in u and v, one more each than patches.
     pub breaks: [Vec<f64>; 2],
+    /// The number of grids that share the face of this one; 1 for a whole surface.
+    pub siblings: usize,
 }
 
 impl PatchGrid {
@@ -42,6 +44,14 @@ impl PatchGrid {
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
+    }
+
+    /// Returns the number of parts along each axis that gives this grid its share of a
+    /// face that is to have `parts` along each: `parts / √siblings`, rounded up, so that
+    /// all grids of the face have about `parts²` in all, and each has at least one.
+    #[must_use]
+    pub fn share(&self, parts: usize) -> usize {
+        (parts as f64 / (self.siblings as f64).sqrt()).ceil() as usize
     }
 
     /// Returns the index along `axis` of the patch that contains the parameter,
@@ -67,7 +77,8 @@ pub struct BezierModel {
     pub point_error: PointError,
 }
 
-/// Returns the Bézier patches of every surface of `model`.
+/// Returns the Bézier patches of every surface of `model`, each whole: trimmed faces are
+/// to be replaced by their pieces before.
 ///
 /// Exact up to rounding for every valid knot vector, clamped or not, with
 /// repeated or almost coincident knots: Bézier control k of the span [a, b] is
@@ -171,7 +182,7 @@ impl BezierModel {
                 self.point_error.include(degree, radius, center.length());
             }
         }
-        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] });
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], siblings: 1 });
     }
 }
 

@@ -1,10 +1,11 @@
 /**
  * What went wrong, as a code that stays the same across releases; the
- * message, for people, may change. All but the last five are Rust's.
+ * message, for people, may change. Those after `CANCELLED` are JavaScript's.
  *
  * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
  *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
  *   text: `BREP_…`, or it is too long: `FILE_TOO_LARGE`;
+ * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
@@ -14,6 +15,8 @@
  *   `PEER_MISSING`; the messages state how to convert or to install;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
+ * - `MODULE_FAILED`: the wasm module could not be fetched, read or compiled; the cause says why;
+ * - `WORKER_FAILED`: the worker could not be started, or ended by itself;
  * - `DISPOSED`: used after `dispose()`.
  */
 export type ErrorCode =
@@ -28,7 +31,9 @@ export type ErrorCode =
   | "RAGGED_NET"
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
+  | "FACE_NOT_CUT"
   | "EMPTY_MODEL"
+  | "MODEL_TRIMMED"
   | "GAP_INVALID"
   | "INSTANCE_SURFACE"
   | "INSTANCE_TRANSFORM"
@@ -63,6 +68,8 @@ export type ErrorCode =
   | "PEER_MISSING"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
+  | "MODULE_FAILED"
+  | "WORKER_FAILED"
   | "DISPOSED";
 
 /** The class of all errors that the package raises on purpose. */

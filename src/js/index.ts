@@ -18,9 +18,14 @@ export type {
 export type {
   BrepText,
   ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
   InterchangeModel,
   InterchangeSurface,
+  ModelArrays,
   Numbers,
   SurfaceArrays,
+  TrimCurveArrays,
 } from "./surface.js";
 export type { Tessellation } from "./tessellation.js";

@@ -37,6 +37,8 @@ pub(super) struct Flat {
 pub(super) struct Boundary {
     pub(super) arcs: Vec<Arc>,
     pub(super) flats: Vec<Flat>,
+    /// The values of v at which an arc crosses a knot line of u.
+    pub(super) crossings: Vec<f64>,
     /// The largest moves of boundary points in u and v, by snapping and by polynomial pieces.
     pub(super) moved: [f64; 2],
     /// The largest error in u of a graph.
@@ -71,7 +73,13 @@ pub(super) fn boundary(face: &Face) -> Result<Boundary, String> {
         .map(|curves| curves.iter().flat_map(|curve| split(face, curve)).collect())
         .collect();
     let snapper = Snapper::new(face, loops.iter().flatten());
-    let mut boundary = Boundary { arcs: Vec::new(), flats: Vec::new(), moved: [0.0; 2], graph_error: 0.0 };
+    let mut boundary = Boundary {
+        arcs: Vec::new(),
+        flats: Vec::new(),
+        crossings: Vec::new(),
+        moved: [0.0; 2],
+        graph_error: 0.0,
+    };
     for curves in &loops {
         // Each loop as runs of one direction, `None` where v is constant.
         let mut runs: Vec<Option<Run>> = Vec::with_capacity(curves.len());
@@ -172,6 +180,9 @@ impl Boundary {
         for (old, new) in [(from, new_from), (to, new_to)] {
             let shift = (new - old).abs();
             self.moved = [self.moved[0].max(shift.x), self.moved[1].max(shift.y)];
+            if snapper.is_knot(new.x) {
+                self.crossings.push(new.y);
+            }
         }
         if new_from.y == new_to.y {
             let [low, high] = curve.hull();

@@ -39,7 +39,9 @@ pub(super) fn nodes(count: usize) -> impl Iterator<Item = f64> {
 }
 
 /// A value that interpolation forms linear combinations of.
-pub(super) trait Linear: Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self> {
+pub(super) trait Linear:
+    Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self>
+{
     /// The value 0.
     const ZERO: Self;
 }

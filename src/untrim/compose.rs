@@ -33,15 +33,17 @@ pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
     }
     let rows: Vec<Vec<DVec4>> = nodes(degree + 1).map(|t| across(face, &patch, ruling, t)).collect();
     let order = rows[0].len();
-    let series: Vec<Vec<DVec4>> = (0..order)
-        .map(|i| coefficients(&rows.iter().map(|row| row[i]).collect::<Vec<_>>()))
-        .collect();
+    let series: Vec<Vec<DVec4>> =
+        (0..order).map(|i| coefficients(&rows.iter().map(|row| row[i]).collect::<Vec<_>>())).collect();
     let is_polynomial = is_polynomial(face, &patch, ruling);
     let radius = patch.local_points().map(|point| point.length()).fold(0.0, f64::max);
     let least = rows.iter().flatten().map(|value| value.w).fold(f64::INFINITY, f64::min);
     let remainder = |from: usize| {
         let tail = |series: &Vec<DVec4>| {
-            series[from..].iter().map(|c| c.xyz().length() + if is_polynomial { 0.0 } else { radius * c.w.abs() }).sum::<f64>()
+            series[from..]
+                .iter()
+                .map(|c| c.xyz().length() + if is_polynomial { 0.0 } else { radius * c.w.abs() })
+                .sum::<f64>()
         };
         series.iter().map(tail).fold(0.0, f64::max)
     };
@@ -163,7 +165,13 @@ fn rounding(
     let size = |c: &DVec4| c.xyz().length() + radius * c.w.abs();
     let largest = series
         .iter()
-        .map(|series| series[..=fit.min(degree)].iter().enumerate().map(|(j, c)| conversion_size(j) * size(c)).sum::<f64>())
+        .map(|series| {
+            series[..=fit.min(degree)]
+                .iter()
+                .enumerate()
+                .map(|(j, c)| conversion_size(j) * size(c))
+                .sum::<f64>()
+        })
         .fold(0.0, f64::max);
     let roundings = 2.0 * (fit + 1) as f64 * (24.0 * (p + q) as f64 + degree as f64 + 8.0) + 8.0;
     gamma(roundings) * largest / least_weight + gamma(4.0) * (radius + patch.center.length())

@@ -302,7 +302,9 @@ mod tests {
     #[test]
     fn the_rise_of_a_quarter_circle_has_one_sign() {
         let w = std::f64::consts::FRAC_1_SQRT_2;
-        let quarter = Curve { controls: vec![DVec3::new(1.0, 0.0, 1.0), DVec3::new(w, w, w), DVec3::new(0.0, 1.0, 1.0)] };
+        let quarter = Curve {
+            controls: vec![DVec3::new(1.0, 0.0, 1.0), DVec3::new(w, w, w), DVec3::new(0.0, 1.0, 1.0)],
+        };
         assert!(quarter.rise().iter().all(|&value| value >= 0.0));
         let t = quarter.solve(0.6);
         assert!((quarter.point(t) - DVec2::new(0.8, 0.6)).length() < 1e-14);

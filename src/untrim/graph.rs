@@ -35,7 +35,7 @@ impl Graph {
     }
 
     fn local(&self, v: f64) -> f64 {
-        (v - self.v[0]) / (self.v[1] - self.v[0])
+        ((v - self.v[0]) / (self.v[1] - self.v[0])).clamp(0.0, 1.0)
     }
 
     /// Returns g(v). O(degree²).
@@ -73,8 +73,7 @@ pub(super) fn fit(chain: &[Curve], tolerance: f64) -> Option<(Graph, f64)> {
         let curve = &chain[piece];
         curve.point(curve.solve(v)).x
     };
-    let values: Vec<f64> =
-        nodes(MAX_GRAPH_DEGREE + 1).map(|x| u_at((1.0 - x) * v[0] + x * v[1])).collect();
+    let values: Vec<f64> = nodes(MAX_GRAPH_DEGREE + 1).map(|x| u_at((1.0 - x) * v[0] + x * v[1])).collect();
     let series = coefficients(&values);
     for degree in DEGREES {
         let estimate: f64 = series[degree + 1..].iter().map(|c| c.abs()).sum();

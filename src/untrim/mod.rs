@@ -20,8 +20,8 @@ mod ruling;
 mod sweep;
 
 use crate::error::{Error, Result};
-use crate::model::trim::Trim;
 use crate::model::NurbsSurface;
+use crate::model::trim::Trim;
 use crate::param_box::ParamBox;
 use curve::Curve;
 use face::{Face, transpose};

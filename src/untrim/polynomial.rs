@@ -12,7 +12,10 @@ const MAX_DEPTH: usize = 24;
 
 /// Returns polynomial curves head to tail with v increasing, and upper bounds on their
 /// distances in u and v from `curve` at equal parameters, which are at most `tolerance`.
-pub(super) fn polynomial_pieces(curve: &Curve, tolerance: [f64; 2]) -> Result<(Vec<Curve>, [f64; 2]), String> {
+pub(super) fn polynomial_pieces(
+    curve: &Curve,
+    tolerance: [f64; 2],
+) -> Result<(Vec<Curve>, [f64; 2]), String> {
     let mut pieces = Vec::new();
     let mut error = [0.0; 2];
     collect(curve, tolerance, MAX_DEPTH, &mut pieces, &mut error)?;

@@ -24,9 +24,7 @@ pub(super) fn rectangle(face: &Face) -> Option<(ParamBox, [f64; 2])> {
     }
     let mut moved = [0.0_f64; 2];
     for [from, to] in curves.iter().map(Curve::hull) {
-        let distance = |axis: usize| {
-            (to[axis] - low[axis]).min(high[axis] - from[axis])
-        };
+        let distance = |axis: usize| (to[axis] - low[axis]).min(high[axis] - from[axis]);
         let axis = (0..2).find(|&axis| distance(axis) <= face.tolerances.snap[axis])?;
         moved[axis] = moved[axis].max(distance(axis));
     }

@@ -66,7 +66,9 @@ pub(super) fn mapped(face: &Face, cell: &Cell) -> Mapped {
                 None => Mapped::Halve,
             }
         }
-        [Side::Own(left), Side::Own(right)] => two_curves(face, cell, part(left, cell.v), part(right, cell.v)),
+        [Side::Own(left), Side::Own(right)] => {
+            two_curves(face, cell, part(left, cell.v), part(right, cell.v))
+        }
     }
 }
 
@@ -128,7 +130,13 @@ fn composed(face: &Face, graph: &Graph, height: &Curve) -> Option<(Curve, f64)> 
             Some(to) => (to - from) / (graph.v[1] - graph.v[0]),
             None => 0.0,
         };
-        let control = |c: &DVec3| DVec3::new(from * c.z + slope * (c.y - graph.v[0] * c.z), c.y, c.z);
+        // On a slope steep enough to magnify the rounding of v, u stays between the ends.
+        let to = graph.coefficients[graph.degree()];
+        let (low, high) = (from.min(to), from.max(to));
+        let control = |c: &DVec3| {
+            let u = from * c.z + slope * (c.y - graph.v[0] * c.z);
+            DVec3::new(u.clamp(low * c.z, high * c.z), c.y, c.z)
+        };
         return Some((Curve { controls: height.controls.iter().map(control).collect() }, 0.0));
     }
     let value = |t: f64| {

@@ -53,6 +53,8 @@ pub(super) fn cells(face: &Face, boundary: &Boundary) -> Vec<Cell> {
         }
     }
     let mut levels: Vec<f64> = arcs.iter().flat_map(|arc| arc.v).collect();
+    // The order of the arcs changes also where one crosses a knot line of u.
+    levels.extend(&boundary.crossings);
     levels.extend(knots_v.iter().filter(|&&knot| range[0] < knot && knot < range[1]));
     levels.sort_by(f64::total_cmp);
     levels.dedup();
@@ -173,7 +175,8 @@ fn flat_pieces(face: &Face, [from, to]: [f64; 2], v: f64) -> Vec<Cell> {
     ends.push(to);
     ends.windows(2)
         .map(|pair| {
-            let line = |u: f64| Side::Own(super::curve::Curve::line(glam::DVec2::new(u, v), glam::DVec2::new(u, v)));
+            let line =
+                |u: f64| Side::Own(super::curve::Curve::line(glam::DVec2::new(u, v), glam::DVec2::new(u, v)));
             Cell {
                 sides: [line(pair[0]), line(pair[1])],
                 v: [v, v],

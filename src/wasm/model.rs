@@ -22,23 +22,21 @@ pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_arrays(None, surfaces.into_inner())?))
+        Self::new(&Model::from_faces(surfaces.into_inner())?, None)
     }
 
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
         let model = Model::from_json(&checked(text)?)?;
-        let Self(prepared, _) = Self::new(&model);
-        Ok(Self(prepared, Some(ReadReport::of_exact(&model))))
+        Self::new(&model, Some(ReadReport::of_exact(&model)))
     }
 
     /// A model of BREP text; undefined is an unknown name or unit.
     #[wasm_bindgen(js_name = fromBrep)]
     pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
         let (model, report) = brep_model(text, name, unit)?;
-        let Self(prepared, _) = Self::new(&model);
-        Ok(Self(prepared, Some(report)))
+        Self::new(&model, Some(report))
     }
 
     /// The report on reading the text, or undefined.
@@ -63,8 +61,7 @@ impl PreparedModel {
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
         let (model, report) = reader_model(text)?;
-        let Self(prepared, _) = Self::new(&model);
-        Ok(Self(prepared, Some(report)))
+        Self::new(&model, Some(report))
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
@@ -83,12 +80,12 @@ impl PreparedModel {
 
     /// The numbers of a model of interchange JSON, as the command line prints them.
     pub fn info(text: &JsString) -> std::result::Result<JsValue, JsValue> {
-        convert::to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?))
+        convert::to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?)?)
     }
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Ok(Self::new(&shape(name)?))
+        Self::new(&shape(name)?, None)
     }
 
     #[wasm_bindgen(getter)]
@@ -96,9 +93,25 @@ impl PreparedModel {
         self.0.name().map(str::to_owned)
     }
 
+    /// Metres per unit.
+    #[wasm_bindgen(getter)]
+    pub fn unit(&self) -> Option<f64> {
+        self.0.unit()
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn gap(&self) -> f64 {
+        self.0.gap()
+    }
+
+    /// The name of a face, of which there are [`Self::surface_count`].
+    pub fn part(&self, face: usize) -> Option<String> {
+        if face < self.0.face_count() { self.0.part(face).map(str::to_owned) } else { None }
+    }
+
     #[wasm_bindgen(getter, js_name = surfaceCount)]
     pub fn surface_count(&self) -> usize {
-        self.0.bezier().grids.len()
+        self.0.face_count()
     }
 
     /// The smallest x, y, z, then the largest.
@@ -110,13 +123,13 @@ impl PreparedModel {
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.0.bezier(), tolerance)?)
+        convert::tessellation(&tessellate_patches(self.0.bezier(), self.0.pieces(), tolerance)?)
     }
 }
 
 impl PreparedModel {
-    fn new(model: &Model) -> Self {
-        Self(Rc::new(engine::PreparedModel::new(model)), None)
+    fn new(model: &Model, report: Option<ReadReport>) -> Result<Self> {
+        Ok(Self(Rc::new(engine::PreparedModel::new(model)?), report))
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {

@@ -13,12 +13,26 @@ const GAUSS: [[f64; 2]; 4] = [
     [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
 ];
 
-/// Parts of every piece of a curve, which may cross knots of the surface.
-const PARTS: usize = 16;
+/// Parts of every piece of a curve, which may cross knots of the surface, and of every
+/// span of the surface.
+const PARTS: usize = 8;
+const SPAN_PARTS: usize = 2;
+
+/// The ends of the parts of the spans between two parameters.
+fn breaks(knots: &[f64], [start, end]: [f64; 2]) -> Vec<f64> {
+    let inner = knots.iter().copied().filter(|&knot| knot > start && knot < end);
+    let mut spans: Vec<f64> = std::iter::once(start).chain(inner).chain([end]).collect();
+    spans.dedup();
+    let parts = spans.windows(2).flat_map(|pair| {
+        (0..SPAN_PARTS).map(move |part| pair[0] + (pair[1] - pair[0]) * part as f64 / SPAN_PARTS as f64)
+    });
+    parts.chain([end]).collect()
+}
 
 fn integral([start, end]: [f64; 2], f: &mut dyn FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-    let pairs = GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
+    let pairs =
+        GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
     half * pairs.sum::<f64>()
 }
 
@@ -50,18 +64,12 @@ pub fn area(face: &Face<'_>) -> f64 {
     let knots = surface.knots(Axis::U);
     let start = surface.domain()[Axis::U][0];
     let primitive = |u: f64, v: f64| -> f64 {
-        let mut breaks: Vec<f64> = knots.iter().copied().filter(|&knot| knot > start && knot < u).collect();
-        breaks.insert(0, start);
-        breaks.push(u);
+        let breaks = breaks(knots, [start, u]);
         breaks.windows(2).map(|pair| integral([pair[0], pair[1]], &mut |u| density(surface, u, v))).sum()
     };
     let Some(trim) = face.trim() else {
-        let [[u0, u1], [v0, v1]] = [surface.domain()[Axis::U], surface.domain()[Axis::V]];
-        let mut breaks: Vec<f64> = surface.knots(Axis::V).iter().copied().filter(|&v| v > v0 && v < v1).collect();
-        breaks.insert(0, v0);
-        breaks.push(v1);
-        let _ = u0;
-        return breaks
+        let [[_, u1], v] = [surface.domain()[Axis::U], surface.domain()[Axis::V]];
+        return breaks(surface.knots(Axis::V), v)
             .windows(2)
             .map(|pair| integral([pair[0], pair[1]], &mut |v| primitive(u1, v)))
             .sum();

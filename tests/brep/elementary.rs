@@ -12,12 +12,13 @@ const CYLINDER: &str = "2 0 0 0 0 0 1 1 0 0 0 1 0 20";
 fn a_plate_with_a_bore_keeps_both_loops_exact() {
     let bore = circle([50.0, 30.0], 10.0, -1.0);
     let (model, report) = region(PLANE, &[rectangle([0.0, 0.0], [100.0, 60.0]), bore]);
-    assert_eq!((report.trims, report.exact, report.fitted, report.gap), (5, 5, 0, 0.0));
+    assert_eq!((report.trims, report.exact, report.fitted), (5, 5, 0));
+    assert!(report.gap < 1e-14, "{}", report.gap);
     assert_near(area_of(&model), 6000.0 - 100.0 * PI, 1e-13);
     let face = model.faces().next().unwrap();
     assert_eq!(face.kind(), Some("plane"));
     for (index, [x, y, z]) in loop_points(&face) {
-        assert_eq!(z, 3.0);
+        assert_near(z, 3.0, 1e-15);
         if index == 1 {
             assert_near((x - 51.0).hypot(y - 32.0), 10.0, 1e-14);
         }
@@ -78,9 +79,7 @@ fn a_cylinder_with_a_seam_is_the_rectangle_of_a_turn() {
 fn rings_are_cut_along_a_parameter_line() {
     for start in [0.0, 2.5, -9.0] {
         for turns in [[1.0, -1.0], [-1.0, 1.0]] {
-            let ring = |u: f64, v: f64, turn: f64| {
-                vec![(format!("1 {u:?} {v:?} {turn:?} 0"), [0.0, TAU])]
-            };
+            let ring = |u: f64, v: f64, turn: f64| vec![(format!("1 {u:?} {v:?} {turn:?} 0"), [0.0, TAU])];
             let rings = [ring(start, 5.0, turns[0]), ring(0.7, 55.0, turns[1])];
             let (model, _) = region(CYLINDER, &rings);
             assert_near(area_of(&model), TAU * 20.0 * 50.0, 1e-12);
@@ -240,7 +239,8 @@ fn a_plane_without_curves_takes_the_images_of_its_edges() {
     for index in 0..4 {
         let ([x0, y0], [x1, y1]) = (square[index], square[(index + 1) % 4]);
         let length = f64::hypot(x1 - x0, y1 - y0);
-        let curve = text.curve(format!("1 {x0:?} {y0:?} 3 {:?} {:?} 0", (x1 - x0) / length, (y1 - y0) / length));
+        let curve =
+            text.curve(format!("1 {x0:?} {y0:?} 3 {:?} {:?} 0", (x1 - x0) / length, (y1 - y0) / length));
         let vertices = [vertices[index], vertices[(index + 1) % 4]];
         edges.push(plus(text.edge(&[format!("1 {curve} 0 0 {length:?}")], vertices)));
     }

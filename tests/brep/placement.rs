@@ -85,10 +85,8 @@ fn edges_are_placed_before_they_are_projected() {
         edges.push(Child { shape, sign: '+', location: moved });
     }
     let wire = text.wire(&edges);
-    let face = text.shape(
-        format!("Fa\n0  1e-07 {plane} {turn}\n"),
-        &[Child { shape: wire, sign: '+', location: back }],
-    );
+    let face = text
+        .shape(format!("Fa\n0  1e-07 {plane} {turn}\n"), &[Child { shape: wire, sign: '+', location: back }]);
     let (model, report) = read(&text, face);
     // The plane is turned about the axis that is orthogonal to it, and lies 3 above the edges.
     assert_near(report.gap, 3.0, 1e-14);

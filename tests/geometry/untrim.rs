@@ -178,9 +178,8 @@ fn evaluate(surface: &NurbsSurface, u: f64, v: f64) -> ([f64; 3], [f64; 3], [f64
     }
     let point = [0, 1, 2].map(|k| sums[0][k] / sums[0][3]);
     let slope = |axis: usize| {
-        [0, 1, 2].map(|k| {
-            (sums[axis + 1][k] - sums[axis + 1][3] * point[k]) / sums[0][3] / domain.lengths()[axis]
-        })
+        [0, 1, 2]
+            .map(|k| (sums[axis + 1][k] - sums[axis + 1][3] * point[k]) / sums[0][3] / domain.lengths()[axis])
     };
     (point, slope(0), slope(1))
 }
@@ -209,7 +208,8 @@ fn green(trim: &Trim) -> f64 {
     let mut total = 0.0;
     for piece in trim.loops().iter().flatten() {
         for &[t, weight] in &rule {
-            let (point, slope) = curve_at(&piece.controls.iter().map(|c| c.to_array()).collect::<Vec<_>>(), t);
+            let (point, slope) =
+                curve_at(&piece.controls.iter().map(|c| c.to_array()).collect::<Vec<_>>(), t);
             total += weight * 0.5 * (point[0] * slope[1] - point[1] * slope[0]);
         }
     }
@@ -357,7 +357,16 @@ fn parameter_distance(piece: &nurbs_hausdorff::untrim::Piece, at: Point) -> f64 
     let mut step = 1.0 / f64::from(steps);
     while step > 1e-16 {
         let mut improved = false;
-        for (ds, dt) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)] {
+        for (ds, dt) in [
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (0.0, 1.0),
+            (0.0, -1.0),
+            (1.0, 1.0),
+            (-1.0, -1.0),
+            (1.0, -1.0),
+            (-1.0, 1.0),
+        ] {
             let (s, t): (f64, f64) = (best.1 + step * ds, best.2 + step * dt);
             let (s, t) = (s.clamp(0.0, 1.0), t.clamp(0.0, 1.0));
             let found = distance(s, t);
@@ -457,7 +466,10 @@ fn a_cylinder_with_a_cross_bore() {
 fn slivers_and_tangent_loops() {
     let plate = plane([-2.0, 2.0], [-2.0, 2.0]);
     // A sliver of 1e-6 along a diagonal and one along an axis.
-    for corners in [[[-1.0, -1.0], [1.0, 1.0], [1.0, 1.0 + 1e-6], [-1.0, -1.0 + 1e-6]], [[-1.0, 0.0], [1.0, 0.0], [1.0, 1e-6], [-1.0, 2e-6]]] {
+    for corners in [
+        [[-1.0, -1.0], [1.0, 1.0], [1.0, 1.0 + 1e-6], [-1.0, -1.0 + 1e-6]],
+        [[-1.0, 0.0], [1.0, 0.0], [1.0, 1e-6], [-1.0, 2e-6]],
+    ] {
         let (trim, cut) = cut(&plate, vec![polygon(&corners)], 1e-9);
         assert!((area(&cut) - green(&trim)).abs() < 1e-12, "{} {}", area(&cut), green(&trim));
         assert_on_surface(&plate, &cut, 1e-12);
@@ -472,7 +484,11 @@ fn slivers_and_tangent_loops() {
                 reversed(&circle([x, y], 0.5 - gap, direction, 4)),
             ];
             let (trim, cut) = cut(&plate, loops, 1e-9);
-            assert!((area(&cut) - green(&trim)).abs() < 1e-8, "{gap} {direction} {}", area(&cut) - green(&trim));
+            assert!(
+                (area(&cut) - green(&trim)).abs() < 1e-8,
+                "{gap} {direction} {}",
+                area(&cut) - green(&trim)
+            );
             assert!(cut.deviation < 1.1e-9, "{}", cut.deviation);
             assert_covers(&plate, &trim, &cut, 0.005);
             assert_reaches_boundary(&plate, &trim, &cut, 1e-9);

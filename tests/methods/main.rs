@@ -17,3 +17,4 @@ mod iteration_accuracy;
 mod iteration_sampling;
 mod revolution_and_spheres;
 mod scales;
+mod trimmed;

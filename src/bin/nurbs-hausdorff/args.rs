@@ -92,6 +92,9 @@ pub(crate) struct DistanceArguments {
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -121,6 +124,9 @@ pub(crate) struct DiffArguments {
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
     /// Moves A before it is compared.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -141,6 +147,7 @@ impl DiffArguments {
         Ok(DiffOptions {
             tolerance: self.tolerance,
             max_cells: self.max_cells,
+            scale_units: self.scale_units,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
         })
     }
@@ -189,6 +196,7 @@ impl DistanceArguments {
             grid: self.grid,
             memory_budget: self.memory_budget,
             symmetric: self.symmetric,
+            scale_units: self.scale_units,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
             field: self.field,

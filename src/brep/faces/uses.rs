@@ -80,6 +80,9 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             gap,
         });
     }
+    if wire.orientation == Orientation::Reversed {
+        uses.reverse();
+    }
     Ok(uses)
 }
 
