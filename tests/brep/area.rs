@@ -37,7 +37,7 @@ fn integral([start, end]: [f64; 2], f: &mut dyn FnMut(f64) -> f64) -> f64 {
 }
 
 /// The point (u, v) of a piece and its derivative by u and v.
-pub fn on_piece(piece: &TrimPiece, t: f64) -> [[f64; 2]; 2] {
+pub(crate) fn on_piece(piece: &TrimPiece, t: f64) -> [[f64; 2]; 2] {
     let mut controls = piece.controls.clone();
     let degree = controls.len() - 1;
     while controls.len() > 2 {
@@ -59,7 +59,7 @@ fn density(surface: &NurbsSurface, u: f64, v: f64) -> f64 {
 
 /// The area of a face: the integral over its loops of F dv, where F is the integral of
 /// the density from the least u.
-pub fn area(face: &Face<'_>) -> f64 {
+pub(crate) fn area(face: &Face<'_>) -> f64 {
     let surface = face.surface();
     let knots = surface.knots(Axis::U);
     let start = surface.domain()[Axis::U][0];
@@ -88,7 +88,7 @@ pub fn area(face: &Face<'_>) -> f64 {
 }
 
 /// Points of a face's loops in space, with their loop.
-pub fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
+pub(crate) fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
     let mut points = Vec::new();
     for (index, pieces) in face.trim().unwrap().loops().iter().enumerate() {
         for piece in pieces {
@@ -102,7 +102,7 @@ pub fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
 }
 
 /// Points of a face's surface over its whole domain.
-pub fn surface_points(face: &Face<'_>) -> Vec<Vector> {
+pub(crate) fn surface_points(face: &Face<'_>) -> Vec<Vector> {
     crate::support::evaluator::parameters(face.surface(), 17)
         .into_iter()
         .map(|[u, v]| evaluate(face.surface(), u, v, [0.0; 3]).point)

@@ -254,3 +254,57 @@ fn a_plane_without_curves_takes_the_images_of_its_edges() {
     assert_near(report.gap, 0.001, 1e-12);
     assert_near(area(&model.faces().next().unwrap()), 6000.0 - 50.0 * PI, 1e-12);
 }
+
+/// A cylinder, the cap of a sphere and a cone with edges in space alone.
+#[test]
+fn parameter_lines_are_made_from_edges_in_space() {
+    let mut text = BrepText::new();
+    let surface = text.surface(CYLINDER);
+    let [low, high] = [0.0, 100.0].map(|z| {
+        let curve = text.curve(format!("2 0 0 {z:?} 0 0 1 0 1 0 -1 0 0 20"));
+        let vertex = text.vertex([0.0, 20.0, z]);
+        (text.edge(&[format!("1 {curve} 0 0 {TAU:?}")], [vertex, vertex]), vertex)
+    });
+    let line = text.curve("1 0 20 0 0 0 1");
+    let seam = text.edge(&[format!("1 {line} 0 0 100")], [low.1, high.1]);
+    let with_seam = text.wire(&[plus(low.0), plus(seam), minus(high.0), minus(seam)]);
+    let rings = [text.wire(&[plus(low.0)]), text.wire(&[minus(high.0)])];
+    let seamed = text.face(surface, &[with_seam]);
+    let ringed = text.face(surface, &rings);
+    let shell = text.shape("Sh\n", &[plus(seamed), plus(ringed)]);
+    let (model, report) = read(&text, shell);
+    assert_eq!(report.fitted, 0);
+    assert!(report.gap < 1e-13, "{}", report.gap);
+    for face in model.faces() {
+        assert_near(area(&face), 4000.0 * PI, 1e-12);
+    }
+    // A quarter of a spherical cap, through the pole.
+    let mut text = BrepText::new();
+    let surface = text.surface("4 0 0 0 0 0 1 1 0 0 0 1 0 10");
+    let [east, north, pole] = [[8.0, 0.0, 6.0], [0.0, 8.0, 6.0], [0.0, 0.0, 10.0]].map(|p| text.vertex(p));
+    let latitude = text.curve("2 0 0 6 0 0 1 1 0 0 0 1 0 8");
+    let up = text.curve("2 0 0 0 1 0 0 0 1 0 0 0 1 10");
+    let down = text.curve("2 0 0 0 0 -1 0 1 0 0 0 0 1 10");
+    let start = 0.6_f64.asin();
+    let edges = [
+        plus(text.edge(&[format!("1 {latitude} 0 0 {FRAC_PI_2:?}")], [east, north])),
+        plus(text.edge(&[format!("1 {up} 0 {start:?} {FRAC_PI_2:?}")], [north, pole])),
+        minus(text.edge(&[format!("1 {down} 0 {start:?} {FRAC_PI_2:?}")], [east, pole])),
+    ];
+    let wire = text.wire(&edges);
+    let face = text.face(surface, &[wire]);
+    let (model, report) = read(&text, face);
+    // The pole is a segment of the parameters that no edge of the file is.
+    assert_eq!((report.trims, report.fitted), (4, 0));
+    assert_near(area_of(&model), FRAC_PI_2 * 10.0 * 4.0, 1e-11);
+    // An edge that is no parameter line: the face is skipped, and says why.
+    let mut text = BrepText::new();
+    let surface = text.surface(CYLINDER);
+    let slanted = text.curve("3 0 0 5 0 -0.6 0.8 1 0 0 0 0.8 0.6 25\n20");
+    let vertex = text.vertex([20.0, 0.0, 5.0]);
+    let edge = text.edge(&[format!("1 {slanted} 0 0 {TAU:?}")], [vertex, vertex]);
+    let wire = text.wire(&[plus(edge)]);
+    let face = text.face(surface, &[wire]);
+    let error = nurbs_hausdorff::Model::from_brep(&text.text(plus(face))).unwrap_err();
+    assert!(error.to_string().contains("no parameter line"), "{error}");
+}

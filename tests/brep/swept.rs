@@ -104,5 +104,5 @@ fn offsets_that_are_not_rational_are_reported() {
     let shell = text.shape("Sh\n", &faces.map(plus));
     let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
     assert_eq!((model.faces().len(), report.skipped.len()), (1, 1));
-    assert_eq!((report.skipped[0].face, report.skipped[0].code), (0, "BREP_OFFSET_SURFACE"));
+    assert_eq!((report.skipped[0].face, report.skipped[0].code), (0, "BREP_OFFSET"));
 }

@@ -39,7 +39,7 @@ async fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
 }
 
 async fn measure_by(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
-    let [a, b] = [a, b].map(PreparedModel::new);
+    let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
 }
 

@@ -164,6 +164,23 @@ for (const [name, start, makeBox] of builds) {
   });
 }
 
+/** Solids of OpenCASCADE whose wires it does not write head to tail: faces and curves. */
+const solids = [
+  ["cylinder", 3, 6, (oc) => new oc.BRepPrimAPI_MakeCylinder_1(5, 4)],
+  ["cone to its apex", 2, 5, (oc) => new oc.BRepPrimAPI_MakeCone_1(3, 0, 5)],
+  ["truncated cone", 3, 6, (oc) => new oc.BRepPrimAPI_MakeCone_1(3, 1, 5)],
+  ["ball", 1, 4, (oc) => new oc.BRepPrimAPI_MakeSphere_1(2)],
+];
+
+for (const [name, faces, trims, make] of solids) {
+  test(`a ${name} of OpenCASCADE`, async () => {
+    const oc = await startOcct();
+    const { report } = hd.model(fromOcct(oc, make(oc).Shape()));
+    assert.deepEqual(report.skipped, []);
+    assert.deepEqual([report.surfaces, report.trims, report.exact], [faces, trims, trims]);
+  });
+}
+
 test("a module that cannot write is refused", () => {
   assert.throws(() => fromOcct({}, {}), withCode("ARGUMENT_INVALID", /BRepToolsWrapper\.Write/));
 });

@@ -261,7 +261,24 @@ test("the visible shapes of a FreeCAD document", async () => {
   const edges = JSON.parse((await convertCad(zip({ ...document, ...files }))).json)
     .surfaces.flatMap(({ trim }) => trim.flat())
     .map(({ edge }) => edge);
-  assert.equal(new Set(edges).size, 24, "the edges of both boxes are told apart");
+  assert.equal(new Set(edges).size, 24, "every box has edges of its own");
+});
+
+test("a FreeCAD document with a sketch, a broken and a binary shape", async () => {
+  await loaded();
+  const document = documentXml([
+    { name: "Box", file: "a.brp" },
+    { name: "Sketch", file: "empty.brp" },
+    { name: "Broken", file: "broken.brp" },
+    { name: "Binary", file: "shape.bin" },
+  ]);
+  const files = { "a.brp": await boxText(1), "empty.brp": "", "broken.brp": "CASCADE Topology V9" };
+  const { report } = await readCad(zip({ ...document, ...files, "shape.bin": "" }));
+  assert.equal(report.surfaces, 6);
+  assert.deepEqual(
+    report.skipped.map(({ face }) => face),
+    ["Binary", "Broken"],
+  );
 });
 
 test("what places the shapes of a FreeCAD document is not passed over", async () => {

@@ -87,6 +87,7 @@ const VALUES = {
   grid: ["16", "--method", "hierarchy"],
   "memory-budget": ["64", "--method", "hierarchy"],
   symmetric: [],
+  "scale-units": [],
   translate: ["-0.25,0.5,1"],
   rotate: ["1,0,0,90"],
   field: [],

@@ -124,7 +124,9 @@ impl Frame {
     }
 
     /// Returns the curves, each followed by the one that begins nearest to its end, of
-    /// those that begin in its last vertex if there are any.
+    /// those that begin in its last vertex if there are any. Of curves that are as near
+    /// across a period, as both uses of a seam are, the one that is near without it comes
+    /// first: else the loop would run around the period before its other curves.
     fn ordered(&self, mut uses: Vec<TrimUse>) -> Result<Vec<TrimUse>, FaceFault> {
         if uses.len() > MAX_DISORDERED {
             let why = format!("{} curves are out of order, expected at most {MAX_DISORDERED}", uses.len());
@@ -138,7 +140,13 @@ impl Frame {
             let any = uses.iter().any(connected);
             let distance = |next: &TrimUse| self.distance(last.curve.end(), next.curve.start());
             let candidates = uses.iter().enumerate().filter(|(_, next)| !any || connected(next));
-            let nearest = candidates.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+            let shifted = |next: &TrimUse| self.shift(last.curve.end(), next.curve.start()) != DVec3::ZERO;
+            let rank = |next: &TrimUse| {
+                let near = distance(next) <= NEAR;
+                (!near, near && shifted(next))
+            };
+            let nearest = candidates
+                .min_by(|(_, a), (_, b)| rank(a).cmp(&rank(b)).then(distance(a).total_cmp(&distance(b))));
             let index = nearest.map_or(0, |(index, _)| index);
             ordered.push(uses.remove(index));
         }

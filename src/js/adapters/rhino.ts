@@ -1,8 +1,8 @@
-import type { InterchangeFaces } from "../cad/interchange.js";
 import { brepFaces } from "../cad/rhino/faces.js";
 import { nurbsForm, nurbsOf } from "../cad/rhino/surface.js";
 import type { RhinoBrep, RhinoExtrusion, RhinoSurface } from "../cad/rhino/types.js";
 import { HausdorffError } from "../error.js";
+import type { InterchangeModel } from "../surface.js";
 
 /** A `Brep`, `Extrusion`, `BrepFace` or `Surface` of rhino3dm. */
 export type RhinoGeometry = object;
@@ -18,7 +18,7 @@ export type RhinoGeometry = object;
 export function fromRhino(
   geometry: RhinoGeometry,
   { unit, name = "B-rep" }: { unit?: number; name?: string } = {},
-): InterchangeFaces {
+): InterchangeModel {
   const common = { name, ...(unit === undefined ? {} : { unit }) };
   const brep = brepOf(geometry);
   if (brep === null) {

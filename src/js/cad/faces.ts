@@ -1,11 +1,11 @@
+import type { InterchangeModel } from "../surface.js";
 import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModuleReport } from "./brep.js";
-import type { InterchangeFaces } from "./interchange.js";
 import type { CadReport } from "./report.js";
 
 /** A model that a reader here made, and its report. */
 export interface FacesFile {
-  model: InterchangeFaces;
+  model: InterchangeModel;
   report: CadReport;
 }
 

@@ -3,6 +3,9 @@ import { unsupported } from "./kind.js";
 import type { SkippedFace } from "./report.js";
 import { entryBytes, type ZipEntry, zipEntries } from "./zip.js";
 
+const PLACED = "its parts are placed by a container: export the document as STEP";
+const BINARY = "its shape is stored in binary: export the document as STEP";
+
 /** A shape of a FreeCAD document. */
 export interface DocumentShape {
   name: string;
@@ -43,17 +46,15 @@ export async function documentShapes(bytes: Uint8Array): Promise<DocumentShapes>
   const shapes: DocumentShape[] = [];
   const skipped: SkippedFace[] = [];
   for (const { name, xml } of objects) {
-    const file = /<Part\b[^>]*\bfile="([^"]+\.brp)"/.exec(xml)?.[1];
     if (hidden.has(name) || members.has(name)) continue;
-    if (isContainer(xml))
-      skipped.push({
-        face: name,
-        why: "its parts are placed by a container: export the document as STEP",
-      });
+    const file = /<Part\b[^>]*\bfile="([^"]+)"/.exec(xml)?.[1];
+    const why = isContainer(xml) ? PLACED : file?.endsWith(".bin") ? BINARY : undefined;
+    if (why !== undefined) skipped.push({ face: name, why });
     else if (file !== undefined) shapes.push({ name, brep: await text(file) });
   }
   if (shapes.length === 0) {
-    throw new HausdorffError("EMPTY_MODEL", "the FreeCAD document has no visible shape");
+    const left = skipped.map(({ face, why }) => `; ${face}: ${why}`).join("");
+    throw new HausdorffError("EMPTY_MODEL", `the FreeCAD document has no visible shape${left}`);
   }
   return { shapes, skipped };
 }

@@ -1,10 +1,4 @@
 // `nurbs-hausdorff/cad`: reads CAD files. Nothing of a format is loaded before a file of it comes.
-export type {
-  InterchangeCurve,
-  InterchangeFace,
-  InterchangeFaces,
-  InterchangeInstance,
-} from "./interchange.js";
 export type { CadKind } from "./kind.js";
 export type { CadOptions } from "./options.js";
 export type { PeerLoader } from "./peers.js";

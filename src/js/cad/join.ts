@@ -1,12 +1,12 @@
-import type { InterchangeFace, InterchangeFaces, InterchangeInstance } from "./interchange.js";
+import type { InterchangeInstance, InterchangeModel, InterchangeSurface } from "../surface.js";
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
-/** The faces and placements of several models as those of one, their edges told apart by number. */
+/** The faces and placements of several models as those of one, with their own numbers of edges. */
 export function joined(
-  models: readonly InterchangeFaces[],
-): Pick<InterchangeFaces, "surfaces" | "instances"> {
-  const surfaces: InterchangeFace[] = [];
+  models: readonly InterchangeModel[],
+): Pick<InterchangeModel, "surfaces" | "instances"> {
+  const surfaces: InterchangeSurface[] = [];
   const instances: InterchangeInstance[] = [];
   let edges = 0;
   for (const model of models) {
@@ -26,7 +26,7 @@ export function joined(
 }
 
 /** The face with the numbers of its edges raised by `first`. */
-function withEdgesFrom(face: InterchangeFace, first: number): InterchangeFace {
+function withEdgesFrom(face: InterchangeSurface, first: number): InterchangeSurface {
   if (face.trim === undefined || first === 0) return face;
   const trim = face.trim.map((loop) =>
     loop.map((curve) =>

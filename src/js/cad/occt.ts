@@ -68,7 +68,8 @@ export async function translated(
     if (reader.NbRootsForTransfer() === 0) throw unreadable("it has no shape");
     reader.TransferRoots(new Progress());
     const shape = reader.OneShape();
-    if (shape.IsNull()) throw unreadable("no shape can be translated");
+    if (shape.IsNull())
+      throw unreadable("no shape can be translated; an assembly may only refer to files of parts");
     const text = fromOcct(oc, shape, { unit: MILLIMETRE });
     shape.delete();
     reader.delete();

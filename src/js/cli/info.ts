@@ -8,7 +8,12 @@ import { print, printJson } from "./output.js";
 /** A model in numbers, as the native command prints it. */
 interface ModelInfo {
   name: string | null;
-  unit: number | null;
+  unit?: number;
+  /** Number of trimmed faces. */
+  trimmed: number;
+  gap: number;
+  /** Bound on the distance between the trimmed faces and the pieces measured. */
+  deviation: number;
   surfaces: SurfaceInfo[];
   patches: number;
   boundingBox: [number[], number[]];
@@ -21,7 +26,9 @@ interface SurfaceInfo {
   domain: [[number, number], [number, number]];
   rational: boolean;
   clamped: [boolean, boolean];
-  loops: number;
+  /** Numbers of curves of the loops. */
+  trim?: number[];
+  part?: string;
   patches: number;
 }
 
@@ -33,20 +40,25 @@ export async function info(values: Invocation["values"]): Promise<void> {
   else print(text(info));
 }
 
-function text({ name, unit, surfaces, patches, boundingBox, diagonal }: ModelInfo): string {
-  const [min, max] = boundingBox.map((corner) => `[${corner.map(full).join(", ")}]`);
+function text(info: ModelInfo): string {
+  const { name, unit, trimmed, gap, deviation, surfaces, patches } = info;
+  const [min, max] = info.boundingBox.map((corner) => `[${corner.map(full).join(", ")}]`);
+  const faces = trimmed > 0 ? `${trimmed} trimmed, ` : "";
   const lines = [
     `model     ${name ?? "without a name"}`,
-    `box       ${min} to ${max}, diagonal ${full(diagonal)}`,
-    ...(unit === null ? [] : [`unit      ${full(unit)} m`]),
-    `surfaces  ${surfaces.length}, ${patches} Bézier patches`,
+    `box       ${min} to ${max}, diagonal ${full(info.diagonal)}`,
+    ...(unit === undefined ? [] : [`unit      ${full(unit)} m`]),
+    `surfaces  ${surfaces.length}, ${faces}${patches} Bézier patches`,
+    ...(trimmed > 0 || gap > 0
+      ? [`gap       ${full(gap)}, deviation of the pieces ${full(deviation)}`]
+      : []),
     ...surfaces.map(surfaceLine),
   ];
   return `${lines.join("\n")}\n`;
 }
 
 function surfaceLine(surface: SurfaceInfo, index: number): string {
-  const { degree, counts, domain, rational, clamped, loops, patches } = surface;
+  const { degree, counts, domain, rational, clamped, trim, part, patches } = surface;
   const [u, v] = domain.map((ends) => `[${ends.map(full).join(", ")}]`);
   const columns = [
     String(index).padStart(8),
@@ -55,8 +67,9 @@ function surfaceLine(surface: SurfaceInfo, index: number): string {
     rational ? "rational" : "polynomial",
     clamped.every(Boolean) ? "clamped" : "unclamped",
     `${u} x ${v}`,
-    ...(loops === 0 ? [] : [`${loops} loops`]),
     `${patches} patches`,
+    ...(trim ? [`${trim.length} loops of ${trim.reduce((sum, one) => sum + one, 0)} curves`] : []),
+    ...(part ? [part] : []),
   ];
   return columns.join("  ");
 }

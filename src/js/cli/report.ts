@@ -27,6 +27,10 @@ export function text(result: DistanceResult): string {
   const lines = [
     `distance   ${full(result.computed)}`,
     interval(result),
+    ...(result.modelGap > 0
+      ? [`model gap  ${full(result.modelGap)}, by what the files state`]
+      : []),
+    ...(typeof result.unit === "number" ? [`unit       ${full(result.unit)} m`] : []),
     point("on A", witness.a),
     point("on B", witness.b),
     ...directed.flatMap(([name, one]) =>
@@ -51,9 +55,10 @@ function interval({ lower, upper, diagonal }: DistanceResult): string {
   return `${found}, width ${exponential(width, 1)} of the diagonal ${short(diagonal)}`;
 }
 
-function point(name: string, { surface, u, v, point }: SurfacePoint): string {
+function point(name: string, { surface, part, u, v, point }: SurfacePoint): string {
   const place = point.map(full).join(" ");
-  return `${name}       surface ${surface} at (${full(u)}, ${full(v)}): ${place}`;
+  const named = part ? ` (${part})` : "";
+  return `${name}       surface ${surface}${named} at (${full(u)}, ${full(v)}): ${place}`;
 }
 
 function details(result: DistanceResult): string[] {

@@ -1,6 +1,5 @@
 import { HausdorffError } from "../../error.js";
-import type { InterchangeSurface } from "../../surface.js";
-import type { InterchangeCurve, InterchangeFace } from "../interchange.js";
+import type { InterchangeCurve, InterchangeSurface } from "../../surface.js";
 import type { SkippedFace } from "../report.js";
 import {
   type BrepFace,
@@ -18,7 +17,7 @@ import type { RhinoBrep, RhinoNurbsSurface, RhinoSurface } from "./types.js";
 
 /** Faces read, with the counts for a report. */
 export interface RhinoFaces {
-  faces: InterchangeFace[];
+  faces: InterchangeSurface[];
   trims: number;
   fitted: number;
   gap: number;
@@ -75,7 +74,7 @@ interface FaceSurface {
 }
 
 interface FaceRead {
-  face: InterchangeFace;
+  face: InterchangeSurface;
   trims: number;
   fitted: number;
   gap: number;

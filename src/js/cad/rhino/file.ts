@@ -1,5 +1,5 @@
 import { HausdorffError } from "../../error.js";
-import type { InterchangeFace, InterchangeFaces, InterchangeInstance } from "../interchange.js";
+import type { InterchangeInstance, InterchangeModel, InterchangeSurface } from "../../surface.js";
 import type { CadReport, SkippedFace } from "../report.js";
 import { brepFaces, type RhinoFaces } from "./faces.js";
 import { nurbsForm, nurbsOf } from "./surface.js";
@@ -39,10 +39,10 @@ export function rhinoModel(
   rhino: Rhino,
   bytes: Uint8Array,
   name: string | undefined,
-): { model: InterchangeFaces; report: CadReport } {
+): { model: InterchangeModel; report: CadReport } {
   const file = rhino.File3dm.fromByteArray(bytes);
   if (file === null) throw new HausdorffError("CAD_UNREADABLE", "rhino3dm cannot read the file");
-  const faces: InterchangeFace[] = [];
+  const faces: InterchangeSurface[] = [];
   const skipped: SkippedFace[] = [];
   const counts = { trims: 0, fitted: 0, gap: 0 };
   const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }): Placed => {
@@ -65,7 +65,7 @@ export function rhinoModel(
   }
   const unit = unitInMetres(rhino, file.settings().modelUnitSystem);
   const instances = placements(file, placed);
-  const model: InterchangeFaces = {
+  const model: InterchangeModel = {
     ...(name === undefined ? {} : { name }),
     ...(unit === null ? {} : { unit }),
     surfaces: faces,

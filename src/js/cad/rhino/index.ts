@@ -1,4 +1,4 @@
-import type { InterchangeFaces } from "../interchange.js";
+import type { InterchangeModel } from "../../surface.js";
 import { type Peer, type PeerLoader, start } from "../peers.js";
 import type { CadReport } from "../report.js";
 import { rhinoModel } from "./file.js";
@@ -22,6 +22,6 @@ export async function readRhino(
   bytes: Uint8Array,
   name: string | undefined,
   loader: PeerLoader | undefined,
-): Promise<{ model: InterchangeFaces; report: CadReport }> {
+): Promise<{ model: InterchangeModel; report: CadReport }> {
   return rhinoModel((await start(RHINO, loader)) as Rhino, bytes, name);
 }
