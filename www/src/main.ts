@@ -114,7 +114,7 @@ function measure(): void {
 function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
   faces.clear("idle", "");
   view.pins.clear();
-  view.models.show(models);
+  view.showModels(models);
   showSources(models, placement);
   showFileNotes(models);
   faces.propose(view.models.diagonal);

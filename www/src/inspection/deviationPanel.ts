@@ -58,8 +58,7 @@ export function showDeviation(
       lowest: signed.values[0] ?? 0,
       highest: signed.values.at(-1) ?? 0,
       largest,
-      // The samples of copies are apart by rounding, which the interval's width covers.
-      floor: directed.upper - directed.lower,
+      floor: floorOf(directed),
     },
   };
   return { scale: draw(shown), largest };
@@ -79,6 +78,12 @@ export function painted(): { field: FieldDisplay; scale: ColorScale } | undefine
 /** What the report contains of the deviation. */
 export function deviationSummary(): HTMLElement | undefined {
   return shown === undefined ? undefined : element("deviation-summary");
+}
+
+/** The deviation that cannot be distinguished from 0: the interval's width, and rounding. */
+function floorOf(result: DistanceResult): number {
+  const rounding = result.method === "certified" ? result.minTolerance : 0;
+  return Math.max(result.upper - result.lower, rounding);
 }
 
 function options(): ScaleOptions {

@@ -7,7 +7,7 @@ import { distanceText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
-import type { Side, Sides } from "../worker/protocol.ts";
+import type { DisplayModel, Side, Sides } from "../worker/protocol.ts";
 import { Axes } from "./camera/axes.ts";
 import { STANDARD_VIEWS, type StandardView } from "./camera/standardViews.ts";
 import { Viewport } from "./camera/viewport.ts";
@@ -81,6 +81,12 @@ export class View {
       withoutWebGl(error instanceof Error ? error.message : `${error}`);
       return undefined;
     }
+  }
+
+  /** Shows models, each in place of the one before. */
+  showModels(models: Sides<DisplayModel>): void {
+    this.models.show(models);
+    void this.#viewport?.compile();
   }
 
   fit(): void {

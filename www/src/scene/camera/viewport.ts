@@ -28,6 +28,8 @@ const NEAR = 1e-3;
 const FAR = 50;
 /** Device pixels per CSS pixel; more cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
+/** Milliseconds after which a drawing no longer waits for its shaders. */
+const MAX_COMPILATION = 3000;
 
 export class Viewport {
   readonly scene = new Scene();
@@ -41,6 +43,7 @@ export class Viewport {
   readonly #orthographic = new OrthographicCamera();
   #camera: PerspectiveCamera | OrthographicCamera = this.#perspective;
   #drawRequested = false;
+  #compiling = 0;
 
   /** @throws {Error} without WebGL. */
   constructor(canvas: HTMLCanvasElement) {
@@ -49,6 +52,8 @@ export class Viewport {
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.localClippingEnabled = true;
+    // The check waits for the driver's compiler; the shaders are three.js's own.
+    this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#perspective.up.set(0, 0, 1);
     const [key, fill] = [new DirectionalLight(0xffffff, 2.2), new DirectionalLight(0xffffff, 0.7)];
     key.position.set(0.5, 0.8, 1);
@@ -113,9 +118,22 @@ export class Viewport {
     this.#look(direction, radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360));
   }
 
+  /**
+   * Compiles the shaders of new objects and draws when that is done, so that
+   * the page does not wait for the driver's compiler.
+   */
+  async compile(): Promise<void> {
+    this.#compiling += 1;
+    const compiled = this.#renderer.compileAsync(this.scene, this.#camera);
+    const late = new Promise((resolve) => setTimeout(resolve, MAX_COMPILATION));
+    await Promise.race([compiled, late]);
+    this.#compiling -= 1;
+    this.draw();
+  }
+
   /** Requests a drawing in the next frame. */
   draw(): void {
-    if (this.#drawRequested) return;
+    if (this.#drawRequested || this.#compiling > 0) return;
     this.#drawRequested = true;
     requestAnimationFrame(() => {
       this.#drawRequested = false;
