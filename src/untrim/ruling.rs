@@ -31,6 +31,9 @@ pub(super) enum Mapped {
 /// The degrees tried for the composition of a graph with a height function, increasing.
 const COMPOSITE_DEGREES: [usize; 9] = [1, 2, 3, 4, 5, 7, 9, 12, 15];
 
+/// The rounding of v, in parts of the domain.
+const V_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
 
@@ -140,12 +143,14 @@ fn composed(face: &Face, graph: &Graph, height: &Curve) -> Option<(Curve, f64)> 
             Some(to) => (to - from) / (graph.v[1] - graph.v[0]),
             None => 0.0,
         };
-        // On a slope steep enough to magnify the rounding of v, u stays between the ends.
+        // A slope may be steep enough to magnify the rounding of v to a visible step: where v
+        // is between the ends, u stays there, too.
         let to = graph.coefficients[graph.degree()];
         let (low, high) = (from.min(to), from.max(to));
         let control = |c: &DVec3| {
-            let u = from * c.z + slope * (c.y - graph.v[0] * c.z);
-            DVec3::new(u.clamp(low * c.z, high * c.z), c.y, c.z)
+            let (u, v) = (from * c.z + slope * (c.y - graph.v[0] * c.z), c.y / c.z);
+            let is_between = graph.v[0] - V_ROUNDING <= v && v <= graph.v[1] + V_ROUNDING;
+            DVec3::new(if is_between { u.clamp(low * c.z, high * c.z) } else { u }, c.y, c.z)
         };
         return Some((Curve { controls: height.controls.iter().map(control).collect() }, 0.0));
     }
