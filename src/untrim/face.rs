@@ -17,13 +17,9 @@ const COMPOSITE_SHARE: f64 = 0.0625;
 const CROSSING_SHARE: f64 = 0.3125;
 const FIT_SHARE: f64 = 0.25;
 
-/// The largest distance, in parts of the domain, by which boundaries are moved or
-/// approximated: the extension of a patch by it changes no bound by more than
-/// [`EXTENSION`] (lemma T3 of docs/trimming.md).
-const MAX_MOVE: f64 = 1e-6;
-
-/// The factor on derivative bounds that covers a patch extended by [`MAX_MOVE`] of the domain.
-const EXTENSION: f64 = 1.1;
+/// The largest tolerance, in parts of the domain: validation accepts loops that cross each
+/// other by up to 1e-6 of it.
+const MAX_MOVE: f64 = 1e-5;
 
 /// The smallest tolerance in normalised parameters: a few units in the last place of 1.
 const MIN_SNAP: f64 = 8.0 * f64::EPSILON;
@@ -138,7 +134,7 @@ impl Face {
                 }
             }
         }
-        self.lipschitz = largest.map(|bound| EXTENSION * bound);
+        self.lipschitz = largest;
         let tolerance = |axis: usize, share: f64| {
             (share * max_deviation / self.lipschitz[axis]).clamp(MIN_SNAP, MAX_MOVE)
         };

@@ -90,32 +90,58 @@ const MAX_HALVINGS: usize = 32;
 /// `max_deviation` of it, in model units.
 ///
 /// `max_deviation` bounds the approximations; a bound on the rounding adds to it in
-/// [`Untrimmed::deviation`]. O(arcs × slabs) for the sweep and O(D²) for a patch of composed
+/// [`Untrimmed::deviation`]. A face that it does not suffice for, whose loops touch or cross
+/// each other by more, is cut with a larger one, which the result states. O(arcs × slabs) for the sweep and O(D²) for a patch of composed
 /// degree D.
 ///
 /// # Errors
 /// `FACE_NOT_CUT` where the loops cross each other by more than the deviation, or where a
 /// cell does not converge.
 pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: f64) -> Result<Untrimmed> {
+    let mut attempt = attempt(index, surface, trim, max_deviation)?;
+    let mut allowed = max_deviation;
+    for _ in 0..MAX_ATTEMPTS {
+        match attempt {
+            Ok(untrimmed) => return Ok(untrimmed),
+            Err(_) => allowed *= COARSENING,
+        }
+        let coarser = self::attempt(index, surface, trim, allowed)?;
+        attempt = coarser.or(attempt);
+    }
+    attempt.map_err(|found| Error::FaceNotCut { surface: index, found })
+}
+
+/// The number of attempts with a larger deviation, and the factor from one to the next: from
+/// 1e-9 of the diagonal they reach the crossings that validation accepts.
+const MAX_ATTEMPTS: usize = 4;
+const COARSENING: f64 = 32.0;
+
+/// Cuts a face with this deviation, or says in words what prevents it.
+fn attempt(
+    index: usize,
+    surface: &NurbsSurface,
+    trim: &Trim,
+    max_deviation: f64,
+) -> Result<std::result::Result<Untrimmed, String>> {
     let face = Face::new(index, surface, trim, max_deviation, false)?;
     if let Some((part, moved)) = rectangle::rectangle(&face) {
         let (surface, rounding) = rectangle::cut(surface, part)?;
         let piece = Piece { surface, map: ParameterMap::Identity };
         let deviation = face.moved(moved) + rounding;
-        return Ok(Untrimmed { pieces: vec![piece], deviation });
+        return Ok(Ok(Untrimmed { pieces: vec![piece], deviation }));
     }
     let across = Face::new(index, surface, trim, max_deviation, true)?;
     let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
+    let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
     let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
     choices.sort_by_key(|sweep| sweep.cost());
-    let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
     for sweep in choices {
         match sweep.untrimmed() {
-            Ok(untrimmed) => return Ok(untrimmed),
+            Ok(untrimmed) => return Ok(Ok(untrimmed)),
             Err(found) => reason = reason.or(Some(found)),
         }
     }
-    Err(Error::FaceNotCut { surface: index, found: reason.unwrap_or_default() })
+    Ok(Err(reason.unwrap_or_default()))
 }
 
 /// The cells of a face ruled along one axis.

@@ -31,6 +31,9 @@ pub(super) enum Mapped {
 /// The degrees tried for the composition of a graph with a height function, increasing.
 const COMPOSITE_DEGREES: [usize; 9] = [1, 2, 3, 4, 5, 7, 9, 12, 15];
 
+/// The rounding of v, in parts of the domain.
+const V_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
 
@@ -89,22 +92,34 @@ fn matched(face: &Face, cell: &Cell, left: Curve, right: Curve, height: usize, e
         return Mapped::Halve;
     };
     let (left, right) = (Curve { controls: left }, Curve { controls: right });
-    if !is_within(face, cell, &left, &right) {
+    let Some((left, right, shift)) = confined(face, cell, left, right) else {
         return Mapped::Halve;
-    }
+    };
     let rectangle = cell.rectangle;
-    Mapped::One(Ruling { left, right, height: Some(height), rectangle, error: error + crossing })
+    // Sides that cross, and sides moved inwards, are at most this far from the cell's.
+    let error = error + crossing + shift;
+    Mapped::One(Ruling { left, right, height: Some(height), rectangle, error })
 }
 
-/// Returns whether both sides lie in the cell's rectangle of knots, up to the tolerance of
-/// crossings: only there the patch of that rectangle is the surface (lemma T3).
-fn is_within(face: &Face, cell: &Cell, left: &Curve, right: &Curve) -> bool {
+/// Returns the sides moved into the cell's rectangle of knots, and by how much, if that is
+/// within the tolerance of crossings: only there the patch is the surface (lemma T3).
+fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curve, Curve, f64)> {
     let [low, high] = face.rectangle(cell.rectangle)[0];
-    let above: Vec<[f64; 2]> = left.controls.iter().map(|c| [c.x - low * c.z, c.z]).collect();
-    let below: Vec<[f64; 2]> = right.controls.iter().map(|c| [high * c.z - c.x, c.z]).collect();
-    [above, below]
-        .iter()
-        .all(|difference| reversal(difference, face.tolerances.crossing, MAX_SIGN_DEPTH).is_some())
+    let mut largest = 0.0_f64;
+    let mut moved = |curve: Curve, edge: f64, sign: f64| {
+        let room: Vec<[f64; 2]> = curve.controls.iter().map(|c| [sign * (c.x - edge * c.z), c.z]).collect();
+        let outside = reversal(&room, face.tolerances.crossing, MAX_SIGN_DEPTH)?;
+        largest = largest.max(outside);
+        let shifted = |c: &DVec3| DVec3::new(c.x + sign * outside * c.z, c.y, c.z);
+        Some(if outside > 0.0 {
+            Curve { controls: curve.controls.iter().map(shifted).collect() }
+        } else {
+            curve
+        })
+    };
+    let (left, right) = (moved(left, low, 1.0)?, moved(right, low, 1.0)?);
+    let (left, right) = (moved(left, high, -1.0)?, moved(right, high, -1.0)?);
+    Some((left, right, 2.0 * largest))
 }
 
 /// Returns an upper bound on the negative part of a rational function with these
@@ -140,12 +155,14 @@ fn composed(face: &Face, graph: &Graph, height: &Curve) -> Option<(Curve, f64)> 
             Some(to) => (to - from) / (graph.v[1] - graph.v[0]),
             None => 0.0,
         };
-        // On a slope steep enough to magnify the rounding of v, u stays between the ends.
+        // A slope may be steep enough to magnify the rounding of v to a visible step: where v
+        // is between the ends, u stays there, too.
         let to = graph.coefficients[graph.degree()];
         let (low, high) = (from.min(to), from.max(to));
         let control = |c: &DVec3| {
-            let u = from * c.z + slope * (c.y - graph.v[0] * c.z);
-            DVec3::new(u.clamp(low * c.z, high * c.z), c.y, c.z)
+            let (u, v) = (from * c.z + slope * (c.y - graph.v[0] * c.z), c.y / c.z);
+            let is_between = graph.v[0] - V_ROUNDING <= v && v <= graph.v[1] + V_ROUNDING;
+            DVec3::new(if is_between { u.clamp(low * c.z, high * c.z) } else { u }, c.y, c.z)
         };
         return Some((Curve { controls: height.controls.iter().map(control).collect() }, 0.0));
     }
@@ -195,9 +212,8 @@ fn two_curves(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Mapped {
     }
     let degree: usize = face.patch(cell.rectangle).degree.iter().sum();
     let is_tilted = (face.affine || degree <= MAX_TILTED_DEGREE) && is_unfolded(&left, &right);
-    if is_tilted && is_within(face, cell, &left, &right) {
-        let rectangle = cell.rectangle;
-        return Mapped::One(Ruling { left, right, height: None, rectangle, error: 0.0 });
+    if is_tilted && let Some((left, right, error)) = confined(face, cell, left.clone(), right.clone()) {
+        return Mapped::One(Ruling { left, right, height: None, rectangle: cell.rectangle, error });
     }
     // A straight line between them, if their boxes at the ends leave room for one.
     let [low, high] = [0.5 * (left.start().x + right.start().x), 0.5 * (left.end().x + right.end().x)];
