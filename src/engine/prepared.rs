@@ -95,8 +95,8 @@ impl PreparedModel {
         let (pieces, untrimmed) = FacePieces::new(model)?;
         let mut bezier = extract(&untrimmed);
         bezier.point_error.include_deviation(pieces.deviation());
-        for (piece, grid) in bezier.grids.iter_mut().enumerate() {
-            grid.siblings = pieces.siblings(piece);
+        for (grid, shares) in bezier.grids.iter_mut().zip(pieces.shares(untrimmed.surfaces())) {
+            grid.shares = shares;
         }
         Ok(Self {
             name: model.name().map(str::to_owned),
