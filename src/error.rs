@@ -231,6 +231,26 @@ pub enum Error {
         /// The parser's message, with the position.
         found: String,
     },
+    /// Text that is not in the format of OpenCASCADE's BREP files.
+    #[error("line {line}: found {found:?}, expected {expected}")]
+    BrepSyntax {
+        /// The line, from 1.
+        line: usize,
+        /// The word found.
+        found: String,
+        /// What the format requires there.
+        expected: String,
+    },
+    /// A BREP file of which no face can be read.
+    #[error("none of the {faces} faces can be read; face {face}: {found}")]
+    BrepUnreadable {
+        /// The number of the first face.
+        face: usize,
+        /// The reason for which it cannot be read.
+        found: String,
+        /// The number of faces.
+        faces: usize,
+    },
     /// A file or text over the size limit.
     #[error("the model is {found} bytes, expected at most {expected}")]
     FileTooLarge {
@@ -246,6 +266,18 @@ pub enum Error {
         path: String,
         /// The message of the operating system.
         found: String,
+    },
+    /// A file of a format that the package's command line in Node reads, but this crate
+    /// does not.
+    #[error(
+        "found {found}; read are interchange JSON and OpenCASCADE's BREP text: \
+         `npx nurbs-hausdorff convert {path} model.json` converts it"
+    )]
+    FormatUnsupported {
+        /// The format, with its article.
+        found: &'static str,
+        /// The path as given.
+        path: String,
     },
     /// An option outside its range.
     #[error("option {option} is {found}, expected {expected}")]
@@ -367,8 +399,11 @@ impl Error {
             Self::UnitInvalid { .. } => "UNIT_INVALID",
             Self::UnitsDiffer { .. } => "UNITS_DIFFER",
             Self::JsonShape { .. } => "JSON_SHAPE",
+            Self::BrepSyntax { .. } => "BREP_SYNTAX",
+            Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
+            Self::FormatUnsupported { .. } => "FORMAT_UNSUPPORTED",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",

@@ -93,6 +93,11 @@ mod bezier;
 #[doc(hidden)]
 pub mod bezier;
 #[cfg(not(feature = "internals"))]
+mod brep;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod brep;
+#[cfg(not(feature = "internals"))]
 mod bvh;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -155,10 +160,12 @@ mod untrim;
 pub mod untrim;
 
 pub use axis::Axis;
+pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
-    FaceDifference, FaceState, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    FaceDifference, FaceState, Method, ModelInfo, Options, PreparedModel, Statistics, SurfaceInfo,
+    SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

@@ -16,6 +16,7 @@ export type {
   SurfacePoint,
 } from "./result.js";
 export type {
+  BrepText,
   ControlPoint,
   InstanceArrays,
   InterchangeCurve,

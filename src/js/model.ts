@@ -1,3 +1,5 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+import type { CadReport } from "./cad/report.js";
 import { HausdorffError, translating } from "./error.js";
 import type { Vector3 } from "./options.js";
 import type { Tessellation } from "./tessellation.js";
@@ -5,7 +7,7 @@ import type { PreparedModel } from "./wasm/nurbs_hausdorff.js";
 
 /**
  * One or more NURBS surfaces, measured as one set of points; made by
- * `Hausdorff.model` and `Hausdorff.shape`.
+ * `Hausdorff.model`, `Hausdorff.shape` and `readCad`.
  *
  * It holds memory outside of JavaScript's: dispose of it, or declare it with
  * `using`, when done. Else that memory is freed some time after the object.
@@ -13,13 +15,17 @@ import type { PreparedModel } from "./wasm/nurbs_hausdorff.js";
 export class NurbsModel {
   #prepared: PreparedModel | undefined;
 
-  private constructor(prepared: PreparedModel) {
+  /** What reading its CAD file kept, approximated and left out; null for other models. */
+  readonly report: CadReport | null;
+
+  private constructor(prepared: PreparedModel, report: CadReport | null) {
     this.#prepared = prepared;
+    this.report = report;
   }
 
   /** @internal */
-  static of(prepared: PreparedModel): NurbsModel {
-    return new NurbsModel(prepared);
+  static of(prepared: PreparedModel, report: CadReport | null = null): NurbsModel {
+    return new NurbsModel(prepared, report);
   }
 
   /**

@@ -142,6 +142,14 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::JsonShape`]
     /// for text that is not of this shape, else the errors of [`Model::from_faces`].
     pub fn from_json(text: &str) -> Result<Self> {
+        Self::from_faces(Self::arrays_of_json(text)?)
+    }
+
+    /// Parses interchange JSON as [`Model::from_json`] does, without validating the faces.
+    ///
+    /// # Errors
+    /// [`Error::FileTooLarge`], [`Error::JsonShape`], [`Error::RaggedNet`].
+    pub(crate) fn arrays_of_json(text: &str) -> Result<ModelArrays> {
         let found = text.len() as u64;
         if found > Self::MAX_JSON_BYTES {
             return Err(Error::FileTooLarge { found, expected: Self::MAX_JSON_BYTES });
@@ -153,7 +161,7 @@ impl Model {
             let InterchangeInstance { surfaces, transform, name } = instance;
             InstanceArrays { surfaces, transform, name }
         });
-        Self::from_faces(ModelArrays {
+        Ok(ModelArrays {
             name: parsed.name,
             unit: parsed.unit,
             faces: faces.map(|(index, surface)| surface.into_arrays(index)).collect::<Result<_>>()?,

@@ -8,6 +8,7 @@
     reason = "each test crate uses a part, and a panic is how a test fails"
 )]
 
+pub mod brep;
 pub mod cpu;
 pub mod evaluator;
 pub mod fixtures;

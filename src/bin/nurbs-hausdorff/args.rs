@@ -7,7 +7,7 @@ use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
-/// How far apart are two NURBS models? Models are interchange JSON files.
+/// How far apart are two NURBS models? Models are files of interchange JSON or BREP text.
 #[derive(Debug, Parser)]
 #[command(version, about)]
 pub(crate) struct Arguments {
@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Diff(DiffArguments),
     /// Prints the surfaces, patches and bounding box of a model.
     Info(InfoArguments),
+    /// Writes a model as interchange JSON, and prints what reading it kept and left out.
+    Convert(ConvertArguments),
     /// Prints a completion script.
     Completions {
         /// The shell to complete in.
@@ -156,6 +158,17 @@ pub(crate) struct InfoArguments {
     /// The model.
     pub(crate) model: PathBuf,
     /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArguments {
+    /// The model.
+    pub(crate) input: PathBuf,
+    /// The file to write.
+    pub(crate) output: PathBuf,
+    /// Prints the report as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
 }
