@@ -89,9 +89,25 @@ impl FacePieces {
         self.parts[face].as_deref()
     }
 
-    /// Returns the number of pieces of the face to which a piece belongs.
-    pub(crate) fn siblings(&self, piece: usize) -> usize {
-        self.faces[self.face(piece)].len()
+    /// Returns, for each piece, the parts of the samples and cells along both parameters of
+    /// a whole surface that it gets.
+    ///
+    /// The pieces of a face have as many together as a whole surface, about evenly spaced:
+    /// a piece of size a x b, of a face whose pieces have the area S, gets a / √S and
+    /// b / √S, at most 1. Sizes are mean lengths of control polygons. O(control points).
+    pub(crate) fn shares(&self, surfaces: &[NurbsSurface]) -> Vec<[f64; 2]> {
+        let mut shares = Vec::with_capacity(surfaces.len());
+        for pieces in &self.faces {
+            if pieces.len() == 1 {
+                shares.push([1.0; 2]);
+                continue;
+            }
+            let sizes: Vec<[f64; 2]> = surfaces[pieces.clone()].iter().map(size).collect();
+            let side = sizes.iter().map(|[a, b]| a * b).sum::<f64>().sqrt();
+            let share = |length: f64| if side > 0.0 { (length / side).min(1.0) } else { 1.0 };
+            shares.extend(sizes.iter().map(|size| size.map(share)));
+        }
+        shares
     }
 
     /// Returns the upper bound on the Hausdorff distance between the faces and their pieces.
@@ -111,6 +127,27 @@ impl FacePieces {
         let part = self.parts[surface].clone();
         SurfacePoint { surface, part, u, v, point: point.to_array() }
     }
+}
+
+/// Returns the mean lengths of a surface's control polygons along u and v.
+fn size(surface: &NurbsSurface) -> [f64; 2] {
+    let [rows, columns] = surface.counts();
+    let point = |i: usize, j: usize| {
+        let [x, y, z, _] = surface.control_points()[i * columns + j];
+        DVec3::new(x, y, z)
+    };
+    let mut lengths = [0.0; 2];
+    for i in 0..rows {
+        for j in 0..columns {
+            if i > 0 {
+                lengths[0] += point(i, j).distance(point(i - 1, j)) / columns as f64;
+            }
+            if j > 0 {
+                lengths[1] += point(i, j).distance(point(i, j - 1)) / rows as f64;
+            }
+        }
+    }
+    lengths
 }
 
 /// Returns the pieces of a face and their deviation, with the rounding of the loops.

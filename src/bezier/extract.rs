@@ -35,8 +35,9 @@ pub struct PatchGrid {
     pub first: usize,
     /// The distinct knots of the domain in u and v, one more each than patches.
     pub breaks: [Vec<f64>; 2],
-    /// The number of grids that share the face of this one; 1 for a whole surface.
-    pub siblings: usize,
+    /// The parts of the numbers of samples and cells along u and v that this grid gets: 1
+    /// for a whole surface, less for a piece of a trimmed face.
+    pub shares: [f64; 2],
 }
 
 impl PatchGrid {
@@ -46,12 +47,11 @@ impl PatchGrid {
         [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
     }
 
-    /// Returns the number of parts along each axis that gives this grid its share of a
-    /// face that is to have `parts` along each: `parts / √siblings`, rounded up, so that
-    /// all grids of the face have about `parts²` in all, and each has at least one.
+    /// Returns the number of parts along `axis` that is this grid's share where whole
+    /// surfaces have `parts`; at least 1.
     #[must_use]
-    pub fn share(&self, parts: usize) -> usize {
-        (parts as f64 / (self.siblings as f64).sqrt()).ceil() as usize
+    pub fn share(&self, axis: Axis, parts: usize) -> usize {
+        ((parts as f64 * self.shares[axis]).ceil() as usize).clamp(1, parts)
     }
 
     /// Returns the index along `axis` of the patch that contains the parameter,
@@ -182,7 +182,7 @@ impl BezierModel {
                 self.point_error.include(degree, radius, center.length());
             }
         }
-        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], siblings: 1 });
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
     }
 }
 

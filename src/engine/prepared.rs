@@ -124,8 +124,8 @@ impl PreparedModel {
             reduced.as_ref().map_or((&*untrimmed, 0.0), |reduced| (&reduced.model, reduced.error));
         let mut bezier = extract(simple);
         bezier.point_error.include_deviation(pieces.deviation() + knot_removal);
-        for (piece, grid) in bezier.grids.iter_mut().enumerate() {
-            grid.siblings = pieces.siblings(piece);
+        for (grid, shares) in bezier.grids.iter_mut().zip(pieces.shares(untrimmed.surfaces())) {
+            grid.shares = shares;
         }
         let control_box = untrimmed.bounding_box().union(simple.bounding_box());
         Ok(Self {

@@ -60,15 +60,17 @@ impl Sampling {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
         let mut first = 0;
         for grid in &model.grids {
-            let samples = grid.share(samples - 1) + 1;
-            let parameters = Axis::BOTH.map(|axis| match rule {
-                SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
-                SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
+            let parameters = Axis::BOTH.map(|axis| {
+                let samples = grid.share(axis, samples - 1) + 1;
+                match rule {
+                    SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
+                    SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
+                }
             });
             let locations = Axis::BOTH
                 .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
             grids.push(SampleGrid { parameters, locations, first });
-            first += samples * samples;
+            first += grids.last().map_or(0, SampleGrid::len);
         }
         let radius = CoveringRadius::of_model(model, &grids);
         Self { grids, radius }

@@ -1,7 +1,7 @@
 //! The faces of a model: a surface with what trims and names it.
 
 use super::NurbsSurface;
-use super::trim::{FaceArrays, Trim, TrimCurveArrays, surface_for};
+use super::trim::{FaceArrays, Trim, TrimCurveArrays, extended_surface};
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 
@@ -80,26 +80,36 @@ impl<'a> Face<'a> {
     }
 }
 
-/// Validates the arrays of face number `index`. A surface whose trimming curves leave its
-/// domain by up to 5 % of the range is extended to them.
+/// The loops of a face, not validated.
+pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
+
+/// Validates the arrays of face number `index` but for its loops, which are returned.
 ///
 /// # Errors
-/// Those of [`NurbsSurface::new`], [`Error::GapInvalid`], [`Error::Trim`].
-pub(super) fn validated(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData)> {
+/// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
+pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
     let FaceArrays { surface, trim, reversed, part, kind, gap } = arrays;
-    let mut surface = NurbsSurface::new(index, surface)?;
+    let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
         return Err(Error::GapInvalid { surface: index, found: gap });
     }
-    let trim = match trim {
-        None => None,
-        Some(loops) => {
-            surface = surface_for(surface, &loops).map_err(|fault| Error::Trim { surface: index, fault })?;
-            let trim = Trim::new(index, &surface, loops.clone())?;
-            Some((loops, trim))
-        }
-    };
-    Ok((surface, FaceData { trim, reversed, part, kind, gap }))
+    Ok((surface, FaceData { trim: None, reversed, part, kind, gap }, trim))
+}
+
+/// Validates the loops of surface number `index`. A surface whose trimming curves leave its
+/// domain by up to 5 % of the range is extended to them; else none is returned.
+///
+/// # Errors
+/// [`Error::Trim`].
+pub(super) fn trimmed(
+    index: usize,
+    surface: &NurbsSurface,
+    loops: &[Vec<TrimCurveArrays>],
+) -> Result<(Option<NurbsSurface>, Trim)> {
+    let in_face = |fault| Error::Trim { surface: index, fault };
+    let extended = extended_surface(surface, loops).map_err(in_face)?;
+    let trim = Trim::validated(extended.as_ref().unwrap_or(surface), loops).map_err(in_face)?;
+    Ok((extended, trim))
 }
 
 impl FaceData {

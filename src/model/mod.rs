@@ -21,9 +21,11 @@ pub use trim::TrimFault;
 
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
+use crate::parallel::map;
 use affine_map::AffineMap;
 use face::FaceData;
 use glam::DVec3;
+use trim::FaceArrays;
 
 /// A non-empty list of NURBS surfaces, each whole or trimmed, measured as one set of points.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,9 +93,7 @@ impl Model {
     /// [`Error::InstanceTransform`], [`Error::TooManyFaces`].
     pub fn from_faces(arrays: ModelArrays) -> Result<Self> {
         let ModelArrays { name, unit, faces, instances } = arrays;
-        let validated =
-            crate::parallel::map(faces.len(), |index| face::validated(index, faces[index].clone()));
-        let faces = validated.into_iter().collect::<Result<Vec<_>>>()?;
+        let faces = validated(faces)?;
         let (surfaces, faces) =
             if instances.is_empty() { faces } else { placed(&faces, &instances)? }.into_iter().unzip();
         Self::of_faces(name, unit, surfaces, faces)
@@ -191,6 +191,26 @@ impl Model {
             .flat_map(NurbsSurface::control_points)
             .fold(Aabb::EMPTY, |aabb, &[x, y, z, _]| aabb.with(DVec3::new(x, y, z)))
     }
+}
+
+/// Returns the validated faces.
+fn validated(faces: Vec<FaceArrays>) -> Result<Vec<(NurbsSurface, FaceData)>> {
+    let faces = faces.into_iter().enumerate().map(|(index, arrays)| face::untrimmed(index, arrays));
+    let faces = faces.collect::<Result<Vec<_>>>()?;
+    let trims = map(faces.len(), |index| {
+        let (surface, _, loops) = &faces[index];
+        loops.as_ref().map(|loops| face::trimmed(index, surface, loops)).transpose()
+    });
+    let mut joined = Vec::with_capacity(faces.len());
+    for ((surface, data, loops), trim) in faces.into_iter().zip(trims) {
+        joined.push(match trim?.zip(loops) {
+            Some(((extended, trim), loops)) => {
+                (extended.unwrap_or(surface), FaceData { trim: Some((loops, trim)), ..data })
+            }
+            None => (surface, data),
+        });
+    }
+    Ok(joined)
 }
 
 /// Returns the faces of each instance, placed by its transform.

@@ -10,18 +10,17 @@ use crate::param_box::ParamBox;
 /// is extended. Curves of real files leave it by up to 2 %.
 const MAX_EXTENSION: f64 = 0.05;
 
-/// Returns the surface whose domain contains the curves: the surface itself where they
-/// leave its domain by at most [`MAX_CLAMPED`], else its polynomial continuation, which is
-/// what CAD kernels evaluate there.
+/// Returns the surface extended to the curves by its polynomial continuation, which is what
+/// CAD kernels evaluate there; `None` where they leave its domain by at most [`MAX_CLAMPED`].
 ///
 /// # Errors
 /// [`TrimFault::OutsideDomain`] beyond [`MAX_EXTENSION`], or where a weight of the
 /// continuation is not positive; [`TrimFault::CurveInvalid`] and
 /// [`TrimFault::WeightNotPositive`].
-pub(in crate::model) fn surface_for(
-    surface: NurbsSurface,
+pub(in crate::model) fn extended_surface(
+    surface: &NurbsSurface,
     loops: &[Vec<TrimCurveArrays>],
-) -> Result<NurbsSurface, TrimFault> {
+) -> Result<Option<NurbsSurface>, TrimFault> {
     let domain = surface.domain();
     let (mut needed, mut largest) = (domain, (0.0, Place { loop_index: 0, curve: 0 }));
     for (loop_index, curves) in loops.iter().enumerate() {
@@ -41,10 +40,10 @@ pub(in crate::model) fn surface_for(
     }
     let (found, Place { loop_index, curve }) = largest;
     if found <= MAX_CLAMPED {
-        return Ok(surface);
+        return Ok(None);
     }
     let extended = if found <= MAX_EXTENSION { surface.extended(&needed) } else { None };
-    extended.ok_or(TrimFault::OutsideDomain { loop_index, curve, found, expected: MAX_EXTENSION })
+    extended.map(Some).ok_or(TrimFault::OutsideDomain { loop_index, curve, found, expected: MAX_EXTENSION })
 }
 
 /// Returns the largest distance of a box's edges outside another, as a fraction of its range.

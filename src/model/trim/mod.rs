@@ -11,7 +11,7 @@ mod orientation;
 mod piece;
 mod winding;
 
-pub(super) use beyond::surface_for;
+pub(super) use beyond::extended_surface;
 pub use fault::TrimFault;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
@@ -100,7 +100,8 @@ impl Trim {
         Self::validated(surface, &loops).map_err(|fault| Error::Trim { surface: index, fault })
     }
 
-    fn validated(
+    /// Returns the trim of these loops, or the first fault, as [`Trim::new`] does.
+    pub(super) fn validated(
         surface: &NurbsSurface,
         loops: &[Vec<TrimCurveArrays>],
     ) -> std::result::Result<Self, TrimFault> {
