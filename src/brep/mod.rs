@@ -15,7 +15,7 @@ mod validation;
 pub use report::{ReadReport, Skipped};
 
 use crate::error::{Error, Result};
-use crate::model::{Model, ModelArrays};
+use crate::model::Model;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
