@@ -148,6 +148,14 @@ pub enum Error {
         /// The degree.
         found: usize,
     },
+    /// A trimmed face that cannot be cut into patches.
+    #[error("surface {surface}: the trimmed face cannot be cut into patches: {found}")]
+    FaceNotCut {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The reason.
+        found: String,
+    },
     /// A model without surfaces.
     #[error("the model has 0 surfaces, expected at least 1")]
     EmptyModel,
@@ -158,6 +166,12 @@ pub enum Error {
         surface: usize,
         /// The violation.
         fault: TrimFault,
+    },
+    /// An operation on whole surfaces was given a trimmed face.
+    #[error("surface {surface} is trimmed, expected whole surfaces")]
+    ModelTrimmed {
+        /// The index of the surface in its model.
+        surface: usize,
     },
     /// The gap of a surface is negative or not finite.
     #[error("surface {surface}: gap is {found:?}, expected a finite number of at least 0")]
@@ -275,6 +289,14 @@ pub enum Error {
         /// The part of the transform that is invalid.
         found: String,
     },
+    /// A point to be measured with a coordinate that is missing, not finite or too large.
+    #[error("point {index} has a coordinate {found}, expected three finite numbers of at most 1e100 in size")]
+    PointOutOfRange {
+        /// The index of the point.
+        index: usize,
+        /// The coordinate, NaN where it is missing.
+        found: f64,
+    },
     /// A shape that is not in the catalogue.
     #[error("there is no shape \"{found}\", expected one of {expected}")]
     UnknownShape {
@@ -354,8 +376,10 @@ impl Error {
             Self::RaggedNet { .. } => "RAGGED_NET",
             Self::TooFewControlPoints { .. } => "TOO_FEW_CONTROL_POINTS",
             Self::DegreeOutOfRange { .. } => "DEGREE_OUT_OF_RANGE",
+            Self::FaceNotCut { .. } => "FACE_NOT_CUT",
             Self::EmptyModel => "EMPTY_MODEL",
             Self::Trim { fault, .. } => fault.code(),
+            Self::ModelTrimmed { .. } => "MODEL_TRIMMED",
             Self::GapInvalid { .. } => "GAP_INVALID",
             Self::InstanceSurface { .. } => "INSTANCE_SURFACE",
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
@@ -370,6 +394,7 @@ impl Error {
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",
+            Self::PointOutOfRange { .. } => "POINT_OUT_OF_RANGE",
             Self::UnknownShape { .. } => "UNKNOWN_SHAPE",
             Self::NoAdapter { .. } => "NO_ADAPTER",
             Self::DeviceLost { .. } => "DEVICE_LOST",

@@ -17,7 +17,7 @@ const SAMPLES: usize = 8;
 const AGREEMENT: f64 = 1e-5;
 
 async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
-    let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()));
+    let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()).unwrap());
     engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
 }
 

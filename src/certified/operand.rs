@@ -43,6 +43,11 @@ impl<'a> Operand<'a> {
         Self { control_box, point_error, ..self }
     }
 
+    /// The same patches, a part of the model `whole`, with the accuracy of its points.
+    pub(crate) fn with_accuracy_of(self, whole: &Operand<'_>) -> Self {
+        self.with_accuracy(whole.control_box, whole.point_error)
+    }
+
     /// The same model for an operand whose patches are cut as `uncut_patches` are.
     pub(crate) fn with_uncut(self, uncut_patches: &'a PatchSet) -> Self {
         Self { uncut_patches, ..self }

@@ -1,10 +1,11 @@
 //! One direction of method `certified`, within its budgets.
 
-use super::directed_result::{DirectedResult, surface_point};
+use super::directed_result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified};
+use crate::pieces::FacePieces;
 use crate::progress::Progress;
 use std::rc::Rc;
 use web_time::Instant;
@@ -16,6 +17,7 @@ use web_time::Instant;
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
     mut pair: Pair<'_>,
+    [from_pieces, to_pieces]: [&FacePieces; 2],
     diagonal: f64,
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
@@ -66,8 +68,12 @@ pub(super) async fn certified(
         lower,
         upper,
         converged: stop == Stop::Converged,
-        from: surface_point(from.surface, from.surface_parameters(witness.parameters), witness.point),
-        to: surface_point(
+        from: from_pieces.surface_point(
+            from.surface,
+            from.surface_parameters(witness.parameters),
+            witness.point,
+        ),
+        to: to_pieces.surface_point(
             to.surface,
             to.surface_parameters(witness.closest.parameters),
             witness.closest.point,

@@ -3,7 +3,11 @@
 use super::Field;
 use super::iteration::SampledDirection;
 use crate::bezier::Jet;
-use crate::iteration::{Projected, SampleGrid};
+use crate::closest::closest_above;
+use crate::error::Result;
+use crate::iteration::{Projected, SampleGrid, sample};
+use crate::parallel::map;
+use crate::progress::Progress;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -73,18 +77,61 @@ impl Statistics {
     }
 }
 
+/// The width of the certified interval of a sample's distance, relative to the models'
+/// diagonal: below what any colour or statistic shows.
+const FIELD_GAP: f64 = 1e-9;
+
+/// The number of samples between two checkpoints: some milliseconds of work.
+const SAMPLES_AT_ONCE: usize = 2048;
+
 impl SampledDirection<'_> {
-    /// One field a surface, distances recomputed in float64 from the feet.
-    pub(super) fn field(&self, projected: &[Projected]) -> Vec<Field> {
+    /// Returns one field a surface.
+    ///
+    /// Guarantee: every distance exceeds the sample's distance to the other model by at
+    /// most [`FIELD_GAP`] of the diagonal and is not below it, up to rounding. The
+    /// projections are only starting points: each sample's closest point is searched
+    /// on the whole of the other model in float64. O(samples log patches) in general
+    /// position.
+    ///
+    /// # Errors
+    /// [`crate::Error::Cancelled`].
+    pub(super) async fn field(
+        &self,
+        projected: &[Projected],
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Field>> {
+        // What the threads share; the models around it are not made for that.
+        let (model, sampling, target) = (self.from.bezier(), &self.sampling.sampling, &self.target.target);
+        let gap = FIELD_GAP * self.diagonal;
+        let transform = self.transform;
+        let nearest_foot = |index: usize| {
+            let projected = projected[index];
+            let point = sample(model, sampling, index, &transform);
+            let known = Some((projected.patch as u32, projected.parameters));
+            closest_above(target, point, gap, known, 0.0, None).map_or(projected, |closest| Projected {
+                patch: closest.patch,
+                parameters: closest.parameters,
+                distance_squared: closest.upper * closest.upper,
+                ..projected
+            })
+        };
+        let mut feet = Vec::with_capacity(projected.len());
+        while feet.len() < projected.len() {
+            let first = feet.len();
+            let count = SAMPLES_AT_ONCE.min(projected.len() - first);
+            feet.extend(map(count, |index| nearest_foot(first + index)));
+            progress.checkpoint(1.0).await?;
+        }
         let grids = self.sampling.sampling.grids.iter().enumerate();
-        grids.map(|(surface, grid)| self.field_of_surface(surface, grid, projected)).collect()
+        Ok(grids.map(|(surface, grid)| self.field_of_surface(surface, grid, &feet)).collect())
     }
 
-    fn field_of_surface(&self, surface: usize, grid: &SampleGrid, projected: &[Projected]) -> Field {
-        let mut field = Field { surface, counts: grid.counts(), ..Field::default() };
+    fn field_of_surface(&self, surface: usize, grid: &SampleGrid, feet: &[Projected]) -> Field {
+        let face = self.from.pieces().face(surface);
+        let mut field = Field { surface: face, counts: grid.counts(), ..Field::default() };
         let bezier = self.from.bezier();
         let patches = &bezier.grids[surface];
-        for (index, projected) in projected.iter().enumerate().skip(grid.first).take(grid.len()) {
+        for (index, projected) in feet.iter().enumerate().skip(grid.first).take(grid.len()) {
             let (i, j) = grid.row_and_column(index);
             let ((row, s), (column, t)) = (grid.locations[0][i], grid.locations[1][j]);
             let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);
@@ -104,6 +151,22 @@ impl SampledDirection<'_> {
     }
 }
 
+impl Field {
+    /// Limits the distances to an upper bound on the distance of the whole model, which
+    /// they may exceed by the gap of their search.
+    pub(super) fn limit(&mut self, upper: f64) {
+        for distance in &mut self.distances {
+            *distance = distance.min(upper);
+        }
+        // NaN, which stands for no sign, stays NaN.
+        for signed in &mut self.signed {
+            if signed.abs() > upper {
+                *signed = upper.copysign(*signed);
+            }
+        }
+    }
+}
+
 /// The parameter range that a sample stands for: half of both its neighbours'.
 fn weight(parameters: &[f64], index: usize) -> f64 {
     let before = parameters[index.saturating_sub(1)];
@@ -112,7 +175,7 @@ fn weight(parameters: &[f64], index: usize) -> f64 {
 }
 
 /// The distance, negative behind the foot's normal; NaN where there is no normal.
-fn signed(point: DVec3, foot: &Jet) -> f64 {
+pub(super) fn signed(point: DVec3, foot: &Jet) -> f64 {
     let offset = point - foot.point;
     foot.normal().map_or(f64::NAN, |normal| offset.length().copysign(offset.dot(normal)))
 }

@@ -2,7 +2,9 @@
 //! and the result.
 
 mod certified;
+mod closest_points;
 mod deviation;
+mod diff;
 mod directed_result;
 mod direction;
 mod dispatch;
@@ -13,7 +15,9 @@ mod prepared;
 mod result;
 mod symmetric;
 
+pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use deviation::Statistics;
+pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;

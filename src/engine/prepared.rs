@@ -4,13 +4,15 @@ use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract};
 use crate::bvh::Aabb;
 use crate::certified::Operand;
 use crate::closest::Target;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::flatness::{Flatness, MAX_HALVINGS, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
+use crate::pieces::FacePieces;
+use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -20,6 +22,13 @@ use std::rc::Rc;
 #[derive(Debug)]
 pub struct PreparedModel {
     name: Option<String>,
+    unit: Option<f64>,
+    /// The model itself, kept if it states its unit, to be scaled to another.
+    source: Option<Model>,
+    /// The model in another unit, the last one.
+    scaled: RefCell<Option<Rc<PreparedModel>>>,
+    gap: f64,
+    pieces: FacePieces,
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
@@ -27,6 +36,9 @@ pub struct PreparedModel {
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
 }
+
+/// The roundings of a coordinate scaled to another unit: the factor and the product.
+const SCALE_ROUNDINGS: f64 = 4.0;
 
 type SamplingKey = (usize, SamplingRule);
 
@@ -40,6 +52,11 @@ pub(crate) struct PreparedTarget {
 }
 
 impl PreparedTarget {
+    /// Returns the extension of every patch.
+    pub(crate) fn extensions(&self) -> &[ParamBox] {
+        &self.extensions
+    }
+
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
@@ -69,19 +86,32 @@ pub(crate) struct PreparedCells {
 const MAX_SAMPLINGS: usize = 4;
 
 impl PreparedModel {
-    /// Extracts the Bézier patches and detects symmetries. O(patches p q (p + q)).
-    #[must_use]
-    pub fn new(model: &Model) -> Self {
-        let bezier = extract(model);
-        Self {
+    /// Cuts trimmed faces into pieces, extracts the Bézier patches and detects symmetries.
+    /// O(patches p q (p + q)), and for trimmed faces the cutting, on all cores.
+    ///
+    /// # Errors
+    /// [`crate::Error::FaceNotCut`].
+    pub fn new(model: &Model) -> Result<Self> {
+        let (pieces, untrimmed) = FacePieces::new(model)?;
+        let mut bezier = extract(&untrimmed);
+        bezier.point_error.include_deviation(pieces.deviation());
+        for (grid, shares) in bezier.grids.iter_mut().zip(pieces.shares(untrimmed.surfaces())) {
+            grid.shares = shares;
+        }
+        Ok(Self {
             name: model.name().map(str::to_owned),
+            unit: model.unit(),
+            source: model.unit().map(|_| model.clone()),
+            scaled: RefCell::default(),
+            gap: model.gap(),
+            pieces,
             revolutions: revolutions(&bezier),
             bezier,
-            bounding_box: model.bounding_box(),
+            bounding_box: untrimmed.bounding_box(),
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
-        }
+        })
     }
 
     /// Returns the model's name, if it has one.
@@ -90,16 +120,89 @@ impl PreparedModel {
         self.name.as_deref()
     }
 
-    /// Returns the numbers of Bézier patches along u and v, one entry per surface.
+    /// Returns the metres per coordinate unit, if they are known.
+    #[must_use]
+    pub fn unit(&self) -> Option<f64> {
+        self.unit
+    }
+
+    /// Returns this model in the unit of `other` if both state different units, else
+    /// `None`; the last one is kept.
+    ///
+    /// # Errors
+    /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
+    /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
+    pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Rc<Self>>> {
+        let (Some(a), Some(b), Some(source)) = (other.unit, self.unit, &self.source) else { return Ok(None) };
+        if a == b {
+            return Ok(None);
+        }
+        if !scale {
+            return Err(Error::UnitsDiffer { a, b });
+        }
+        let mut scaled = self.scaled.borrow_mut();
+        match &*scaled {
+            Some(kept) if kept.unit == Some(a) => Ok(Some(Rc::clone(kept))),
+            _ => {
+                let mut prepared = Self::new(&source.scaled_to_unit(a)?)?;
+                let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
+                prepared.bezier.point_error.include_deviation(rounding);
+                let prepared = Rc::new(prepared);
+                *scaled = Some(Rc::clone(&prepared));
+                Ok(Some(prepared))
+            }
+        }
+    }
+
+    /// Returns an upper bound, in model units, on the distance between the model and its source.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
+    /// Returns an upper bound on the Hausdorff distance between the trimmed faces and the
+    /// pieces that are measured in their place; 0 for a model without trims. It is part of
+    /// every interval.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        self.pieces.deviation()
+    }
+
+    /// Returns the numbers of Bézier patches along u and v, one entry per piece, in the
+    /// order of the faces; an untrimmed face is one piece.
     pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
         self.bezier.grids.iter().map(PatchGrid::counts)
+    }
+
+    /// Returns the numbers of Bézier patches of the faces.
+    pub fn face_patch_counts(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.pieces.faces().iter().map(|pieces| {
+            self.bezier.grids[pieces.clone()].iter().map(|grid| grid.counts().iter().product::<usize>()).sum()
+        })
+    }
+
+    /// Returns the number of faces.
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.pieces.face_count()
+    }
+
+    /// Returns the name of a face in its source, if it has one.
+    #[must_use]
+    pub fn part(&self, face: usize) -> Option<&str> {
+        self.pieces.part(face)
+    }
+
+    /// Returns the pieces of the faces.
+    pub(crate) fn pieces(&self) -> &FacePieces {
+        &self.pieces
     }
 
     pub(crate) fn bezier(&self) -> &BezierModel {
         &self.bezier
     }
 
-    /// Returns the box of the model's control points.
+    /// Returns the box of the control points of the model's pieces.
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         self.bounding_box

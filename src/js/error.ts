@@ -2,8 +2,10 @@
  * What went wrong, as a code that stays the same across releases; the
  * message, for people, may change. All but the last three are Rust's.
  *
- * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
- *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
+ * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
+ *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, or is too
+ *   long: `FILE_TOO_LARGE`;
+ * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
@@ -24,19 +26,36 @@ export type ErrorCode =
   | "RAGGED_NET"
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
+  | "FACE_NOT_CUT"
   | "EMPTY_MODEL"
+  | "MODEL_TRIMMED"
+  | "GAP_INVALID"
+  | "INSTANCE_SURFACE"
+  | "INSTANCE_TRANSFORM"
+  | "TOO_MANY_FACES"
+  | "UNIT_INVALID"
+  | "UNITS_DIFFER"
   | "JSON_SHAPE"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"
   | "OPTION_OUT_OF_RANGE"
   | "OPTION_INVALID"
   | "TRANSFORM_NOT_RIGID"
+  | "POINT_OUT_OF_RANGE"
   | "UNKNOWN_SHAPE"
   | "NO_ADAPTER"
   | "DEVICE_LOST"
   | "GPU_FAILED"
   | "PAIR_BUDGET_EXCEEDED"
   | "CANCELLED"
+  | "TRIM_NO_LOOPS"
+  | "TRIM_CURVE_INVALID"
+  | "TRIM_WEIGHT_NOT_POSITIVE"
+  | "TRIM_LOOP_OPEN"
+  | "TRIM_OUTSIDE_DOMAIN"
+  | "TRIM_LOOP_NO_AREA"
+  | "TRIM_LOOPS_CROSS"
+  | "TRIM_WRONG_NESTING"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
   | "DISPOSED";

@@ -1,9 +1,24 @@
+import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
+import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
 import { load, type ModuleSource, requireLoaded } from "./load.js";
 import { NurbsModel } from "./model.js";
-import { type Backend, type DistanceOptions, split } from "./options.js";
+import {
+  type Backend,
+  type DistanceOptions,
+  type OnProgress,
+  split,
+  type Transform,
+} from "./options.js";
 import type { DistanceResult } from "./result.js";
-import { type InterchangeModel, prepare, type SurfaceArrays } from "./surface.js";
+import {
+  type InterchangeModel,
+  type ModelArrays,
+  type Numbers,
+  numbers,
+  prepare,
+  type SurfaceArrays,
+} from "./surface.js";
 import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
@@ -69,12 +84,12 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON, or of its text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+  model(input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string): NurbsModel {
     this.#open();
     return translating(() => NurbsModel.of(prepare(input)));
   }
@@ -106,6 +121,7 @@ export class Hausdorff {
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `UNITS_DIFFER`, unless `scaleUnits` is set;
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */
@@ -114,17 +130,51 @@ export class Hausdorff {
     b: NurbsModel,
     options: DistanceOptions = {},
   ): Promise<DistanceResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, ...rest) => engine.distance(...models, ...rest));
+  }
+
+  /**
+   * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`
+   * with `a`, by method `certified` on the CPU: which faces changed by more than the
+   * tolerance, how far and where.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, ...rest) => engine.diff(...models, ...rest));
+  }
+
+  /**
+   * The closest points of `model` to `points` (x, y, z each, such as the vertices of
+   * a mesh or a scan), moved by `transform`: distances, feet and a bound for each.
+   * Points that follow each other should be near each other.
+   *
+   * @throws {HausdorffError} `POINT_OUT_OF_RANGE`, with the index of the point;
+   * `CANCELLED`, `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  async closestPoints(
+    model: NurbsModel,
+    points: Numbers,
+    options: ClosestPointOptions = {},
+  ): Promise<ClosestPoints> {
+    const surfaces = prepared(model, "model");
+    const coordinates = numbers(points, "points");
+    return this.#inTurn(options, (engine, ...rest) =>
+      engine.closestPoints(surfaces, coordinates, ...rest),
+    );
+  }
+
+  /** Runs a method of the engine when no other is running. */
+  async #inTurn<Result>(
+    options: DistanceOptions | DiffOptions | ClosestPointOptions,
+    run: (engine: Engine, ...rest: TurnArguments) => Promise<unknown>,
+  ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const result = engine.distance(
-      prepared(a, "a"),
-      prepared(b, "b"),
-      plain,
-      transform,
-      signal,
-      onProgress,
-      this.#turn,
-    ) as Promise<DistanceResult>;
+    const result = run(engine, plain, transform, signal, onProgress, this.#turn) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
       return await result;
@@ -150,6 +200,15 @@ export class Hausdorff {
     return this.#engine;
   }
 }
+
+/** The last arguments of every method of the engine that takes its turn. */
+type TurnArguments = [
+  plain: object,
+  transform: Transform | undefined,
+  signal: AbortSignal | undefined,
+  onProgress: OnProgress | undefined,
+  turn: Promise<unknown>,
+];
 
 function prepared(model: NurbsModel, name: string): PreparedModel {
   if (!(model instanceof NurbsModel)) {

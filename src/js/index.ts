@@ -1,4 +1,6 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
+export type { ClosestPointOptions, ClosestPoints } from "./closest.js";
+export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./diff.js";
 export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
 export type { ModuleSource } from "./load.js";
@@ -15,9 +17,14 @@ export type {
 } from "./result.js";
 export type {
   ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
   InterchangeModel,
   InterchangeSurface,
+  ModelArrays,
   Numbers,
   SurfaceArrays,
+  TrimCurveArrays,
 } from "./surface.js";
 export type { Tessellation } from "./tessellation.js";

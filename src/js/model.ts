@@ -38,12 +38,27 @@ export class NurbsModel {
     return this.prepared.name ?? null;
   }
 
-  /** Number of surfaces, at least 1. */
+  /** Metres per model unit, or null if the model does not state it. */
+  get unit(): number | null {
+    return this.prepared.unit ?? null;
+  }
+
+  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  get gap(): number {
+    return this.prepared.gap;
+  }
+
+  /** The name of a surface in its source, or null. */
+  part(surface: number): string | null {
+    return this.prepared.part(surface) ?? null;
+  }
+
+  /** Number of surfaces, trimmed or whole, at least 1; with instances, of those they place. */
   get surfaceCount(): number {
     return this.prepared.surfaceCount;
   }
 
-  /** The box of all control points, which contains the model. */
+  /** The box of all control points of what is measured, which contains the model. */
   get boundingBox(): { min: Vector3; max: Vector3 } {
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.prepared.boundingBox;
     return { min: [a, b, c], max: [d, e, f] };

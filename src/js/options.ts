@@ -58,6 +58,8 @@ export interface DistanceOptions {
   memoryBudget?: number;
   /** Whether the distance from B to A is computed too; default no. */
   symmetric?: boolean;
+  /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
   /** Moves A before it is measured, without an upload. */
   transform?: Transform;
   /** The processor for this distance; default `auto`. */

@@ -2,6 +2,7 @@
 
 mod affine_map;
 mod arrays;
+mod evaluate;
 mod extension;
 mod face;
 mod json;
@@ -125,6 +126,14 @@ impl Model {
     #[must_use]
     pub fn is_trimmed(&self) -> bool {
         self.faces.iter().any(|face| face.trim.is_some())
+    }
+
+    /// # Errors
+    /// [`Error::ModelTrimmed`] for a model with a trimmed face, which operations on whole
+    /// surfaces would lose.
+    pub(crate) fn require_whole(&self) -> Result<()> {
+        let trimmed = self.faces.iter().position(|face| face.trim.is_some());
+        trimmed.map_or(Ok(()), |surface| Err(Error::ModelTrimmed { surface }))
     }
 
     /// Returns an upper bound, in model units, on the distance between the model and its

@@ -1,7 +1,7 @@
 //! Values on their way between Rust and JavaScript: options, results,
 //! tessellations and errors.
 
-use crate::engine::{DistanceResult, Field, Options};
+use crate::engine::{ClosestPointOptions, ClosestPoints, DiffOptions, DistanceResult, Field, Options};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tessellate::Tessellation;
@@ -20,15 +20,39 @@ use wasm_bindgen::{JsCast, JsValue};
 /// [`Error::OptionInvalid`] for an unknown name or a value of another type,
 /// [`Error::TransformNotRigid`].
 pub(super) fn options(options: &JsValue, transform: &JsValue) -> Result<Options> {
-    let transform = if transform.is_undefined() {
-        RigidTransform::IDENTITY
-    } else {
-        let TransformParts { rotation, translation } =
-            properties(transform).map_err(|found| invalid(format!("transform: {found}")))?;
-        RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?
-    };
+    let transform = rigid_transform(transform)?;
     let options: Options = properties(options).map_err(invalid)?;
     Ok(Options { transform, ..options })
+}
+
+/// The options of a comparison of faces, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn diff_options(options: &JsValue, transform: &JsValue) -> Result<DiffOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: DiffOptions = properties(options).map_err(invalid)?;
+    Ok(DiffOptions { transform, ..options })
+}
+
+/// The options of closest points, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn closest_point_options(options: &JsValue, transform: &JsValue) -> Result<ClosestPointOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: ClosestPointOptions = properties(options).map_err(invalid)?;
+    Ok(ClosestPointOptions { transform, ..options })
+}
+
+/// The transform of an object; undefined is the identity.
+fn rigid_transform(transform: &JsValue) -> Result<RigidTransform> {
+    if transform.is_undefined() {
+        return Ok(RigidTransform::IDENTITY);
+    }
+    let TransformParts { rotation, translation } =
+        properties(transform).map_err(|found| invalid(format!("transform: {found}")))?;
+    RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))
 }
 
 /// One option given apart from the others; undefined is its default.
@@ -162,6 +186,37 @@ impl From<&Field> for FieldArrays {
             statuses: field.statuses.as_slice().into(),
         }
     }
+}
+
+#[derive(Serialize)]
+struct ClosestPointArrays {
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    distances: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    bounds: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    signed: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    feet: Float64Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    surfaces: Uint32Array,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    parameters: Float64Array,
+}
+
+/// Closest points as typed arrays.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsValue, JsValue> {
+    to_object(&ClosestPointArrays {
+        distances: found.distances.as_slice().into(),
+        bounds: found.bounds.as_slice().into(),
+        signed: found.signed.as_slice().into(),
+        feet: found.feet.as_slice().into(),
+        surfaces: found.surfaces.as_slice().into(),
+        parameters: found.parameters.as_slice().into(),
+    })
 }
 
 /// Triangles as typed arrays.

@@ -56,19 +56,67 @@ impl Engine {
         let engine = Rc::clone(&self.0);
         let (a, b) = (a.inner(), b.inner());
         let options = convert::options(options, transform);
-        future_to_promise(async move {
-            let options = options?;
-            // The turn comes however the previous distance ended.
-            let _ = JsFuture::from(turn).await;
-            let mut monitor = JsMonitor::new(signal, on_progress);
-            if monitor.cancelled() {
-                return Err(Error::Cancelled.into());
-            }
-            let result = engine.distance(&a, &b, &options, &mut monitor).await;
-            match monitor.into_thrown() {
-                Some(thrown) => Err(thrown),
-                None => convert::result(&result?),
-            }
+        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
+            convert::result(&engine.distance(&a, &b, &options?, monitor).await?)
         })
     }
+
+    /// As `distance`, for the comparison of all faces.
+    pub fn diff(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &JsValue,
+        transform: &JsValue,
+        signal: Option<AbortSignal>,
+        on_progress: Option<Function>,
+        turn: Promise,
+    ) -> Promise {
+        let engine = Rc::clone(&self.0);
+        let (a, b) = (a.inner(), b.inner());
+        let options = convert::diff_options(options, transform);
+        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
+            convert::to_object(&engine.diff(&a, &b, &options?, monitor).await?)
+        })
+    }
+
+    /// As `distance`, for the closest points of a model to `points`, x, y, z each.
+    #[wasm_bindgen(js_name = closestPoints)]
+    pub fn closest_points(
+        &self,
+        model: &PreparedModel,
+        points: Vec<f64>,
+        options: &JsValue,
+        transform: &JsValue,
+        signal: Option<AbortSignal>,
+        on_progress: Option<Function>,
+        turn: Promise,
+    ) -> Promise {
+        let engine = Rc::clone(&self.0);
+        let model = model.inner();
+        let options = convert::closest_point_options(options, transform);
+        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
+            convert::closest_points(&engine.closest_points(&model, &points, &options?, monitor).await?)
+        })
+    }
+}
+
+/// Does `work` when `turn` is settled, unless the monitor cancels it before.
+fn in_turn(
+    turn: Promise,
+    mut monitor: JsMonitor,
+    work: impl AsyncFnOnce(&mut JsMonitor) -> Result<JsValue, JsValue> + 'static,
+) -> Promise {
+    future_to_promise(async move {
+        // The turn comes however the previous work ended.
+        let _ = JsFuture::from(turn).await;
+        if monitor.cancelled() {
+            return Err(Error::Cancelled.into());
+        }
+        let result = work(&mut monitor).await;
+        match monitor.into_thrown() {
+            Some(thrown) => Err(thrown),
+            None => result,
+        }
+    })
 }

@@ -19,7 +19,7 @@ pub struct PreparedModel(Rc<engine::PreparedModel>);
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(&Model::from_arrays(None, surfaces.into_inner())?))
+        Self::new(&Model::from_faces(surfaces.into_inner())?)
     }
 
     /// A model of interchange JSON.
@@ -30,12 +30,12 @@ impl PreparedModel {
         if found > Model::MAX_JSON_BYTES {
             return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
         }
-        Ok(Self::new(&Model::from_json(&String::from(text))?))
+        Self::new(&Model::from_json(&String::from(text))?)
     }
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Ok(Self::new(&shape(name)?))
+        Self::new(&shape(name)?)
     }
 
     #[wasm_bindgen(getter)]
@@ -43,9 +43,25 @@ impl PreparedModel {
         self.0.name().map(str::to_owned)
     }
 
+    /// Metres per unit.
+    #[wasm_bindgen(getter)]
+    pub fn unit(&self) -> Option<f64> {
+        self.0.unit()
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn gap(&self) -> f64 {
+        self.0.gap()
+    }
+
+    /// The name of a face, of which there are [`Self::surface_count`].
+    pub fn part(&self, face: usize) -> Option<String> {
+        if face < self.0.face_count() { self.0.part(face).map(str::to_owned) } else { None }
+    }
+
     #[wasm_bindgen(getter, js_name = surfaceCount)]
     pub fn surface_count(&self) -> usize {
-        self.0.bezier().grids.len()
+        self.0.face_count()
     }
 
     /// The smallest x, y, z, then the largest.
@@ -57,13 +73,13 @@ impl PreparedModel {
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.0.bezier(), tolerance)?)
+        convert::tessellation(&tessellate_patches(self.0.bezier(), self.0.pieces(), tolerance)?)
     }
 }
 
 impl PreparedModel {
-    fn new(model: &Model) -> Self {
-        Self(Rc::new(engine::PreparedModel::new(model)))
+    fn new(model: &Model) -> Result<Self> {
+        Ok(Self(Rc::new(engine::PreparedModel::new(model)?)))
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {

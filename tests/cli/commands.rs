@@ -248,3 +248,23 @@ fn help_and_completion_name_the_commands() {
         assert!(String::from_utf8_lossy(&output.stdout).contains("distance"), "{arguments:?}");
     }
 }
+
+#[test]
+fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any() {
+    let [a, b] = planes("diff");
+    let output = run(&["diff", &a, &b]);
+    assert_eq!(status(&output), 1);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("faces of A 0 unchanged, 1 changed, 0 undecided"), "{text}");
+    assert!(text.contains("changed    B face 0: ["), "{text}");
+    let output = run(&["diff", &a, &b, "--json"]);
+    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(result["state"], "changed");
+    assert!(
+        result["a"][0]["lower"].as_f64().unwrap() <= 3.0 && 3.0 <= result["a"][0]["upper"].as_f64().unwrap()
+    );
+    assert_eq!(status(&run(&["diff", &a, &b, "--tolerance", "4"])), 0);
+    assert_eq!(status(&run(&["diff", &a, &b, "--translate", "0,0,3"])), 0);
+    let refused = run(&["diff", &a, &b, "--tolerance", "-1"]);
+    assert_eq!(status(&refused), 2);
+}

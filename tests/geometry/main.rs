@@ -17,3 +17,4 @@ mod shape_operations;
 mod shapes;
 mod tessellation;
 mod trim_validation;
+mod untrim;

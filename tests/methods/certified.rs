@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-12;
 
 fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -> DistanceResult {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
+    let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     pollster::block_on(engine.distance(&a, &b, options, monitor)).unwrap()
 }
 

@@ -4,7 +4,7 @@ use crate::motion::{Rotation, Translation};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
-use nurbs_hausdorff::{Backend, Method, Options, Result, RigidTransform};
+use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are interchange JSON files.
@@ -22,6 +22,11 @@ pub(crate) enum Command {
     /// Exit status: 0 if the distance was computed or is within --limit, 1 if it
     /// is beyond --limit, 2 for bad input, 3 if --limit was not decided.
     Distance(Box<DistanceArguments>),
+    /// Compares two models face by face.
+    ///
+    /// Exit status: 0 if no face changed by more than --tolerance, 1 if one did,
+    /// 2 for bad input, 3 if a face could not be decided and none changed.
+    Diff(DiffArguments),
     /// Prints the surfaces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Prints a completion script.
@@ -85,6 +90,9 @@ pub(crate) struct DistanceArguments {
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -100,6 +108,47 @@ pub(crate) struct DistanceArguments {
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DiffArguments {
+    /// The one model.
+    pub(crate) a: PathBuf,
+    /// The other model.
+    pub(crate) b: PathBuf,
+    /// Distance, in model units, up to which a face counts as unchanged.
+    #[arg(long, default_value_t = 1e-3)]
+    tolerance: f64,
+    /// Cells after which a face is given up as undecided.
+    #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
+    max_cells: usize,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
+    /// Moves A before it is compared.
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
+    translate: Translation,
+    /// Rotates A about an axis through the origin, before --translate moves it.
+    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
+    rotate: Rotation,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl DiffArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<DiffOptions> {
+        Ok(DiffOptions {
+            tolerance: self.tolerance,
+            max_cells: self.max_cells,
+            scale_units: self.scale_units,
+            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
+        })
+    }
 }
 
 #[derive(Debug, Args)]
@@ -134,6 +183,7 @@ impl DistanceArguments {
             grid: self.grid,
             memory_budget: self.memory_budget,
             symmetric: self.symmetric,
+            scale_units: self.scale_units,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
             field: self.field,

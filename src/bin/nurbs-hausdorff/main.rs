@@ -2,6 +2,7 @@
 
 mod args;
 mod completions;
+mod diff;
 mod distance;
 mod failure;
 mod files;
@@ -23,6 +24,7 @@ fn main() -> std::process::ExitCode {
     };
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };

@@ -16,7 +16,7 @@ impl UpperBound for SameNet {
 
 /// An upper bound on the distance to B of every point of A's patch of this
 /// index from B's patch of the same index; +∞ unless both are of the same part
-/// of the surface of the same index, of the same degrees and weights.
+/// of their surfaces, of the same degrees and weights.
 ///
 /// Then `A - B` has those weights too and the differences of the control
 /// points for its own, whose convex hull contains it. O(p q).
@@ -25,7 +25,7 @@ pub(super) fn upper_bound(pair: &Pair<'_>, index: u32) -> f64 {
         return f64::INFINITY;
     }
     let (of_a, of_b) = (pair.a.patch(index), pair.b.uncut_patches.patch(index as usize));
-    let identity = |patch: &Patch<'_>| (patch.surface, patch.degree, patch.domain);
+    let identity = |patch: &Patch<'_>| (patch.degree, patch.domain);
     if identity(&of_a) != identity(&of_b) {
         return f64::INFINITY;
     }

@@ -3,7 +3,7 @@
 mod backend;
 mod cpu;
 
-use super::directed_result::{DirectedResult, surface_point};
+use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
 use super::{Details, HierarchyDetails, Options, PreparedModel, Processor, Seconds};
 use crate::error::{Error, Result};
@@ -78,6 +78,8 @@ impl Direction<'_> {
             adapter,
             notice: None,
             diagonal: pair.diagonal,
+            unit: self.unit(),
+            model_gap: self.model_gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: self.to.bezier().patches.len(),
             seconds: Seconds {
@@ -146,15 +148,18 @@ impl TreePair<'_> {
         let [(a_parameters, a), (b_parameters, b)] =
             [0, 1].map(|side| self.trees[side].middle(self.models[side].bezier(), farthest[side]));
         let a = self.transform.apply(a);
-        let surface = |side: usize| self.trees[side].cells[farthest[side]].surface as usize;
+        let surface_point = |side: usize, parameters, point| {
+            let piece = self.trees[side].cells[farthest[side]].surface as usize;
+            self.models[side].pieces().surface_point(piece, parameters, point)
+        };
         let tolerance = if options.absolute { options.tolerance } else { options.tolerance * self.diagonal };
         Ok(DirectedResult {
             computed: a.distance(b),
             lower,
             upper,
             converged: upper - lower <= tolerance,
-            from: surface_point(surface(0), a_parameters, a),
-            to: surface_point(surface(1), b_parameters, b),
+            from: surface_point(0, a_parameters, a),
+            to: surface_point(1, b_parameters, b),
             details: Details::Hierarchy(HierarchyDetails { grid: options.grid, levels: pairs.len(), pairs }),
             field: Vec::new(),
         })

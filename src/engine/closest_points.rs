@@ -1,0 +1,155 @@
+//! The closest points of a model to given points.
+
+use super::{Engine, PreparedModel};
+use crate::closest::closest_above;
+use crate::error::{Error, Result};
+use crate::flatness::{Flatness, MAX_HALVINGS};
+use crate::limits::is_in_range;
+use crate::model::RigidTransform;
+use crate::parallel::map_ranges;
+use crate::progress::{Monitor, Progress};
+use crate::rounding::{VANISHING_LENGTH, gamma};
+use glam::DVec3;
+use serde::Deserialize;
+
+/// The number of points between two checkpoints: some tens of milliseconds of work.
+const POINTS_AT_ONCE: usize = 8192;
+
+/// The roundings of a distance of two points, relative to it: three differences,
+/// their squares, two sums and a root.
+const DISTANCE_ROUNDINGS: f64 = 7.0;
+
+/// Options of [`Engine::closest_points`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct ClosestPointOptions {
+    /// How much a distance may exceed the least one, relative to the diagonal of the
+    /// model's control-net box; positive.
+    pub tolerance: f64,
+    /// Whether the tolerance is in model units.
+    pub absolute: bool,
+    /// Moves the points before they are measured. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl Default for ClosestPointOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-9, absolute: false, transform: RigidTransform::IDENTITY }
+    }
+}
+
+/// The closest points of a model to given points, one entry a point in each list.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ClosestPoints {
+    /// The distances from the points to their feet.
+    pub distances: Vec<f64>,
+    /// The bounds: the distance from point i to the model is in
+    /// `[distances[i] - bounds[i], distances[i] + bounds[i]]`.
+    pub bounds: Vec<f64>,
+    /// The distances, negative behind the surface's normal (u × v) at the foot; NaN
+    /// where it has no normal.
+    pub signed: Vec<f64>,
+    /// The feet, the points of the model that were found: x, y, z each.
+    pub feet: Vec<f64>,
+    /// The indices of the feet's surfaces.
+    pub surfaces: Vec<u32>,
+    /// The feet's parameters there: u, v each.
+    pub parameters: Vec<f64>,
+}
+
+impl Engine {
+    /// Returns the closest points of a model to `points`, x, y, z each, moved by the
+    /// options' transform.
+    ///
+    /// Guarantee: the true distance of every point is within its bound of the one
+    /// returned. The search is best first over the model's tree in float64, from the
+    /// foot of the previous point, so that neighbours should follow each other.
+    /// O(points log patches) in general position.
+    ///
+    /// # Errors
+    /// [`Error::PointOutOfRange`] for a coordinate that is not finite or above 1e100 in
+    /// size, and for a last point of fewer than three; [`Error::OptionOutOfRange`];
+    /// [`Error::Cancelled`].
+    pub async fn closest_points(
+        &self,
+        model: &PreparedModel,
+        points: &[f64],
+        options: &ClosestPointOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<ClosestPoints> {
+        let positive = options.tolerance > 0.0 && options.tolerance.is_finite();
+        if !positive {
+            return Err(Error::out_of_range("tolerance", options.tolerance, "a positive finite number"));
+        }
+        validate(points)?;
+        let flat = model.target(Flatness::Loose);
+        let (target, transform) = (&flat.target, options.transform);
+        let pieces = model.pieces();
+        let diagonal = model.bounding_box().diagonal();
+        let gap = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+        let point_error = model.bezier().point_error.after(MAX_HALVINGS);
+        let mut progress = Progress::new(monitor, false);
+        let mut found = ClosestPoints::default();
+        let count = points.len() / 3;
+        for page in points.chunks(3 * POINTS_AT_ONCE) {
+            let parts = map_ranges(page.len() / 3, |range| {
+                let mut part = ClosestPoints::default();
+                let mut known = None;
+                for point in page[3 * range.start..3 * range.end].chunks_exact(3) {
+                    let local = DVec3::new(point[0], point[1], point[2]);
+                    let point = transform.apply(local);
+                    let rounding = point_error + transform.rounding(local.length());
+                    let closest = closest_above(target, point, gap, known, 0.0, None)?;
+                    known = Some((closest.patch as u32, closest.parameters));
+                    let patch = target.patches.patch(closest.patch);
+                    let foot = patch.jet(closest.parameters);
+                    part.distances.push(closest.upper);
+                    part.bounds.push(
+                        closest.upper - closest.lower
+                            + rounding
+                            + gamma(DISTANCE_ROUNDINGS) * closest.upper
+                            + VANISHING_LENGTH,
+                    );
+                    part.signed.push(super::deviation::signed(point, &foot));
+                    part.feet.extend_from_slice(&foot.point.to_array());
+                    part.surfaces.push(pieces.face(patch.surface) as u32);
+                    let of_piece = patch.surface_parameters(closest.parameters);
+                    part.parameters.extend_from_slice(&pieces.face_parameters(patch.surface, of_piece));
+                }
+                Some(part)
+            });
+            for part in parts {
+                found.append(part.ok_or(Error::EmptyModel)?);
+            }
+            progress.checkpoint(found.distances.len() as f64 / count as f64).await?;
+        }
+        progress.finish();
+        Ok(found)
+    }
+}
+
+/// # Errors
+/// [`Error::PointOutOfRange`].
+fn validate(points: &[f64]) -> Result<()> {
+    if let Some((index, &found)) = points.iter().enumerate().find(|(_, value)| !is_in_range(**value)) {
+        return Err(Error::PointOutOfRange { index: index / 3, found });
+    }
+    if points.len() % 3 != 0 {
+        // The coordinate that is missing.
+        return Err(Error::PointOutOfRange { index: points.len() / 3, found: f64::NAN });
+    }
+    Ok(())
+}
+
+impl ClosestPoints {
+    fn append(&mut self, mut other: Self) {
+        self.distances.append(&mut other.distances);
+        self.bounds.append(&mut other.bounds);
+        self.signed.append(&mut other.signed);
+        self.feet.append(&mut other.feet);
+        self.surfaces.append(&mut other.surfaces);
+        self.parameters.append(&mut other.parameters);
+    }
+}

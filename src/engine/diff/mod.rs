@@ -1,0 +1,136 @@
+//! The faces in which two models differ.
+
+mod face;
+mod search;
+
+use super::{PreparedModel, Witness};
+use crate::error::{Error, Result};
+use crate::model::RigidTransform;
+use serde::{Deserialize, Serialize};
+
+/// The largest tolerance: coordinates are at most as large.
+const MAX_TOLERANCE: f64 = 1e100;
+
+/// The default of [`DiffOptions::max_cells`]: some seconds for one face.
+const DEFAULT_MAX_CELLS: usize = 1_000_000;
+
+/// Options of [`super::Engine::diff`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct DiffOptions {
+    /// The distance, in model units, up to which a face counts as unchanged; positive.
+    pub tolerance: f64,
+    /// The cells after which a face is given up as undecided, 1 or more.
+    pub max_cells: usize,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are
+    /// an error.
+    pub scale_units: bool,
+    /// Moves A before it is compared. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl Default for DiffOptions {
+    /// The tolerance is a thousandth of a unit: a micrometre where the unit is a millimetre.
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-3,
+            max_cells: DEFAULT_MAX_CELLS,
+            scale_units: false,
+            transform: RigidTransform::IDENTITY,
+        }
+    }
+}
+
+impl DiffOptions {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] naming the option.
+    pub fn validate(&self) -> Result<()> {
+        if !(self.tolerance > 0.0 && self.tolerance <= MAX_TOLERANCE) {
+            let expected = "a positive number of at most 1e100";
+            return Err(Error::out_of_range("tolerance", self.tolerance, expected));
+        }
+        if self.max_cells == 0 {
+            return Err(Error::out_of_range("max cells", 0, "at least 1"));
+        }
+        Ok(())
+    }
+}
+
+/// Whether a face, or a model, differs from the other model by more than the tolerance.
+///
+/// The order is that of a summary: a model with a changed face is changed, and without
+/// one but with an undecided face it is undecided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FaceState {
+    /// Every point of the face is within the tolerance of the other model.
+    Unchanged,
+    /// The interval contains the tolerance, and the budget or float64's precision
+    /// allows no narrower one.
+    Undecided,
+    /// A point of the face is farther than the tolerance from the other model.
+    Changed,
+}
+
+/// One face, and how far it is from the other model.
+///
+/// Guarantee: the directed distance from the face to the other model is in
+/// `[lower, upper]`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct FaceDifference {
+    /// The index of the face's surface in its model.
+    pub face: usize,
+    /// The state, which follows from the interval and the tolerance.
+    pub state: FaceState,
+    /// A lower bound on the distance from the face to the other model.
+    pub lower: f64,
+    /// An upper bound on the distance from the face to the other model.
+    pub upper: f64,
+    /// The farthest point found on the face, and its nearest point on the other model.
+    pub witness: Witness,
+    /// The number of cells bounded.
+    pub cells: usize,
+}
+
+/// The difference of two models, face by face.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct DiffResult {
+    /// The state of both models together.
+    pub state: FaceState,
+    /// The tolerance that the states refer to, in model units.
+    pub tolerance: f64,
+    /// The larger diagonal of the two models' control-net boxes.
+    pub diagonal: f64,
+    /// Metres per unit of every length here, if A or B states its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<f64>,
+    /// The sum of both models' gaps, as in [`super::DistanceResult::model_gap`].
+    pub model_gap: f64,
+    /// Every face of A, in order, compared with B.
+    pub a: Vec<FaceDifference>,
+    /// Every face of B, in order, compared with A.
+    pub b: Vec<FaceDifference>,
+    /// The seconds that preparation took; 0 where both models were prepared before.
+    pub prepare_seconds: f64,
+    /// The seconds that the searches took.
+    pub solve_seconds: f64,
+}
+
+impl DiffResult {
+    /// Returns the faces of both models in this state, those of A first, the
+    /// farthest first within a model.
+    #[must_use]
+    pub fn faces_in(&self, state: FaceState) -> [Vec<&FaceDifference>; 2] {
+        [&self.a, &self.b].map(|faces| {
+            let mut found: Vec<_> = faces.iter().filter(|face| face.state == state).collect();
+            found.sort_by(|one, other| other.lower.total_cmp(&one.lower));
+            found
+        })
+    }
+}

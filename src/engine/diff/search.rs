@@ -1,0 +1,221 @@
+//! The searches that decide the faces' states.
+
+use super::face::Face;
+use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
+use crate::certified::{BranchAndBound, Interval, Operand, Pair};
+use crate::engine::{Engine, PreparedModel, Witness};
+use crate::error::{Error, Result};
+use crate::flatness::Flatness;
+use crate::model::RigidTransform;
+use crate::parallel::map;
+use crate::pieces::FacePieces;
+use crate::progress::{Monitor, Progress};
+use glam::DVec3;
+use web_time::Instant;
+
+/// The part of the tolerance to which the distance of a face is searched while its
+/// state is undecided: a face whose distance differs from the tolerance by more than
+/// a hundredth is decided.
+const DECISION_PART: f64 = 1e-2;
+
+/// The part of its distance to which that of a changed face is known: three digits
+/// say how large a change is.
+const CHANGE_PART: f64 = 1e-3;
+
+/// The number of faces that are begun at once, enough for all threads, few enough
+/// that an event loop gets its turn in time.
+const FACES_AT_ONCE: usize = 16;
+
+/// The number of cells of a face before it is put back to be searched on its own:
+/// nearly all faces need fewer.
+const FIRST_CELLS: usize = 256;
+
+impl Engine {
+    /// Compares every face of A, moved by the options' transform, with B, and every
+    /// face of B with A, by method `certified` in float64.
+    ///
+    /// Guarantee: each face's directed distance to the other model is in its interval,
+    /// and its state follows from the interval. Searches end when they decide the
+    /// state, and those of changed faces when three digits of the distance are known.
+    ///
+    /// # Errors
+    /// [`crate::Error::OptionOutOfRange`]; [`crate::Error::UnitsDiffer`];
+    /// [`crate::Error::Cancelled`].
+    pub async fn diff(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &DiffOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DiffResult> {
+        options.validate()?;
+        let scaled = b.in_unit_of(a, options.scale_units)?;
+        let b = scaled.as_deref().unwrap_or(b);
+        let mut progress = Progress::new(monitor, true);
+        let started = Instant::now();
+        let [flat_a, flat_b] = [a, b].map(|model| model.target(Flatness::Loose));
+        let (whole_a, whole_b) = (flat_a.operand(a), flat_b.operand(b));
+        let faces_a = Face::all(a, &flat_a);
+        let faces_b = Face::all(b, &flat_b);
+        let prepare_seconds = started.elapsed().as_secs_f64();
+        let transform = options.transform;
+        let forward = Side {
+            whole: whole_a,
+            faces: &faces_a,
+            other: whole_b,
+            others: &faces_b,
+            pieces: [a.pieces(), b.pieces()],
+            transform,
+        };
+        let of_a = forward.differences(options, &mut progress).await?;
+        progress.second_half();
+        let inverse = transform.inverse();
+        let reverse = Side {
+            whole: whole_b,
+            faces: &faces_b,
+            other: whole_a,
+            others: &faces_a,
+            pieces: [b.pieces(), a.pieces()],
+            transform: inverse,
+        };
+        let of_b = reverse.differences(options, &mut progress).await?;
+        progress.finish();
+        let of_b: Vec<_> = of_b.into_iter().map(|found| found.reversed(&transform)).collect();
+        Ok(DiffResult {
+            state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
+            tolerance: options.tolerance,
+            unit: a.unit().or(b.unit()),
+            model_gap: a.gap() + b.gap(),
+            diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
+            a: of_a,
+            b: of_b,
+            prepare_seconds,
+            solve_seconds: started.elapsed().as_secs_f64() - prepare_seconds,
+        })
+    }
+}
+
+/// The faces of one model, and the model that they are compared with.
+struct Side<'a> {
+    whole: Operand<'a>,
+    faces: &'a [Face],
+    other: Operand<'a>,
+    others: &'a [Face],
+    /// The pieces of both models.
+    pieces: [&'a FacePieces; 2],
+    transform: RigidTransform,
+}
+
+impl FaceDifference {
+    /// Returns the difference of a face of B, which was searched in A's own frame, in
+    /// the frame of B.
+    fn reversed(self, transform: &RigidTransform) -> Self {
+        let Witness { a: of_face, b: of_other } = self.witness;
+        let witness = Witness { a: of_other.moved(transform), b: of_face.moved(transform) };
+        Self { witness, ..self }
+    }
+}
+
+impl<'a> Side<'a> {
+    /// The intervals of all faces, in order.
+    async fn differences(
+        &self,
+        options: &DiffOptions,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<FaceDifference>> {
+        let mut found = Vec::with_capacity(self.faces.len());
+        while found.len() < self.faces.len() {
+            let first = found.len();
+            let count = FACES_AT_ONCE.min(self.faces.len() - first);
+            let searches = map(count, |index| {
+                let mut search = self.decision(first + index, options.tolerance);
+                advance(&mut search, FIRST_CELLS);
+                search
+            });
+            for search in searches {
+                found.push(self.finished(found.len(), search, options, progress).await?);
+            }
+            progress.checkpoint(found.len() as f64 / self.faces.len() as f64).await?;
+        }
+        Ok(found)
+    }
+
+    /// The face and the other model as a pair.
+    fn pair(&self, face: usize) -> Pair<'a> {
+        let offset = self.transform.apply(DVec3::ZERO);
+        let counterpart = self.faces[face].counterpart(self.others, offset);
+        let other = counterpart.map_or(self.other, |face| self.other.with_uncut(face.patches()));
+        Pair { a: self.faces[face].operand(&self.whole), b: other, transform: self.transform }
+    }
+
+    /// The search that decides the state of a face.
+    fn decision(&self, face: usize, tolerance: f64) -> BranchAndBound<'a> {
+        BranchAndBound::new(self.pair(face), DECISION_PART * tolerance, Some(tolerance), 0.0)
+    }
+
+    /// Ends the search of a face, and narrows the interval of a changed one.
+    async fn finished(
+        &self,
+        face: usize,
+        mut search: BranchAndBound<'a>,
+        options: &DiffOptions,
+        progress: &mut Progress<'_>,
+    ) -> Result<FaceDifference> {
+        let fraction = face as f64 / self.faces.len() as f64;
+        let mut cells = 0;
+        loop {
+            while !advance(&mut search, FIRST_CELLS) && search.work().cells < options.max_cells {
+                progress.checkpoint(fraction).await?;
+            }
+            search.finish();
+            cells += search.work().cells;
+            let is_changed = search.within() == Some(false);
+            let interval = search.interval();
+            if !is_changed || interval.upper - interval.lower <= CHANGE_PART * interval.lower {
+                let Interval { lower, upper } = interval;
+                let state = state(interval, options.tolerance);
+                let witness = witness(&search, self.pieces).ok_or(Error::EmptyModel)?;
+                return Ok(FaceDifference { face, state, lower, upper, witness, cells });
+            }
+            search = BranchAndBound::new(self.pair(face), CHANGE_PART * interval.lower, None, 0.0);
+        }
+    }
+}
+
+/// Bounds about `cells` more cells; returns whether the search has ended.
+fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
+    let end = search.work().cells + cells;
+    while search.work().cells < end {
+        if search.advance_once().is_some() {
+            return true;
+        }
+    }
+    false
+}
+
+/// The state that follows from an interval.
+fn state(interval: Interval, tolerance: f64) -> FaceState {
+    if interval.upper <= tolerance {
+        FaceState::Unchanged
+    } else if interval.lower > tolerance {
+        FaceState::Changed
+    } else {
+        FaceState::Undecided
+    }
+}
+
+/// The witness of a search, on the face and on the other model; `None` for a face
+/// without patches, which validation rules out.
+fn witness(search: &BranchAndBound<'_>, [from_pieces, to_pieces]: [&FacePieces; 2]) -> Option<Witness> {
+    let witness = search.witness()?;
+    let [from, to] = search.witness_patches(witness);
+    let closest = &witness.closest;
+    Some(Witness {
+        a: from_pieces.surface_point(
+            from.surface,
+            from.surface_parameters(witness.parameters),
+            witness.point,
+        ),
+        b: to_pieces.surface_point(to.surface, to.surface_parameters(closest.parameters), closest.point),
+    })
+}

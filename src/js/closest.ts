@@ -1,0 +1,34 @@
+import type { OnProgress, Transform } from "./options.js";
+
+/** Options of `Hausdorff.closestPoints`. */
+export interface ClosestPointOptions {
+  /**
+   * How much a distance may exceed the least one; default 1e-9.
+   * The smaller it is, the longer points near a bisector of the model take.
+   */
+  tolerance?: number;
+  /** Whether `tolerance` is in model units; else (default) it is relative to the model's diagonal. */
+  absolute?: boolean;
+  /** Moves the points before they are measured. */
+  transform?: Transform;
+  /** Cancels the work: the promise rejects with code `CANCELLED`. */
+  signal?: AbortSignal;
+  /** Called with the fraction of the work done, rising to 1. An error that it throws cancels the work. */
+  onProgress?: OnProgress;
+}
+
+/** The closest points of a model, one entry a point in each array. */
+export interface ClosestPoints {
+  /** The distances from the points to their feet. */
+  distances: Float64Array<ArrayBuffer>;
+  /** Guarantee: the true distance of point i differs from `distances[i]` by at most `bounds[i]`. */
+  bounds: Float64Array<ArrayBuffer>;
+  /** The distances, negative behind the model's normal at the foot; NaN where it has none. */
+  signed: Float64Array<ArrayBuffer>;
+  /** x, y, z of every foot, the point of the model that was found. */
+  feet: Float64Array<ArrayBuffer>;
+  /** The index of every foot's surface. */
+  surfaces: Uint32Array<ArrayBuffer>;
+  /** u, v of every foot on its surface. */
+  parameters: Float64Array<ArrayBuffer>;
+}

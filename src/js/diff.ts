@@ -1,0 +1,60 @@
+import type { OnProgress, Transform } from "./options.js";
+import type { SurfacePoint } from "./result.js";
+
+/** Options of `Hausdorff.diff`. */
+export interface DiffOptions {
+  /** The distance, in model units, up to which a face counts as unchanged; default 1e-3. */
+  tolerance?: number;
+  /** Cells after which a face is given up as undecided; default 1,000,000. */
+  maxCells?: number;
+  /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
+  /** Moves A before it is compared. */
+  transform?: Transform;
+  /** Cancels the work: the promise rejects with code `CANCELLED`. */
+  signal?: AbortSignal;
+  /** Called with the fraction of the work done, rising to 1. An error that it throws cancels the work. */
+  onProgress?: OnProgress;
+}
+
+/**
+ * Whether a face, or a model, differs by more than the tolerance: `unchanged` where
+ * `upper` is at most the tolerance, `changed` where `lower` exceeds it, else `undecided`.
+ */
+export type FaceState = "unchanged" | "undecided" | "changed";
+
+/**
+ * One face. Guarantee: the directed distance from the face to the other model is
+ * in `[lower, upper]`.
+ */
+export interface FaceDifference {
+  /** Index of the face's surface in its model. */
+  face: number;
+  state: FaceState;
+  lower: number;
+  upper: number;
+  /** The farthest point found on the face and its nearest point on the other model; `a` after the transform. */
+  witness: { a: SurfacePoint; b: SurfacePoint };
+  /** Number of cells bounded. */
+  cells: number;
+}
+
+/** The difference of two models, face by face. */
+export interface DiffResult {
+  /** `changed` if a face is, else `undecided` if one is. */
+  state: FaceState;
+  /** The tolerance that the states refer to, in model units. */
+  tolerance: number;
+  /** The larger diagonal of the two models' boxes. */
+  diagonal: number;
+  /** Metres per unit of every length, if a model states its unit. */
+  unit?: number;
+  /** The sum of both models' gaps, as in a distance. */
+  modelGap: number;
+  /** Every face of A, in order, compared with B. */
+  a: FaceDifference[];
+  /** Every face of B, in order, compared with A. */
+  b: FaceDifference[];
+  prepareSeconds: number;
+  solveSeconds: number;
+}

@@ -1,0 +1,55 @@
+//! The field: distances of samples, finished on the whole of the other model.
+
+use crate::support::{cpu, models};
+use nurbs_hausdorff::engine::{DistanceResult, Method, Options};
+
+/// The largest number of Bézier patches of the models measured here, to keep the time short.
+const MAX_PATCHES: usize = 3000;
+
+/// Samples along each direction of a surface.
+const SAMPLES: usize = 8;
+
+fn measured(a: &nurbs_hausdorff::Model, b: &nurbs_hausdorff::Model, method: Method) -> DistanceResult {
+    let options = Options { method, tolerance: 1e-4, samples: SAMPLES, field: true, ..Options::default() };
+    cpu::measure(a, b, &options)
+}
+
+/// No sample is farther than the certificate allows: on itself, where every distance
+/// is 0, an unfinished projection shows.
+#[test]
+fn no_sample_of_a_model_is_farther_from_the_model_itself_than_the_upper_bound() {
+    for (name, model) in models::all("no_sample_of_a_model_is_farther_from_the_model_itself") {
+        if nurbs_hausdorff::PreparedModel::new(&model)
+            .unwrap()
+            .patch_counts()
+            .map(|[u, v]| u * v)
+            .sum::<usize>()
+            > MAX_PATCHES
+        {
+            continue;
+        }
+        let result = measured(&model, &model, Method::Certified);
+        assert!(!result.field.is_empty(), "{name}");
+        for field in &result.field {
+            let largest = field.distances.iter().fold(0.0_f64, |largest, &distance| largest.max(distance));
+            assert!(largest <= result.upper, "{name}: {largest} above {}", result.upper);
+            assert!(largest <= 1e-9 * result.diagonal, "{name}: {largest}");
+        }
+    }
+}
+
+/// On another model the distances are those of an independent evaluation: the least
+/// over a fine grid of the other model is never below by more than the grid's spacing.
+#[test]
+fn distances_are_those_of_the_nearest_points() {
+    use nurbs_hausdorff::shapes::{sphere, torus};
+    let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
+    let result = measured(&ball, &ring, Method::Certified);
+    for field in &result.field {
+        for (point, &distance) in field.points.chunks_exact(3).zip(&field.distances) {
+            let [x, y, z] = [point[0], point[1], point[2]];
+            let truth = ((x.hypot(y) - 3.0).hypot(z) - 0.5).abs();
+            assert!((distance - truth).abs() <= 1e-8, "{distance} is not {truth}");
+        }
+    }
+}
