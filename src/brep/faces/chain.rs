@@ -166,7 +166,7 @@ impl Frame {
         let found = in_space(from).distance(in_space(to));
         let tolerance = TOLERANCES * (last.tolerance + next.tolerance);
         let allowed = tolerance.max(RELATIVE_TOLERANCE * self.size);
-        if !(found <= allowed) {
+        if found.is_nan() || found > allowed {
             let why = format!("a loop is open by {found:e}, expected at most {allowed:e}");
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }

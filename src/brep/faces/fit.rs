@@ -68,7 +68,7 @@ impl Fitter<'_> {
         let half = (0.5 * length).powi(DEGREE as i32 + 1);
         let [u, v] = over.map(|jet| jet.0[ORDER - 1].size() * half * ROUNDING);
         let error = self.metric.length(DVec3::new(u, v, 0.0));
-        if depth < MAX_DEPTH && !(error <= self.tolerance) {
+        if depth < MAX_DEPTH && (error.is_nan() || error > self.tolerance) {
             self.halves(piece, 0.5 * (start + end), depth);
             return;
         }

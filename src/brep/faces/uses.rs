@@ -144,7 +144,7 @@ const SAME_LOCATION: f64 = 1e-9;
 
 /// Returns the largest distance from points of the curve on the surface, at equally spaced
 /// parameters, to the edge: to its point of equal parameter, as the file relates both, or
-/// to a nearer one if that is beyond the edge's tolerance.
+/// to a nearer one if that is another point.
 fn measured_gap(
     file: &BrepFile,
     face: &Face,
@@ -166,7 +166,7 @@ fn measured_gap(
         let mut nearest = distance(t);
         // Curves of unequal parametrization are nearer to each other elsewhere.
         for _ in 0..NEAREST_STEPS {
-            if nearest <= edge.tolerance {
+            if nearest <= SAME_POINT {
                 break;
             }
             let tangent = space_location.transform_vector3(in_space.tangent(t));
@@ -182,6 +182,9 @@ fn measured_gap(
     }
     gap
 }
+
+/// The distance at which OpenCASCADE takes two points for one, `Precision::Confusion`.
+const SAME_POINT: f64 = 1e-7;
 
 /// The Gauss-Newton steps towards the nearest point of an edge.
 const NEAREST_STEPS: usize = 4;

@@ -170,6 +170,7 @@ impl Surface {
     pub(crate) fn poles(&self) -> Vec<f64> {
         match self {
             Self::Revolution { kind: "sphere", .. } => vec![-FRAC_PI_2, FRAC_PI_2],
+            Self::Revolution { profile, .. } if !in_plane(profile) => Vec::new(),
             Self::Revolution { profile: Curve::Line { point, direction }, .. } if direction.x != 0.0 => {
                 vec![-point.x / direction.x]
             }
