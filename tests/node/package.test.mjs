@@ -21,14 +21,19 @@ test("the error codes are Rust's, and five of JavaScript's", () => {
 });
 
 test("the types show nothing of the module's", () => {
-  const files = readdirSync(new URL("../../dist", import.meta.url)).filter((name) =>
-    name.endsWith(".d.ts"),
+  const folders = ["", "cad/", "adapters/"];
+  const files = folders.flatMap((folder) =>
+    readdirSync(new URL(`../../dist/${folder}`, import.meta.url))
+      .filter((name) => name.endsWith(".d.ts"))
+      .map((name) => folder + name),
   );
-  assert.ok(files.includes("index.d.ts"));
+  for (const folder of folders) assert.ok(files.includes(`${folder}index.d.ts`));
   for (const file of files) {
     const imports = [...text(`dist/${file}`).matchAll(/from "([^"]+)"/g)].map(([, from]) => from);
     assert.ok(
-      imports.every((from) => /^\.\/[a-z]+\.js$/.test(from)),
+      imports.every(
+        (from) => !from.includes("wasm") && /^\.{1,2}\/([a-z]+\/)*[a-z-]+\.js$/.test(from),
+      ),
       `${file} imports ${imports}`,
     );
     assert.doesNotMatch(text(`dist/${file}`), /PreparedModel|Surfaces\b|\bEngine\b/, file);
