@@ -51,7 +51,7 @@ function pairs() {
 
 /** The built package; without WebGPU, as Node has none. */
 async function packaged() {
-  const hd = await Hausdorff.create({ backend: "cpu", module: readFileSync(inRoot(wasmFile)) });
+  const hd = await Hausdorff.create({ backend: "cpu" });
   return async ({ a, b, translation }) => {
     const texts = [a, b].map((path) => readFileSync(path, "utf8"));
     const started = performance.now();

@@ -1,7 +1,8 @@
 // The crate as a wasm module with its JavaScript glue, in dist/wasm.
-import { existsSync, rmSync } from "node:fs";
+import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { toolsEnvironment, toolsFolder } from "../setup/tools.mjs";
@@ -38,6 +39,17 @@ export async function buildWasm() {
   );
   // This file would make npm exclude the folder from the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });
+  inline();
   stamp(made, sources);
   return "built";
+}
+
+/** Writes the module as a JavaScript string: gzipped, in base64. */
+function inline() {
+  const text = gzipSync(readFileSync(inRoot(wasmFile)), { level: 9 }).toString("base64");
+  writeFileSync(inRoot(out, "inlined.js"), `export default "${text}";\n`);
+  writeFileSync(
+    inRoot(out, "inlined.d.ts"),
+    "declare const base64: string;\nexport default base64;\n",
+  );
 }

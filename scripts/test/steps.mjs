@@ -113,6 +113,13 @@ export const steps = [
     run: () => nodeTests("tests/node", vulkan()),
   },
   {
+    name: "package",
+    tests: true,
+    what: "the packed package in bundlers, a browser, Node and judges of packages",
+    needs: ["wasm", "types"],
+    run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
+  },
+  {
     name: "page-build",
     what: "the page's production build",
     needs: ["wasm", "types"],

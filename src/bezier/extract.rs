@@ -23,7 +23,7 @@ const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 /// points to its Bézier controls.
 pub(crate) struct Span {
     pub(crate) first_control: usize,
-    ends: [f64; 2],
+    pub(crate) ends: [f64; 2],
     /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
     pub(crate) operator: Vec<[f64; MAX_ORDER]>,
 }

@@ -15,7 +15,9 @@ mod validation;
 pub use report::{ReadReport, Skipped};
 
 use crate::error::{Error, Result};
-use crate::model::{Model, ModelArrays};
+use crate::model::Model;
+#[cfg(target_arch = "wasm32")]
+use crate::model::ModelArrays;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
@@ -55,16 +57,6 @@ pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
     let count = |(number, face)| assembly::FaceCounts { number, exact: curves(face), fitted: 0 };
     let counts = model.faces.iter().enumerate().map(count).collect();
     validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
-}
-
-/// Reads a BREP text as plain arrays, which [`model`] validates.
-///
-/// # Errors
-/// Those of [`Model::from_brep`].
-pub fn read(text: &str) -> Result<(ModelArrays, ReadReport)> {
-    let read = assembled(text)?;
-    let report = read.report();
-    Ok((read.model, report))
 }
 
 fn assembled(text: &str) -> Result<assembly::Assembled> {

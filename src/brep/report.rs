@@ -1,5 +1,6 @@
 //! The account of what was read, which accompanies the model.
 
+use super::nurbs::Unconvertible;
 use crate::model::Model;
 use serde::Serialize;
 
@@ -68,5 +69,11 @@ pub(super) struct FaceFault {
 impl FaceFault {
     pub(super) fn new(code: &'static str, why: impl Into<String>) -> Self {
         Self { code, why: why.into() }
+    }
+}
+
+impl From<Unconvertible> for FaceFault {
+    fn from(reason: Unconvertible) -> Self {
+        Self::new(reason.code(), reason.why())
     }
 }

@@ -108,6 +108,14 @@ impl DirectedRun {
         self.result.details.certified().is_some_and(|certified| certified.stop == Stop::Cancelled)
     }
 
+    /// Adds a notice to the one there is.
+    pub(super) fn add_notice(&mut self, notice: &str) {
+        self.notice = Some(match self.notice.take() {
+            Some(other) => format!("{other}; {notice}"),
+            None => notice.to_owned(),
+        });
+    }
+
     /// Returns this run with the samples of another, and the time of both.
     pub(super) fn with_field_of(mut self, sampled: Self) -> Self {
         self.result.field = sampled.result.field;

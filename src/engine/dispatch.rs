@@ -13,6 +13,10 @@ use std::rc::Rc;
 /// unlikely to be an accident.
 const MAX_LOSSES: u32 = 2;
 
+/// The notice about a relative tolerance of models without a size.
+const NO_DIAGONAL: &str = "both models are single points, so that a tolerance relative to their diagonal is 0: the \
+interval is as narrow as float64 allows; an absolute tolerance can be reached";
+
 /// Computes distances on one GPU, or on the CPU.
 #[derive(Debug)]
 pub struct Engine {
@@ -145,6 +149,10 @@ impl Engine {
                 Ok(mut run) => {
                     if method != Method::Certified && gpu.is_none() && options.backend != Backend::Cpu {
                         run.notice = self.notice();
+                    }
+                    let relative = method != Method::Iteration && !options.absolute;
+                    if relative && run.diagonal == 0.0 {
+                        run.add_notice(NO_DIAGONAL);
                     }
                     return Ok(run);
                 }

@@ -16,12 +16,12 @@ pub struct ModelInfo {
     /// Metres per model unit, if they are known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
-    /// The number of faces that are trimmed.
+    /// The number of trimmed faces.
     pub trimmed: usize,
-    /// An upper bound, in model units, on the distance between the model and its source.
+    /// The upper bound, in model units, on the distance between the model and its source.
     pub gap: f64,
-    /// An upper bound, in model units, on the Hausdorff distance between the trimmed faces
-    /// and the pieces measured.
+    /// The upper bound, in model units, on the Hausdorff distance between the trimmed
+    /// faces and the pieces that are measured.
     pub deviation: f64,
     /// The faces in order.
     pub surfaces: Vec<SurfaceInfo>,
@@ -37,6 +37,12 @@ pub struct ModelInfo {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct SurfaceInfo {
+    /// The face's name in its source.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<String>,
+    /// The kind of surface in its source.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<String>,
     /// The degrees in u and v.
     pub degree: [usize; 2],
     /// The numbers of control points along u and v.
@@ -47,16 +53,10 @@ pub struct SurfaceInfo {
     pub rational: bool,
     /// Whether the end knots are repeated degree + 1 times, in u and v.
     pub clamped: [bool; 2],
-    /// The numbers of curves of the trimming loops; `None` for a whole surface.
+    /// The numbers of curves of the trimming loops; absent for a whole surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trim: Option<Vec<usize>>,
-    /// The face's name in its source.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub part: Option<String>,
-    /// The kind of surface in the source, such as `cylinder`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub kind: Option<String>,
-    /// An upper bound, in model units, on the distance between the face and its source.
+    /// The upper bound, in model units, on the distance between the face and its source.
     pub gap: f64,
     /// The number of Bézier patches.
     pub patches: usize,
@@ -90,14 +90,14 @@ impl SurfaceInfo {
         let surface = face.surface();
         let weight = surface.control_points()[0][3];
         Self {
+            part: face.part().map(str::to_owned),
+            kind: face.kind().map(str::to_owned),
             degree: surface.degree(),
             counts: surface.counts(),
             domain: surface.domain().intervals(),
             rational: surface.control_points().iter().any(|point| point[3] != weight),
             clamped: Axis::BOTH.map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
             trim: face.trim().map(|trim| trim.loops().iter().map(|curves| curve_count(curves)).collect()),
-            part: face.part().map(str::to_owned),
-            kind: face.kind().map(str::to_owned),
             gap: face.gap(),
             patches,
         }
@@ -109,7 +109,7 @@ fn curve_count(pieces: &[TrimPiece]) -> usize {
     pieces.last().map_or(0, |piece| piece.curve as usize + 1)
 }
 
-/// Returns whether both end knots are repeated degree + 1 times.
+/// Whether both end knots are repeated degree + 1 times.
 fn clamped(knots: &[f64], degree: usize) -> bool {
     knots[0] == knots[degree] && knots[knots.len() - 1 - degree] == knots[knots.len() - 1]
 }

@@ -1,17 +1,18 @@
 //! Models with the data that is computed from them once.
 
-use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract};
+use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, extract, without_removable_knots};
 use crate::bvh::Aabb;
-use crate::certified::Operand;
+use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::{Error, Result};
-use crate::flatness::{Flatness, MAX_HALVINGS, flatten};
+use crate::flatness::{Flatness, MAX_HALVINGS, Place, flatten};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
-use crate::hierarchy::GridTree;
+use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
 use crate::pieces::FacePieces;
+use crate::progress::Progress;
 use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
@@ -32,6 +33,7 @@ pub struct PreparedModel {
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
+    control_box: Aabb,
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
@@ -47,6 +49,8 @@ type SamplingKey = (usize, SamplingRule);
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
     extensions: Vec<ParamBox>,
+    places: Vec<Place>,
+    sheets: SheetCache,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
 }
@@ -62,8 +66,9 @@ impl PreparedTarget {
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
-            .with_accuracy(model.bounding_box, model.bezier.point_error.after(MAX_HALVINGS))
+            .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
+            .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })
     }
 }
 
@@ -86,18 +91,23 @@ pub(crate) struct PreparedCells {
 const MAX_SAMPLINGS: usize = 4;
 
 impl PreparedModel {
-    /// Cuts trimmed faces into pieces, extracts the Bézier patches and detects symmetries.
-    /// O(patches p q (p + q)), and for trimmed faces the cutting, on all cores.
+    /// Cuts trimmed faces into pieces, removes removable knots, extracts the Bézier
+    /// patches and detects symmetries. O(patches p q (p + q)), and for trimmed faces the
+    /// cutting, on all cores.
     ///
     /// # Errors
     /// [`crate::Error::FaceNotCut`].
     pub fn new(model: &Model) -> Result<Self> {
         let (pieces, untrimmed) = FacePieces::new(model)?;
-        let mut bezier = extract(&untrimmed);
-        bezier.point_error.include_deviation(pieces.deviation());
+        let reduced = without_removable_knots(&untrimmed);
+        let (simple, knot_removal) =
+            reduced.as_ref().map_or((&*untrimmed, 0.0), |reduced| (&reduced.model, reduced.error));
+        let mut bezier = extract(simple);
+        bezier.point_error.include_deviation(pieces.deviation() + knot_removal);
         for (piece, grid) in bezier.grids.iter_mut().enumerate() {
             grid.siblings = pieces.siblings(piece);
         }
+        let control_box = untrimmed.bounding_box().union(simple.bounding_box());
         Ok(Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
@@ -108,6 +118,7 @@ impl PreparedModel {
             revolutions: revolutions(&bezier),
             bezier,
             bounding_box: untrimmed.bounding_box(),
+            control_box,
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
@@ -208,6 +219,11 @@ impl PreparedModel {
         self.bounding_box
     }
 
+    /// Returns a box around the model's control points and those of its patches.
+    pub(crate) fn control_box(&self) -> Aabb {
+        self.control_box
+    }
+
     /// Returns the flat patches, computed at first use.
     pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
         let mut targets = self.targets.borrow_mut();
@@ -218,6 +234,8 @@ impl PreparedModel {
         let prepared = Rc::new(PreparedTarget {
             target: Target::new(flat.patches),
             extensions: flat.extensions,
+            places: flat.places,
+            sheets: SheetCache::default(),
             bounds: OnceCell::new(),
             resident: Resident::default(),
         });
@@ -228,19 +246,19 @@ impl PreparedModel {
     /// Returns the tree over `grid` × `grid` cells per surface; the last one is kept.
     ///
     /// # Errors
-    /// Those of [`GridTree::new`].
-    pub(crate) fn cells(&self, grid: usize) -> Result<Rc<PreparedCells>> {
-        let mut cells = self.cells.borrow_mut();
-        if let Some(kept) = cells.as_ref()
+    /// Those of [`GridTree::new`], [`crate::Error::Cancelled`].
+    pub(crate) async fn cells(&self, grid: usize, progress: &mut Progress<'_>) -> Result<Rc<PreparedCells>> {
+        if let Some(kept) = self.cells.borrow().as_ref()
             && kept.tree.grid == grid
         {
             return Ok(Rc::clone(kept));
         }
-        let prepared = Rc::new(PreparedCells {
-            tree: GridTree::new(&self.bezier, grid)?,
-            resident: Resident::default(),
-        });
-        *cells = Some(Rc::clone(&prepared));
+        let mut builder = GridTreeBuilder::new(&self.bezier, grid)?;
+        while builder.advance() {
+            progress.checkpoint(0.0).await?;
+        }
+        let prepared = Rc::new(PreparedCells { tree: builder.finish(), resident: Resident::default() });
+        *self.cells.borrow_mut() = Some(Rc::clone(&prepared));
         Ok(prepared)
     }
 

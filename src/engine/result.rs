@@ -69,7 +69,8 @@ pub struct DistanceResult {
     pub patches: PatchCounts,
     /// Where the time went.
     pub seconds: Seconds,
-    /// The reason why the GPU was not used although the options allow it.
+    /// The reason why the GPU was not used although the options allow it, and that
+    /// a relative tolerance is 0 where both models are single points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub notice: Option<String>,
     /// With `symmetric`: from A to B.

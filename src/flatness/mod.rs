@@ -67,6 +67,36 @@ pub struct FlatPatches {
     /// For every piece, the parameters at which its controls give points of the patch
     /// that it was cut from: [0, 1]², and a little more beyond an edge at which it was cut.
     pub extensions: Vec<ParamBox>,
+    /// For every piece, where it is in the patch that it was cut from.
+    pub places: Vec<Place>,
+}
+
+/// A part of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The patch.
+    pub patch: u32,
+    /// Its parameters at the part's start, a multiple of the width.
+    pub low: [f64; 2],
+    /// The width along each axis, a power of two.
+    pub width: [f64; 2],
+}
+
+impl Place {
+    /// The whole of a patch.
+    fn whole(patch: usize) -> Self {
+        Self { patch: patch as u32, low: [0.0; 2], width: [1.0; 2] }
+    }
+
+    /// The halves along an axis.
+    fn halves(&self, axis: Axis) -> [Self; 2] {
+        let mut halves = [*self; 2];
+        for half in &mut halves {
+            half.width[axis] *= 0.5;
+        }
+        halves[1].low[axis] += halves[1].width[axis];
+        halves
+    }
 }
 
 /// Returns `patches` with each replaced, in place, by flat pieces that together
@@ -74,7 +104,11 @@ pub struct FlatPatches {
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     if flatness == Flatness::None {
-        return FlatPatches { patches: patches.clone(), extensions: vec![ParamBox::UNIT; patches.len()] };
+        return FlatPatches {
+            patches: patches.clone(),
+            extensions: vec![ParamBox::UNIT; patches.len()],
+            places: (0..patches.len()).map(Place::whole).collect(),
+        };
     }
     let grid = center_grid(patches.bounding_box().diagonal());
     let mut flat = FlatPatches::default();
@@ -84,12 +118,14 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
             let patch = patches.patch(index);
             let basis = GridBasis::new(patch.degree, sample_parameter);
             let subdivision = Subdivision { flatness, basis, grid };
-            subdivision.append_pieces(&mut part, patch, [[false; 2]; 2], MAX_HALVINGS);
+            let place = Place::whole(index);
+            subdivision.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
         }
         part
     }) {
         flat.patches.append(&part.patches);
         flat.extensions.extend(part.extensions);
+        flat.places.extend(part.places);
     }
     flat
 }
@@ -104,7 +140,14 @@ struct Subdivision {
 impl Subdivision {
     /// Appends the flat pieces of a patch, or of a piece that was cut from one at the
     /// starts and ends that `cuts` states, cut at most `halvings` times.
-    fn append_pieces(&self, flat: &mut FlatPatches, patch: Patch<'_>, cuts: [[bool; 2]; 2], halvings: u32) {
+    fn append_pieces(
+        &self,
+        flat: &mut FlatPatches,
+        patch: Patch<'_>,
+        place: Place,
+        cuts: [[bool; 2]; 2],
+        halvings: u32,
+    ) {
         let split_axis = if halvings > 0 { self.flatness.split_axis(&patch, &self.basis) } else { None };
         let Some(axis) = split_axis else {
             if halvings == MAX_HALVINGS {
@@ -113,14 +156,16 @@ impl Subdivision {
                 flat.patches.push_centered(patch, self.grid);
             }
             flat.extensions.push(extension(patch.degree, cuts));
+            flat.places.push(place);
             return;
         };
+        let places = place.halves(axis);
         for (half, (controls, domain)) in patch.halves(axis).iter().zip(patch.domain.halves(axis)).enumerate()
         {
             let mut cuts = cuts;
             // The first half ends at the cut, and the second starts there.
             cuts[axis][1 - half] = true;
-            self.append_pieces(flat, Patch { controls, domain, ..patch }, cuts, halvings - 1);
+            self.append_pieces(flat, Patch { controls, domain, ..patch }, places[half], cuts, halvings - 1);
         }
     }
 }

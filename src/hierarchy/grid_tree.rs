@@ -2,7 +2,7 @@
 
 use super::CellPart;
 use crate::axis::Axis;
-use crate::bezier::BezierModel;
+use crate::bezier::{BezierModel, DerivativeBounds};
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
 use crate::iteration::{cell_pieces, uniform};
@@ -73,6 +73,16 @@ impl GridTree {
     /// # Errors
     /// [`Error::OptionOutOfRange`] for more than [`MAX_CELLS`].
     pub fn new(model: &BezierModel, grid: usize) -> Result<Self> {
+        let mut builder = GridTreeBuilder::new(model, grid)?;
+        while builder.advance() {}
+        Ok(builder.finish())
+    }
+
+    /// Returns the tree down to its cells, without parts.
+    ///
+    /// # Errors
+    /// Those of [`GridTree::new`].
+    fn without_parts(model: &BezierModel, grid: usize) -> Result<Self> {
         let cells = model.grids.iter().map(|patches| patches.share(grid).pow(2)).sum::<usize>();
         if cells > MAX_CELLS {
             let expected = "at most 4194304 cells on all surfaces";
@@ -81,7 +91,6 @@ impl GridTree {
         let mut tree = Self { grid, levels: Vec::new(), finest: 0, cells: Vec::new(), parts: Vec::new() };
         tree.add_surfaces(model);
         tree.add_grids(model);
-        tree.add_parts(model);
         Ok(tree)
     }
 
@@ -141,39 +150,86 @@ impl GridTree {
         }
         self.finest = self.levels.len();
     }
+}
 
-    /// Adds the parts of every cell, with levels in between where there are many.
-    fn add_parts(&mut self, model: &BezierModel) {
-        let patches = &model.patches;
-        let bounds = map(patches.len(), |index| patches.patch(index).derivative_bounds());
+/// The number of patches or cells that one call of [`GridTreeBuilder::advance`] treats:
+/// enough to keep all threads busy, and a few milliseconds on one.
+const ITEMS: usize = 1024;
+
+/// A tree that is built in short steps, between which an event loop can run.
+pub(crate) struct GridTreeBuilder<'a> {
+    model: &'a BezierModel,
+    tree: GridTree,
+    /// The intervals of every row and column of cells on the patches, one entry per surface.
+    strips: Vec<[Vec<Vec<(usize, [f64; 2])>>; 2]>,
+    /// The derivative bounds of the patches so far.
+    bounds: Vec<DerivativeBounds>,
+    /// The ranges of parts of the cells so far.
+    level: Vec<ChildRange>,
+}
+
+impl<'a> GridTreeBuilder<'a> {
+    /// Starts the tree of [`GridTree::new`].
+    ///
+    /// # Errors
+    /// Those of [`GridTree::new`].
+    pub(crate) fn new(model: &'a BezierModel, grid: usize) -> Result<Self> {
+        let tree = GridTree::without_parts(model, grid)?;
         let cell_intervals = |surface: usize| {
-            let grid = &model.grids[surface];
+            let patches = &model.grids[surface];
             Axis::BOTH.map(|axis| {
-                let parameters = uniform(&grid.breaks[axis], grid.share(self.grid) + 1);
-                let locations: Vec<_> = parameters.into_iter().map(|at| grid.locate(axis, at)).collect();
+                let parameters = uniform(&patches.breaks[axis], patches.share(grid) + 1);
+                let locations: Vec<_> = parameters.into_iter().map(|at| patches.locate(axis, at)).collect();
                 cell_pieces(&locations)
             })
         };
         let strips = map(model.grids.len(), cell_intervals);
-        let mut level = Vec::with_capacity(self.cells.len());
-        for cell in &self.cells {
-            let first = self.parts.len() as u32;
-            let grid = &model.grids[cell.surface as usize];
-            let [rows, columns] = &strips[cell.surface as usize];
-            for &(u, s) in &rows[cell.row as usize] {
-                for &(v, t) in &columns[cell.column as usize] {
-                    let index = grid.first + u * grid.counts()[1] + v;
-                    self.parts.push(CellPart::new(index, &patches.patch(index), &bounds[index], s, t));
-                }
-            }
-            level.push(ChildRange { first, count: self.parts.len() as u32 - first });
+        let (bounds, level) = (Vec::with_capacity(model.patches.len()), Vec::with_capacity(tree.cells.len()));
+        Ok(Self { model, tree, strips, bounds, level })
+    }
+
+    /// Treats the next [`ITEMS`] patches or cells; returns whether any are left.
+    pub(crate) fn advance(&mut self) -> bool {
+        let patches = &self.model.patches;
+        let bounded = self.bounds.len();
+        if bounded < patches.len() {
+            let count = ITEMS.min(patches.len() - bounded);
+            let bound = |offset: usize| patches.patch(bounded + offset).derivative_bounds();
+            self.bounds.append(&mut map(count, bound));
+            return true;
         }
+        let done = self.level.len();
+        for index in done..(done + ITEMS).min(self.tree.cells.len()) {
+            self.add_parts(self.tree.cells[index]);
+        }
+        self.level.len() < self.tree.cells.len()
+    }
+
+    /// Adds the parts of a cell.
+    fn add_parts(&mut self, cell: GridCell) {
+        let (patches, parts) = (&self.model.patches, &mut self.tree.parts);
+        let first = parts.len() as u32;
+        let grid = &self.model.grids[cell.surface as usize];
+        let [rows, columns] = &self.strips[cell.surface as usize];
+        for &(u, s) in &rows[cell.row as usize] {
+            for &(v, t) in &columns[cell.column as usize] {
+                let index = grid.first + u * grid.counts()[1] + v;
+                parts.push(CellPart::new(index, &patches.patch(index), &self.bounds[index], s, t));
+            }
+        }
+        self.level.push(ChildRange { first, count: parts.len() as u32 - first });
+    }
+
+    /// Returns the tree, with levels between cells and parts where a cell has many.
+    pub(crate) fn finish(self) -> GridTree {
+        let Self { mut tree, mut level, .. } = self;
         while level.iter().any(|children| children.count as usize > MAX_CHILDREN) {
             let (above, groups) = grouped(&level);
-            self.levels.insert(self.finest, groups);
+            tree.levels.insert(tree.finest, groups);
             level = above;
         }
-        self.levels.insert(self.finest, level);
+        tree.levels.insert(tree.finest, level);
+        tree
     }
 }
 

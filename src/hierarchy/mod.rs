@@ -21,7 +21,7 @@ mod traversal;
 
 pub use box_distance::DistanceBounds;
 pub use boxes::{CellPart, boxes};
-pub(crate) use grid_tree::BRANCHING;
+pub(crate) use grid_tree::{BRANCHING, GridTreeBuilder};
 pub use grid_tree::{ChildRange, GridTree};
 #[cfg(feature = "internals")]
 pub use grid_tree::{GridCell, MAX_CELLS, MAX_CHILDREN};

@@ -59,6 +59,12 @@ impl Pairs {
         self.nodes.len()
     }
 
+    /// Returns the number of partners of the box of A at this position.
+    #[must_use]
+    pub fn partner_count(&self, position: usize) -> usize {
+        self.partners(position).len()
+    }
+
     fn partners(&self, position: usize) -> &[u32] {
         &self.partners[self.starts[position]..self.starts[position + 1]]
     }
@@ -156,19 +162,18 @@ impl<'a> Traversal<'a> {
         self.level += 1;
     }
 
-    /// Returns, on the last level, the cell of A with the largest lower bound, and
-    /// its partner with the smallest upper bound.
+    /// Returns, on the last level, the cell of A with the largest lower bound among
+    /// those at these positions in the pairs, and its partner with the smallest upper
+    /// bound; then that lower bound.
     #[must_use]
-    pub fn farthest(&self) -> [usize; 2] {
+    pub fn farthest(&self, positions: Range<usize>) -> ([usize; 2], f64) {
         let [a, b] = [0, 1].map(|side| &self.boxes[side][self.trees[side].finest]);
-        let pair_bounds = |position: usize, partner: u32| {
-            DistanceBounds::between(&a[self.pairs.nodes[position] as usize], &b[partner as usize])
-        };
         let (mut farthest, mut best) = ([0, 0], f64::NEG_INFINITY);
-        for (position, &node) in self.pairs.nodes.iter().enumerate() {
+        for position in positions {
+            let node = self.pairs.nodes[position];
             let (mut distances, mut nearest) = (DistanceBounds::UNKNOWN, 0);
             for &partner in self.pairs.partners(position) {
-                let bounds = pair_bounds(position, partner);
+                let bounds = DistanceBounds::between(&a[node as usize], &b[partner as usize]);
                 if bounds.far < distances.far {
                     nearest = partner;
                 }
@@ -178,7 +183,7 @@ impl<'a> Traversal<'a> {
                 (farthest, best) = ([node as usize, nearest as usize], distances.near);
             }
         }
-        farthest
+        (farthest, best)
     }
 }
 

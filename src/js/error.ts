@@ -1,6 +1,6 @@
 /**
  * What went wrong, as a code that stays the same across releases; the
- * message, for people, may change. All but the last five are Rust's.
+ * message, for people, may change. Those after `CANCELLED` are JavaScript's.
  *
  * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
  *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
@@ -15,6 +15,8 @@
  *   `PEER_MISSING`; the messages state how to convert or to install;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
+ * - `MODULE_FAILED`: the wasm module could not be fetched, read or compiled; the cause says why;
+ * - `WORKER_FAILED`: the worker could not be started, or ended by itself;
  * - `DISPOSED`: used after `dispose()`.
  */
 export type ErrorCode =
@@ -66,6 +68,8 @@ export type ErrorCode =
   | "PEER_MISSING"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
+  | "MODULE_FAILED"
+  | "WORKER_FAILED"
   | "DISPOSED";
 
 /** The class of all errors that the package raises on purpose. */

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import { fromBrepText, isBrepText } from "./brep-text.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
@@ -11,7 +12,12 @@ import {
   split,
   type Transform,
 } from "./options.js";
-import type { DistanceResult } from "./result.js";
+import type {
+  CertifiedResult,
+  DistanceResult,
+  HierarchyResult,
+  IterationResult,
+} from "./result.js";
 import {
   type BrepText,
   type InterchangeModel,
@@ -28,8 +34,8 @@ export interface CreateOptions {
   /** Default `auto`. */
   backend?: Backend;
   /**
-   * The wasm module, where it is not fetched from beside the package's files:
-   * in Node, the bytes of `nurbs-hausdorff/nurbs_hausdorff_bg.wasm`.
+   * The wasm module, `nurbs-hausdorff/nurbs_hausdorff_bg.wasm`, where the package
+   * does not find it beside its own files: compiled, its bytes or its address.
    */
   module?: ModuleSource;
 }
@@ -59,7 +65,7 @@ export class Hausdorff {
    * Loads the module, once, and looks for a GPU.
    *
    * @throws {HausdorffError} `NO_ADAPTER` if `backend` is `gpu` and there is
-   * none; `OPTION_INVALID`. What fetching and compiling the module throw.
+   * none; `OPTION_INVALID`; `MODULE_FAILED`, with its cause.
    */
   static async create({ backend, module }: CreateOptions = {}): Promise<Hausdorff> {
     await load(module);
@@ -131,6 +137,22 @@ export class Hausdorff {
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options?: DistanceOptions & { method?: "certified" },
+  ): Promise<CertifiedResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "iteration" },
+  ): Promise<IterationResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "hierarchy" },
+  ): Promise<HierarchyResult>;
+  distance(a: NurbsModel, b: NurbsModel, options?: DistanceOptions): Promise<DistanceResult>;
   async distance(
     a: NurbsModel,
     b: NurbsModel,

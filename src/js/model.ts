@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { CadReport } from "./cad/report.js";
 import { HausdorffError, translating } from "./error.js";
 import type { Vector3 } from "./options.js";

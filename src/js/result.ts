@@ -70,7 +70,10 @@ interface Common {
   /** Numbers of Bézier patches after cutting. */
   patches: { a: number; b: number };
   seconds: { prepare: number; compile: number; solve: number };
-  /** The reason why the CPU was used although the options allow the GPU. */
+  /**
+   * The reason why the CPU was used although the options allow the GPU, and that
+   * a relative tolerance is 0 where both models are single points.
+   */
   notice?: string;
   /** With `field`, where there is an area. */
   statistics?: Statistics;

@@ -14,8 +14,14 @@ export interface SurfaceArrays {
   knotsV: Numbers;
   /** Numbers of control points along u and v. */
   counts: readonly [number, number];
-  /** x, y, z, w of every control point, v fastest; x, y, z not multiplied by w. */
+  /** x, y, z, w of every control point, v fastest; x, y, z not multiplied by w unless `homogeneous`. */
   controlPoints: Numbers;
+  /**
+   * Whether x, y, z are given multiplied by w, as rhino3dm's and many libraries'
+   * are; default no. They are divided in float64. **No check can notice a wrong
+   * value**: both are surfaces, but different ones unless all weights are 1.
+   */
+  homogeneous?: boolean;
   /** Loops of curves head to tail, material on the left; absent: the whole surface. */
   trim?: readonly (readonly TrimCurveArrays[])[];
   /** Whether the face's normal is opposite to the surface's; no distance uses it. */
@@ -172,7 +178,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     numbers(surface.knotsU, `${where}: knotsU`),
     numbers(surface.knotsV, `${where}: knotsV`),
     ...pair(surface.counts, `${where}: counts`),
-    controlPoints,
+    flag(surface.homogeneous, `${where}: homogeneous`) ? projected(controlPoints) : controlPoints,
   );
   surfaces.describe(
     optional(surface.reversed, "boolean", `${where}: reversed`) ?? false,
@@ -227,6 +233,27 @@ function pushInstance(surfaces: Surfaces, instance: InstanceArrays, where: strin
   );
 }
 
+/** Control points divided by their weights; the module refuses weights that are not positive. */
+function projected(homogeneous: Float64Array): Float64Array {
+  const points = homogeneous.slice();
+  for (let index = 0; index < points.length; index += 4) {
+    const weight = points[index + 3] as number;
+    if (weight > 0)
+      points.set(
+        points.subarray(index, index + 3).map((x) => x / weight),
+        index,
+      );
+  }
+  return points;
+}
+
+function flag(value: unknown, where: string): boolean {
+  if (value !== undefined && typeof value !== "boolean") {
+    throw invalid(`${where} is ${typeof value}, expected a boolean`);
+  }
+  return value === true;
+}
+
 /** The largest integer that the module's 32 bits take. */
 const MAX_COUNT = 2 ** 32 - 1;
 
@@ -265,7 +292,7 @@ function pair(value: unknown, where: string): [number, number] {
  */
 export function numbers(value: unknown, where: string): Float64Array {
   if (value instanceof Float64Array) return value;
-  if (value instanceof Float32Array) return Float64Array.from(value);
+  if (value instanceof Float32Array) return new Float64Array(value);
   if (!isArray(value)) throw invalid(`${where} is ${typeof value}, expected an array of numbers`);
   const wrong = value.findIndex((item) => typeof item !== "number");
   if (wrong >= 0) {

@@ -27,7 +27,6 @@ use curve::Curve;
 use face::{Face, transpose};
 use glam::DVec2;
 use ruling::{Mapped, Ruling};
-use std::collections::HashMap;
 use sweep::Cell;
 
 /// A part of a trimmed face.
@@ -107,41 +106,23 @@ pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: 
     }
     let across = Face::new(index, surface, trim, max_deviation, true)?;
     let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
-    let failure = |found: String| Error::FaceNotCut { surface: index, found };
-    let mut rectangles: Vec<[usize; 2]> =
-        sweeps.iter().flatten().flat_map(|sweep| sweep.cells.keys().copied()).collect();
-    rectangles.sort_unstable();
-    rectangles.dedup();
-    let mut untrimmed = Untrimmed { pieces: Vec::new(), deviation: 0.0 };
-    for rectangle in rectangles {
-        let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
-        choices.sort_by_key(|sweep| sweep.cost(rectangle));
-        let mut reason = None;
-        let found = choices.into_iter().find_map(|sweep| match sweep.pieces(rectangle) {
-            Ok(pieces) => Some(pieces),
-            Err(found) => {
-                reason.get_or_insert(found);
-                None
-            }
-        });
-        let Some((pieces, deviation)) = found else {
-            return Err(failure(reason.unwrap_or_default()));
-        };
-        untrimmed.pieces.extend(pieces);
-        untrimmed.deviation = untrimmed.deviation.max(deviation);
+    let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
+    choices.sort_by_key(|sweep| sweep.cost());
+    let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
+    for sweep in choices {
+        match sweep.untrimmed() {
+            Ok(untrimmed) => return Ok(untrimmed),
+            Err(found) => reason = reason.or(Some(found)),
+        }
     }
-    if untrimmed.pieces.is_empty() {
-        let reason = sweeps.into_iter().find_map(std::result::Result::err);
-        return Err(failure(reason.unwrap_or_else(|| "its loops enclose nothing".to_owned())));
-    }
-    Ok(untrimmed)
+    Err(Error::FaceNotCut { surface: index, found: reason.unwrap_or_default() })
 }
 
-/// The cells of a face ruled along one axis, by rectangle of knots.
+/// The cells of a face ruled along one axis.
 struct Sweep<'a> {
     face: &'a Face,
     transposed: bool,
-    cells: HashMap<[usize; 2], Vec<Cell>>,
+    cells: Vec<Cell>,
     /// The deviation of the boundary, in model units.
     deviation: f64,
 }
@@ -149,32 +130,29 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(face: &'a Face, transposed: bool) -> std::result::Result<Self, String> {
         let boundary = arcs::boundary(face)?;
-        let mut cells: HashMap<[usize; 2], Vec<Cell>> = HashMap::new();
-        for cell in sweep::cells(face, &boundary) {
-            let [iu, iv] = cell.rectangle;
-            cells.entry(if transposed { [iv, iu] } else { [iu, iv] }).or_default().push(cell);
-        }
+        let cells = sweep::cells(face, &boundary);
         // A boundary that moves by δ moves the region by at most 2 δ (lemma T2).
         let deviation = 2.0 * face.moved(boundary.moved) + face.moved([boundary.graph_error, 0.0]);
         Ok(Self { face, transposed, cells, deviation: deviation + face.rounding })
     }
 
-    /// Returns an estimate of the patches that the cells of a rectangle take, times 2. A
-    /// rectangle without cells costs most, so that no sliver on its edge is lost.
-    fn cost(&self, rectangle: [usize; 2]) -> usize {
+    /// Returns an estimate of the patches that the cells take, times 2.
+    fn cost(&self) -> usize {
         let cell = |cell: &Cell| {
             let own = cell.sides.iter().filter(|side| matches!(side, arcs::Side::Own(_))).count();
             if self.face.affine { 2 } else { 2 + own }
         };
-        self.cells.get(&rectangle).map_or(usize::MAX, |cells| cells.iter().map(cell).sum())
+        self.cells.iter().map(cell).sum()
     }
 
-    /// Returns the pieces over a rectangle of knots, and an upper bound on their deviation.
-    fn pieces(&self, rectangle: [usize; 2]) -> std::result::Result<(Vec<Piece>, f64), String> {
+    /// Returns the pieces of all cells.
+    fn untrimmed(&self) -> std::result::Result<Untrimmed, String> {
+        if self.cells.is_empty() {
+            return Err("its loops enclose nothing".to_owned());
+        }
         let mut pieces = Vec::new();
         let mut deviation = 0.0_f64;
-        let cells = self.cells.get(&rectangle).map_or(&[][..], Vec::as_slice);
-        let mut open: Vec<(Cell, usize)> = cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
+        let mut open: Vec<(Cell, usize)> = self.cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
         while let Some((cell, depth)) = open.pop() {
             match ruling::mapped(self.face, &cell) {
                 Mapped::One(ruling) => {
@@ -201,7 +179,7 @@ impl<'a> Sweep<'a> {
                 open.push((Cell { v, ..cell.clone() }, depth + 1));
             }
         }
-        Ok((pieces, deviation + self.deviation))
+        Ok(Untrimmed { pieces, deviation: deviation + self.deviation })
     }
 
     fn piece(&self, surface: NurbsSurface, ruling: Ruling) -> std::result::Result<Piece, String> {

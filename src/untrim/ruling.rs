@@ -88,13 +88,23 @@ fn matched(face: &Face, cell: &Cell, left: Curve, right: Curve, height: usize, e
     let Some(crossing) = reversal(&difference, face.tolerances.crossing, MAX_SIGN_DEPTH) else {
         return Mapped::Halve;
     };
-    Mapped::One(Ruling {
-        left: Curve { controls: left },
-        right: Curve { controls: right },
-        height: Some(height),
-        rectangle: cell.rectangle,
-        error: error + crossing,
-    })
+    let (left, right) = (Curve { controls: left }, Curve { controls: right });
+    if !is_within(face, cell, &left, &right) {
+        return Mapped::Halve;
+    }
+    let rectangle = cell.rectangle;
+    Mapped::One(Ruling { left, right, height: Some(height), rectangle, error: error + crossing })
+}
+
+/// Returns whether both sides lie in the cell's rectangle of knots, up to the tolerance of
+/// crossings: only there the patch of that rectangle is the surface (lemma T3).
+fn is_within(face: &Face, cell: &Cell, left: &Curve, right: &Curve) -> bool {
+    let [low, high] = face.rectangle(cell.rectangle)[0];
+    let above: Vec<[f64; 2]> = left.controls.iter().map(|c| [c.x - low * c.z, c.z]).collect();
+    let below: Vec<[f64; 2]> = right.controls.iter().map(|c| [high * c.z - c.x, c.z]).collect();
+    [above, below]
+        .iter()
+        .all(|difference| reversal(difference, face.tolerances.crossing, MAX_SIGN_DEPTH).is_some())
 }
 
 /// Returns an upper bound on the negative part of a rational function with these
@@ -184,7 +194,8 @@ fn two_curves(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Mapped {
         return matched(face, cell, left, right, height, 0.0);
     }
     let degree: usize = face.patch(cell.rectangle).degree.iter().sum();
-    if (face.affine || degree <= MAX_TILTED_DEGREE) && is_unfolded(&left, &right) {
+    let is_tilted = (face.affine || degree <= MAX_TILTED_DEGREE) && is_unfolded(&left, &right);
+    if is_tilted && is_within(face, cell, &left, &right) {
         let rectangle = cell.rectangle;
         return Mapped::One(Ruling { left, right, height: None, rectangle, error: 0.0 });
     }

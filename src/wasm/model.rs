@@ -22,23 +22,21 @@ pub struct PreparedModel(Rc<engine::PreparedModel>, Option<ReadReport>);
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Self::new(&Model::from_faces(surfaces.into_inner())?)
+        Self::new(&Model::from_faces(surfaces.into_inner())?, None)
     }
 
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
         let model = Model::from_json(&checked(text)?)?;
-        let Self(prepared, _) = Self::new(&model)?;
-        Ok(Self(prepared, Some(ReadReport::of_exact(&model))))
+        Self::new(&model, Some(ReadReport::of_exact(&model)))
     }
 
     /// A model of BREP text; undefined is an unknown name or unit.
     #[wasm_bindgen(js_name = fromBrep)]
     pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
         let (model, report) = brep_model(text, name, unit)?;
-        let Self(prepared, _) = Self::new(&model)?;
-        Ok(Self(prepared, Some(report)))
+        Self::new(&model, Some(report))
     }
 
     /// The report on reading the text, or undefined.
@@ -63,8 +61,7 @@ impl PreparedModel {
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
         let (model, report) = reader_model(text)?;
-        let Self(prepared, _) = Self::new(&model)?;
-        Ok(Self(prepared, Some(report)))
+        Self::new(&model, Some(report))
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
@@ -88,7 +85,7 @@ impl PreparedModel {
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Self::new(&shape(name)?)
+        Self::new(&shape(name)?, None)
     }
 
     #[wasm_bindgen(getter)]
@@ -131,8 +128,8 @@ impl PreparedModel {
 }
 
 impl PreparedModel {
-    fn new(model: &Model) -> Result<Self> {
-        Ok(Self(Rc::new(engine::PreparedModel::new(model)?), None))
+    fn new(model: &Model, report: Option<ReadReport>) -> Result<Self> {
+        Ok(Self(Rc::new(engine::PreparedModel::new(model)?), report))
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {

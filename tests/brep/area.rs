@@ -13,17 +13,31 @@ const GAUSS: [[f64; 2]; 4] = [
     [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
 ];
 
-/// Parts of every piece of a curve, which may cross knots of the surface.
-const PARTS: usize = 16;
+/// Parts of every piece of a curve, which may cross knots of the surface, and of every
+/// span of the surface.
+const PARTS: usize = 8;
+const SPAN_PARTS: usize = 2;
+
+/// The ends of the parts of the spans between two parameters.
+fn breaks(knots: &[f64], [start, end]: [f64; 2]) -> Vec<f64> {
+    let inner = knots.iter().copied().filter(|&knot| knot > start && knot < end);
+    let mut spans: Vec<f64> = std::iter::once(start).chain(inner).chain([end]).collect();
+    spans.dedup();
+    let parts = spans.windows(2).flat_map(|pair| {
+        (0..SPAN_PARTS).map(move |part| pair[0] + (pair[1] - pair[0]) * part as f64 / SPAN_PARTS as f64)
+    });
+    parts.chain([end]).collect()
+}
 
 fn integral([start, end]: [f64; 2], f: &mut dyn FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-    let pairs = GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
+    let pairs =
+        GAUSS.iter().map(|&[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
     half * pairs.sum::<f64>()
 }
 
 /// The point (u, v) of a piece and its derivative by u and v.
-pub fn on_piece(piece: &TrimPiece, t: f64) -> [[f64; 2]; 2] {
+pub(crate) fn on_piece(piece: &TrimPiece, t: f64) -> [[f64; 2]; 2] {
     let mut controls = piece.controls.clone();
     let degree = controls.len() - 1;
     while controls.len() > 2 {
@@ -45,23 +59,17 @@ fn density(surface: &NurbsSurface, u: f64, v: f64) -> f64 {
 
 /// The area of a face: the integral over its loops of F dv, where F is the integral of
 /// the density from the least u.
-pub fn area(face: &Face<'_>) -> f64 {
+pub(crate) fn area(face: &Face<'_>) -> f64 {
     let surface = face.surface();
     let knots = surface.knots(Axis::U);
     let start = surface.domain()[Axis::U][0];
     let primitive = |u: f64, v: f64| -> f64 {
-        let mut breaks: Vec<f64> = knots.iter().copied().filter(|&knot| knot > start && knot < u).collect();
-        breaks.insert(0, start);
-        breaks.push(u);
+        let breaks = breaks(knots, [start, u]);
         breaks.windows(2).map(|pair| integral([pair[0], pair[1]], &mut |u| density(surface, u, v))).sum()
     };
     let Some(trim) = face.trim() else {
-        let [[u0, u1], [v0, v1]] = [surface.domain()[Axis::U], surface.domain()[Axis::V]];
-        let mut breaks: Vec<f64> = surface.knots(Axis::V).iter().copied().filter(|&v| v > v0 && v < v1).collect();
-        breaks.insert(0, v0);
-        breaks.push(v1);
-        let _ = u0;
-        return breaks
+        let [[_, u1], v] = [surface.domain()[Axis::U], surface.domain()[Axis::V]];
+        return breaks(surface.knots(Axis::V), v)
             .windows(2)
             .map(|pair| integral([pair[0], pair[1]], &mut |v| primitive(u1, v)))
             .sum();
@@ -80,7 +88,7 @@ pub fn area(face: &Face<'_>) -> f64 {
 }
 
 /// Points of a face's loops in space, with their loop.
-pub fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
+pub(crate) fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
     let mut points = Vec::new();
     for (index, pieces) in face.trim().unwrap().loops().iter().enumerate() {
         for piece in pieces {
@@ -94,7 +102,7 @@ pub fn loop_points(face: &Face<'_>) -> Vec<(usize, Vector)> {
 }
 
 /// Points of a face's surface over its whole domain.
-pub fn surface_points(face: &Face<'_>) -> Vec<Vector> {
+pub(crate) fn surface_points(face: &Face<'_>) -> Vec<Vector> {
     crate::support::evaluator::parameters(face.surface(), 17)
         .into_iter()
         .map(|[u, v]| evaluate(face.surface(), u, v, [0.0; 3]).point)

@@ -29,9 +29,8 @@ fn a_face_in_several_places_becomes_instances() {
     let shell = text.shape("Sh\n", &[plus(face)]);
     let at = |location| Child { shape: shell, sign: '+', location };
     let compound = text.shape("Co\n", &[at(0), at(1), at(3), at(4)]);
-    let (arrays, report) = nurbs_hausdorff::brep::read(&text.text(plus(compound))).unwrap();
-    assert_eq!((report.surfaces, arrays.faces.len(), arrays.instances.len()), (1, 1, 4));
-    let model = Model::from_brep(&text.text(plus(compound))).unwrap().0;
+    let (model, report) = Model::from_brep(&text.text(plus(compound))).unwrap();
+    assert_eq!((report.surfaces, report.trims, model.faces().len()), (1, 4, 4));
     let corners: Vec<_> = (0..4).map(|face| corner(&model, face)).collect();
     // (3, 0, 0) turned is (0, 3, 0).
     assert_eq!(corners, [[3.0, 0.0, 0.0], [1.0, 5.0, 3.0], [21.0, 5.0, 3.0], [-7.0, 0.0, 0.0]]);
@@ -85,10 +84,8 @@ fn edges_are_placed_before_they_are_projected() {
         edges.push(Child { shape, sign: '+', location: moved });
     }
     let wire = text.wire(&edges);
-    let face = text.shape(
-        format!("Fa\n0  1e-07 {plane} {turn}\n"),
-        &[Child { shape: wire, sign: '+', location: back }],
-    );
+    let face = text
+        .shape(format!("Fa\n0  1e-07 {plane} {turn}\n"), &[Child { shape: wire, sign: '+', location: back }]);
     let (model, report) = read(&text, face);
     // The plane is turned about the axis that is orthogonal to it, and lies 3 above the edges.
     assert_near(report.gap, 3.0, 1e-14);

@@ -50,12 +50,12 @@ fn bogus_counts_end_with_the_text() {
 fn deep_nesting_is_refused() {
     let header = "CASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nCurve2ds 1\n";
     let curves = format!("{header}{}1 0 0 1 0", "9 1\n".repeat(100_000));
-    refused(&curves, 36, "9", "at most 32 nested curves");
+    refused(&curves, 37, "9", "at most 32 nested curves");
     let surfaces = format!(
         "CASCADE Topology V1, (c)\nLocations 0\nCurve2ds 0\nCurves 0\nSurfaces 1\n{}",
         "11 1\n".repeat(100_000)
     );
-    refused(&surfaces, 38, "11", "at most 32 nested surfaces");
+    refused(&surfaces, 39, "11", "at most 32 nested surfaces");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 // A program that uses the package as its documentation says, for the type checker.
 import {
+  type DistanceOptions,
   type DistanceResult,
   type ErrorCode,
   Hausdorff,
@@ -13,6 +14,7 @@ import {
 } from "nurbs-hausdorff";
 import { fromOcct, fromRhino, fromThree, fromVerb } from "nurbs-hausdorff/adapters";
 import { type CadReport, convertCad, readCad } from "nurbs-hausdorff/cad";
+import * as away from "nurbs-hausdorff/worker";
 
 const square: SurfaceArrays = {
   degree: [1, 1],
@@ -20,6 +22,7 @@ const square: SurfaceArrays = {
   knotsV: new Float64Array([0, 0, 1, 1]),
   counts: [2, 2],
   controlPoints: new Float32Array(16),
+  homogeneous: true,
 };
 
 const interchange: InterchangeModel = {
@@ -35,7 +38,7 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   using c: NurbsModel = hd.model(JSON.stringify(interchange));
   using d = hd.shape("sphere");
   const controller = new AbortController();
-  const result: DistanceResult = await hd.distance(a, b, {
+  const options: DistanceOptions = {
     method: "iteration",
     samples: 128,
     sampling: "arc-length",
@@ -50,7 +53,8 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
     field: true,
     signal: controller.signal,
     onProgress: (fraction) => console.log(fraction.toFixed(2)),
-  });
+  };
+  const result: DistanceResult = await hd.distance(a, b, options);
   const [x, y, z]: [number, number, number] = result.witness.a.point;
   const feet: Float64Array | undefined = result.field?.[0]?.feet;
   const adapter: string | null = hd.adapter;
@@ -64,6 +68,32 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
 
 function ofIteration({ bounds, forward }: IterationResult): number {
   return (forward?.bounds.kB ?? 0) + bounds.kARigorous;
+}
+
+/** The same API in a worker. */
+export async function elsewhere(text: string): Promise<number> {
+  using hd = await away.Hausdorff.create({ backend: "cpu" });
+  using a: away.NurbsModel = await hd.model(text);
+  const { within } = await hd.distance(a, await hd.shape("sphere"), { limit: 1 });
+  const points = new Float64Array(3);
+  const { distances } = await hd.closestPoints(a, points, { transfer: true });
+  // @ts-expect-error models are the worker's
+  await hd.distance(a, inHere().shape("sphere"));
+  return within ? (distances[0] ?? 0) : a.surfaceCount;
+}
+
+declare function inHere(): Hausdorff;
+
+/** The method that the options name decides the result's type. */
+export async function narrowed(hd: Hausdorff, a: NurbsModel, b: NurbsModel): Promise<boolean> {
+  const { within } = await hd.distance(a, b, { limit: 0.1 });
+  const { stop } = await hd.distance(a, b);
+  const { samples } = await hd.distance(a, b, { method: "iteration" });
+  const { pairs } = await hd.distance(a, b, { method: "hierarchy", grid: 32 });
+  console.log(stop, samples, pairs.length);
+  // @ts-expect-error method `iteration` decides no limit
+  console.log((await hd.distance(a, b, { method: "iteration" })).within);
+  return within ?? false;
 }
 
 export function show(model: NurbsModel): Tessellation {

@@ -28,7 +28,7 @@ fn for_each_piece(test: &str, mut look: impl FnMut(&Piece<'_>)) {
     let shapes = list().map(|info| (info.name.to_owned(), shape(info.name).unwrap()));
     for (name, model) in shapes.chain(models::all(test)) {
         let patches = extract(&model).patches;
-        let FlatPatches { patches: flat, extensions } = flatten(&patches, Flatness::Loose);
+        let FlatPatches { patches: flat, extensions, .. } = flatten(&patches, Flatness::Loose);
         let diagonal = model.bounding_box().diagonal();
         for index in (0..flat.len()).step_by(flat.len().div_ceil(PIECES)) {
             let piece = flat.patch(index);

@@ -8,10 +8,12 @@ test("nothing works before the module is loaded", () => {
 });
 
 test("a failed load can be tried again", async () => {
-  await assert.rejects(
-    Hausdorff.create({ module: new Uint8Array([0, 1, 2, 3]) }),
-    WebAssembly.CompileError,
-  );
+  await assert.rejects(Hausdorff.create({ module: new Uint8Array([0, 1, 2, 3]) }), (error) => {
+    assert.ok(error.cause instanceof WebAssembly.CompileError);
+    return withCode("MODULE_FAILED", /inline/)(error);
+  });
+  const missing = new URL("file:///no-such-folder/module.wasm");
+  await assert.rejects(Hausdorff.create({ module: missing }), withCode("MODULE_FAILED"));
   const hd = await create({ backend: "cpu" });
   assert.equal(hd.backend, "cpu");
 });

@@ -1,16 +1,10 @@
 // The package in plain Node, where nothing provides WebGPU.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
 import { Hausdorff, HausdorffError } from "nurbs-hausdorff";
 
-const module = readFileSync(
-  fileURLToPath(import.meta.resolve("nurbs-hausdorff/nurbs_hausdorff_bg.wasm")),
-);
-
 test("auto computes on the CPU and says why", async () => {
-  const hd = await Hausdorff.create({ module });
+  const hd = await Hausdorff.create();
   assert.equal(hd.backend, "cpu");
   assert.match(hd.notice, /navigator\.gpu/);
   const [small, large] = ["sphere", "sphere-larger"].map((name) => hd.shape(name));
@@ -20,7 +14,7 @@ test("auto computes on the CPU and says why", async () => {
 });
 
 test("a GPU that is required is refused with its code", async () => {
-  await assert.rejects(Hausdorff.create({ module, backend: "gpu" }), (error) => {
+  await assert.rejects(Hausdorff.create({ backend: "gpu" }), (error) => {
     assert.ok(error instanceof HausdorffError);
     assert.equal(error.code, "NO_ADAPTER");
     return true;

@@ -1,19 +1,12 @@
 // What the tests of the package share: the package as users import it, on the
 // tests' WebGPU, and models to check against.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import { Hausdorff, HausdorffError } from "nurbs-hausdorff";
 import { installWebGpu } from "../../scripts/test/dawn.mjs";
 
 installWebGpu();
 
-/** The wasm module's bytes: Node does not fetch files. */
-export const module = readFileSync(
-  fileURLToPath(import.meta.resolve("nurbs-hausdorff/nurbs_hausdorff_bg.wasm")),
-);
-
-export const create = (options) => Hausdorff.create({ module, ...options });
+export const create = (options) => Hausdorff.create(options);
 
 /** A bilinear square of side 1 in the plane of this z, as plain arrays. */
 export function square(z = 0) {

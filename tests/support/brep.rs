@@ -117,7 +117,9 @@ impl BrepText {
         let count = self.shapes.len();
         let mut section = |name: &str, entries: &[String]| {
             let _ = writeln!(out, "{name} {}", entries.len());
-            entries.iter().for_each(|entry| drop(writeln!(out, "{entry}")));
+            for entry in entries {
+                let _ = writeln!(out, "{entry}");
+            }
         };
         section("Locations", &self.locations);
         section("Curve2ds", &self.p_curves);

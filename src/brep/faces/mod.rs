@@ -8,6 +8,7 @@
 
 mod chain;
 mod fit;
+mod inversion;
 mod jet;
 mod joints;
 mod mapping;
@@ -127,9 +128,7 @@ fn ranges(surface: &Surface, loops: &[Vec<TrimUse>]) -> Result<[[f64; 2]; 2], Fa
 }
 
 fn net(surface: &Surface, ranges: [[f64; 2]; 2]) -> Result<SurfaceNet, FaceFault> {
-    let net = surface.net(ranges).ok_or_else(|| {
-        FaceFault::new("BREP_OFFSET_SURFACE", "the offset of this kind of surface is not rational")
-    })?;
+    let net = surface.net(ranges)?;
     if !net.has_positive_weights() {
         let why = "the loops leave the surface so far that its continuation has weights below 0";
         return Err(FaceFault::new("BREP_OUTSIDE_DOMAIN", why));

@@ -1,7 +1,8 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
+use super::inversion::{invert, samples};
 use crate::brep::nurbs::{Curve, Spline, Surface};
-use crate::brep::report::{FaceFault, ReadReport};
+use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
 use glam::{DAffine3, DVec3};
 
@@ -80,6 +81,9 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             gap,
         });
     }
+    if wire.orientation == Orientation::Reversed {
+        uses.reverse();
+    }
     Ok(uses)
 }
 
@@ -106,16 +110,14 @@ fn of_edge(
         if edge.degenerate {
             return Ok(None);
         }
-        return made_on_plane(file, face, surface, edge, location).map(Some);
+        return invert(file, face, surface, edge, location).map(Some);
     };
     let curve = &file.p_curves[p_curve.curves[usize::from(reversed)]];
     let [start, end] = p_curve.range;
     if start >= end {
         return Ok(None);
     }
-    let (spline, _) = curve.spline(p_curve.range).ok_or_else(|| {
-        FaceFault::new("BREP_OFFSET_CURVE", "the offset of this kind of curve is not rational")
-    })?;
+    let (spline, _) = curve.spline(p_curve.range)?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
@@ -140,39 +142,6 @@ fn p_curve<'a>(
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
 
-/// Makes the curve of an edge on a plane: the affine image of the edge, exact. The gap is
-/// proven: the edge lies in the convex hull of its control points, none of which is
-/// farther from the plane.
-fn made_on_plane(
-    file: &BrepFile,
-    face: &Face,
-    surface: &Surface,
-    edge: &Edge,
-    location: &DAffine3,
-) -> Result<(Spline, f64), FaceFault> {
-    let Some(frame) = surface.plane() else {
-        return Err(FaceFault::new("BREP_NO_P_CURVE", format!("no curve on the {}", surface.kind())));
-    };
-    let Some(space) = &edge.curve else {
-        return Err(FaceFault::new("BREP_NO_P_CURVE", "neither a curve on the plane nor one in space"));
-    };
-    let curve: &Curve = &file.curves[space.curve];
-    let (mut spline, _) = curve
-        .spline(space.range)
-        .filter(|_| space.range[0] < space.range[1])
-        .ok_or_else(|| FaceFault::new("BREP_OFFSET_CURVE", "the curve in space is not rational"))?;
-    let to_plane = face.location.inverse() * *location * space.location;
-    let scale = face.location.matrix3.determinant().abs().cbrt();
-    let mut gap = 0.0_f64;
-    for control in &mut spline.controls {
-        let weight = control.w;
-        let local = frame.local_point(to_plane.transform_point3(crate::brep::nurbs::project(*control)));
-        gap = gap.max(scale * local.z.abs());
-        *control = (weight * DVec3::new(local.x, local.y, 0.0)).extend(weight);
-    }
-    Ok((spline, gap))
-}
-
 /// Returns the largest distance from points of the curve on the surface, at equally spaced
 /// parameters, to the edge: to its point of equal parameter, as the file relates both, or
 /// to a nearer one if that is beyond the edge's tolerance.
@@ -183,19 +152,17 @@ fn measured_gap(
     edge: &Edge,
     location: &DAffine3,
     curve: &Curve,
-    [start, end]: [f64; 2],
+    range: [f64; 2],
 ) -> f64 {
     let Some(space) = &edge.curve else { return 0.0 };
     let space_location = *location * space.location;
     let in_space = &file.curves[space.curve];
     let mut gap = 0.0_f64;
-    for sample in 0..ReadReport::GAP_SAMPLES {
-        let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
-        let at = |[start, end]: [f64; 2]| (1.0 - fraction) * start + fraction * end;
-        let parameters = curve.point(at([start, end]));
+    for (t_curve, t_space) in samples(range).zip(samples(space.range)) {
+        let parameters = curve.point(t_curve);
         let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
         let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
-        let mut t = at(space.range);
+        let mut t = t_space;
         let mut nearest = distance(t);
         // Curves of unequal parametrization are nearer to each other elsewhere.
         for _ in 0..NEAREST_STEPS {

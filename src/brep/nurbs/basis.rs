@@ -1,5 +1,7 @@
 //! Knot vectors, clamped or periodic.
 
+use super::conversion::{Unconvertible, check_range};
+
 /// The B-spline basis of one parameter.
 #[derive(Debug, Clone)]
 pub(crate) struct Basis {
@@ -53,6 +55,18 @@ impl Basis {
     /// Returns the period of a periodic basis.
     pub(crate) fn period(&self) -> Option<f64> {
         self.cycle.as_ref().map(|cycle| cycle.period)
+    }
+
+    /// Checks that a range is one that an edge may have.
+    ///
+    /// # Errors
+    /// [`Unconvertible::Range`] if it is empty or, on a periodic basis, too long or far away.
+    pub(crate) fn check_range(&self, [start, end]: [f64; 2]) -> Result<(), Unconvertible> {
+        match &self.cycle {
+            Some(Cycle { knots, period, .. }) => check_range([start - knots[0], end - knots[0]], *period),
+            None if start < end => Ok(()),
+            None => Err(Unconvertible::Range),
+        }
     }
 
     /// Returns the number of control points in the file.

@@ -3,7 +3,7 @@
 use super::parameter_map::ParameterMap;
 use super::spline::Spline;
 use glam::{DVec3, DVec4};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The parametrization of a conic with centre c and axes x, y.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,9 +23,6 @@ const MAX_ANGLE: f64 = FRAC_PI_2;
 /// The largest range of a piece of a hyperbola: the weight of its middle control point
 /// is at most cosh 1/2.
 const MAX_HYPERBOLIC_RANGE: f64 = 1.0;
-
-/// The most pieces of a hyperbola. Beyond its coordinates are e^64 of the axes.
-const MAX_HYPERBOLIC_PIECES: f64 = 64.0;
 
 /// Part of the largest range by which a range may exceed it: files state parameters to
 /// 15 digits, and a full turn is four quarters.
@@ -50,12 +47,22 @@ impl Conic {
         }
     }
 
+    /// Returns the period, or the range that is taken for one where there is none: a
+    /// hyperbola reaches e^8 of its axes within 8 of the parameter.
+    pub(crate) fn longest_range(self) -> f64 {
+        match self {
+            Self::Elliptic => TAU,
+            Self::Parabolic => f64::MAX.sqrt(),
+            Self::Hyperbolic => 8.0,
+        }
+    }
+
     /// Returns the ends of the pieces into which a range is cut.
     pub(crate) fn breaks(self, [start, end]: [f64; 2]) -> Vec<f64> {
         let longest = match self {
             Self::Elliptic => MAX_ANGLE,
             Self::Parabolic => f64::INFINITY,
-            Self::Hyperbolic => MAX_HYPERBOLIC_RANGE.max((end - start) / MAX_HYPERBOLIC_PIECES),
+            Self::Hyperbolic => MAX_HYPERBOLIC_RANGE,
         };
         let pieces = ((end - start) / longest - RANGE_MARGIN).ceil().max(1.0) as usize;
         let at = |index: usize| {

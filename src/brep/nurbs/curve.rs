@@ -2,6 +2,7 @@
 
 use super::basis::Basis;
 use super::conic::Conic;
+use super::conversion::{Unconvertible, check_range};
 use super::frame::Frame;
 use super::parameter_map::ParameterMap;
 use super::spline::{Spline, project};
@@ -119,20 +120,32 @@ impl Curve {
     }
 
     /// Returns the exact rational curve over `range`, a clamped spline, and the map from
-    /// this curve's parameter to the spline's. `None` for an offset that is not rational.
-    pub(crate) fn spline(&self, range: [f64; 2]) -> Option<(Spline, ParameterMap)> {
+    /// this curve's parameter to the spline's.
+    ///
+    /// # Errors
+    /// [`Unconvertible`], also for a range that is empty.
+    pub(crate) fn spline(&self, range: [f64; 2]) -> Result<(Spline, ParameterMap), Unconvertible> {
         match self {
             Self::Line { .. } => {
                 let [start, end] = range.map(|t| self.point(t));
-                Some((Spline::segment(range, start, end), ParameterMap::Identity))
+                if range[0] >= range[1] {
+                    return Err(Unconvertible::Range);
+                }
+                Ok((Spline::segment(range, start, end), ParameterMap::Identity))
             }
             Self::Conic { conic, center, x, y } => {
+                check_range(range, conic.longest_range())?;
                 let breaks = conic.breaks(range);
-                Some((conic.spline(&breaks, *center, *x, *y), conic.map(breaks)))
+                Ok((conic.spline(&breaks, *center, *x, *y), conic.map(breaks)))
             }
-            Self::Spline(spline) => Some((spline.over(range), ParameterMap::Identity)),
+            Self::Spline(spline) => {
+                spline.basis.check_range(range)?;
+                Ok((spline.over(range), ParameterMap::Identity))
+            }
             Self::Trimmed { basis, .. } => basis.spline(range),
-            Self::Offset { distance, normal, basis } => basis.offset(*distance, *normal)?.spline(range),
+            Self::Offset { distance, normal, basis } => {
+                basis.offset(*distance, *normal).ok_or(Unconvertible::Offset)?.spline(range)
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod basis;
 mod conic;
+mod conversion;
 mod curve;
 mod frame;
 mod parameter_map;
@@ -11,6 +12,7 @@ mod surface_net;
 
 pub(crate) use basis::Basis;
 pub(crate) use conic::Conic;
+pub(crate) use conversion::Unconvertible;
 pub(crate) use curve::{Curve, SplineCurve};
 pub(crate) use frame::Frame;
 pub(crate) use parameter_map::ParameterMap;

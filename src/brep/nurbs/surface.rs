@@ -190,12 +190,11 @@ impl Surface {
         }
     }
 
-    /// Returns the plane, if the surface is one.
-    pub(crate) fn plane(&self) -> Option<&Frame> {
+    /// Returns the surface without the bounds of trimmed ones.
+    pub(crate) fn elementary(&self) -> &Self {
         match self {
-            Self::Plane(frame) => Some(frame),
-            Self::Trimmed { basis, .. } => basis.plane(),
-            _ => None,
+            Self::Trimmed { basis, .. } => basis.elementary(),
+            other => other,
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Surfaces of the file as exact NURBS over a rectangle of parameters.
 
 use super::conic::Conic;
+use super::conversion::{Unconvertible, check_range};
 use super::parameter_map::ParameterMap;
 use super::spline::{Spline, blossom, project, support_spans, tensor_point};
 use super::surface::{SplineSurface, Surface};
 use crate::model::SurfaceArrays;
 use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
+use std::f64::consts::TAU;
 
 /// An exact NURBS and the maps from the parameters of the file to its own.
 #[derive(Debug, Clone)]
@@ -18,10 +20,12 @@ pub(crate) struct SurfaceNet {
 }
 
 impl Surface {
-    /// Returns the exact NURBS over these ranges of u and v; `None` for an offset
-    /// surface that is not rational. Where a B-spline is not periodic, it keeps its
-    /// domain and is extended to the ranges.
-    pub(crate) fn net(&self, ranges: [[f64; 2]; 2]) -> Option<SurfaceNet> {
+    /// Returns the exact NURBS over these ranges of u and v. Where a B-spline is not
+    /// periodic, it keeps its domain and is extended to the ranges.
+    ///
+    /// # Errors
+    /// [`Unconvertible`].
+    pub(crate) fn net(&self, ranges: [[f64; 2]; 2]) -> Result<SurfaceNet, Unconvertible> {
         match self {
             Self::Plane(frame) => {
                 let edge = |v: f64| {
@@ -29,10 +33,11 @@ impl Surface {
                     Spline::segment(ranges[0], start, end)
                 };
                 let sides = ranges[1].map(edge);
-                Some(ruled(&sides, ranges[1], ParameterMap::Identity))
+                Ok(ruled(&sides, ranges[1], ParameterMap::Identity))
             }
             Self::Revolution { frame, profile, .. } => {
                 let (profile, map) = profile.spline(ranges[1])?;
+                check_range(ranges[0], TAU)?;
                 let breaks = Conic::Elliptic.breaks(ranges[0]);
                 let circle = Conic::Elliptic.spline(&breaks, DVec3::ZERO, DVec3::X, DVec3::Y);
                 let turned = |arc: &DVec4, local: &DVec4| {
@@ -48,7 +53,7 @@ impl Surface {
                     .iter()
                     .flat_map(|arc| profile.controls.iter().map(move |local| turned(arc, local)))
                     .collect();
-                Some(SurfaceNet {
+                Ok(SurfaceNet {
                     degrees: [2, profile.degree],
                     knots: [circle.knots, profile.knots],
                     controls,
@@ -58,11 +63,16 @@ impl Surface {
             Self::Extrusion { direction, profile } => {
                 let (profile, map) = profile.spline(ranges[0])?;
                 let sides = ranges[1].map(|v| profile.clone().translated(v * *direction));
-                Some(ruled(&sides, ranges[1], map))
+                Ok(ruled(&sides, ranges[1], map))
             }
-            Self::Spline(spline) => Some(spline.net(ranges)),
+            Self::Spline(spline) => {
+                for axis in [0, 1] {
+                    spline.bases[axis].check_range(ranges[axis])?;
+                }
+                Ok(spline.net(ranges))
+            }
             Self::Trimmed { basis, .. } => basis.net(ranges),
-            Self::Offset { .. } => None,
+            Self::Offset { .. } => Err(Unconvertible::Offset),
         }
     }
 }

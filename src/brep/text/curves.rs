@@ -105,8 +105,13 @@ pub(super) fn degree(lexer: &mut Lexer<'_>) -> Result<usize> {
 /// Reads a control point, returned in homogeneous coordinates.
 pub(super) fn pole(lexer: &mut Lexer<'_>, dimension: Dimension, rational: bool) -> Result<DVec4> {
     let point = lexer.point(dimension)?;
-    let weight = if rational { lexer.number("a weight")? } else { 1.0 };
-    if weight > 0.0 { Ok((weight * point).extend(weight)) } else { Err(lexer.error("", "a weight above 0")) }
+    let word = lexer.peek().unwrap_or_default();
+    let weight = if rational { lexer.number("a weight above 0")? } else { 1.0 };
+    if weight > 0.0 {
+        Ok((weight * point).extend(weight))
+    } else {
+        Err(lexer.error(word, "a weight above 0"))
+    }
 }
 
 /// Reads `knots` pairs of knot and multiplicity for `count` control points.

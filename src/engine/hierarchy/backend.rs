@@ -1,6 +1,6 @@
 //! The stages of method `hierarchy` on either backend.
 
-use super::cpu::descend;
+use super::cpu::{descend, farthest};
 use crate::error::Result;
 use crate::gpu::GpuHierarchy;
 use crate::hierarchy::{LevelBounds, Traversal};
@@ -40,10 +40,7 @@ impl HierarchyBackend<'_> {
     /// nearest cell of B.
     pub(super) async fn farthest(&self, progress: &mut Progress<'_>) -> Result<[usize; 2]> {
         match self {
-            Self::Cpu(traversal) => {
-                progress.checkpoint(1.0).await?;
-                Ok(traversal.farthest())
-            }
+            Self::Cpu(traversal) => farthest(traversal, progress).await,
             Self::Gpu(hierarchy) => hierarchy.farthest(progress).await,
         }
     }

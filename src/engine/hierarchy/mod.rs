@@ -40,7 +40,8 @@ impl Direction<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let [a, b] = [self.from.cells(options.grid)?, self.to.cells(options.grid)?];
+        let a = self.from.cells(options.grid, progress).await?;
+        let b = self.to.cells(options.grid, progress).await?;
         let coordinate_error = self.box_error();
         let transform = self.transform;
         let prepared = Seconds { prepare: started.elapsed().as_secs_f64(), ..Seconds::default() };
@@ -57,9 +58,10 @@ impl Direction<'_> {
                 (HierarchyBackend::Gpu(Box::new(hierarchy)), Processor::Gpu, gpu.adapter(), seconds)
             }
             None => {
+                let (from, to, fixed) = (self.from.bezier(), self.to.bezier(), RigidTransform::IDENTITY);
                 let boxes = [
-                    level_boxes(self.from.bezier(), &a.tree, &transform, coordinate_error),
-                    level_boxes(self.to.bezier(), &b.tree, &RigidTransform::IDENTITY, coordinate_error),
+                    level_boxes(from, &a.tree, &transform, coordinate_error, progress).await?,
+                    level_boxes(to, &b.tree, &fixed, coordinate_error, progress).await?,
                 ];
                 let traversal = Traversal::new([&a.tree, &b.tree], boxes);
                 (HierarchyBackend::Cpu(traversal), Processor::Cpu, None, prepared)
@@ -94,7 +96,7 @@ impl Direction<'_> {
     /// [`BOX_ROUNDINGS`].
     fn box_error(&self) -> f64 {
         let models = [self.from, self.to];
-        let [a, b] = models.map(|model| model.bounding_box().farthest_from_origin());
+        let [a, b] = models.map(|model| model.control_box().farthest_from_origin());
         let [of_a, of_b] = models.map(|model| model.bezier().point_error.after(0));
         let length = (a + self.transform.offset().length()).max(b);
         (of_a + self.transform.rounding(a)).max(of_b) + gamma(BOX_ROUNDINGS) * length + VANISHING_LENGTH
@@ -142,7 +144,7 @@ impl TreePair<'_> {
             pairs.push(bounds.pairs);
             lower = lower.max(bounds.lower);
             upper = upper.min(bounds.upper);
-            progress.interval(lower, upper);
+            progress.interval(lower, upper, false);
         }
         let farthest = backend.farthest(progress).await?;
         let [(a_parameters, a), (b_parameters, b)] =

@@ -285,7 +285,7 @@ impl SampledDirection<'_> {
     /// Returns an upper bound on how far the computed points of both models, moved, are
     /// from the exact ones, added up.
     fn point_errors(&self) -> f64 {
-        let moved = self.transform.rounding(self.from.bounding_box().farthest_from_origin());
+        let moved = self.transform.rounding(self.from.control_box().farthest_from_origin());
         let of_a = self.from.bezier().point_error.after(0);
         of_a + moved + self.to.bezier().point_error.after(MAX_HALVINGS)
     }

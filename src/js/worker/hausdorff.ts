@@ -1,0 +1,214 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+import type { ClosestPointOptions, ClosestPoints } from "../closest.js";
+import type { DiffOptions, DiffResult } from "../diff.js";
+import { HausdorffError } from "../error.js";
+import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
+import type { ModuleSource } from "../load.js";
+import { type DistanceOptions, split } from "../options.js";
+import type {
+  CertifiedResult,
+  DistanceResult,
+  HierarchyResult,
+  IterationResult,
+} from "../result.js";
+import { type InterchangeModel, type Numbers, numbers, type SurfaceArrays } from "../surface.js";
+import { Channel } from "./channel.js";
+import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
+import { NurbsModel } from "./model.js";
+
+/** Options of `Hausdorff.create` of this entry. */
+export interface WorkerCreateOptions extends CreateOptions {
+  /**
+   * A worker that runs `nurbs-hausdorff/worker/thread`, for bundlers that do not
+   * bundle workers of packages. By default the package starts its own.
+   */
+  worker?: Worker;
+}
+
+/** Options of `Hausdorff.closestPoints` of this entry. */
+export interface WorkerClosestPointOptions extends ClosestPointOptions {
+  /** Whether the points' buffer is transferred, and empty afterwards, not copied; default no. */
+  transfer?: boolean;
+}
+
+/** Connects to a worker: the caller's, or a new one. */
+export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
+
+let connect: Connect;
+
+/**
+ * Sets how workers are started on this platform.
+ * @internal
+ */
+export function connectBy(platform: Connect): void {
+  connect = platform;
+}
+
+/**
+ * The class `Hausdorff` of the main entry, of which all work is done in a worker:
+ * the caller's thread only sends and receives. Results' arrays are transferred.
+ */
+export class Hausdorff {
+  readonly #channel: Channel;
+
+  private constructor(channel: Channel) {
+    this.#channel = channel;
+  }
+
+  /**
+   * Starts a worker, loads the module there and looks for a GPU.
+   *
+   * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
+   */
+  static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
+    const { worker, module, ...rest } = options;
+    const channel = new Channel((listener) => connect(listener, worker));
+    try {
+      await channel.call("create", [{ ...rest, module: sendable(module) }]);
+    } catch (error) {
+      channel.close();
+      throw error;
+    }
+    return new Hausdorff(channel);
+  }
+
+  /** Where distances are computed unless their options say otherwise. */
+  get backend(): "gpu" | "cpu" {
+    return this.#facts.backend;
+  }
+
+  /** The GPU's name, if there is a GPU and the platform reports it. */
+  get adapter(): string | null {
+    return this.#facts.adapter;
+  }
+
+  /** The reason why there is no GPU, if one was looked for. */
+  get notice(): string | null {
+    return this.#facts.notice;
+  }
+
+  /**
+   * As the main entry's `model`. Text and typed arrays are sent at once; a large
+   * object of plain arrays is copied item by item on the caller's thread.
+   */
+  async model(input: readonly SurfaceArrays[] | InterchangeModel | string): Promise<NurbsModel> {
+    return this.#newModel("model", input);
+  }
+
+  /** As the main entry's `shape`. */
+  async shape(name: string): Promise<NurbsModel> {
+    return this.#newModel("shape", name);
+  }
+
+  /** The shapes there are, as the main entry's static `shapes`. */
+  async shapes(): Promise<ShapeInfo[]> {
+    const [result] = await this.#channel.call("shapes", []);
+    return result as ShapeInfo[];
+  }
+
+  /** As the main entry's `distance`. */
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options?: DistanceOptions & { method?: "certified" },
+  ): Promise<CertifiedResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "iteration" },
+  ): Promise<IterationResult>;
+  distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions & { method: "hierarchy" },
+  ): Promise<HierarchyResult>;
+  distance(a: NurbsModel, b: NurbsModel, options?: DistanceOptions): Promise<DistanceResult>;
+  async distance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DistanceOptions = {},
+  ): Promise<DistanceResult> {
+    return (await this.#measure(
+      "distance",
+      [this.#id(a, "a"), this.#id(b, "b")],
+      options,
+    )) as never;
+  }
+
+  /** As the main entry's `diff`. */
+  async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
+    return (await this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options)) as never;
+  }
+
+  /** As the main entry's `closestPoints`. */
+  async closestPoints(
+    model: NurbsModel,
+    points: Numbers,
+    options: WorkerClosestPointOptions = {},
+  ): Promise<ClosestPoints> {
+    const id = this.#id(model, "model");
+    const { transfer, ...rest } = options;
+    const typed = points instanceof Float32Array ? points : numbers(points, "points");
+    // What was converted is nobody else's.
+    const given = typed !== points || transfer === true ? [typed.buffer as ArrayBuffer] : [];
+    return (await this.#measure("closestPoints", [id, typed], rest, given)) as never;
+  }
+
+  /** Ends the worker once the calls that it has received are answered. */
+  dispose(): void {
+    this.#channel.close();
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
+  get #facts() {
+    this.#channel.requireOpen();
+    // The reply to `create` stated them.
+    return this.#channel.engine as NonNullable<Channel["engine"]>;
+  }
+
+  #id(model: unknown, name: string): number {
+    return NurbsModel.id(model, this.#channel, name);
+  }
+
+  async #newModel(method: "model" | "shape", input: unknown): Promise<NurbsModel> {
+    const [facts, id] = await this.#channel.call(method, [input]);
+    return NurbsModel.of(this.#channel, id, facts as ModelFacts);
+  }
+
+  async #measure(
+    method: string,
+    args: unknown[],
+    options: DistanceOptions | DiffOptions | ClosestPointOptions,
+    transfer: ArrayBuffer[] = [],
+  ): Promise<unknown> {
+    const { plain, transform, signal, onProgress } = split(options);
+    const sent = transform === undefined ? plain : { ...plain, transform };
+    const [result] = await this.#channel.call(method, [...args, sent], {
+      signal,
+      onProgress,
+      transfer,
+    });
+    return result;
+  }
+}
+
+/** The module's source as it can be sent: addresses as absolute text. */
+function sendable(module: ModuleSource | undefined): ModuleSource | undefined {
+  if (module instanceof URL) return module.href;
+  if (typeof module === "string") {
+    return new URL(module, globalThis.document?.baseURI ?? globalThis.location?.href).href;
+  }
+  if (
+    (typeof Response !== "undefined" && module instanceof Response) ||
+    (typeof Request !== "undefined" && module instanceof Request)
+  ) {
+    throw new HausdorffError(
+      "OPTION_INVALID",
+      "module is a request or a response, expected its address, bytes or the compiled module",
+    );
+  }
+  return module;
+}

@@ -1,0 +1,53 @@
+import type { ErrorCode } from "../error.js";
+
+/** What a model's twin on the caller's thread knows of it. */
+export interface ModelFacts {
+  name: string | null;
+  surfaceCount: number;
+  boundingBox: { min: [number, number, number]; max: [number, number, number] };
+}
+
+/** What the caller's thread knows of the engine. */
+export interface EngineFacts {
+  backend: "gpu" | "cpu";
+  adapter: string | null;
+  notice: string | null;
+}
+
+/** A call of a method; models are named by the number under which the worker keeps them. */
+export interface Call {
+  id: number;
+  method: string;
+  args: unknown[];
+  /** Whether progress is reported. */
+  progress?: boolean;
+}
+
+/** What the caller's thread sends. */
+export type Request = Call | { cancel: number } | { drop: number };
+
+/** An error on its way between threads. */
+export interface Failure {
+  code: ErrorCode | undefined;
+  message: string;
+}
+
+/** What the worker sends. */
+export type Reply =
+  | { id: number; result: unknown; engine: EngineFacts | undefined }
+  | { id: number; failure: Failure }
+  | { id: number; fraction: number; interval: [lower: number, upper: number] | undefined };
+
+/** One end of the channel between the two threads. */
+export interface Port {
+  post(message: Request | Reply, transfer: ArrayBuffer[]): void;
+  /** Whether waiting for messages keeps the process alive, where that is a question. */
+  hold(held: boolean): void;
+  close(): void;
+}
+
+/** How a port delivers messages and reports its end. */
+export interface Listener<Message> {
+  message(message: Message): void;
+  failed(why: string): void;
+}

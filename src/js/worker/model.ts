@@ -1,0 +1,83 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+import { HausdorffError } from "../error.js";
+import type { Vector3 } from "../options.js";
+import type { Tessellation } from "../tessellation.js";
+import type { Channel } from "./channel.js";
+import type { ModelFacts } from "./messages.js";
+
+/** Drops the worker's model when its twin is garbage. */
+const abandoned = new FinalizationRegistry<{ channel: Channel; id: number }>(({ channel, id }) =>
+  channel.drop(id),
+);
+
+/**
+ * A model in the worker; made by `Hausdorff.model` and `Hausdorff.shape` of this
+ * entry, and tied to the worker that made it. Dispose of it when done.
+ */
+export class NurbsModel {
+  readonly #channel: Channel;
+  readonly #id: number;
+  readonly #facts: ModelFacts;
+  #disposed = false;
+
+  private constructor(channel: Channel, id: number, facts: ModelFacts) {
+    this.#channel = channel;
+    this.#id = id;
+    this.#facts = facts;
+    abandoned.register(this, { channel, id }, this);
+  }
+
+  /** @internal */
+  static of(channel: Channel, id: number, facts: ModelFacts): NurbsModel {
+    return new NurbsModel(channel, id, facts);
+  }
+
+  /**
+   * The number of a model of this channel.
+   * @internal
+   */
+  static id(model: unknown, channel: Channel, name: string): number {
+    if (!(model instanceof NurbsModel)) {
+      throw new HausdorffError("ARGUMENT_INVALID", `${name} is not a NurbsModel of a worker`);
+    }
+    if (model.#disposed) throw new HausdorffError("DISPOSED", "the model was disposed of");
+    if (model.#channel !== channel) {
+      throw new HausdorffError("ARGUMENT_INVALID", `${name} is a model of another worker`);
+    }
+    return model.#id;
+  }
+
+  /** The name in the model's JSON, or the shape's. */
+  get name(): string | null {
+    return this.#facts.name;
+  }
+
+  /** Number of surfaces, at least 1. */
+  get surfaceCount(): number {
+    return this.#facts.surfaceCount;
+  }
+
+  /** The box of all control points, which contains the model. */
+  get boundingBox(): { min: Vector3; max: Vector3 } {
+    return this.#facts.boundingBox;
+  }
+
+  /** As the plain model's, in the worker. */
+  async tessellate(options: { tolerance?: number } = {}): Promise<Tessellation> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("tessellate", [id, options]);
+    return result as Tessellation;
+  }
+
+  /** Frees its memory in the worker; distances that use it still end well. */
+  dispose(): void {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    abandoned.unregister(this);
+    this.#channel.drop(this.#id);
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+}

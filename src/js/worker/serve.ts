@@ -1,0 +1,120 @@
+import { HausdorffError } from "../error.js";
+import { type CreateOptions, Hausdorff } from "../hausdorff.js";
+import type { NurbsModel } from "../model.js";
+import type { OnProgress } from "../options.js";
+import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
+
+type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
+
+/** A call's signal and progress, as options. */
+interface Watch {
+  signal: AbortSignal;
+  onProgress?: OnProgress;
+}
+
+type Method = (args: unknown[], watch: Watch) => unknown;
+
+/**
+ * Answers calls in the worker: returns the function that takes the requests.
+ * @internal
+ */
+export function serve(post: Post): (request: Request) => void {
+  const server = new Server(post);
+  return (request) => server.take(request);
+}
+
+class Server {
+  readonly #post: Post;
+  #hausdorff: Hausdorff | undefined;
+  readonly #models = new Map<number, NurbsModel>();
+  readonly #running = new Map<number, AbortController>();
+
+  constructor(post: Post) {
+    this.#post = post;
+  }
+
+  take(request: Request): void {
+    if ("cancel" in request) this.#running.get(request.cancel)?.abort();
+    else if ("drop" in request) this.#drop(request.drop);
+    else void this.#answer(request);
+  }
+
+  async #answer({ id, method, args, progress }: Call): Promise<void> {
+    const controller = new AbortController();
+    this.#running.set(id, controller);
+    const watch: Watch = { signal: controller.signal };
+    if (progress) {
+      watch.onProgress = (fraction, interval) => this.#post({ id, fraction, interval }, []);
+    }
+    try {
+      const result = await this.#methods[method]?.([id, ...args], watch);
+      this.#post({ id, result, engine: this.#facts() }, buffers(result));
+    } catch (error) {
+      const code = error instanceof HausdorffError ? error.code : undefined;
+      const message = error instanceof Error ? error.message : `${error}`;
+      this.#post({ id, failure: { code, message } }, []);
+    } finally {
+      this.#running.delete(id);
+    }
+  }
+
+  /** Every method takes the call's number, under which a new model is kept, and its own arguments. */
+  readonly #methods: Record<string, Method> = {
+    create: async ([, options]) => {
+      this.#hausdorff = await Hausdorff.create(options as CreateOptions);
+    },
+    shapes: () => Hausdorff.shapes(),
+    model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
+    shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
+    tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
+    distance: ([, a, b, options], watch) =>
+      this.#open.distance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    diff: ([, a, b, options], watch) =>
+      this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    closestPoints: ([, model, points, options], watch) =>
+      this.#open.closestPoints(this.#model(model), points as Float64Array, {
+        ...(options as object),
+        ...watch,
+      }),
+  };
+
+  get #open(): Hausdorff {
+    if (this.#hausdorff === undefined) {
+      throw new HausdorffError("MODULE_NOT_LOADED", "the worker has no module yet");
+    }
+    return this.#hausdorff;
+  }
+
+  #model(id: unknown): NurbsModel {
+    const model = this.#models.get(id as number);
+    if (model === undefined) throw new HausdorffError("DISPOSED", "the model was disposed of");
+    return model;
+  }
+
+  #keep(id: unknown, model: NurbsModel): ModelFacts {
+    this.#models.set(id as number, model);
+    return facts(model);
+  }
+
+  #drop(id: number): void {
+    this.#models.get(id)?.dispose();
+    this.#models.delete(id);
+  }
+
+  #facts(): EngineFacts | undefined {
+    if (this.#hausdorff === undefined) return undefined;
+    const { backend, adapter, notice } = this.#hausdorff;
+    return { backend, adapter, notice };
+  }
+}
+
+function facts({ name, surfaceCount, boundingBox }: NurbsModel): ModelFacts {
+  return { name, surfaceCount, boundingBox };
+}
+
+/** The buffers of all arrays in a result, which are transferred, not copied. */
+function buffers(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== "object" || value === null) return [];
+  return Object.values(value).flatMap(buffers);
+}

@@ -1,0 +1,3 @@
+import "./direct.js";
+
+globalThis.outcome.then((outcome) => globalThis.postMessage(outcome));

@@ -1,0 +1,2 @@
+import "PACKAGE";
+import "nurbs-hausdorff/worker/thread";

@@ -1,0 +1,4 @@
+// The package starts its worker, which the bundler finds by its address.
+import { measure, report } from "./package-worker.js";
+
+globalThis.outcome = measure().catch(report);

@@ -1,0 +1,44 @@
+// The package as users get it: packed, and installed in a temporary folder.
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { inRoot } from "../../scripts/paths.mjs";
+import { must } from "../../scripts/process.mjs";
+
+const apps = inRoot("tests", "package", "app");
+
+/** Packs the built package and installs it in a new folder. */
+export async function install() {
+  const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
+  await must("npm", ["pack", "--ignore-scripts", "--silent", "--pack-destination", folder]);
+  const tarball = join(
+    folder,
+    readdirSync(folder).find((name) => name.endsWith(".tgz")),
+  );
+  writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));
+  const quiet = ["--ignore-scripts", "--offline", "--no-audit", "--no-fund", "--silent"];
+  await must("npm", ["install", ...quiet, tarball], { cwd: folder });
+  return {
+    folder,
+    tarball,
+    installed: join(folder, "node_modules", "nurbs-hausdorff"),
+    remove: () => rmSync(folder, { recursive: true }),
+  };
+}
+
+/** Copies the programs to `name` in the folder, where they import the entry `from`, and returns their folder. */
+export function program(folder, name, from) {
+  const source = join(folder, name, "src");
+  mkdirSync(source, { recursive: true });
+  for (const file of readdirSync(apps)) {
+    const text = readFileSync(join(apps, file), "utf8").replaceAll("PACKAGE", from);
+    writeFileSync(join(source, file), text);
+  }
+  return source;
+}
+
+/** A page that runs a module script, preceded by `head`. */
+export function page(path, script, head = "") {
+  const body = `<script type="module" src="${script}"></script>`;
+  writeFileSync(path, `<!doctype html><meta charset="utf-8"><title>test</title>${head}${body}`);
+}
