@@ -273,7 +273,8 @@ test("CAD files are read in Node, and the native command says how", { skip: miss
   const converted = node("convert", part, path("screw.json"), "--json");
   assert.deepEqual(JSON.parse(converted.stdout).surfaces, 10);
   const infos = both("info", path("screw.json"), "--json").map(({ stdout }) => JSON.parse(stdout));
-  assert.deepEqual(infos[0], infos[1]);
+  // Pieces of trimmed faces follow sines and cosines, whose last bits are the platform's.
+  alike(...infos, 1e-9);
   assert.equal(infos[0].surfaces.length, 10);
   assert.equal(infos[0].unit, 0.001);
 });

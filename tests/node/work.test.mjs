@@ -28,7 +28,9 @@ test("a search that gains nothing says so", async () => {
       const [x, y] = [Math.floor(index / 4) / 3, (index % 4) / 3];
       return [x, y, 0.3 * Math.sin(5 * x) * Math.cos(4 * y), index === 5 ? weight : 1];
     }).flat();
-    return hd.model([{ degree: [3, 3], knotsU: knots, knotsV: knots, counts: [4, 4], controlPoints }]);
+    return hd.model([
+      { degree: [3, 3], knotsU: knots, knotsV: knots, counts: [4, 4], controlPoints },
+    ]);
   };
   const seen = [];
   await hd.distance(sheet(1e8), sheet(1), {

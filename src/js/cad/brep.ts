@@ -18,7 +18,10 @@ export interface ModuleReport extends Omit<CadReport, "kind" | "skipped"> {
   skipped: { face: number; why: string }[];
 }
 
-/** The model of a BREP text, and the report on the file. */
+/**
+ * The model of a BREP text, and the report on the file.
+ * @internal
+ */
 export function prepareBrep(
   file: BrepFile,
   name: string | undefined,

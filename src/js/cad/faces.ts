@@ -9,7 +9,10 @@ export interface FacesFile {
   report: CadReport;
 }
 
-/** The model of the faces that the module accepts, and the report with those that it refuses. */
+/**
+ * The model of the faces that the module accepts, and the report with those that it refuses.
+ * @internal
+ */
 export function prepareFaces(file: FacesFile): { prepared: PreparedModel; report: CadReport } {
   const prepared = PreparedModel.fromReader(JSON.stringify(file.model));
   return { prepared, report: completed(file, prepared.report as ModuleReport) };

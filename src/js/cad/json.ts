@@ -2,7 +2,10 @@ import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModuleReport } from "./brep.js";
 import type { CadReport } from "./report.js";
 
-/** The model of interchange JSON, which is read without a change or not at all. */
+/**
+ * The model of interchange JSON, which is read without a change or not at all.
+ * @internal
+ */
 export function prepareInterchange(text: string): { prepared: PreparedModel; report: CadReport } {
   const prepared = PreparedModel.fromJson(text);
   return { prepared, report: exact(prepared.report as ModuleReport) };
