@@ -33,6 +33,14 @@ impl PointError {
         self.halving = self.halving.max(gamma(2.0 * largest) * radius);
     }
 
+    /// Makes the bounds hold where `other` holds, too.
+    pub(super) fn include_all(&mut self, other: &Self) {
+        self.uncut = self.uncut.max(other.uncut);
+        self.recentring = self.recentring.max(other.recentring);
+        self.halving = self.halving.max(other.halving);
+        self.knot_removal = self.knot_removal.max(other.knot_removal);
+    }
+
     /// Makes the bounds those of a model that is within `error` of the patches' own.
     pub(crate) fn include_knot_removal(&mut self, error: f64) {
         self.knot_removal = self.knot_removal.max(error);

@@ -5,7 +5,7 @@ use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::Result;
-use crate::flatness::{Flatness, MAX_HALVINGS, Place, flatten};
+use crate::flatness::{Flatness, MAX_HALVINGS, Place, flatten_within};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::GridTree;
 use crate::iteration::{Sampling, SamplingRule};
@@ -24,12 +24,15 @@ pub struct PreparedModel {
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     control_box: Aabb,
-    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
+    targets: RefCell<Vec<(TargetKey, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
 }
 
 type SamplingKey = (usize, SamplingRule);
+
+/// The criterion of flatness, and the number of halvings of a patch.
+type TargetKey = (Flatness, u32);
 
 /// Flat patches, with their copy on the GPU.
 #[derive(Debug)]
@@ -122,11 +125,17 @@ impl PreparedModel {
 
     /// Returns the flat patches, computed at first use.
     pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
+        self.target_within(flatness, MAX_HALVINGS)
+    }
+
+    /// Returns patches that are flat or halved so many times, computed at first use.
+    pub(crate) fn target_within(&self, flatness: Flatness, halvings: u32) -> Rc<PreparedTarget> {
+        let key = (flatness, halvings);
         let mut targets = self.targets.borrow_mut();
-        if let Some((_, target)) = targets.iter().find(|(key, _)| *key == flatness) {
+        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == key) {
             return Rc::clone(target);
         }
-        let flat = flatten(&self.bezier.patches, flatness);
+        let flat = flatten_within(&self.bezier.patches, flatness, halvings);
         let prepared = Rc::new(PreparedTarget {
             target: Target::new(flat.patches),
             extensions: flat.extensions,
@@ -135,7 +144,7 @@ impl PreparedModel {
             bounds: OnceCell::new(),
             resident: Resident::default(),
         });
-        targets.push((flatness, Rc::clone(&prepared)));
+        targets.push((key, Rc::clone(&prepared)));
         prepared
     }
 

@@ -103,6 +103,12 @@ impl Place {
 /// are the same surface. O(pieces p q (p + q)).
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
+    flatten_within(patches, flatness, MAX_HALVINGS)
+}
+
+/// Returns `patches` as [`flatten`] does, with every patch halved at most so many
+/// times, up to [`MAX_HALVINGS`].
+pub(crate) fn flatten_within(patches: &PatchSet, flatness: Flatness, halvings: u32) -> FlatPatches {
     if flatness == Flatness::None {
         return FlatPatches {
             patches: patches.clone(),
@@ -114,12 +120,15 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     let mut flat = FlatPatches::default();
     for part in map_ranges(patches.len(), |range| {
         let mut part = FlatPatches::default();
+        let mut subdivision: Option<Subdivision> = None;
         for index in range {
             let patch = patches.patch(index);
-            let basis = GridBasis::new(patch.degree, sample_parameter);
-            let subdivision = Subdivision { flatness, basis, grid };
-            let place = Place::whole(index);
-            subdivision.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
+            let of_degree = match subdivision.take() {
+                Some(known) if known.degree == patch.degree => known,
+                _ => Subdivision::new(flatness, patch.degree, grid),
+            };
+            of_degree.append_pieces(&mut part, patch, Place::whole(index), [[false; 2]; 2], halvings);
+            subdivision = Some(of_degree);
         }
         part
     }) {
@@ -133,11 +142,16 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
 /// The subdivision of patches of one pair of degrees.
 struct Subdivision {
     flatness: Flatness,
+    degree: [usize; 2],
     basis: GridBasis<SAMPLES>,
     grid: f64,
 }
 
 impl Subdivision {
+    fn new(flatness: Flatness, degree: [usize; 2], grid: f64) -> Self {
+        Self { flatness, degree, basis: GridBasis::new(degree, sample_parameter), grid }
+    }
+
     /// Appends the flat pieces of a patch, or of a piece that was cut from one at the
     /// starts and ends that `cuts` states, cut at most `halvings` times.
     fn append_pieces(
@@ -150,7 +164,7 @@ impl Subdivision {
     ) {
         let split_axis = if halvings > 0 { self.flatness.split_axis(&patch, &self.basis) } else { None };
         let Some(axis) = split_axis else {
-            if halvings == MAX_HALVINGS {
+            if place.width == [1.0; 2] {
                 flat.patches.push(patch);
             } else {
                 flat.patches.push_centered(patch, self.grid);
