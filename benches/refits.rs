@@ -12,11 +12,11 @@
 
 mod support;
 
-use nurbs_hausdorff::Model;
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
-use nurbs_hausdorff::shapes::operations::refit_model;
-use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::shapes::operations::{offset_surface, reduce_degree, refit_model};
+use nurbs_hausdorff::shapes::{WavySheet, shape, wavy_sheet};
+use nurbs_hausdorff::{Axis, Model};
 use std::time::Instant;
 use support::shared;
 
@@ -63,6 +63,15 @@ impl Arguments {
     }
 }
 
+/// Prints the rows of a pair, both ways and for all tolerances.
+fn print_rows(engine: &Engine, name: &str, pair: [&Model; 2], arguments: &Arguments) {
+    for &tolerance in &arguments.tolerances {
+        let [there, back] =
+            [pair, [pair[1], pair[0]]].map(|pair| measured(engine, pair, tolerance, arguments.max_cells));
+        println!("| {name} | {tolerance:.0e} | {there} | {back} |");
+    }
+}
+
 fn main() {
     let arguments = Arguments::read();
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
@@ -76,12 +85,11 @@ fn main() {
                 continue;
             }
             let refit = refit_model(&model, count).expect("a refit");
-            for &tolerance in &arguments.tolerances {
-                let [there, back] = [[&model, &refit], [&refit, &model]]
-                    .map(|pair| measured(&engine, pair, tolerance, arguments.max_cells));
-                println!("| {name} | {count} | {tolerance:.0e} | {there} | {back} |");
-            }
+            print_rows(&engine, &format!("{name} | {count}"), [&model, &refit], &arguments);
         }
+    }
+    for (name, [a, b]) in others().into_iter().filter(|(name, _)| arguments.is_chosen(name)) {
+        print_rows(&engine, &format!("{name} |"), [&a, &b], &arguments);
     }
 }
 
@@ -97,6 +105,44 @@ fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, max_cells: usize
     let mark = if result.converged { "" } else { ">" };
     let (prepare, solve) = (extraction + result.seconds.prepare, result.seconds.solve);
     format!("{:.1e} | {prepare:.3} | {mark}{cells} | {solve:.3}", result.computed / result.diagonal)
+}
+
+/// Near copies of other kinds: reductions of degree, approximate offsets, and a net of
+/// 100 × 100 patches with steep waves and one of jittered control points.
+fn others() -> Vec<(String, [Model; 2])> {
+    let mut pairs = Vec::new();
+    for name in ["net-6x6", "wavy-sheet", "torus"] {
+        let model = shape(name).expect("a shape");
+        let surface = &model.surfaces()[0];
+        let alone = Model::new(None, vec![surface.clone()]).expect("a model");
+        let reduced =
+            reduce_degree(surface, Axis::U).ok().and_then(|reduced| Model::new(None, vec![reduced]).ok());
+        if let Some(reduced) = reduced {
+            pairs.push((format!("{name}, reduced"), [alone.clone(), reduced]));
+        }
+        let size = model.bounding_box().diagonal();
+        for distance in [1e-2, 1e-4] {
+            let offset = offset_surface(surface, distance * size, [40, 40]).expect("an offset");
+            let offset = Model::new(None, vec![offset]).expect("a model");
+            pairs.push((format!("{name}, offset by {distance:.0e}"), [alone.clone(), offset]));
+        }
+    }
+    let steep = wavy_sheet(&WavySheet {
+        counts: [103, 103],
+        size: [1.0, 1.0],
+        amplitude: 0.2,
+        waves: [12.0, 12.0],
+        phase: 0.3,
+    })
+    .expect("a sheet");
+    let mut arrays = steep.surfaces()[0].clone().into_arrays();
+    let mut random = fastrand::Rng::with_seed(1);
+    for point in &mut arrays.control_points {
+        point[2] += 1e-3 * (random.f64() - 0.5);
+    }
+    let jittered = Model::from_arrays(None, vec![arrays]).expect("a model");
+    pairs.push(("steep waves, jittered".to_owned(), [steep, jittered]));
+    pairs
 }
 
 fn models() -> Vec<(String, Model)> {

@@ -4,8 +4,10 @@ use super::{MAX_ORDER, Patch, PatchSet, PointError};
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
+use crate::parallel::map_ranges;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4};
+use std::ops::Range;
 
 /// The number of steps, along the model's diagonal rounded up to a power of
 /// two, of the grid on which patch centres lie.
@@ -133,56 +135,85 @@ impl BezierModel {
         let degree = surface.degree();
         let [in_u, in_v] =
             Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
-        let (rows, columns) = (degree[0] + 1, degree[1] + 1);
         let largest_weight =
             surface.control_points().iter().fold(0.0, |largest: f64, point| largest.max(point[3]));
-        let weight_scale = power_of_two_below(largest_weight).recip();
+        let extraction = Extraction {
+            index,
+            surface,
+            spans: [&in_u, &in_v],
+            weight_scale: power_of_two_below(largest_weight).recip(),
+            grid,
+        };
+        for (patches, point_error) in map_ranges(in_u.len() * in_v.len(), |range| extraction.patches(range)) {
+            self.patches.append(&patches);
+            self.point_error.include_all(&point_error);
+        }
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
+    }
+}
+
+/// The extraction of the patches of one surface.
+struct Extraction<'a> {
+    /// The surface's position in its model.
+    index: usize,
+    surface: &'a NurbsSurface,
+    spans: [&'a [Span]; 2],
+    weight_scale: f64,
+    /// The spacing of the patches' centres.
+    grid: f64,
+}
+
+impl Extraction<'_> {
+    /// Returns the patches with these positions in the surface's grid, v fastest.
+    fn patches(&self, range: Range<usize>) -> (PatchSet, PointError) {
+        let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = *self;
+        let degree = surface.degree();
+        let (rows, columns) = (degree[0] + 1, degree[1] + 1);
+        let mut patches = PatchSet::default();
+        let mut point_error = PointError::default();
         let mut net = vec![DVec4::ZERO; rows * columns];
         let mut partial = vec![DVec4::ZERO; rows * columns];
         let mut controls = vec![DVec4::ZERO; rows * columns];
-        for u in &in_u {
-            for v in &in_v {
-                let points = |i: usize, j: usize| {
-                    surface.control_points()
-                        [(u.first_control + i) * surface.counts()[1] + v.first_control + j]
-                };
-                let positions = (0..rows * columns).map(|k| {
-                    let [x, y, z, _] = points(k / columns, k % columns);
-                    DVec3::new(x, y, z)
-                });
-                let center = center_of(positions.clone(), grid);
-                let mut radius = 0.0_f64;
-                for (k, point) in positions.enumerate() {
-                    let weight = weight_scale * points(k / columns, k % columns)[3];
-                    let local = point - center;
-                    net[k] = (weight * local).extend(weight);
-                    radius = radius.max(local.length());
-                }
-                for i in 0..rows {
-                    for k in 0..columns {
-                        partial[i * columns + k] =
-                            combined(&v.operator[k][..columns], &net[i * columns..], 1);
-                    }
-                }
-                for k in 0..rows {
-                    for j in 0..columns {
-                        controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
-                    }
-                }
-                // The net's weights decide, as rounding can make equal weights of controls differ.
-                let weight = net[0].w;
-                self.patches.push(Patch {
-                    surface: index,
-                    degree,
-                    domain: ParamBox::new(u.ends, v.ends),
-                    center,
-                    controls: &controls,
-                    rational: net.iter().any(|control| control.w != weight),
-                });
-                self.point_error.include(degree, radius, center.length());
+        for place in range {
+            let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
+            let points = |i: usize, j: usize| {
+                surface.control_points()[(u.first_control + i) * surface.counts()[1] + v.first_control + j]
+            };
+            let positions = (0..rows * columns).map(|k| {
+                let [x, y, z, _] = points(k / columns, k % columns);
+                DVec3::new(x, y, z)
+            });
+            let center = center_of(positions.clone(), grid);
+            let mut radius = 0.0_f64;
+            for (k, point) in positions.enumerate() {
+                let weight = weight_scale * points(k / columns, k % columns)[3];
+                let local = point - center;
+                net[k] = (weight * local).extend(weight);
+                radius = radius.max(local.length());
             }
+            for i in 0..rows {
+                for k in 0..columns {
+                    partial[i * columns + k] = combined(&v.operator[k][..columns], &net[i * columns..], 1);
+                }
+            }
+            for k in 0..rows {
+                for j in 0..columns {
+                    controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
+                }
+            }
+            // The net's weights decide, as rounding can make equal weights of controls differ.
+            let weight = net[0].w;
+            patches.push(Patch {
+                surface: index,
+                degree,
+                domain: ParamBox::new(u.ends, v.ends),
+                center,
+                controls: &controls,
+                rational: net.iter().any(|control| control.w != weight),
+            });
+            point_error.include(degree, radius, center.length());
         }
-        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
+        (patches, point_error)
     }
 }
 

@@ -33,6 +33,14 @@ impl PointError {
         self.halving = self.halving.max(gamma(2.0 * largest) * radius);
     }
 
+    /// Makes the bounds hold where `other` holds, too.
+    pub(super) fn include_all(&mut self, other: &Self) {
+        self.uncut = self.uncut.max(other.uncut);
+        self.recentring = self.recentring.max(other.recentring);
+        self.halving = self.halving.max(other.halving);
+        self.deviation = self.deviation.max(other.deviation);
+    }
+
     /// Makes the bounds hold for a model whose Hausdorff distance from the one so far is
     /// at most `deviation`: every interval is widened by the bounds on both
     /// sides, so it contains the distance of those models too.

@@ -43,7 +43,8 @@ impl Bvh {
             Self { nodes: Vec::with_capacity(2 * boxes.len()), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
             let mut order = std::mem::take(&mut tree.order);
-            tree.build(boxes, &mut order, 0);
+            let centers: Vec<DVec3> = boxes.iter().map(Aabb::center).collect();
+            tree.build(boxes, &centers, &mut order, 0);
             tree.order = order;
         }
         tree
@@ -69,7 +70,7 @@ impl Bvh {
     }
 
     /// Appends the subtree over the primitives `order`, which begin at `first_leaf`.
-    fn build(&mut self, boxes: &[Aabb], order: &mut [u32], first_leaf: u32) {
+    fn build(&mut self, boxes: &[Aabb], centers: &[DVec3], order: &mut [u32], first_leaf: u32) {
         let box_at = |index: &u32| boxes[*index as usize];
         let aabb = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.union(box_at(index)));
         let node = self.nodes.len();
@@ -77,16 +78,16 @@ impl Bvh {
         if order.len() == 1 {
             return;
         }
-        let centers = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.with(box_at(index).center()));
-        let axis = longest_axis(centers.extent());
+        let around = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.with(centers[index as usize]));
+        let axis = longest_axis(around.extent());
         let middle = order.len() / 2;
         order.select_nth_unstable_by(middle, |&a, &b| {
-            boxes[a as usize].center()[axis].total_cmp(&boxes[b as usize].center()[axis])
+            centers[a as usize][axis].total_cmp(&centers[b as usize][axis])
         });
         let (left, right) = order.split_at_mut(middle);
-        self.build(boxes, left, first_leaf);
+        self.build(boxes, centers, left, first_leaf);
         self.nodes[node].right_child = self.nodes.len() as u32;
-        self.build(boxes, right, first_leaf + middle as u32);
+        self.build(boxes, centers, right, first_leaf + middle as u32);
     }
 
     /// Returns the nodes, root first; without primitives there are none.

@@ -2,6 +2,7 @@
 
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
+use crate::parallel::map_ranges;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -30,8 +31,16 @@ impl Target {
     }
 
     fn with_tree(patches: PatchSet, tree: impl FnOnce(&[Aabb]) -> Bvh) -> Self {
-        let boxes: Vec<_> = patches.iter().map(|patch| patch.bounding_box()).collect();
-        let oriented = patches.iter().map(|patch| OrientedBox::new(&patch)).collect();
+        let of_range = |range: std::ops::Range<usize>| -> Vec<(Aabb, OrientedBox)> {
+            range
+                .map(|index| {
+                    let patch = patches.patch(index);
+                    (patch.bounding_box(), OrientedBox::new(&patch))
+                })
+                .collect()
+        };
+        let (boxes, oriented): (Vec<_>, Vec<_>) =
+            map_ranges(patches.len(), of_range).into_iter().flatten().unzip();
         let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
         Self { tree: tree(&boxes), boxes: oriented, max_degree, patches }
     }

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
-use crate::flatness::Flatness;
+use crate::flatness::{Flatness, MAX_HALVINGS};
 use crate::gpu::Gpu;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
@@ -22,6 +22,10 @@ use web_time::Instant;
 /// flat patches of B only. Fewer patches are subdivided, for closer bounds on
 /// their derivatives.
 const MIN_UNCUT_PATCHES: usize = 1000;
+
+/// The number of halvings of a patch of B where B has so many patches: the search
+/// looks at few of them, and a start on a smaller piece saves less than cutting takes.
+const LARGE_MODEL_HALVINGS: u32 = 2;
 
 /// The two models of one direction; the transform maps `from` into the frame of `to`.
 pub(super) struct Direction<'a> {
@@ -60,7 +64,9 @@ impl Direction<'_> {
         let started = Instant::now();
         let uncut = self.from.bezier().patches.len() >= MIN_UNCUT_PATCHES;
         let flatness = if uncut { Flatness::None } else { Flatness::Loose };
-        let (from, to) = (self.from.target(flatness), self.to.target(Flatness::Loose));
+        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
+        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
+        let (from, to) = (self.from.target(flatness), self.to.target_within(Flatness::Loose, halvings));
         let (a, mut b) = (from.operand(self.from), to.operand(self.to));
         if uncut {
             b = b.with_uncut(&self.to.bezier().patches);

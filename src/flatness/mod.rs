@@ -122,12 +122,18 @@ impl Cuts {
 /// are the same surface. O(pieces p q (p + q)).
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
+    flatten_within(patches, flatness, MAX_HALVINGS)
+}
+
+/// Returns `patches` as [`flatten`] does, with every patch halved at most so many
+/// times, up to [`MAX_HALVINGS`].
+pub(crate) fn flatten_within(patches: &PatchSet, flatness: Flatness, halvings: u32) -> FlatPatches {
     if flatness == Flatness::None {
         let extensions = vec![ParamBox::UNIT; patches.len()];
         let places = (0..patches.len()).map(Place::whole).collect();
         return FlatPatches { patches: patches.clone(), extensions, places, cuts: Cuts::default() };
     }
-    cut(patches, &Rule::Flat(flatness))
+    cut(patches, &Rule::Flat(flatness, halvings))
 }
 
 /// Returns `patches` cut as others were by [`flatten`], of which they are as many of the
@@ -143,10 +149,20 @@ pub fn recut(patches: &PatchSet, cuts: &Cuts) -> FlatPatches {
 
 /// The rule by which patches are cut.
 enum Rule<'a> {
-    /// Where a piece is not flat.
-    Flat(Flatness),
+    /// Where a piece is not flat, at most so many times.
+    Flat(Flatness, u32),
     /// Where others were.
     Recorded(&'a Cuts),
+}
+
+impl Rule<'_> {
+    /// Returns the largest number of halvings of a patch.
+    fn max_halvings(&self) -> u32 {
+        match self {
+            Self::Flat(_, halvings) => *halvings,
+            Self::Recorded(_) => MAX_HALVINGS,
+        }
+    }
 }
 
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
@@ -154,17 +170,20 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let mut flat = FlatPatches::default();
     for part in map_ranges(patches.len(), |range| {
         let mut part = FlatPatches::default();
+        let mut subdivision: Option<Subdivision> = None;
         for index in range {
             let patch = patches.patch(index);
-            let basis = GridBasis::new(patch.degree, sample_parameter);
             part.cuts.starts.push(part.cuts.axes.len());
-            let recorded = match rule {
-                Rule::Flat(_) => &[],
-                Rule::Recorded(cuts) => &cuts.axes[cuts.starts[index]..],
+            let mut of_degree = match subdivision.take() {
+                Some(known) if known.degree == patch.degree => known,
+                _ => Subdivision::new(rule, patch.degree, grid),
             };
-            let mut subdivision = Subdivision { rule, recorded, basis, grid };
+            if let Rule::Recorded(cuts) = rule {
+                of_degree.recorded = &cuts.axes[cuts.starts[index]..];
+            }
             let place = Place::whole(index);
-            subdivision.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
+            of_degree.append_pieces(&mut part, patch, place, [[false; 2]; 2], rule.max_halvings());
+            subdivision = Some(of_degree);
         }
         part
     }) {
@@ -176,21 +195,26 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     flat
 }
 
-/// The subdivision of a patch.
+/// The subdivision of patches of one pair of degrees.
 struct Subdivision<'a> {
     rule: &'a Rule<'a>,
     /// The recorded cuts that are left, if the rule is to repeat them.
     recorded: &'a [Option<Axis>],
+    degree: [usize; 2],
     basis: GridBasis<SAMPLES>,
     grid: f64,
 }
 
-impl Subdivision<'_> {
+impl<'a> Subdivision<'a> {
+    fn new(rule: &'a Rule<'a>, degree: [usize; 2], grid: f64) -> Self {
+        Self { rule, recorded: &[], degree, basis: GridBasis::new(degree, sample_parameter), grid }
+    }
+
     /// Returns the axis along which to halve a piece next, or `None` to keep it.
     fn split_axis(&mut self, patch: &Patch<'_>, halvings: u32) -> Option<Axis> {
         match self.rule {
-            Rule::Flat(flatness) if halvings > 0 => flatness.split_axis(patch, &self.basis),
-            Rule::Flat(_) => None,
+            Rule::Flat(flatness, _) if halvings > 0 => flatness.split_axis(patch, &self.basis),
+            Rule::Flat(..) => None,
             Rule::Recorded(_) => {
                 let (&next, rest) = self.recorded.split_first()?;
                 self.recorded = rest;
@@ -212,7 +236,7 @@ impl Subdivision<'_> {
         let split_axis = self.split_axis(&patch, halvings);
         flat.cuts.axes.push(split_axis);
         let Some(axis) = split_axis else {
-            if halvings == MAX_HALVINGS {
+            if place.width == [1.0; 2] {
                 flat.patches.push(patch);
             } else {
                 flat.patches.push_centered(patch, self.grid);

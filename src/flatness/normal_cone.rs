@@ -26,7 +26,7 @@ pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f
             if regular { normal(s, t) } else { None }
         })
         .collect();
-    if min_cosine(&normals, 1) >= tolerance.cos() {
+    if is_within_half(&normals, tolerance) || min_cosine(&normals, 1) >= tolerance.cos() {
         return None;
     }
     let (mut along_s, mut along_t) = (1.0_f64, 1.0_f64);
@@ -35,6 +35,14 @@ pub(super) fn excess(patch: &Patch<'_>, basis: &GridBasis<SAMPLES>, tolerance: f
         along_t = along_t.min(min_cosine(&normals[line * SAMPLES..][..SAMPLES], 1));
     }
     Some([along_s.acos(), along_t.acos()])
+}
+
+/// Returns whether all normals are within half the tolerance of one of them, so that
+/// any two are within the tolerance; one comparison for each instead of one for each pair.
+fn is_within_half(normals: &[Option<DVec3>], tolerance: f64) -> bool {
+    let Some(middle) = normals[normals.len() / 2 + 1] else { return false };
+    let least = (0.5 * tolerance).cos();
+    normals.iter().flatten().all(|normal| normal.dot(middle) >= least)
 }
 
 /// Returns the smallest cosine between any two of every `step`-th normal, undefined ones left out.

@@ -18,31 +18,57 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 /// # Errors
 /// `TOO_FEW_CONTROL_POINTS` for a count below 4.
 pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<NurbsSurface> {
+    require_enough(counts)?;
+    let basis_values = Axis::BOTH.map(|axis| {
+        let [start, end] = surface.domain()[axis];
+        (0..counts[axis])
+            .map(|index| {
+                let fraction = site(index, counts[axis]);
+                let parameter = (1.0 - fraction) * start + fraction * end;
+                basis(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], parameter)
+            })
+            .collect::<Vec<_>>()
+    });
+    through(counts, |i, j| Ok(point(surface, &basis_values[0][i], &basis_values[1][j])))
+}
+
+/// Returns the polynomial bicubic B-spline surface over [0, 1]² that has these points
+/// at `counts[0]` × `counts[1]` evenly spaced parameters.
+///
+/// # Errors
+/// `TOO_FEW_CONTROL_POINTS` for a count below 4, and those of `point`.
+pub(super) fn interpolated(
+    counts: [usize; 2],
+    point: impl Fn([f64; 2]) -> Result<DVec3>,
+) -> Result<NurbsSurface> {
+    require_enough(counts)?;
+    through(counts, |i, j| point([site(i, counts[0]), site(j, counts[1])]))
+}
+
+fn require_enough(counts: [usize; 2]) -> Result<()> {
     for axis in Axis::BOTH {
         let found = counts[axis];
         if found <= DEGREE {
             return Err(Error::TooFewControlPoints { surface: 0, axis, found, expected: DEGREE + 1 });
         }
     }
+    Ok(())
+}
+
+/// Returns the parameter of an interpolation site.
+fn site(index: usize, count: usize) -> f64 {
+    index as f64 / (count - 1) as f64
+}
+
+/// Returns the surface through the points of the sites i, j.
+fn through(counts: [usize; 2], point: impl Fn(usize, usize) -> Result<DVec3>) -> Result<NurbsSurface> {
     let [rows, columns] = counts;
-    let basis_values = Axis::BOTH.map(|axis| {
-        let [start, end] = surface.domain()[axis];
-        let count = counts[axis];
-        let parameter = |index: usize| {
-            let fraction = index as f64 / (count - 1) as f64;
-            (1.0 - fraction) * start + fraction * end
-        };
-        (0..count)
-            .map(|index| {
-                basis(surface.knots(axis), surface.degree()[axis], surface.counts()[axis], parameter(index))
-            })
-            .collect::<Vec<_>>()
-    });
     let [along_u, along_v] = [rows, columns].map(UniformSpline::new);
-    let fitted_rows: Vec<Vec<DVec3>> = basis_values[0]
-        .iter()
-        .map(|basis_u| along_v.through(basis_values[1].iter().map(|v| point(surface, basis_u, v)).collect()))
-        .collect();
+    let mut fitted_rows = Vec::with_capacity(rows);
+    for i in 0..rows {
+        let points = (0..columns).map(|j| point(i, j)).collect::<Result<Vec<DVec3>>>()?;
+        fitted_rows.push(along_v.through(points));
+    }
     let fitted: Vec<Vec<DVec3>> = (0..columns)
         .map(|column| along_u.through(fitted_rows.iter().map(|row| row[column]).collect()))
         .collect();
