@@ -31,10 +31,12 @@ async function javascript() {
     await must("npm", ["ci", "--no-audit", "--no-fund"], { cwd: generator });
   }
   const typedoc = inRoot("tools", "site", "node_modules", "typedoc", "bin", "typedoc");
+  const languages = ["javascript", "rust", "sh"].flatMap((name) => ["--highlightLanguages", name]);
   const files = entries.flatMap((name) => ["--entryPoints", inRoot("dist", `${name}.d.ts`)]);
   await must("node", [
     typedoc,
     ...files,
+    ...languages,
     ...["--tsconfig", inRoot("tools", "site", "tsconfig.json")],
     ...["--name", "nurbs-hausdorff", "--out", inRoot("docs", "site", "js")],
     ...["--projectDocuments", inRoot("examples", "js", "README.md")],
