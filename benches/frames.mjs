@@ -100,6 +100,7 @@ if (!existsSync(new URL("../dist/index.js", import.meta.url))) {
 const rows = values.chromium ? await inChromium() : await measure("nurbs-hausdorff", sizes, methods);
 console.log("net, method                frames/s   median ms  fastest ms  of which update ms   CPU ms");
 for (const { name, rate, median, fastest, update, busy } of rows) {
-  const columns = [rate, median, fastest, update, busy].map((x) => x.toFixed(2).padStart(11)).join(" ");
+  const column = (x) => (Number.isNaN(x) ? "-" : x.toFixed(2)).padStart(11);
+  const columns = [rate, median, fastest, update, busy].map(column).join(" ");
   console.log(`${name.padEnd(24)} ${columns}`);
 }
