@@ -135,7 +135,7 @@ fn validate(points: &[f64]) -> Result<()> {
     if let Some((index, &found)) = points.iter().enumerate().find(|(_, value)| !is_in_range(**value)) {
         return Err(Error::PointOutOfRange { index: index / 3, found });
     }
-    if points.len() % 3 != 0 {
+    if !points.len().is_multiple_of(3) {
         // The coordinate that is missing.
         return Err(Error::PointOutOfRange { index: points.len() / 3, found: f64::NAN });
     }
