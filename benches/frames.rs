@@ -19,18 +19,20 @@ const SIZES: [([usize; 2], usize); 2] = [([14, 13], 120), ([100, 100], 12)];
 
 fn main() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine on the CPU");
-    let fixed = PreparedModel::new(&shapes::shape("torus").expect("a shape"));
+    let fixed = PreparedModel::new(&shapes::shape("torus").expect("a shape")).expect("valid trims");
     println!("net, method                frames/s   median ms  fastest ms  of which update ms");
     for (counts, frames) in SIZES {
         for method in [Method::Certified, Method::Hierarchy] {
             let options = Options { method, tolerance: 1e-4, grid: 64, ..Options::default() };
             let source = sheet(counts);
-            let mut prepared = PreparedModel::new(&source);
+            let mut prepared = PreparedModel::new(&source).expect("valid trims");
             let (mut times, mut updates) = (Vec::new(), 0.0);
             for frame in 0..frames + WARM_UP {
                 let net = points(counts, 0.1 * frame as f64);
                 let started = Instant::now();
-                prepared = prepared.updated(&source.with_control_points(0, net).expect("a surface"));
+                prepared = prepared
+                    .updated(&source.with_control_points(0, net).expect("a surface"))
+                    .expect("valid trims");
                 let updated = started.elapsed().as_secs_f64();
                 pollster::block_on(engine.distance(&prepared, &fixed, &options, &mut NoMonitor))
                     .expect("a distance");

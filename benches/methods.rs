@@ -94,7 +94,7 @@ fn median(mut times: Vec<f64>) -> Option<f64> {
 
 /// Pairs of our own shapes, and those of the shared references if they are there.
 fn pairs() -> Vec<Pair> {
-    let shape = |name: &str| PreparedModel::new(&shapes::shape(name).expect("a shape"));
+    let shape = |name: &str| PreparedModel::new(&shapes::shape(name).expect("a shape")).expect("valid trims");
     let own = [
         ("sphere", "sphere-larger", DVec3::ZERO),
         ("torus", "torus-fatter", DVec3::ZERO),

@@ -42,7 +42,10 @@ fn main() {
 
 /// The fastest solve time, and the cells.
 fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
-    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let (a, b) = (
+        PreparedModel::new(&pair.a).expect("valid trims"),
+        PreparedModel::new(&pair.b).expect("valid trims"),
+    );
     let options = Options { backend, transform: pair.transform, ..Options::default() };
     let (mut fastest, mut cells) = (f64::INFINITY, 0);
     for _ in 0..ROUNDS {

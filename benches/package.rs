@@ -31,7 +31,8 @@ fn seconds(engine: &Engine, pair: &Value) -> Value {
     let options = Options { transform, backend: Backend::Cpu, ..Options::default() };
 
     let started = Instant::now();
-    let [a, b] = [a, b].map(|text| PreparedModel::new(&Model::from_json(&text).expect("a model")));
+    let [a, b] = [a, b]
+        .map(|text| PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims"));
     let models = started.elapsed().as_secs_f64();
     let result = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
     let total = started.elapsed().as_secs_f64();

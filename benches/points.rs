@@ -17,7 +17,7 @@ fn main() {
         Model::from_json(&std::fs::read_to_string(model).expect("the model's file")).expect("a model");
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine on the CPU");
     let options = ClosestPointOptions::default();
-    let prepared = PreparedModel::new(&model);
+    let prepared = PreparedModel::new(&model).expect("valid trims");
     let closest = |points: &[f64]| {
         pollster::block_on(engine.closest_points(&prepared, points, &options, &mut NoMonitor))
             .expect("closest points")

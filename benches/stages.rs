@@ -159,7 +159,7 @@ fn certified_search(c: &mut Criterion) {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("the CPU");
     for degree in [[2, 2], [3, 3], [5, 5]] {
         let net: Model = models::rough(degree, [SPANS; 2], 1.0, 1);
-        let model = PreparedModel::new(&net);
+        let model = PreparedModel::new(&net).expect("valid trims");
         let options = Options {
             method: Method::Certified,
             tolerance: 1e-9,

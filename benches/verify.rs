@@ -87,7 +87,10 @@ fn main() {
 
 fn check(pair: Pair) -> Row {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
-    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let (a, b) = (
+        PreparedModel::new(&pair.a).expect("valid trims"),
+        PreparedModel::new(&pair.b).expect("valid trims"),
+    );
     let result = pollster::block_on(engine.distance(&a, &b, &pair.options, &mut NoMonitor));
     let result = result.unwrap_or_else(|error| panic!("{}: {error}", pair.name));
     let found = result.witness.a;

@@ -98,7 +98,7 @@ fn main() {
 }
 
 fn prepared(model: &Model) -> Rc<PreparedModel> {
-    Rc::new(PreparedModel::new(model))
+    Rc::new(PreparedModel::new(model).expect("valid trims"))
 }
 
 /// A shape, or a model of the shared folder.

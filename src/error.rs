@@ -1,6 +1,7 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
 use crate::axis::Axis;
+use crate::model::TrimFault;
 use thiserror::Error as ThisError;
 
 /// The result of functions of this crate that fail on invalid input or a failing machine.
@@ -147,14 +148,108 @@ pub enum Error {
         /// The degree.
         found: usize,
     },
+    /// A trimmed face that cannot be cut into patches.
+    #[error("surface {surface}: the trimmed face cannot be cut into patches: {found}")]
+    FaceNotCut {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The reason.
+        found: String,
+    },
     /// A model without surfaces.
     #[error("the model has 0 surfaces, expected at least 1")]
     EmptyModel,
+    /// The trimming loops of a surface are invalid.
+    #[error("surface {surface}, {fault}")]
+    Trim {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The violation.
+        fault: TrimFault,
+    },
+    /// An operation on whole surfaces was given a trimmed face.
+    #[error("surface {surface} is trimmed, expected whole surfaces")]
+    ModelTrimmed {
+        /// The index of the surface in its model.
+        surface: usize,
+    },
+    /// The gap of a surface is negative or not finite.
+    #[error("surface {surface}: gap is {found:?}, expected a finite number of at least 0")]
+    GapInvalid {
+        /// The index of the surface in its model.
+        surface: usize,
+        /// The gap.
+        found: f64,
+    },
+    /// An instance places a surface that the model does not have.
+    #[error(
+        "instance {instance} places surface {found}, expected less than {expected}, the number of surfaces"
+    )]
+    InstanceSurface {
+        /// The index of the instance.
+        instance: usize,
+        /// The index of the surface.
+        found: usize,
+        /// The number of surfaces.
+        expected: usize,
+    },
+    /// The transform of an instance is singular or not finite.
+    #[error(
+        "instance {instance}: the transform {found}, expected an invertible affine map of finite numbers"
+    )]
+    InstanceTransform {
+        /// The index of the instance.
+        instance: usize,
+        /// The property that is invalid.
+        found: String,
+    },
+    /// The instances of a model place too many faces.
+    #[error("the instances place {found} faces, expected at most {expected}")]
+    TooManyFaces {
+        /// The number of faces placed.
+        found: usize,
+        /// The largest number allowed.
+        expected: usize,
+    },
+    /// The unit of a model is not a positive length.
+    #[error("the unit is {found:?} m, expected a length from 1e-30 m to 1e30 m")]
+    UnitInvalid {
+        /// The unit in metres.
+        found: f64,
+    },
+    /// Two models have different units.
+    #[error("the units are {a:?} m and {b:?} m, expected equal units, or the option to scale B to A's unit")]
+    UnitsDiffer {
+        /// Metres per unit of A.
+        a: f64,
+        /// Metres per unit of B.
+        b: f64,
+    },
     /// Text that is no JSON, or not of the interchange shape.
     #[error("the model is not interchange JSON: {found}")]
     JsonShape {
         /// The parser's message, with the position.
         found: String,
+    },
+    /// Text that is not in the format of OpenCASCADE's BREP files.
+    #[error("line {line}: found {found:?}, expected {expected}")]
+    BrepSyntax {
+        /// The line, from 1.
+        line: usize,
+        /// The word found.
+        found: String,
+        /// What the format requires there.
+        expected: String,
+    },
+    /// A BREP file of which no face can be read.
+    #[error("none of the {faces} faces can be read; face {face}: {found}")]
+    BrepUnreadable {
+        /// The number of the first face.
+        face: usize,
+        /// The reason for which it cannot be read.
+        found: String,
+        /// The number of faces.
+        faces: usize,
     },
     /// A file or text over the size limit.
     #[error("the model is {found} bytes, expected at most {expected}")]
@@ -171,6 +266,18 @@ pub enum Error {
         path: String,
         /// The message of the operating system.
         found: String,
+    },
+    /// A file of a format that the package's command line in Node reads, but this crate
+    /// does not.
+    #[error(
+        "found {found}; read are interchange JSON and OpenCASCADE's BREP text: \
+         `npx nurbs-hausdorff convert {path} model.json` converts it"
+    )]
+    FormatUnsupported {
+        /// The format, with its article.
+        found: &'static str,
+        /// The path as given.
+        path: String,
     },
     /// An option outside its range.
     #[error("option {option} is {found}, expected {expected}")]
@@ -281,10 +388,22 @@ impl Error {
             Self::RaggedNet { .. } => "RAGGED_NET",
             Self::TooFewControlPoints { .. } => "TOO_FEW_CONTROL_POINTS",
             Self::DegreeOutOfRange { .. } => "DEGREE_OUT_OF_RANGE",
+            Self::FaceNotCut { .. } => "FACE_NOT_CUT",
             Self::EmptyModel => "EMPTY_MODEL",
+            Self::Trim { fault, .. } => fault.code(),
+            Self::ModelTrimmed { .. } => "MODEL_TRIMMED",
+            Self::GapInvalid { .. } => "GAP_INVALID",
+            Self::InstanceSurface { .. } => "INSTANCE_SURFACE",
+            Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
+            Self::TooManyFaces { .. } => "TOO_MANY_FACES",
+            Self::UnitInvalid { .. } => "UNIT_INVALID",
+            Self::UnitsDiffer { .. } => "UNITS_DIFFER",
             Self::JsonShape { .. } => "JSON_SHAPE",
+            Self::BrepSyntax { .. } => "BREP_SYNTAX",
+            Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
+            Self::FormatUnsupported { .. } => "FORMAT_UNSUPPORTED",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",
             Self::TransformNotRigid { .. } => "TRANSFORM_NOT_RIGID",

@@ -15,7 +15,7 @@
 //!             "ctrl": [[[0, 0, {z}, 1], [0, 1, {z}, 1]], [[1, 0, {z}, 1], [1, 1, {z}, 1]]]}}]}}"#
 //!     ))
 //! };
-//! let (a, b) = (PreparedModel::new(&square(0.0)?), PreparedModel::new(&square(3.0)?));
+//! let (a, b) = (PreparedModel::new(&square(0.0)?)?, PreparedModel::new(&square(3.0)?)?);
 //! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
 //! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
 //! assert!(result.lower <= 3.0 && 3.0 <= result.upper && result.upper - result.lower < 1e-5);
@@ -39,7 +39,7 @@
 //! let mut flat = sheet.clone();
 //! flat.control_points.iter_mut().for_each(|point| point[2] = 0.0);
 //! let [a, b] = [sheet, flat].map(|arrays| Model::from_arrays(None, vec![arrays]));
-//! let (a, b) = (PreparedModel::new(&a?), PreparedModel::new(&b?));
+//! let (a, b) = (PreparedModel::new(&a?)?, PreparedModel::new(&b?)?);
 //! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
 //! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
 //! // The edge x = 1 is 1 above the plane.
@@ -49,7 +49,8 @@
 //!
 //! # Map
 //!
-//! A [`Model`] is valid once it is made. A [`PreparedModel`] keeps what is
+//! A [`Model`] is valid once it is made, from interchange JSON, arrays or the BREP text of
+//! OpenCASCADE. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!
@@ -79,6 +80,7 @@ pub mod tessellate;
 
 mod limits;
 mod parallel;
+mod pieces;
 mod rounding;
 mod symmetry;
 #[cfg(target_arch = "wasm32")]
@@ -91,6 +93,11 @@ mod bezier;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod bezier;
+#[cfg(not(feature = "internals"))]
+mod brep;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod brep;
 #[cfg(not(feature = "internals"))]
 mod bvh;
 #[cfg(feature = "internals")]
@@ -146,17 +153,32 @@ mod progress;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod progress;
+#[cfg(not(feature = "internals"))]
+#[allow(dead_code, reason = "the model's preparation calls it once trims are part of models")]
+mod untrim;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod untrim;
 
 pub use axis::Axis;
+pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
-    FaceDifference, FaceState, Method, Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    FaceDifference, FaceState, Method, ModelInfo, Options, PreparedModel, Statistics, SurfaceInfo,
+    SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
-pub use model::{Model, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
+
+/// The trimming of faces.
+pub mod trim {
+    pub use crate::model::trim::{
+        FaceArrays, RESOLUTION, Trim, TrimCurveArrays, TrimFault, TrimPiece, Winding, oriented,
+    };
+}
 
 /// The choices within [`Options`].
 pub mod options {

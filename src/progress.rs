@@ -12,6 +12,12 @@ pub trait Monitor {
     /// never widens within one direction.
     fn interval(&mut self, _lower: f64, _upper: f64) {}
 
+    /// Receives, with every interval, whether the search of method `certified` has
+    /// stalled: its interval has not halved over ten times the cells that it took
+    /// to the last halving. It then ends by a budget, by cancelling, or after
+    /// much longer than so far; false once it has halved again.
+    fn stalled(&mut self, _stalled: bool) {}
+
     /// Returns whether to stop; called between chunks of work.
     fn cancelled(&self) -> bool;
 }
@@ -84,9 +90,10 @@ impl<'a> Progress<'a> {
         if self.monitor.cancelled() { Err(Error::Cancelled) } else { Ok(()) }
     }
 
-    /// Reports the interval.
-    pub(crate) fn interval(&mut self, lower: f64, upper: f64) {
+    /// Reports the interval, and whether the search has stalled.
+    pub(crate) fn interval(&mut self, lower: f64, upper: f64, stalled: bool) {
         self.monitor.interval(lower, upper);
+        self.monitor.stalled(stalled);
     }
 
     /// Reports that everything is done.

@@ -2,6 +2,9 @@
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+#[path = "known_pairs/mod.rs"]
+mod pairs;
+
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
 use nurbs_hausdorff::progress::NoMonitor;
@@ -17,7 +20,7 @@ const SAMPLES: usize = 8;
 const AGREEMENT: f64 = 1e-5;
 
 async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
-    let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()));
+    let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()).unwrap());
     engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
 }
 
@@ -62,4 +65,26 @@ async fn a_transform_moves_a() {
     let result = measure(&engine, "sphere", "sphere", &options).await;
     // The farthest point of a sphere of radius 2 moved by 3, its top, is 3 away.
     assert!((result.computed - 3.0).abs() < 1e-12, "{}", result.computed);
+}
+
+/// Tests of the pairs on which an interval was once false or a search did not end.
+mod known_pairs {
+    use super::{pairs, wasm_bindgen_test};
+
+    macro_rules! declare {
+        ($($name:ident)*) => {
+            $(
+                #[wasm_bindgen_test]
+                async fn $name() {
+                    pairs::$name().await;
+                }
+            )*
+        };
+    }
+    pairs::for_each_pair!(declare);
+}
+
+#[wasm_bindgen_test]
+async fn a_point_by_method_hierarchy() {
+    pairs::hierarchy_point(&Engine::new(Backend::Gpu).await.unwrap()).await;
 }

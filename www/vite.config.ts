@@ -11,7 +11,7 @@ export default defineConfig({
     rolldownOptions: { input: [page("index.html"), page("experiments.html")] },
   },
   worker: { format: "es" },
-  // The package loads its wasm module relative to its own files, and the
+  // These packages load their wasm modules relative to their own files, and the
   // pre-bundling of the development server would move those files.
-  optimizeDeps: { exclude: ["nurbs-hausdorff"] },
+  optimizeDeps: { exclude: ["nurbs-hausdorff", "@bitbybit-dev/occt", "rhino3dm"] },
 });

@@ -24,7 +24,7 @@ pub(crate) fn folder() -> Option<PathBuf> {
 /// The model of this name.
 pub(crate) fn load(folder: &Path, name: &str) -> PreparedModel {
     let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("a model");
-    PreparedModel::new(&Model::from_json(&text).expect("a valid model"))
+    PreparedModel::new(&Model::from_json(&text).expect("a valid model")).expect("valid trims")
 }
 
 /// All lines of `reference.jsonl`.

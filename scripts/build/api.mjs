@@ -1,5 +1,5 @@
 // The package's TypeScript API, compiled with its types from src/js into dist.
-import { existsSync, readdirSync, rmSync } from "node:fs";
+import { chmodSync, copyFileSync, existsSync, readdirSync, rmSync } from "node:fs";
 import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
@@ -10,6 +10,7 @@ export async function buildApi() {
   const sources = digest([
     "src/js",
     "tsconfig.json",
+    "tsconfig.cli.json",
     "tsconfig.base.json",
     "package-lock.json",
     "dist/wasm/nurbs_hausdorff.d.ts",
@@ -19,6 +20,10 @@ export async function buildApi() {
     if (name !== "wasm") rmSync(inRoot("dist", name), { recursive: true });
   }
   await must("tsc", ["--project", "tsconfig.json"]);
+  await must("tsc", ["--project", "tsconfig.cli.json"]);
+  copyFileSync(inRoot("src/js/cli/options.json"), inRoot("dist/cli/options.json"));
+  // npm makes the command executable when it installs the package.
+  chmodSync(inRoot("dist/cli/main.js"), 0o755);
   stamp(made, sources);
   return "built";
 }

@@ -226,10 +226,14 @@ fn taylor_bound(@builtin(global_invocation_id) id: vec3<u32>) {
         unrestricted = MAX_PLAUSIBLE;
     }
     let is_small = max(cell.half.x, cell.half.y) < MIN_HALF;
+    // No part around the centre can be pruned: float64 raises the incumbent, or
+    // replaces a foot that is not the nearest.
+    let is_beyond = distance > params.prune_threshold;
     if bitcast<u32>(cell.upper) <= bitcast<u32>(params.prune_threshold) {
         cell.verdict = PRUNED;
-    } else if unrestricted <= params.prune_threshold || is_small {
-        // Only the subpatch's extension is too small, or float32 too coarse.
+    } else if unrestricted <= params.prune_threshold || is_small || is_beyond {
+        // Only the subpatch's extension is too small, float32 too coarse, or the
+        // foot too far.
         cell.verdict = FLOAT64_ONLY;
     } else {
         cell.verdict = select(0u, SPLIT_S, sides.x * MAX_ASPECT >= sides.y)

@@ -21,11 +21,11 @@ const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 
 /// A non-empty knot span with the linear map from its degree + 1 control
 /// points to its Bézier controls.
-struct Span {
-    first_control: usize,
-    ends: [f64; 2],
+pub(crate) struct Span {
+    pub(crate) first_control: usize,
+    pub(crate) ends: [f64; 2],
     /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
-    operator: Vec<[f64; MAX_ORDER]>,
+    pub(crate) operator: Vec<[f64; MAX_ORDER]>,
 }
 
 /// The grid of the patches of one surface.
@@ -35,6 +35,9 @@ pub struct PatchGrid {
     pub first: usize,
     /// The distinct knots of the domain in u and v, one more each than patches.
     pub breaks: [Vec<f64>; 2],
+    /// The parts of the numbers of samples and cells along u and v that this grid gets: 1
+    /// for a whole surface, less for a piece of a trimmed face.
+    pub shares: [f64; 2],
 }
 
 impl PatchGrid {
@@ -42,6 +45,13 @@ impl PatchGrid {
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
+    }
+
+    /// Returns the number of parts along `axis` that is this grid's share where whole
+    /// surfaces have `parts`; at least 1.
+    #[must_use]
+    pub fn share(&self, axis: Axis, parts: usize) -> usize {
+        ((parts as f64 * self.shares[axis]).ceil() as usize).clamp(1, parts)
     }
 
     /// Returns the index along `axis` of the patch that contains the parameter,
@@ -67,7 +77,8 @@ pub struct BezierModel {
     pub point_error: PointError,
 }
 
-/// Returns the Bézier patches of every surface of `model`.
+/// Returns the Bézier patches of every surface of `model`, each whole: trimmed faces are
+/// to be replaced by their pieces before.
 ///
 /// Exact up to rounding for every valid knot vector, clamped or not, with
 /// repeated or almost coincident knots: Bézier control k of the span [a, b] is
@@ -171,7 +182,7 @@ impl BezierModel {
                 self.point_error.include(degree, radius, center.length());
             }
         }
-        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)] });
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
     }
 }
 
@@ -191,7 +202,7 @@ fn breaks(spans: &[Span]) -> Vec<f64> {
 }
 
 /// Returns the non-empty spans of the domain.
-fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
+pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
     (degree..count)
         .filter(|&index| knots[index] < knots[index + 1])
         .map(|index| Span {

@@ -14,6 +14,8 @@ pub struct PointError {
     recentring: f64,
     /// What every halving adds.
     halving: f64,
+    /// The distance between the patches and the model that they stand for.
+    deviation: f64,
 }
 
 impl PointError {
@@ -31,6 +33,13 @@ impl PointError {
         self.halving = self.halving.max(gamma(2.0 * largest) * radius);
     }
 
+    /// Makes the bounds hold for a model whose Hausdorff distance from the one so far is
+    /// at most `deviation`: every interval is widened by the bounds on both
+    /// sides, so it contains the distance of those models too.
+    pub(crate) fn include_deviation(&mut self, deviation: f64) {
+        self.deviation += deviation;
+    }
+
     /// Returns bounds for all patches of degrees up to `degree` in a box, by its
     /// diagonal and its distance from the origin.
     pub(crate) fn within(degree: usize, control_box: &Aabb) -> Self {
@@ -43,6 +52,6 @@ impl PointError {
     #[must_use]
     pub fn after(&self, halvings: u32) -> f64 {
         let recentring = if halvings > 0 { self.recentring } else { 0.0 };
-        self.uncut + recentring + f64::from(halvings) * self.halving
+        self.deviation + self.uncut + recentring + f64::from(halvings) * self.halving
     }
 }

@@ -62,7 +62,13 @@ impl Patch<'_> {
 /// relative error of at most three roundings and the piece is that of exactly
 /// [start, end] (lemma R6 of docs/method.md). `1 - start / end` of the rounded
 /// quotient would move an end, and leave a gap between neighbouring pieces.
-fn restrict_line(controls: &mut [DVec4], first: usize, stride: usize, order: usize, [start, end]: [f64; 2]) {
+pub(super) fn restrict_line(
+    controls: &mut [DVec4],
+    first: usize,
+    stride: usize,
+    order: usize,
+    [start, end]: [f64; 2],
+) {
     let mut line = [DVec4::ZERO; MAX_ORDER];
     for (index, control) in line.iter_mut().enumerate().take(order) {
         *control = controls[first + index * stride];

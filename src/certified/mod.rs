@@ -23,12 +23,15 @@ mod operand;
 mod reparametrization;
 mod rounding;
 mod search;
+mod sheets;
 
 pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use search::{BatchResult, BranchAndBound, Domain, Interval, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, SearchNode};
+
+pub(crate) use sheets::{SheetCache, Sheets};
 
 #[cfg(feature = "internals")]
 pub use bounds::Quadratic;

@@ -1,5 +1,6 @@
 //! The two models as the search uses them.
 
+use super::Sheets;
 use super::rounding::JetScale;
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
@@ -20,6 +21,8 @@ pub(crate) struct Operand<'a> {
     pub(super) uncut_patches: &'a PatchSet,
     /// The revolution that each surface is, where it is one.
     pub(super) revolutions: &'a [Option<Revolution>],
+    /// How the patches join, where that is known.
+    pub(super) sheets: Option<Sheets<'a>>,
     /// A sphere among the surfaces.
     pub(super) sphere: Option<Sphere>,
     /// A box around the control points of the surfaces.
@@ -34,7 +37,16 @@ impl<'a> Operand<'a> {
         let control_box = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
         let point_error = PointError::within(target.max_degree, &control_box).after(MAX_HALVINGS);
         let uncut_patches = &target.patches;
-        Self { target, bounds, uncut_patches, revolutions: &[], sphere: None, control_box, point_error }
+        Self {
+            target,
+            bounds,
+            uncut_patches,
+            revolutions: &[],
+            sheets: None,
+            sphere: None,
+            control_box,
+            point_error,
+        }
     }
 
     /// The same model with the box around its surfaces' own control points,
@@ -51,6 +63,11 @@ impl<'a> Operand<'a> {
     /// The same model for an operand whose patches are cut as `uncut_patches` are.
     pub(crate) fn with_uncut(self, uncut_patches: &'a PatchSet) -> Self {
         Self { uncut_patches, ..self }
+    }
+
+    /// The same model with the sheets that its patches are cut from.
+    pub(crate) fn with_sheets(self, sheets: Sheets<'a>) -> Self {
+        Self { sheets: Some(sheets), ..self }
     }
 
     /// The same model with what is known of its surfaces.
@@ -75,16 +92,7 @@ impl<'a> Operand<'a> {
     /// What the rounding of the patch's derivatives depends on. O(p q) for
     /// rational patches.
     pub(super) fn jet_scale(&self, index: u32) -> JetScale {
-        let patch = self.patch(index);
-        let weight_ratio = if patch.rational {
-            let weights = patch.controls.iter().map(|control| control.w);
-            let (least, largest) =
-                weights.fold((f64::INFINITY, 0.0_f64), |(least, largest), w| (least.min(w), largest.max(w)));
-            largest / least
-        } else {
-            1.0
-        };
-        JetScale { degree: patch.degree, radius: self.patch_bounds(index).radius, weight_ratio }
+        JetScale::new(&self.patch(index), self.patch_bounds(index).radius)
     }
 
     /// Derivative bounds over a whole patch, or over its whole extension where

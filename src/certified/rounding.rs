@@ -2,6 +2,7 @@
 //! section 6.
 
 use super::Pair;
+use crate::bezier::Patch;
 pub(super) use crate::rounding::{UNIT_ROUNDOFF, gamma};
 use crate::rounding::{VANISHING_LENGTH, closest_rounding};
 
@@ -53,6 +54,19 @@ pub(super) const MOVED_JET_ROUNDINGS: f64 = 71.0;
 pub(super) const JET_ROUNDINGS: f64 = 7.0;
 
 impl JetScale {
+    /// That of a patch of this radius. O(p q) for rational patches.
+    pub(super) fn new(patch: &Patch<'_>, radius: f64) -> Self {
+        let weight_ratio = if patch.rational {
+            let weights = patch.controls.iter().map(|control| control.w);
+            let (least, largest) =
+                weights.fold((f64::INFINITY, 0.0_f64), |(least, largest), w| (least.min(w), largest.max(w)));
+            largest / least
+        } else {
+            1.0
+        };
+        Self { degree: patch.degree, radius, weight_ratio }
+    }
+
     /// `J`: how much the errors of the derivatives change a Taylor quadratic over
     /// steps of at most `extent` in the parameters, after `more` further
     /// roundings (lemma R8).

@@ -1,10 +1,11 @@
 //! One direction of method `certified`, within its budgets.
 
-use super::directed_result::{DirectedResult, surface_point};
+use super::directed_result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
-use crate::certified::{BranchAndBound, Generatrix, Interval, Pair};
+use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified};
+use crate::pieces::FacePieces;
 use crate::progress::Progress;
 use std::rc::Rc;
 use web_time::Instant;
@@ -16,6 +17,7 @@ use web_time::Instant;
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
     mut pair: Pair<'_>,
+    [from_pieces, to_pieces]: [&FacePieces; 2],
     diagonal: f64,
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
@@ -31,6 +33,7 @@ pub(super) async fn certified(
     let mut search = BranchAndBound::new(pair, tolerance, options.limit, slack);
     progress.section(0.0, 1.0);
     let first = search.interval();
+    let mut gains = Gains::new(first);
     let needed = options.backend == Backend::Gpu;
     let mut kernels = Kernels { gpu, needed, driver: None, failure: None, slowest: f64::INFINITY };
     let stop = loop {
@@ -45,7 +48,8 @@ pub(super) async fn certified(
         }
         if progress.is_due() {
             let interval = search.interval();
-            progress.interval(interval.lower, interval.upper);
+            let stalled = gains.has_stalled(interval, search.work().cells);
+            progress.interval(interval.lower, interval.upper, stalled);
             match progress.checkpoint(fraction(first, interval, tolerance)).await {
                 Err(Error::Cancelled) => break Stop::Cancelled,
                 other => other?,
@@ -54,7 +58,7 @@ pub(super) async fn certified(
     };
     search.finish();
     let Interval { lower, upper } = search.interval();
-    progress.interval(lower, upper);
+    progress.interval(lower, upper, false);
     let Some(witness) = search.witness() else { return Ok(None) };
     let (within, work) = (search.within(), search.work());
     let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
@@ -66,8 +70,12 @@ pub(super) async fn certified(
         lower,
         upper,
         converged: stop == Stop::Converged,
-        from: surface_point(from.surface, from.surface_parameters(witness.parameters), witness.point),
-        to: surface_point(
+        from: from_pieces.surface_point(
+            from.surface,
+            from.surface_parameters(witness.parameters),
+            witness.point,
+        ),
+        to: to_pieces.surface_point(
             to.surface,
             to.surface_parameters(witness.closest.parameters),
             witness.closest.point,

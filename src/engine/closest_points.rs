@@ -87,6 +87,7 @@ impl Engine {
         validate(points)?;
         let flat = model.target(Flatness::Loose);
         let (target, transform) = (&flat.target, options.transform);
+        let pieces = model.pieces();
         let diagonal = model.bounding_box().diagonal();
         let gap = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
         let point_error = model.bezier().point_error.after(MAX_HALVINGS);
@@ -114,8 +115,9 @@ impl Engine {
                     );
                     part.signed.push(super::deviation::signed(point, &foot));
                     part.feet.extend_from_slice(&foot.point.to_array());
-                    part.surfaces.push(patch.surface as u32);
-                    part.parameters.extend_from_slice(&patch.surface_parameters(closest.parameters));
+                    part.surfaces.push(pieces.face(patch.surface) as u32);
+                    let of_piece = patch.surface_parameters(closest.parameters);
+                    part.parameters.extend_from_slice(&pieces.face_parameters(patch.surface, of_piece));
                 }
                 Some(part)
             });

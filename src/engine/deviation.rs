@@ -127,7 +127,8 @@ impl SampledDirection<'_> {
     }
 
     fn field_of_surface(&self, surface: usize, grid: &SampleGrid, feet: &[Projected]) -> Field {
-        let mut field = Field { surface, counts: grid.counts(), ..Field::default() };
+        let face = self.from.pieces().face(surface);
+        let mut field = Field { surface: face, counts: grid.counts(), ..Field::default() };
         let bezier = self.from.bezier();
         let patches = &bezier.grids[surface];
         for (index, projected) in feet.iter().enumerate().skip(grid.first).take(grid.len()) {

@@ -21,14 +21,10 @@ pub(super) struct DirectedResult {
     pub(super) field: Vec<Field>,
 }
 
-/// Returns a point of a surface with its parameters.
-pub(super) fn surface_point(surface: usize, [u, v]: [f64; 2], point: DVec3) -> SurfacePoint {
-    SurfacePoint { surface, u, v, point: point.to_array() }
-}
-
 impl SurfacePoint {
     /// Returns the image of the point under the transform, with the same parameters.
-    pub(super) fn moved(self, transform: &RigidTransform) -> Self {
-        Self { point: transform.apply(DVec3::from_array(self.point)).to_array(), ..self }
+    pub(super) fn moved(&self, transform: &RigidTransform) -> Self {
+        let point = transform.apply(DVec3::from_array(self.point)).to_array();
+        Self { point, part: self.part.clone(), ..*self }
     }
 }

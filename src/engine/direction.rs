@@ -37,6 +37,10 @@ pub(super) struct DirectedRun {
     pub(super) adapter: Option<String>,
     pub(super) notice: Option<String>,
     pub(super) diagonal: f64,
+    /// Metres per unit, if a model states it.
+    pub(super) unit: Option<f64>,
+    /// The sum of the models' gaps.
+    pub(super) model_gap: f64,
     /// The number of patches of `from`.
     pub(super) from_patches: usize,
     /// The number of patches of `to`.
@@ -63,8 +67,9 @@ impl Direction<'_> {
         }
         let prepare = started.elapsed().as_secs_f64();
         let diagonal = self.diagonal();
-        let result =
-            certified(Pair { a, b, transform: self.transform }, diagonal, options, gpu, progress).await?;
+        let pair = Pair { a, b, transform: self.transform };
+        let pieces = [self.from.pieces(), self.to.pieces()];
+        let result = certified(pair, pieces, diagonal, options, gpu, progress).await?;
         let (result, notice) = result.ok_or(Error::EmptyModel)?;
         let on_gpu = result.details.certified().is_some_and(|details| details.cpu_cells < details.cells);
         Ok(DirectedRun {
@@ -73,10 +78,22 @@ impl Direction<'_> {
             adapter: gpu.filter(|_| on_gpu).and_then(|gpu| gpu.adapter()),
             notice,
             diagonal,
+            unit: self.unit(),
+            model_gap: self.model_gap(),
             from_patches: from.target.patches.len(),
             to_patches: to.target.patches.len(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
+    }
+
+    /// Returns the metres per unit, if a model states it; both state the same if both do.
+    pub(super) fn unit(&self) -> Option<f64> {
+        self.from.unit().or(self.to.unit())
+    }
+
+    /// Returns the sum of both models' gaps.
+    pub(super) fn model_gap(&self) -> f64 {
+        self.from.gap() + self.to.gap()
     }
 
     /// Returns the larger diagonal of the two models' boxes.
@@ -91,6 +108,14 @@ impl DirectedRun {
         self.result.details.certified().is_some_and(|certified| certified.stop == Stop::Cancelled)
     }
 
+    /// Adds a notice to the one there is.
+    pub(super) fn add_notice(&mut self, notice: &str) {
+        self.notice = Some(match self.notice.take() {
+            Some(other) => format!("{other}; {notice}"),
+            None => notice.to_owned(),
+        });
+    }
+
     /// Returns this run with the samples of another, and the time of both.
     pub(super) fn with_field_of(mut self, sampled: Self) -> Self {
         self.result.field = sampled.result.field;
@@ -100,7 +125,7 @@ impl DirectedRun {
 
     /// Returns the result of the direction from A to B.
     pub(super) fn into_forward(self) -> DistanceResult {
-        let witness = Witness { a: self.result.from, b: self.result.to };
+        let witness = Witness { a: self.result.from.clone(), b: self.result.to.clone() };
         let patches = PatchCounts { a: self.from_patches, b: self.to_patches };
         self.into_result(witness, patches)
     }
@@ -109,7 +134,8 @@ impl DirectedRun {
     /// own frame, in the frame of B.
     pub(super) fn into_reverse(mut self, options: &Options) -> DistanceResult {
         let transform = &options.transform;
-        let witness = Witness { a: self.result.to.moved(transform), b: self.result.from.moved(transform) };
+        let [from, to] = [&self.result.from, &self.result.to].map(|point| point.moved(transform));
+        let witness = Witness { a: to, b: from };
         for field in &mut self.result.field {
             for points in [&mut field.points, &mut field.feet] {
                 for point in points.chunks_exact_mut(3) {
@@ -130,6 +156,8 @@ impl DirectedRun {
             backend: self.backend,
             adapter: self.adapter,
             diagonal: self.diagonal,
+            unit: self.unit,
+            model_gap: self.model_gap,
             computed,
             lower,
             upper,

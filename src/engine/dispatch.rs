@@ -13,6 +13,10 @@ use std::rc::Rc;
 /// unlikely to be an accident.
 const MAX_LOSSES: u32 = 2;
 
+/// The notice about a relative tolerance of models without a size.
+const NO_DIAGONAL: &str = "both models are single points, so that a tolerance relative to their diagonal is 0: the \
+interval is as narrow as float64 allows; an absolute tolerance can be reached";
+
 /// Computes distances on one GPU, or on the CPU.
 #[derive(Debug)]
 pub struct Engine {
@@ -58,13 +62,14 @@ impl Engine {
     }
 
     /// Returns the directed Hausdorff distance from A, moved by the options'
-    /// transform, to B, or with `symmetric` the larger of both directions.
+    /// transform, to B, or with `symmetric` the larger of both directions. With
+    /// `scale_units` B is scaled to A's unit.
     ///
     /// Guarantee: `lower <= distance <= upper`. If the device is lost, the
     /// computation starts again on a new one, and after a second loss on the CPU.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]; [`Error::NoAdapter`] or
+    /// [`Error::OptionOutOfRange`]; [`Error::UnitsDiffer`]; [`Error::NoAdapter`] or
     /// [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
     /// [`Error::PairBudgetExceeded`] with [`Method::Hierarchy`];
     /// [`Error::Cancelled`].
@@ -76,6 +81,8 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DistanceResult> {
         options.validate()?;
+        let scaled = b.in_unit_of(a, options.scale_units)?;
+        let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, options.symmetric);
         let forward = Direction { from: a, to: b, transform: options.transform };
         let forward = self.directed(&forward, options, &mut progress).await?.into_forward();
@@ -143,6 +150,10 @@ impl Engine {
                     if method != Method::Certified && gpu.is_none() && options.backend != Backend::Cpu {
                         run.notice = self.notice();
                     }
+                    let relative = method != Method::Iteration && !options.absolute;
+                    if relative && run.diagonal == 0.0 {
+                        run.add_notice(NO_DIAGONAL);
+                    }
                     return Ok(run);
                 }
                 other => return other,
@@ -195,7 +206,8 @@ mod tests {
     fn a_lost_device_is_replaced_once_and_then_the_cpu_takes_over() {
         let test = "a_lost_device_is_replaced_once_and_then_the_cpu_takes_over";
         let Some(engine) = engine(test) else { return };
-        let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()));
+        let [a, b] =
+            ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
         let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
         let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
         let lose = || engine.gpu.borrow().as_ref().unwrap().destroy();
@@ -221,7 +233,7 @@ mod tests {
         let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().pretend_hardware();
         engine.gpu.replace(Some(Rc::new(gpu)));
         // All of A is equally far from B, and no bound on whole patches shows it: many cells.
-        let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model));
+        let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model).unwrap());
         let run = |backend| {
             let options = Options { backend, ..Options::default() };
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))

@@ -9,6 +9,7 @@ mod directed_result;
 mod direction;
 mod dispatch;
 mod hierarchy;
+mod info;
 mod iteration;
 mod options;
 mod prepared;
@@ -19,6 +20,7 @@ pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use deviation::Statistics;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
+pub use info::{ModelInfo, SurfaceInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{

@@ -81,6 +81,9 @@ pub struct Options {
     pub memory_budget: usize,
     /// Whether both directions are measured.
     pub symmetric: bool,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are
+    /// an error.
+    pub scale_units: bool,
     /// Moves A before it is measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -111,6 +114,7 @@ impl Default for Options {
             grid: 64,
             memory_budget: MAX_MEMORY,
             symmetric: false,
+            scale_units: false,
             transform: RigidTransform::IDENTITY,
             backend: Backend::default(),
             field: false,

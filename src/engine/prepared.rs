@@ -1,17 +1,21 @@
 //! Models with the data that is computed from them once.
 
-use crate::bezier::{BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract};
+use crate::bezier::{
+    BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
+};
 use crate::bvh::Aabb;
-use crate::certified::Operand;
+use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
-use crate::error::Result;
-use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, flatten, recut};
+use crate::error::{Error, Result};
+use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
+use crate::pieces::FacePieces;
 use crate::progress::Progress;
+use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -21,9 +25,17 @@ use std::rc::Rc;
 #[derive(Debug)]
 pub struct PreparedModel {
     name: Option<String>,
+    unit: Option<f64>,
+    /// The model itself, kept if it states its unit, to be scaled to another.
+    source: Option<Model>,
+    /// The model in another unit, the last one.
+    scaled: RefCell<Option<Rc<PreparedModel>>>,
+    gap: f64,
+    pieces: FacePieces,
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
+    control_box: Aabb,
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
@@ -31,6 +43,8 @@ pub struct PreparedModel {
     refits: u32,
 }
 
+/// The roundings of a coordinate scaled to another unit: the factor and the product.
+const SCALE_ROUNDINGS: f64 = 4.0;
 /// The number of updates after which cuts and trees are chosen anew, for the shape that
 /// the model has by then; they are chosen for an older one meanwhile.
 const MAX_REFITS: u32 = 32;
@@ -42,6 +56,8 @@ type SamplingKey = (usize, SamplingRule);
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
     extensions: Vec<ParamBox>,
+    places: Vec<Place>,
+    sheets: SheetCache,
     cuts: Cuts,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
@@ -52,6 +68,8 @@ impl PreparedTarget {
         Self {
             target: target(flat.patches),
             extensions: flat.extensions,
+            places: flat.places,
+            sheets: SheetCache::default(),
             cuts: flat.cuts,
             bounds: OnceCell::new(),
             resident: Resident::default(),
@@ -68,8 +86,9 @@ impl PreparedTarget {
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
-            .with_accuracy(model.bounding_box, model.bezier.point_error.after(MAX_HALVINGS))
+            .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
+            .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })
     }
 }
 
@@ -92,20 +111,39 @@ pub(crate) struct PreparedCells {
 const MAX_SAMPLINGS: usize = 4;
 
 impl PreparedModel {
-    /// Extracts the Bézier patches and detects symmetries. O(patches p q (p + q)).
-    #[must_use]
-    pub fn new(model: &Model) -> Self {
-        let bezier = extract(model);
-        Self {
+    /// Cuts trimmed faces into pieces, removes removable knots, extracts the Bézier
+    /// patches and detects symmetries. O(patches p q (p + q)), and for trimmed faces the
+    /// cutting, on all cores.
+    ///
+    /// # Errors
+    /// [`crate::Error::FaceNotCut`].
+    pub fn new(model: &Model) -> Result<Self> {
+        let (pieces, untrimmed) = FacePieces::new(model)?;
+        let reduced = without_removable_knots(&untrimmed);
+        let (simple, knot_removal) =
+            reduced.as_ref().map_or((&*untrimmed, 0.0), |reduced| (&reduced.model, reduced.error));
+        let mut bezier = extract(simple);
+        bezier.point_error.include_deviation(pieces.deviation() + knot_removal);
+        for (grid, shares) in bezier.grids.iter_mut().zip(pieces.shares(untrimmed.surfaces())) {
+            grid.shares = shares;
+        }
+        let control_box = untrimmed.bounding_box().union(simple.bounding_box());
+        Ok(Self {
             name: model.name().map(str::to_owned),
+            unit: model.unit(),
+            source: model.unit().map(|_| model.clone()),
+            scaled: RefCell::default(),
+            gap: model.gap(),
+            pieces,
             revolutions: revolutions(&bezier),
             bezier,
-            bounding_box: model.bounding_box(),
+            bounding_box: untrimmed.bounding_box(),
+            control_box,
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
             refits: 0,
-        }
+        })
     }
 
     /// Returns `model`, which has other control points on the same knots, prepared with
@@ -113,11 +151,13 @@ impl PreparedModel {
     /// for the time that both take, here and in a search.
     ///
     /// O(patches p q (p + q)); a model of other patches is prepared anew.
-    #[must_use]
-    pub fn updated(&self, model: &Model) -> Self {
-        let mut updated = Self::new(model);
-        if self.refits == MAX_REFITS || !self.patch_counts().eq(updated.patch_counts()) {
-            return updated;
+    ///
+    /// # Errors
+    /// Those of [`PreparedModel::new`].
+    pub fn updated(&self, model: &Model) -> Result<Self> {
+        let mut updated = Self::new(model)?;
+        if self.refits == MAX_REFITS || self.bezier.grids != updated.bezier.grids {
+            return Ok(updated);
         }
         updated.refits = self.refits + 1;
         for (flatness, kept) in &*self.targets.borrow() {
@@ -129,7 +169,7 @@ impl PreparedModel {
             let tree = kept.tree.refitted(&updated.bezier);
             *updated.cells.get_mut() = Some(Rc::new(PreparedCells { tree, resident: Resident::default() }));
         }
-        updated
+        Ok(updated)
     }
 
     /// Returns the model's name, if it has one.
@@ -138,24 +178,97 @@ impl PreparedModel {
         self.name.as_deref()
     }
 
-    /// Returns the numbers of Bézier patches along u and v, one entry per surface.
+    /// Returns the metres per coordinate unit, if they are known.
+    #[must_use]
+    pub fn unit(&self) -> Option<f64> {
+        self.unit
+    }
+
+    /// Returns this model in the unit of `other` if both state different units, else
+    /// `None`; the last one is kept.
+    ///
+    /// # Errors
+    /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
+    /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
+    pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Rc<Self>>> {
+        let (Some(a), Some(b), Some(source)) = (other.unit, self.unit, &self.source) else { return Ok(None) };
+        if a == b {
+            return Ok(None);
+        }
+        if !scale {
+            return Err(Error::UnitsDiffer { a, b });
+        }
+        let mut scaled = self.scaled.borrow_mut();
+        match &*scaled {
+            Some(kept) if kept.unit == Some(a) => Ok(Some(Rc::clone(kept))),
+            _ => {
+                let mut prepared = Self::new(&source.scaled_to_unit(a)?)?;
+                let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
+                prepared.bezier.point_error.include_deviation(rounding);
+                let prepared = Rc::new(prepared);
+                *scaled = Some(Rc::clone(&prepared));
+                Ok(Some(prepared))
+            }
+        }
+    }
+
+    /// Returns an upper bound, in model units, on the distance between the model and its source.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
+    /// Returns an upper bound on the Hausdorff distance between the trimmed faces and the
+    /// pieces that are measured in their place; 0 for a model without trims. It is part of
+    /// every interval.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        self.pieces.deviation()
+    }
+
+    /// Returns the numbers of Bézier patches along u and v, one entry per piece, in the
+    /// order of the faces; an untrimmed face is one piece.
     pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
         self.bezier.grids.iter().map(PatchGrid::counts)
     }
 
+    /// Returns the numbers of Bézier patches of the faces.
+    pub fn face_patch_counts(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.pieces.faces().iter().map(|pieces| {
+            self.bezier.grids[pieces.clone()].iter().map(|grid| grid.counts().iter().product::<usize>()).sum()
+        })
+    }
+
     /// Returns the number of faces.
-    pub(crate) fn face_count(&self) -> usize {
-        self.bezier.grids.len()
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.pieces.face_count()
+    }
+
+    /// Returns the name of a face in its source, if it has one.
+    #[must_use]
+    pub fn part(&self, face: usize) -> Option<&str> {
+        self.pieces.part(face)
+    }
+
+    /// Returns the pieces of the faces.
+    pub(crate) fn pieces(&self) -> &FacePieces {
+        &self.pieces
     }
 
     pub(crate) fn bezier(&self) -> &BezierModel {
         &self.bezier
     }
 
-    /// Returns the box of the model's control points.
+    /// Returns the box of the control points of the model's pieces.
     #[must_use]
     pub fn bounding_box(&self) -> Aabb {
         self.bounding_box
+    }
+
+    /// Returns a box around the model's control points and those of its patches.
+    pub(crate) fn control_box(&self) -> Aabb {
+        self.control_box
     }
 
     /// Returns the flat patches, computed at first use.

@@ -43,6 +43,13 @@ pub struct DistanceResult {
     pub adapter: Option<String>,
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,
+    /// Metres per unit of every length here, if A or B states its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<f64>,
+    /// The sum of both models' gaps: how far the sources may be from what was measured, by
+    /// what they state and by ends of trimming curves that were moved together. It is not
+    /// part of the interval, which is that of the models as they are.
+    pub model_gap: f64,
     /// The distance of the witness, which the method takes for the farthest point.
     pub computed: f64,
     /// A lower bound on the true distance.
@@ -62,7 +69,8 @@ pub struct DistanceResult {
     pub patches: PatchCounts,
     /// Where the time went.
     pub seconds: Seconds,
-    /// The reason why the GPU was not used although the options allow it.
+    /// The reason why the GPU was not used although the options allow it, and that
+    /// a relative tolerance is 0 where both models are single points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub notice: Option<String>,
     /// With `symmetric`: from A to B.
@@ -74,7 +82,8 @@ pub struct DistanceResult {
     /// With `field`: statistics of the deviation. Estimates.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub statistics: Option<Statistics>,
-    /// With `field`: every sample, one entry a surface of the sampled model.
+    /// With `field`: every sample, one entry a surface of the sampled model, or a piece of
+    /// a trimmed face.
     /// Not part of the JSON.
     #[serde(skip)]
     pub field: Vec<Field>,
@@ -202,7 +211,7 @@ pub struct Bounds {
 }
 
 /// Two points, one a model, that are the distance apart.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Witness {
     /// On A, after its transform.
     pub a: SurfacePoint,
@@ -211,10 +220,13 @@ pub struct Witness {
 }
 
 /// A point of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SurfacePoint {
-    /// Index of the surface.
+    /// Index of the surface, which is that of its face.
     pub surface: usize,
+    /// The face's name in its source, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<String>,
     /// Parameter u on it.
     pub u: f64,
     /// Parameter v on it.
@@ -251,7 +263,7 @@ impl std::ops::AddAssign for Seconds {
     }
 }
 
-/// The samples of one surface, v fastest.
+/// The samples of one surface, or of a piece of a trimmed face, v fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Field {
     /// Index of the surface in the sampled model.

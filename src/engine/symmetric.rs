@@ -7,7 +7,8 @@ impl DistanceResult {
     /// is their maximum, so its interval is that of the maxima.
     pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let &Self { backend, diagonal, computed, witness, patches, .. } = larger;
+        let &Self { backend, diagonal, unit, model_gap, computed, patches, .. } = larger;
+        let witness = larger.witness.clone();
         let (adapter, notice) = (larger.adapter.clone(), larger.notice.clone());
         let mut seconds = forward.seconds;
         seconds += reverse.seconds;
@@ -16,6 +17,8 @@ impl DistanceResult {
             backend,
             adapter,
             diagonal,
+            unit,
+            model_gap,
             computed,
             lower: forward.lower.max(reverse.lower),
             upper: forward.upper.max(reverse.upper),

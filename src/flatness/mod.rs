@@ -67,8 +67,38 @@ pub struct FlatPatches {
     /// For every piece, the parameters at which its controls give points of the patch
     /// that it was cut from: [0, 1]², and a little more beyond an edge at which it was cut.
     pub extensions: Vec<ParamBox>,
+    /// For every piece, where it is in the patch that it was cut from.
+    pub places: Vec<Place>,
     /// The cuts that made them, for [`recut`].
     pub cuts: Cuts,
+}
+
+/// A part of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The patch.
+    pub patch: u32,
+    /// Its parameters at the part's start, a multiple of the width.
+    pub low: [f64; 2],
+    /// The width along each axis, a power of two.
+    pub width: [f64; 2],
+}
+
+impl Place {
+    /// The whole of a patch.
+    fn whole(patch: usize) -> Self {
+        Self { patch: patch as u32, low: [0.0; 2], width: [1.0; 2] }
+    }
+
+    /// The halves along an axis.
+    fn halves(&self, axis: Axis) -> [Self; 2] {
+        let mut halves = [*self; 2];
+        for half in &mut halves {
+            half.width[axis] *= 0.5;
+        }
+        halves[1].low[axis] += halves[1].width[axis];
+        halves
+    }
 }
 
 /// The cuts of a set of patches, each patch's in depth-first order.
@@ -94,7 +124,8 @@ impl Cuts {
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     if flatness == Flatness::None {
         let extensions = vec![ParamBox::UNIT; patches.len()];
-        return FlatPatches { patches: patches.clone(), extensions, cuts: Cuts::default() };
+        let places = (0..patches.len()).map(Place::whole).collect();
+        return FlatPatches { patches: patches.clone(), extensions, places, cuts: Cuts::default() };
     }
     cut(patches, &Rule::Flat(flatness))
 }
@@ -132,12 +163,14 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
                 Rule::Recorded(cuts) => &cuts.axes[cuts.starts[index]..],
             };
             let mut subdivision = Subdivision { rule, recorded, basis, grid };
-            subdivision.append_pieces(&mut part, patch, [[false; 2]; 2], MAX_HALVINGS);
+            let place = Place::whole(index);
+            subdivision.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
         }
         part
     }) {
         flat.patches.append(&part.patches);
         flat.extensions.extend(part.extensions);
+        flat.places.extend(part.places);
         flat.cuts.append(&part.cuts);
     }
     flat
@@ -172,6 +205,7 @@ impl Subdivision<'_> {
         &mut self,
         flat: &mut FlatPatches,
         patch: Patch<'_>,
+        place: Place,
         cuts: [[bool; 2]; 2],
         halvings: u32,
     ) {
@@ -184,14 +218,16 @@ impl Subdivision<'_> {
                 flat.patches.push_centered(patch, self.grid);
             }
             flat.extensions.push(extension(patch.degree, cuts));
+            flat.places.push(place);
             return;
         };
+        let places = place.halves(axis);
         for (half, (controls, domain)) in patch.halves(axis).iter().zip(patch.domain.halves(axis)).enumerate()
         {
             let mut cuts = cuts;
             // The first half ends at the cut, and the second starts there.
             cuts[axis][1 - half] = true;
-            self.append_pieces(flat, Patch { controls, domain, ..patch }, cuts, halvings - 1);
+            self.append_pieces(flat, Patch { controls, domain, ..patch }, places[half], cuts, halvings - 1);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::CellPart;
 use crate::axis::Axis;
-use crate::bezier::{BezierModel, DerivativeBounds};
+use crate::bezier::{BezierModel, DerivativeBounds, PatchGrid};
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
 use crate::iteration::{cell_pieces, uniform};
@@ -51,7 +51,8 @@ pub(crate) const BRANCHING: usize = 4;
 /// The tree over a model's cells.
 #[derive(Debug, Clone)]
 pub struct GridTree {
-    /// The number of cells along each axis of a surface.
+    /// The number of cells along each axis of a whole surface; the pieces of a trimmed face
+    /// share as many ([`PatchGrid::share`]).
     pub grid: usize,
     /// The levels from the root down; the children of the last are parts.
     pub levels: Vec<Vec<ChildRange>>,
@@ -82,13 +83,16 @@ impl GridTree {
     /// # Errors
     /// Those of [`GridTree::new`].
     fn without_parts(model: &BezierModel, grid: usize) -> Result<Self> {
-        if model.grids.len() * grid * grid > MAX_CELLS {
+        let cells_of =
+            |patches: &PatchGrid| Axis::BOTH.map(|axis| patches.share(axis, grid)).iter().product::<usize>();
+        let cells = model.grids.iter().map(cells_of).sum::<usize>();
+        if cells > MAX_CELLS {
             let expected = "at most 4194304 cells on all surfaces";
             return Err(Error::OptionOutOfRange { option: "grid", found: grid.to_string(), expected });
         }
         let mut tree = Self { grid, levels: Vec::new(), finest: 0, cells: Vec::new(), parts: Vec::new() };
         tree.add_surfaces(model);
-        tree.add_grids();
+        tree.add_grids(model);
         Ok(tree)
     }
 
@@ -111,7 +115,7 @@ impl GridTree {
         let grid = &model.grids[surface as usize];
         let at = |axis: Axis, index: u32| {
             let breaks = &grid.breaks[axis];
-            let fraction = (f64::from(index) + 0.5) / self.grid as f64;
+            let fraction = (f64::from(index) + 0.5) / grid.share(axis, self.grid) as f64;
             (1.0 - fraction) * breaks[0] + fraction * breaks[breaks.len() - 1]
         };
         let parameters = [at(Axis::U, row), at(Axis::V, column)];
@@ -139,16 +143,18 @@ impl GridTree {
     }
 
     /// Adds the levels from one node per surface down to its cells, halving along both axes.
-    fn add_grids(&mut self) {
+    fn add_grids(&mut self, model: &BezierModel) {
         let depth = self.grid.next_power_of_two().ilog2();
         for level in 1..=depth {
-            let side = self.grid.div_ceil(1 << (depth - level)) as u32;
             let mut below = Vec::with_capacity(BRANCHING * self.cells.len());
             let mut children = Vec::with_capacity(self.cells.len());
             for &GridCell { surface, row, column } in &self.cells {
                 let first = below.len() as u32;
-                for row in 2 * row..(2 * row + 2).min(side) {
-                    for column in 2 * column..(2 * column + 2).min(side) {
+                let grid = &model.grids[surface as usize];
+                let [rows, columns] =
+                    Axis::BOTH.map(|axis| grid.share(axis, self.grid).div_ceil(1 << (depth - level)) as u32);
+                for row in 2 * row..(2 * row + 2).min(rows) {
+                    for column in 2 * column..(2 * column + 2).min(columns) {
                         below.push(GridCell { surface, row, column });
                     }
                 }
@@ -190,7 +196,7 @@ impl<'a> GridTreeBuilder<'a> {
         let cell_intervals = |surface: usize| {
             let patches = &model.grids[surface];
             Axis::BOTH.map(|axis| {
-                let parameters = uniform(&patches.breaks[axis], grid + 1);
+                let parameters = uniform(&patches.breaks[axis], patches.share(axis, grid) + 1);
                 let locations: Vec<_> = parameters.into_iter().map(|at| patches.locate(axis, at)).collect();
                 cell_pieces(&locations)
             })

@@ -51,20 +51,26 @@ const ARC_LENGTH_CHORDS: usize = 8;
 
 impl Sampling {
     /// Places a grid of `samples` × `samples` parameters, at least 2 × 2, on every
-    /// surface of `model`.
+    /// surface of `model`; the pieces of a trimmed face share as many cells between
+    /// samples ([`PatchGrid::share`]).
     ///
     /// O(surfaces samples² + patches).
     #[must_use]
     pub fn new(model: &BezierModel, samples: usize, rule: SamplingRule) -> Self {
         let mut grids: Vec<SampleGrid> = Vec::with_capacity(model.grids.len());
+        let mut first = 0;
         for grid in &model.grids {
-            let parameters = Axis::BOTH.map(|axis| match rule {
-                SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
-                SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
+            let parameters = Axis::BOTH.map(|axis| {
+                let samples = grid.share(axis, samples - 1) + 1;
+                match rule {
+                    SamplingRule::Uniform => uniform(&grid.breaks[axis], samples),
+                    SamplingRule::ArcLength => arc_length(model, grid, axis, samples),
+                }
             });
             let locations = Axis::BOTH
                 .map(|axis| parameters[axis].iter().map(|&parameter| grid.locate(axis, parameter)).collect());
-            grids.push(SampleGrid { parameters, locations, first: grids.len() * samples * samples });
+            grids.push(SampleGrid { parameters, locations, first });
+            first += grids.last().map_or(0, SampleGrid::len);
         }
         let radius = CoveringRadius::of_model(model, &grids);
         Self { grids, radius }

@@ -7,6 +7,8 @@ export interface DiffOptions {
   tolerance?: number;
   /** Cells after which a face is given up as undecided; default 1,000,000. */
   maxCells?: number;
+  /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
   /** Moves A before it is compared. */
   transform?: Transform;
   /** Cancels the work: the promise rejects with code `CANCELLED`. */
@@ -45,6 +47,10 @@ export interface DiffResult {
   tolerance: number;
   /** The larger diagonal of the two models' boxes. */
   diagonal: number;
+  /** Metres per unit of every length, if a model states its unit. */
+  unit?: number;
+  /** The sum of both models' gaps, as in a distance. */
+  modelGap: number;
   /** Every face of A, in order, compared with B. */
   a: FaceDifference[];
   /** Every face of B, in order, compared with A. */

@@ -2,12 +2,17 @@
  * What went wrong, as a code that stays the same across releases; the
  * message, for people, may change. Those after `CANCELLED` are JavaScript's.
  *
- * - a model is invalid: `NON_FINITE` to `EMPTY_MODEL`; its JSON has another
- *   shape: `JSON_SHAPE`, or is too long: `FILE_TOO_LARGE`;
+ * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
+ *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
+ *   text: `BREP_…`, or it is too long: `FILE_TOO_LARGE`;
+ * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
  * - `PAIR_BUDGET_EXCEEDED`: method `hierarchy` needs more pairs of boxes than
  *   its `memoryBudget` holds; the message states how many;
+ * - a file is of a format that is not read: `FORMAT_UNSUPPORTED`, breaks its
+ *   format: `CAD_UNREADABLE`, or needs a package that is not installed:
+ *   `PEER_MISSING`; the messages state how to convert or to install;
  * - `ARGUMENT_INVALID`: an argument has another type than declared;
  * - `MODULE_NOT_LOADED`: used before the first `Hausdorff.create` resolved;
  * - `MODULE_FAILED`: the wasm module could not be fetched, read or compiled; the cause says why;
@@ -26,10 +31,21 @@ export type ErrorCode =
   | "RAGGED_NET"
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
+  | "FACE_NOT_CUT"
   | "EMPTY_MODEL"
+  | "MODEL_TRIMMED"
+  | "GAP_INVALID"
+  | "INSTANCE_SURFACE"
+  | "INSTANCE_TRANSFORM"
+  | "TOO_MANY_FACES"
+  | "UNIT_INVALID"
+  | "UNITS_DIFFER"
   | "JSON_SHAPE"
+  | "BREP_SYNTAX"
+  | "BREP_UNREADABLE"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"
+  | "FORMAT_UNSUPPORTED"
   | "OPTION_OUT_OF_RANGE"
   | "OPTION_INVALID"
   | "TRANSFORM_NOT_RIGID"
@@ -40,6 +56,16 @@ export type ErrorCode =
   | "GPU_FAILED"
   | "PAIR_BUDGET_EXCEEDED"
   | "CANCELLED"
+  | "TRIM_NO_LOOPS"
+  | "TRIM_CURVE_INVALID"
+  | "TRIM_WEIGHT_NOT_POSITIVE"
+  | "TRIM_LOOP_OPEN"
+  | "TRIM_OUTSIDE_DOMAIN"
+  | "TRIM_LOOP_NO_AREA"
+  | "TRIM_LOOPS_CROSS"
+  | "TRIM_WRONG_NESTING"
+  | "CAD_UNREADABLE"
+  | "PEER_MISSING"
   | "ARGUMENT_INVALID"
   | "MODULE_NOT_LOADED"
   | "MODULE_FAILED"

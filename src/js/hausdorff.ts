@@ -1,4 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
+import { fromBrepText, isBrepText } from "./brep-text.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import { HausdorffError, translated, translating } from "./error.js";
@@ -18,7 +19,9 @@ import type {
   IterationResult,
 } from "./result.js";
 import {
+  type BrepText,
   type InterchangeModel,
+  type ModelArrays,
   type Numbers,
   numbers,
   prepare,
@@ -89,13 +92,17 @@ export class Hausdorff {
   }
 
   /**
-   * A model of surfaces as plain arrays, of interchange JSON, or of its text.
+   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON or its
+   * text, or of OpenCASCADE's BREP text.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(input: readonly SurfaceArrays[] | InterchangeModel | string): NurbsModel {
+  model(
+    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
+  ): NurbsModel {
     this.#open();
+    if (isBrepText(input)) return fromBrepText(input);
     return translating(() => NurbsModel.of(prepare(input)));
   }
 
@@ -126,6 +133,7 @@ export class Hausdorff {
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
    * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `UNITS_DIFFER`, unless `scaleUnits` is set;
    * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
    * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
    */

@@ -16,10 +16,16 @@ export type {
   SurfacePoint,
 } from "./result.js";
 export type {
+  BrepText,
   ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
   InterchangeModel,
   InterchangeSurface,
+  ModelArrays,
   Numbers,
   SurfaceArrays,
+  TrimCurveArrays,
 } from "./surface.js";
 export type { Tessellation } from "./tessellation.js";

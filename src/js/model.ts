@@ -1,4 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
+import type { CadReport } from "./cad/report.js";
 import { HausdorffError, translating } from "./error.js";
 import type { Vector3 } from "./options.js";
 import { controlPoints, type Numbers } from "./surface.js";
@@ -10,7 +11,7 @@ const MAX_SURFACE = 2 ** 32 - 1;
 
 /**
  * One or more NURBS surfaces, measured as one set of points; made by
- * `Hausdorff.model` and `Hausdorff.shape`.
+ * `Hausdorff.model`, `Hausdorff.shape` and `readCad`.
  *
  * It holds memory outside of JavaScript's: dispose of it, or declare it with
  * `using`, when done. Else that memory is freed some time after the object.
@@ -18,13 +19,17 @@ const MAX_SURFACE = 2 ** 32 - 1;
 export class NurbsModel {
   #prepared: PreparedModel | undefined;
 
-  private constructor(prepared: PreparedModel) {
+  /** What reading its CAD file kept, approximated and left out; null for other models. */
+  readonly report: CadReport | null;
+
+  private constructor(prepared: PreparedModel, report: CadReport | null) {
     this.#prepared = prepared;
+    this.report = report;
   }
 
   /** @internal */
-  static of(prepared: PreparedModel): NurbsModel {
-    return new NurbsModel(prepared);
+  static of(prepared: PreparedModel, report: CadReport | null = null): NurbsModel {
+    return new NurbsModel(prepared, report);
   }
 
   /**
@@ -43,12 +48,27 @@ export class NurbsModel {
     return this.prepared.name ?? null;
   }
 
-  /** Number of surfaces, at least 1. */
+  /** Metres per model unit, or null if the model does not state it. */
+  get unit(): number | null {
+    return this.prepared.unit ?? null;
+  }
+
+  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  get gap(): number {
+    return this.prepared.gap;
+  }
+
+  /** The name of a surface in its source, or null. */
+  part(surface: number): string | null {
+    return this.prepared.part(surface) ?? null;
+  }
+
+  /** Number of surfaces, trimmed or whole, at least 1; with instances, of those they place. */
   get surfaceCount(): number {
     return this.prepared.surfaceCount;
   }
 
-  /** The box of all control points, which contains the model. */
+  /** The box of all control points of what is measured, which contains the model. */
   get boundingBox(): { min: Vector3; max: Vector3 } {
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.prepared.boundingBox;
     return { min: [a, b, c], max: [d, e, f] };

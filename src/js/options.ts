@@ -58,6 +58,8 @@ export interface DistanceOptions {
   memoryBudget?: number;
   /** Whether the distance from B to A is computed too; default no. */
   symmetric?: boolean;
+  /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
   /** Moves A before it is measured, without an upload. */
   transform?: Transform;
   /** The processor for this distance; default `auto`. */
@@ -72,14 +74,24 @@ export interface DistanceOptions {
   signal?: AbortSignal;
   /**
    * Called with the fraction of the work done, rising to 1, and by all methods
-   * but `iteration` with the interval reached. An error that it throws cancels
+   * but `iteration` with the interval reached, by `certified` also with whether
+   * the search has stalled. An error that it throws cancels
    * the work.
    */
   onProgress?: OnProgress;
 }
 
-/** The type of `onProgress`. */
-export type OnProgress = (fraction: number, interval?: [lower: number, upper: number]) => void;
+/**
+ * The type of `onProgress`. `stalled` is true while a search by method
+ * `certified` gains nothing: its interval has not halved over ten times the
+ * cells that it took to the last halving, so that it may take much longer than
+ * so far, and a budget or the signal may have to end it.
+ */
+export type OnProgress = (
+  fraction: number,
+  interval?: [lower: number, upper: number],
+  stalled?: boolean,
+) => void;
 
 /** @internal */
 export interface SplitOptions {

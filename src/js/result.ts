@@ -4,13 +4,15 @@ import type { Vector3 } from "./options.js";
 export interface SurfacePoint {
   /** Index of the surface. */
   surface: number;
+  /** The surface's name in its source, if it has one. */
+  part?: string;
   /** Its parameters there. */
   u: number;
   v: number;
   point: Vector3;
 }
 
-/** All samples of one surface, v fastest. */
+/** All samples of one surface, or of a piece of a trimmed one, v fastest. */
 export interface Field {
   /** Index of the surface in the sampled model. */
   surface: number;
@@ -52,6 +54,13 @@ interface Common {
   adapter: string | null;
   /** The larger diagonal of the two models' boxes. */
   diagonal: number;
+  /** Metres per unit of every length, if a model states its unit. */
+  unit?: number;
+  /**
+   * The sum of both models' gaps: how far their sources may be from what was measured. It
+   * stands beside the interval and is not part of it.
+   */
+  modelGap: number;
   /** The distance of the witness, which the method takes for the farthest point. */
   computed: number;
   lower: number;
@@ -61,11 +70,14 @@ interface Common {
   /** Numbers of Bézier patches after cutting. */
   patches: { a: number; b: number };
   seconds: { prepare: number; compile: number; solve: number };
-  /** The reason why the CPU was used although the options allow the GPU. */
+  /**
+   * The reason why the CPU was used although the options allow the GPU, and that
+   * a relative tolerance is 0 where both models are single points.
+   */
   notice?: string;
   /** With `field`, where there is an area. */
   statistics?: Statistics;
-  /** With `field`: one entry a surface of the sampled model; with `symmetric`, in both directions' results. */
+  /** With `field`: one entry a surface of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
   field?: Field[];
 }
 

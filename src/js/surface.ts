@@ -22,6 +22,49 @@ export interface SurfaceArrays {
    * value**: both are surfaces, but different ones unless all weights are 1.
    */
   homogeneous?: boolean;
+  /** Loops of curves head to tail, material on the left; absent: the whole surface. */
+  trim?: readonly (readonly TrimCurveArrays[])[];
+  /** Whether the face's normal is opposite to the surface's; no distance uses it. */
+  reversed?: boolean;
+  /** The face's name in its source. */
+  part?: string;
+  /** The kind of surface in its source, such as `cylinder`. */
+  kind?: string;
+  /** Bound on the surface's distance from its source, in model units; default 0. */
+  gap?: number;
+}
+
+/** A rational B-spline curve in the parameter plane of its surface, as plain arrays. */
+export interface TrimCurveArrays {
+  /** The degree, 1 to 15. */
+  degree: number;
+  /** Rising knots; as many as control points, and `degree + 1` more. */
+  knots: Numbers;
+  /** u, v, w of every control point; u, v not multiplied by w. */
+  controlPoints: Numbers;
+  /** Bound on the distance to the edge that the curve stands for, in model units; default 0. */
+  gap?: number;
+  /** The edge's number, from 0; neighbouring faces share it. */
+  edge?: number;
+}
+
+/** A placement of some surfaces of a model. */
+export interface InstanceArrays {
+  /** The indices of the surfaces. */
+  surfaces: readonly number[];
+  /** An invertible affine map as a row-major 3x4 matrix, the translation in the last column. */
+  transform: Numbers;
+  name?: string;
+}
+
+/** A model as plain arrays, where surfaces alone do not suffice. */
+export interface ModelArrays {
+  name?: string;
+  /** Metres per model unit. */
+  unit?: number;
+  surfaces: readonly SurfaceArrays[];
+  /** Absent or empty: each surface once, where it is. */
+  instances?: readonly InstanceArrays[];
 }
 
 /** x, y, z and the weight w; x, y, z not multiplied by w. */
@@ -35,12 +78,46 @@ export interface InterchangeSurface {
   knots_v: readonly number[];
   /** `ctrl[i][j]`, i along u. */
   ctrl: readonly (readonly ControlPoint[])[];
+  /** Loops of curves head to tail, material on the left; absent: the whole surface. */
+  trim?: readonly (readonly InterchangeCurve[])[];
+  reversed?: boolean;
+  part?: string;
+  kind?: string;
+  gap?: number;
 }
 
-/** The interchange JSON, parsed; other keys are ignored. */
+/** A trimming curve of the interchange JSON. */
+export interface InterchangeCurve {
+  degree: number;
+  knots: readonly number[];
+  /** u, v and the weight w; u, v not multiplied by w. */
+  ctrl: readonly (readonly [u: number, v: number, w: number])[];
+  gap?: number;
+  edge?: number;
+}
+
+/** A placement of some surfaces of the interchange JSON. */
+export interface InterchangeInstance {
+  surfaces: readonly number[];
+  /** A row-major 3x4 matrix. */
+  transform: readonly number[];
+  name?: string;
+}
+
+/** The interchange JSON, version 1 or 2, parsed; other keys are ignored. */
 export interface InterchangeModel {
   name?: string;
+  /** Metres per model unit. */
+  unit?: number;
   surfaces: readonly InterchangeSurface[];
+  instances?: readonly InterchangeInstance[];
+}
+
+/** The text that OpenCASCADE writes of a shape, with `BRepTools.Write`. */
+export interface BrepText {
+  brep: string;
+  /** Metres per unit of its coordinates, which the text does not state. */
+  unit?: number;
 }
 
 /**
@@ -49,9 +126,9 @@ export interface InterchangeModel {
  * @internal
  */
 export function prepare(
-  input: readonly SurfaceArrays[] | InterchangeModel | string,
+  input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string,
 ): PreparedModel {
-  if (isArray(input)) return fromArrays(input as readonly SurfaceArrays[]);
+  if (isArray(input)) return fromArrays({ surfaces: input as readonly SurfaceArrays[] });
   if (typeof input === "string") return PreparedModel.fromJson(input);
   if (typeof input !== "object" || input === null) {
     const found = input === null ? "null" : typeof input;
@@ -59,14 +136,24 @@ export function prepare(
       `the model is ${found}, expected an array of surfaces, interchange JSON or its text`,
     );
   }
+  if (isModelArrays(input)) return fromArrays(input);
   return PreparedModel.fromJson(JSON.stringify(input));
 }
 
-function fromArrays(input: readonly SurfaceArrays[]): PreparedModel {
-  const surfaces = new Surfaces();
+/** Whether the surfaces are plain arrays, and not those of interchange JSON. */
+function isModelArrays(input: ModelArrays | InterchangeModel): input is ModelArrays {
+  const [first] = isArray(input.surfaces) ? input.surfaces : [];
+  return typeof first === "object" && first !== null && "controlPoints" in first;
+}
+
+function fromArrays({ name, unit, surfaces: input, instances }: ModelArrays): PreparedModel {
+  const surfaces = new Surfaces(optional(name, "string", "name"), optional(unit, "number", "unit"));
   try {
     input.forEach((surface, index) => {
       push(surfaces, surface, `surface ${index}`);
+    });
+    list(instances ?? [], "instances").forEach((instance, index) => {
+      pushInstance(surfaces, instance, `instance ${index}`);
     });
   } catch (error) {
     surfaces.free();
@@ -87,6 +174,57 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     numbers(surface.knotsV, `${where}: knotsV`),
     ...pair(surface.counts, `${where}: counts`),
     points,
+  );
+  surfaces.describe(
+    optional(surface.reversed, "boolean", `${where}: reversed`) ?? false,
+    optional(surface.part, "string", `${where}: part`),
+    optional(surface.kind, "string", `${where}: kind`),
+    optional(surface.gap, "number", `${where}: gap`) ?? 0,
+  );
+  if (surface.trim === undefined) return;
+  surfaces.beginTrim();
+  list(surface.trim, `${where}: trim`).forEach((curves, index) => {
+    surfaces.beginLoop();
+    list(curves, `${where}, loop ${index}`).forEach((curve, position) => {
+      pushCurve(surfaces, curve, `${where}, loop ${index}, curve ${position}`);
+    });
+  });
+}
+
+function pushCurve(surfaces: Surfaces, curve: TrimCurveArrays, where: string): void {
+  if (typeof curve !== "object" || curve === null) {
+    throw invalid(`${where} is ${curve === null ? "null" : typeof curve}, expected an object`);
+  }
+  const controlPoints = numbers(curve.controlPoints, `${where}: controlPoints`);
+  if (controlPoints.length % 3 !== 0) {
+    throw invalid(
+      `${where}: controlPoints has ${controlPoints.length} numbers, expected three a point`,
+    );
+  }
+  surfaces.pushCurve(
+    count(curve.degree, `${where}: degree`),
+    numbers(curve.knots, `${where}: knots`),
+    controlPoints,
+    optional(curve.gap, "number", `${where}: gap`) ?? 0,
+    curve.edge === undefined ? undefined : count(curve.edge, `${where}: edge`),
+  );
+}
+
+function pushInstance(surfaces: Surfaces, instance: InstanceArrays, where: string): void {
+  if (typeof instance !== "object" || instance === null) {
+    throw invalid(
+      `${where} is ${instance === null ? "null" : typeof instance}, expected an object`,
+    );
+  }
+  const transform = numbers(instance.transform, `${where}: transform`);
+  if (transform.length !== 12) {
+    throw invalid(`${where}: transform has ${transform.length} numbers, expected 12`);
+  }
+  const indices = list(instance.surfaces, `${where}: surfaces`);
+  surfaces.pushInstance(
+    Uint32Array.from(indices, (index) => count(index, `${where}: surfaces`)),
+    transform,
+    optional(instance.name, "string", `${where}: name`),
   );
 }
 
@@ -123,6 +261,23 @@ const MAX_COUNT = 2 ** 32 - 1;
 
 function isCount(value: unknown): value is number {
   return Number.isInteger(value) && (value as number) >= 0 && (value as number) <= MAX_COUNT;
+}
+
+function count(value: unknown, where: string): number {
+  if (!isCount(value)) throw invalid(`${where} is ${value}, expected an integer from 0`);
+  return value;
+}
+
+function list<T>(value: readonly T[], where: string): readonly T[] {
+  if (!isArray(value)) throw invalid(`${where} is ${typeof value}, expected an array`);
+  return value;
+}
+
+function optional<T>(value: T | undefined, type: string, where: string): T | undefined {
+  if (value !== undefined && typeof value !== type) {
+    throw invalid(`${where} is ${value === null ? "null" : typeof value}, expected a ${type}`);
+  }
+  return value;
 }
 
 function pair(value: unknown, where: string): [number, number] {

@@ -7,6 +7,7 @@ mod vertex_grid;
 use crate::bezier::{BezierModel, extract};
 use crate::error::{Error, Result};
 use crate::model::Model;
+use crate::pieces::FacePieces;
 use divisions::Divisions;
 use glam::DVec3;
 use std::ops::Range;
@@ -35,20 +36,26 @@ pub struct Tessellation {
 /// before rounding to float32; the tolerance is in model units, by default 2e-4 of
 /// the model's diagonal.
 ///
-/// Every vertex lies on its surface. Each surface is one grid, closed except along
+/// Every vertex lies on its surface. Each surface, or piece of a trimmed face, is one grid, closed except along
 /// creases and where the surface itself is discontinuous; vertices there are
 /// doubled, so that each side has its own normal. Where the tolerance requires more
 /// than about a million triangles, it is exceeded for the whole model; each patch
 /// keeps at least two triangles. O(patches p q + triangles p q).
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number.
+/// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number;
+/// [`Error::FaceNotCut`].
 pub fn tessellate(model: &Model, tolerance: Option<f64>) -> Result<Tessellation> {
-    tessellate_patches(&extract(model), tolerance)
+    let (pieces, untrimmed) = FacePieces::new(model)?;
+    tessellate_patches(&extract(&untrimmed), &pieces, tolerance)
 }
 
 /// Returns the triangles as [`tessellate`] does, for patches already extracted.
-pub(crate) fn tessellate_patches(model: &BezierModel, tolerance: Option<f64>) -> Result<Tessellation> {
+pub(crate) fn tessellate_patches(
+    model: &BezierModel,
+    pieces: &FacePieces,
+    tolerance: Option<f64>,
+) -> Result<Tessellation> {
     if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
         return Err(Error::out_of_range("tolerance", found, "a positive finite number"));
     }
@@ -59,12 +66,15 @@ pub(crate) fn tessellate_patches(model: &BezierModel, tolerance: Option<f64>) ->
         normals: Vec::new(),
         indices: Vec::new(),
         origin: aabb.center(),
-        surfaces: Vec::with_capacity(model.grids.len()),
+        surfaces: Vec::with_capacity(pieces.face_count()),
     };
-    for (grid, divisions) in model.grids.iter().zip(Divisions::of_model(model, tolerance)) {
-        let vertices = VertexGrid::new(&model.patches, grid, &divisions, tolerance);
+    let divisions = Divisions::of_model(model, tolerance);
+    for face in pieces.faces() {
         let first = tessellation.indices.len();
-        tessellation.append(&vertices);
+        for piece in face.clone() {
+            let vertices = VertexGrid::new(&model.patches, &model.grids[piece], &divisions[piece], tolerance);
+            tessellation.append(&vertices);
+        }
         tessellation.surfaces.push(first..tessellation.indices.len());
     }
     Ok(tessellation)

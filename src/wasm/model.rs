@@ -2,44 +2,97 @@
 
 use super::convert;
 use super::surfaces::Surfaces;
-use crate::engine;
+use crate::brep::{self, ReadReport};
+use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
+use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// A model ready to be measured, shared with the distances that use it.
+/// A model ready to be measured, shared with the distances that use it, and the report
+/// on reading it from a text.
 #[wasm_bindgen]
 pub struct PreparedModel {
     /// The model itself, for updates.
     source: Model,
     prepared: Rc<engine::PreparedModel>,
+    /// The report on reading it from a text.
+    report: Option<ReadReport>,
 }
 
 #[wasm_bindgen]
 impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
-        Ok(Self::new(Model::from_arrays(None, surfaces.into_inner())?))
+        Self::new(Model::from_faces(surfaces.into_inner())?, None)
     }
 
     /// A model of interchange JSON.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &JsString) -> Result<PreparedModel> {
-        // No text has fewer bytes than characters: a longer one is not copied into the module's memory.
-        let found = u64::from(text.length());
-        if found > Model::MAX_JSON_BYTES {
-            return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
-        }
-        Ok(Self::new(Model::from_json(&String::from(text))?))
+        let model = Model::from_json(&checked(text)?)?;
+        let report = ReadReport::of_exact(&model);
+        Self::new(model, Some(report))
+    }
+
+    /// A model of BREP text; undefined is an unknown name or unit.
+    #[wasm_bindgen(js_name = fromBrep)]
+    pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
+        let (model, report) = brep_model(text, name, unit)?;
+        Self::new(model, Some(report))
+    }
+
+    /// The report on reading the text, or undefined.
+    #[wasm_bindgen(getter)]
+    pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
+        self.report.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
+    }
+
+    /// `{json, report}` of BREP text: its interchange JSON.
+    #[wasm_bindgen(js_name = brepToJson)]
+    pub fn brep_to_json(
+        text: &JsString,
+        name: Option<String>,
+        unit: Option<f64>,
+    ) -> std::result::Result<JsValue, JsValue> {
+        let (model, report) = brep_model(text, name, unit)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report })
+    }
+
+    /// A model of interchange JSON that a reader made: faces that are refused are in the
+    /// report, by their index.
+    #[wasm_bindgen(js_name = fromReader)]
+    pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
+        let (model, report) = reader_model(text)?;
+        Self::new(model, Some(report))
+    }
+
+    /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
+    #[wasm_bindgen(js_name = readerToJson)]
+    pub fn reader_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        let (model, report) = reader_model(text)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report })
+    }
+
+    /// `{json, report}` of interchange JSON, validated and written anew.
+    #[wasm_bindgen(js_name = jsonToJson)]
+    pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        let model = Model::from_json(&checked(text)?)?;
+        convert::to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
+    }
+
+    /// The numbers of a model of interchange JSON, as the command line prints them.
+    pub fn info(text: &JsString) -> std::result::Result<JsValue, JsValue> {
+        convert::to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?)?)
     }
 
     /// One of [`shapes`].
     pub fn shape(name: &str) -> Result<PreparedModel> {
-        Ok(Self::new(shape(name)?))
+        Self::new(shape(name)?, None)
     }
 
     #[wasm_bindgen(getter)]
@@ -47,9 +100,25 @@ impl PreparedModel {
         self.prepared.name().map(str::to_owned)
     }
 
+    /// Metres per unit.
+    #[wasm_bindgen(getter)]
+    pub fn unit(&self) -> Option<f64> {
+        self.prepared.unit()
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn gap(&self) -> f64 {
+        self.prepared.gap()
+    }
+
+    /// The name of a face, of which there are [`Self::surface_count`].
+    pub fn part(&self, face: usize) -> Option<String> {
+        if face < self.prepared.face_count() { self.prepared.part(face).map(str::to_owned) } else { None }
+    }
+
     #[wasm_bindgen(getter, js_name = surfaceCount)]
     pub fn surface_count(&self) -> usize {
-        self.prepared.bezier().grids.len()
+        self.prepared.face_count()
     }
 
     /// The smallest x, y, z, then the largest.
@@ -63,25 +132,51 @@ impl PreparedModel {
     /// being computed keep the old ones.
     pub fn update(&mut self, surface: usize, control_points: Vec<f64>) -> Result<()> {
         let (points, _) = control_points.as_chunks();
-        self.source = self.source.with_control_points(surface, points.to_vec())?;
-        self.prepared = Rc::new(self.prepared.updated(&self.source));
+        let source = self.source.with_control_points(surface, points.to_vec())?;
+        self.prepared = Rc::new(self.prepared.updated(&source)?);
+        self.source = source;
         Ok(())
     }
 
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.prepared.bezier(), tolerance)?)
+        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), tolerance)?)
     }
 }
 
 impl PreparedModel {
-    fn new(source: Model) -> Self {
-        Self { prepared: Rc::new(engine::PreparedModel::new(&source)), source }
+    fn new(source: Model, report: Option<ReadReport>) -> Result<Self> {
+        Ok(Self { prepared: Rc::new(engine::PreparedModel::new(&source)?), source, report })
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
         Rc::clone(&self.prepared)
     }
+}
+
+/// A model's interchange JSON, and the report on reading it.
+#[derive(Serialize)]
+struct Interchange {
+    json: String,
+    report: ReadReport,
+}
+
+/// A text of JavaScript. No text has fewer bytes than characters: one over the limit is
+/// not copied into the module's memory.
+fn checked(text: &JsString) -> Result<String> {
+    let found = u64::from(text.length());
+    if found > Model::MAX_JSON_BYTES {
+        return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
+    }
+    Ok(String::from(text))
+}
+
+fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    brep::model(&checked(text)?, name, unit)
+}
+
+fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
+    brep::of_reader(Model::arrays_of_json(&checked(text)?)?)
 }
 
 /// The shapes that the crate makes, each with its name and title.

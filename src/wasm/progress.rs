@@ -10,12 +10,13 @@ pub(super) struct JsMonitor {
     signal: Option<AbortSignal>,
     on_progress: Option<Function>,
     interval: Option<[f64; 2]>,
+    stalled: bool,
     thrown: Option<JsValue>,
 }
 
 impl JsMonitor {
     pub(super) fn new(signal: Option<AbortSignal>, on_progress: Option<Function>) -> Self {
-        Self { signal, on_progress, interval: None, thrown: None }
+        Self { signal, on_progress, interval: None, stalled: false, thrown: None }
     }
 
     /// The value that the function threw, which also cancelled the work.
@@ -30,7 +31,8 @@ impl Monitor for JsMonitor {
             .interval
             .map_or(JsValue::UNDEFINED, |[lower, upper]| Array::of2(&lower.into(), &upper.into()).into());
         if let Some(on_progress) = &self.on_progress
-            && let Err(thrown) = on_progress.call2(&JsValue::UNDEFINED, &fraction.into(), &interval)
+            && let Err(thrown) =
+                on_progress.call3(&JsValue::UNDEFINED, &fraction.into(), &interval, &self.stalled.into())
         {
             self.thrown.get_or_insert(thrown);
         }
@@ -38,6 +40,10 @@ impl Monitor for JsMonitor {
 
     fn interval(&mut self, lower: f64, upper: f64) {
         self.interval = Some([lower, upper]);
+    }
+
+    fn stalled(&mut self, stalled: bool) {
+        self.stalled = stalled;
     }
 
     fn cancelled(&self) -> bool {

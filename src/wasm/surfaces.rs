@@ -1,21 +1,25 @@
 //! Surfaces from typed arrays.
 
-use crate::model::SurfaceArrays;
+use crate::model::trim::{FaceArrays, TrimCurveArrays};
+use crate::model::{InstanceArrays, ModelArrays, SurfaceArrays};
 use wasm_bindgen::prelude::*;
 
 /// Number of values of a control point: x, y, z, w.
 const POINT_LENGTH: usize = 4;
 
-/// The surfaces of a model, not yet validated.
+/// Number of values of a control point of a trimming curve: u, v, w.
+const CURVE_POINT_LENGTH: usize = 3;
+
+/// The faces of a model, not yet validated.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct Surfaces(Vec<SurfaceArrays>);
+pub struct Surfaces(ModelArrays);
 
 #[wasm_bindgen]
 impl Surfaces {
     #[wasm_bindgen(constructor)]
-    pub fn new() -> Self {
-        Self::default()
+    pub fn new(name: Option<String>, unit: Option<f64>) -> Self {
+        Self(ModelArrays { name, unit, ..ModelArrays::default() })
     }
 
     /// Appends a surface; `control_points` is x, y, z, w of each point, v fastest,
@@ -31,17 +35,72 @@ impl Surfaces {
         control_points: &[f64],
     ) {
         let point = |point: &[f64]| [point[0], point[1], point[2], point[3]];
-        self.0.push(SurfaceArrays {
+        let surface = SurfaceArrays {
             degree: [degree_u, degree_v],
             knots: [knots_u, knots_v],
             counts: [count_u, count_v],
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
+        };
+        let (trim, reversed, part, kind, gap) = (None, false, None, None, 0.0);
+        self.0.faces.push(FaceArrays { surface, trim, reversed, part, kind, gap });
+    }
+
+    /// States what else is known of the surface pushed last.
+    pub fn describe(&mut self, reversed: bool, part: Option<String>, kind: Option<String>, gap: f64) {
+        if let Some(face) = self.0.faces.last_mut() {
+            (face.reversed, face.part, face.kind, face.gap) = (reversed, part, kind, gap);
+        }
+    }
+
+    /// Trims the surface pushed last, without loops so far.
+    #[wasm_bindgen(js_name = beginTrim)]
+    pub fn begin_trim(&mut self) {
+        if let Some(face) = self.0.faces.last_mut() {
+            face.trim = Some(Vec::new());
+        }
+    }
+
+    /// Begins a loop of the trim of the surface pushed last.
+    #[wasm_bindgen(js_name = beginLoop)]
+    pub fn begin_loop(&mut self) {
+        if let Some(trim) = self.0.faces.last_mut().and_then(|face| face.trim.as_mut()) {
+            trim.push(Vec::new());
+        }
+    }
+
+    /// Appends a curve to the loop begun last; `control_points` is u, v, w of each point,
+    /// and values after the last whole point are ignored.
+    #[wasm_bindgen(js_name = pushCurve)]
+    pub fn push_curve(
+        &mut self,
+        degree: usize,
+        knots: Vec<f64>,
+        control_points: &[f64],
+        gap: f64,
+        edge: Option<u32>,
+    ) {
+        let trim = self.0.faces.last_mut().and_then(|face| face.trim.as_mut());
+        if let Some(curves) = trim.and_then(|trim| trim.last_mut()) {
+            let point = |point: &[f64]| [point[0], point[1], point[2]];
+            let control_points = control_points.chunks_exact(CURVE_POINT_LENGTH).map(point).collect();
+            curves.push(TrimCurveArrays { degree, knots, control_points, gap, edge });
+        }
+    }
+
+    /// Appends a placement of surfaces by a row-major 3x4 matrix; numbers that are missing
+    /// are NaN, which validation refuses.
+    #[wasm_bindgen(js_name = pushInstance)]
+    pub fn push_instance(&mut self, surfaces: &[u32], transform: &[f64], name: Option<String>) {
+        self.0.instances.push(InstanceArrays {
+            surfaces: surfaces.iter().map(|&surface| surface as usize).collect(),
+            transform: std::array::from_fn(|index| transform.get(index).copied().unwrap_or(f64::NAN)),
+            name,
         });
     }
 }
 
 impl Surfaces {
-    pub(super) fn into_inner(self) -> Vec<SurfaceArrays> {
+    pub(super) fn into_inner(self) -> ModelArrays {
         self.0
     }
 }

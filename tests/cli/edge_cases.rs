@@ -1,5 +1,6 @@
 //! The command line where users and machines are not as hoped.
 
+use crate::support::fixtures::peaked_sheet;
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
 use serde_json::Value;
@@ -83,6 +84,30 @@ fn files_over_the_limit_are_not_read() {
 #[test]
 fn endless_files_end_at_the_limit() {
     assert_refused(&run(&["info", "/dev/zero"]), "FILE_TOO_LARGE", &["/dev/zero"]);
+}
+
+#[test]
+fn a_search_that_gains_nothing_prints_a_line() {
+    let [peaked, even] = [1e8, 1.0].map(|weight| {
+        file(&format!("peaked-{weight:e}"), peaked_sheet(weight).to_json().unwrap().as_bytes())
+    });
+    let stalled = run(&["distance", &peaked, &even, "--max-cells", "40000"]);
+    assert_eq!(stalled.stderr.matches("the interval has not halved").count(), 1, "{}", stalled.stderr);
+    assert_eq!(run(&["distance", &even, &even]).stderr, "");
+}
+
+#[test]
+fn a_relative_tolerance_of_points_is_reported() {
+    let point = |x: f64| {
+        let corner = format!("[{x},0.2,0.1,1]");
+        let text = format!(
+            r#"{{"surfaces":[{{"degree":[1,1],"knots_u":[0,0,1,1],"knots_v":[0,0,1,1],"ctrl":[[{corner},{corner}],[{corner},{corner}]]}}]}}"#
+        );
+        file(&format!("point-{x}"), text.as_bytes())
+    };
+    let run = run(&["distance", &point(0.25), &point(1.5)]);
+    assert!(run.stdout.contains("both models are single points"), "{}", run.stdout);
+    assert!(run.stdout.contains("allow a tolerance of"), "{}", run.stdout);
 }
 
 #[test]

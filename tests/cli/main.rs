@@ -2,5 +2,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
+#[path = "../support/mod.rs"]
+mod support;
+
 mod commands;
 mod edge_cases;

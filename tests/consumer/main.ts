@@ -12,6 +12,8 @@ import {
   type SurfaceArrays,
   type Tessellation,
 } from "nurbs-hausdorff";
+import { fromOcct, fromRhino, fromThree, fromVerb } from "nurbs-hausdorff/adapters";
+import { type CadReport, convertCad, readCad } from "nurbs-hausdorff/cad";
 import * as away from "nurbs-hausdorff/worker";
 
 const square: SurfaceArrays = {
@@ -126,4 +128,32 @@ export async function refused(hd: Hausdorff, model: NurbsModel): Promise<void> {
   await hd.distance(model, model, { sample: 3 });
   // @ts-expect-error no such rule
   await hd.distance(model, model, { flatness: "flat" });
+}
+
+export async function readFiles(hd: Hausdorff, bytes: Uint8Array): Promise<CadReport | null> {
+  using part = await readCad(bytes, {
+    name: "part.stp",
+    unit: 0.001,
+    occt: () => ({}),
+  });
+  const { json, report } = await convertCad(bytes);
+  using converted = hd.model(json);
+  console.log(
+    part.report?.skipped.map(({ face, why }) => `${face}: ${why}`),
+    converted.name,
+  );
+  // @ts-expect-error no such option
+  await readCad(bytes, { units: 0.001 });
+  return report.kind === "step" ? report : part.report;
+}
+
+export function adapt(hd: Hausdorff, oc: object, shape: object): NurbsModel[] {
+  const three = { degree1: 1, degree2: 1, knots1: [0, 1], knots2: [0, 1], controlPoints: [] };
+  const verb = { degreeU: 1, degreeV: 1, knotsU: [], knotsV: [], controlPoints: [] };
+  return [
+    hd.model(fromOcct(oc, shape, { unit: 0.0254 })),
+    hd.model(fromRhino(shape, { name: "part" })),
+    hd.model(fromThree(three)),
+    hd.model(fromVerb({ asNurbs: () => verb })),
+  ];
 }

@@ -16,3 +16,5 @@ mod newton_and_tangent_plane;
 mod shape_operations;
 mod shapes;
 mod tessellation;
+mod trim_validation;
+mod untrim;

@@ -204,6 +204,7 @@ fn the_farthest_sample_is_found_wherever_it_is() {
             counts: [side; 2],
             control_points,
         }]))
+        .unwrap()
     };
     let ground = sheet(None);
     // Around the ends of threads' strides, blocks and the page.
@@ -222,7 +223,7 @@ fn the_farthest_sample_is_found_wherever_it_is() {
 #[test]
 fn moving_a_model_changes_nothing_that_is_kept() {
     let Some(engine) = engine("moving_a_model_changes_nothing_that_is_kept") else { return };
-    let torus = PreparedModel::new(&shape("torus").unwrap());
+    let torus = PreparedModel::new(&shape("torus").unwrap()).unwrap();
     let run = |height: f64| {
         let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, height)).unwrap();
         let options = Options { transform, field: false, ..iteration() };

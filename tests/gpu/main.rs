@@ -10,3 +10,4 @@ mod float32_extremes;
 mod iteration_kernels;
 #[cfg(target_os = "linux")]
 mod memory;
+mod trimmed;

@@ -1,6 +1,7 @@
 //! Method `certified` where it is hard: offsets, copies, seams, ridges; and
 //! its budgets, limits and reports.
 
+use crate::support::fixtures::peaked_sheet;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{
     Backend, CertifiedDetails, DistanceResult, Engine, Options, PreparedModel, Stop,
@@ -15,7 +16,7 @@ const ROUNDING: f64 = 1e-12;
 
 fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -> DistanceResult {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
+    let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     pollster::block_on(engine.distance(&a, &b, options, monitor)).unwrap()
 }
 
@@ -196,6 +197,38 @@ fn the_interval_never_widens_and_cancelling_returns_it() {
     }
     assert_eq!(watch.intervals.last(), Some(&[result.lower, result.upper]));
     assert!(result.lower <= 0.1 + ROUNDING && 0.1 - ROUNDING <= result.upper);
+}
+
+/// Notes whether the search has stalled.
+#[derive(Default)]
+struct StallWatch(Vec<bool>);
+
+impl Monitor for StallWatch {
+    fn progress(&mut self, _fraction: f64) {}
+
+    fn stalled(&mut self, stalled: bool) {
+        self.0.push(stalled);
+    }
+
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+#[test]
+fn a_search_that_gains_nothing_says_so() {
+    let even = peaked_sheet(1.0);
+    let options = Options { max_cells: Some(40_000), ..Options::default() };
+    let stalled = |a: &Model, b: &Model, tolerance: f64| {
+        let mut watch = StallWatch::default();
+        measure(a, b, &Options { tolerance, ..options }, &mut watch);
+        watch.0
+    };
+    let seen = stalled(&peaked_sheet(1e8), &even, 1e-6);
+    // The last call is at the end, where nothing is stalled any more.
+    assert!(!seen[0] && seen[seen.len() - 2] && !seen[seen.len() - 1], "{seen:?}");
+    let [one, other] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
+    assert!(stalled(&one, &other, 1e-6).iter().all(|stalled| !stalled));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use nurbs_hausdorff::{Backend, Error, Model, PreparedModel, RigidTransform};
 
 fn closest(model: &Model, points: &[f64], options: &ClosestPointOptions) -> Result<ClosestPoints, Error> {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let model = PreparedModel::new(model);
+    let model = PreparedModel::new(model).unwrap();
     pollster::block_on(engine.closest_points(&model, points, options, &mut NoMonitor))
 }
 

@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-12;
 
 fn diff(a: &Model, b: &Model, options: &DiffOptions) -> DiffResult {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
+    let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     pollster::block_on(engine.diff(&a, &b, options, &mut NoMonitor)).unwrap()
 }
 

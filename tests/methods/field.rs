@@ -19,7 +19,11 @@ fn measured(a: &nurbs_hausdorff::Model, b: &nurbs_hausdorff::Model, method: Meth
 #[test]
 fn no_sample_of_a_model_is_farther_from_the_model_itself_than_the_upper_bound() {
     for (name, model) in models::all("no_sample_of_a_model_is_farther_from_the_model_itself") {
-        if nurbs_hausdorff::PreparedModel::new(&model).patch_counts().map(|[u, v]| u * v).sum::<usize>()
+        if nurbs_hausdorff::PreparedModel::new(&model)
+            .unwrap()
+            .patch_counts()
+            .map(|[u, v]| u * v)
+            .sum::<usize>()
             > MAX_PATCHES
         {
             continue;

@@ -194,7 +194,7 @@ fn the_farthest_cell_is_on_the_surface_that_is_the_farthest() {
 #[test]
 fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
     let Some(engine) = engine("a_budget_of_memory") else { return };
-    let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap());
+    let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
     let wanted = [Backend::Gpu, Backend::Cpu].map(|backend| {
         let run = |memory_budget| {
             let options = Options { backend, memory_budget, grid: 128, ..hierarchy() };
@@ -219,7 +219,7 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
 #[test]
 fn options_out_of_range_are_named() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let many = PreparedModel::new(&model((0..5).map(|x| square(f64::from(x), 0.0)).collect()));
+    let many = PreparedModel::new(&model((0..5).map(|x| square(f64::from(x), 0.0)).collect())).unwrap();
     let refused =
         |options: Options| match pollster::block_on(engine.distance(&many, &many, &options, &mut NoMonitor))
             .unwrap_err()
@@ -260,7 +260,7 @@ impl Monitor for Watch {
 #[test]
 fn progress_rises_intervals_narrow_and_cancelling_stops_on_the_way() {
     let Some(engine) = engine("progress_rises") else { return };
-    let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap());
+    let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
     for backend in [Backend::Gpu, Backend::Cpu] {
         let options = Options { backend, grid: 128, transform: translation(0.0, 0.0, 0.5), ..hierarchy() };
         let mut watch = Watch::default();

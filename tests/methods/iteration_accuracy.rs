@@ -165,7 +165,7 @@ impl Monitor for Watch {
 #[test]
 fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
     let Some(engine) = engine("progress") else { return };
-    let [a, b] = ["bottle", "glass"].map(|name| PreparedModel::new(&shape(name).unwrap()));
+    let [a, b] = ["bottle", "glass"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
     for backend in [Backend::Gpu, Backend::Cpu] {
         let options = Options { backend, samples: 192, symmetric: true, ..iteration() };
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
@@ -192,7 +192,7 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
 #[test]
 fn options_out_of_range_are_named() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let model = PreparedModel::new(&plane(0.0));
+    let model = PreparedModel::new(&plane(0.0)).unwrap();
     let refused = |options: Options| {
         let error = pollster::block_on(engine.distance(
             &model,
@@ -219,7 +219,7 @@ fn options_out_of_range_are_named() {
 #[test]
 fn an_engine_without_a_gpu_refuses_to_pretend() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let model = PreparedModel::new(&plane(0.0));
+    let model = PreparedModel::new(&plane(0.0)).unwrap();
     let options = Options { backend: Backend::Gpu, ..iteration() };
     let refused = pollster::block_on(engine.distance(
         &model,

@@ -17,4 +17,5 @@ mod iteration_accuracy;
 mod iteration_sampling;
 mod revolution_and_spheres;
 mod scales;
+mod trimmed;
 mod update;

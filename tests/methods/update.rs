@@ -22,14 +22,14 @@ fn overlap(one: &DistanceResult, other: &DistanceResult) -> bool {
 #[test]
 fn an_updated_model_is_measured_as_a_new_one() {
     let source = shapes::shape("wavy-sheet").unwrap();
-    let fixed = PreparedModel::new(&shapes::shape("sphere").unwrap());
-    let mut updated = PreparedModel::new(&source);
+    let fixed = PreparedModel::new(&shapes::shape("sphere").unwrap()).unwrap();
+    let mut updated = PreparedModel::new(&source).unwrap();
     let mut grids = 0;
     // More frames than an update keeps cuts and trees for.
     for frame in 0..40 {
         let model = source.with_control_points(0, waved(&source, 0.2 * f64::from(frame))).unwrap();
-        updated = updated.updated(&model);
-        let new = PreparedModel::new(&model);
+        updated = updated.updated(&model).unwrap();
+        let new = PreparedModel::new(&model).unwrap();
         let options = Options { tolerance: 1e-6, symmetric: true, ..Options::default() };
         let (refitted, prepared) = (distance(&updated, &fixed, &options), distance(&new, &fixed, &options));
         assert!(refitted.converged && prepared.converged && overlap(&refitted, &prepared), "frame {frame}");
@@ -55,18 +55,18 @@ fn large_changes_of_shape_keep_the_bounds_true() {
         flat.surfaces()[0].control_points().iter().map(point).collect::<Vec<_>>()
     };
     let start = flat.with_control_points(0, points(0.0, DVec3::ZERO)).unwrap();
-    let prepared = PreparedModel::new(&start);
+    let prepared = PreparedModel::new(&start).unwrap();
     let options = Options::default();
     distance(&prepared, &prepared, &options);
     for (height, shift) in [(2.0, DVec3::ZERO), (5.0, DVec3::new(1e3, -1e3, 7.0)), (0.0, DVec3::Z)] {
         let model = start.with_control_points(0, points(height, shift)).unwrap();
-        let refitted = distance(&prepared, &prepared.updated(&model), &options);
-        let fresh = distance(&prepared, &PreparedModel::new(&model), &options);
+        let refitted = distance(&prepared, &prepared.updated(&model).unwrap(), &options);
+        let fresh = distance(&prepared, &PreparedModel::new(&model).unwrap(), &options);
         assert!(refitted.converged && overlap(&refitted, &fresh), "{height}: {refitted:?}");
     }
     // A plane one above another.
     let above = start.with_control_points(0, points(0.0, DVec3::Z)).unwrap();
-    let result = distance(&prepared, &prepared.updated(&above), &options);
+    let result = distance(&prepared, &prepared.updated(&above).unwrap(), &options);
     assert!(result.lower <= 1.0 && 1.0 <= result.upper && result.upper < 1.0 + 1e-4);
 }
 

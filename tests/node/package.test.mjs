@@ -4,10 +4,24 @@ import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
-const own = ["ARGUMENT_INVALID", "MODULE_NOT_LOADED", "MODULE_FAILED", "WORKER_FAILED", "DISPOSED"];
+const own = [
+  "CAD_UNREADABLE",
+  "PEER_MISSING",
+  "ARGUMENT_INVALID",
+  "MODULE_NOT_LOADED",
+  "MODULE_FAILED",
+  "WORKER_FAILED",
+  "DISPOSED",
+];
 
 test("the error codes are Rust's, then those of JavaScript", () => {
-  const rust = [...text("src/error.rs").matchAll(/=> "([A-Z_]+)"/g)].map(([, code]) => code);
+  const files = ["src/error.rs", "src/model/trim/fault.rs"];
+  const rust = [
+    ...files
+      .map(text)
+      .join("")
+      .matchAll(/=> "([A-Z_]+)"/g),
+  ].map(([, code]) => code);
   const union = /export type ErrorCode =([^;]+);/.exec(text("dist/error.d.ts"))[1];
   const typescript = [...union.matchAll(/"([A-Z_]+)"/g)].map(([, code]) => code);
   assert.ok(rust.length > 15);
@@ -30,10 +44,11 @@ test("the types show nothing of the module's", () => {
 });
 
 test("all that the package exports is packed and exists", () => {
-  const { exports, files } = JSON.parse(text("package.json"));
-  const paths = Object.values(exports).flatMap((entry) =>
+  const { exports, bin, files } = JSON.parse(text("package.json"));
+  const entries = Object.values(exports).flatMap((entry) =>
     typeof entry === "string" ? [entry] : Object.values(entry),
   );
+  const paths = [...entries, `./${bin["nurbs-hausdorff"]}`];
   assert.ok(paths.length > 4);
   for (const path of paths) {
     assert.ok(readFileSync(new URL(`../../${path}`, import.meta.url)).length > 0);

@@ -20,6 +20,28 @@ after(() => {
 /** A second's work at least, on the CPU or on lavapipe. */
 const long = { method: "iteration", samples: 512, culling: "none" };
 
+test("a search that gains nothing says so", async () => {
+  // A large weight makes the bounds of derivatives useless on large cells.
+  const knots = [0, 0, 0, 0, 1, 1, 1, 1];
+  const sheet = (weight) => {
+    const controlPoints = Array.from({ length: 16 }, (_, index) => {
+      const [x, y] = [Math.floor(index / 4) / 3, (index % 4) / 3];
+      return [x, y, 0.3 * Math.sin(5 * x) * Math.cos(4 * y), index === 5 ? weight : 1];
+    }).flat();
+    return hd.model([
+      { degree: [3, 3], knotsU: knots, knotsV: knots, counts: [4, 4], controlPoints },
+    ]);
+  };
+  const seen = [];
+  await hd.distance(sheet(1e8), sheet(1), {
+    backend: "cpu",
+    maxCells: 40000,
+    onProgress: (_fraction, _interval, stalled) => seen.push(stalled),
+  });
+  assert.equal(seen[0], false);
+  assert.ok(seen.includes(true));
+});
+
 for (const backend of ["gpu", "cpu"]) {
   test(`progress on the ${backend} rises to 1`, async () => {
     const seen = [];

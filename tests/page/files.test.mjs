@@ -101,7 +101,7 @@ async function fails(code, name, open) {
   const error = page.locator(`#error[data-code="${code}"]`);
   await error.waitFor();
   const text = await error.textContent();
-  assert.ok(text.startsWith(`${code}: `) && text.includes(name), text);
+  assert.ok(text.endsWith(`(${code})`) && text.includes(name), text);
   assert.deepEqual(await seen(), before);
   await opened.screenshot("error");
   // The models can still be measured, and that removes the error.
@@ -112,7 +112,8 @@ async function fails(code, name, open) {
 const weightless = planes(0);
 weightless.surfaces[0].ctrl[1][0][3] = 0;
 for (const [text, code] of [
-  ["not JSON", "JSON_SHAPE"],
+  ["not a model", "FORMAT_UNSUPPORTED"],
+  ["{}", "JSON_SHAPE"],
   [JSON.stringify(weightless), "WEIGHT_NOT_POSITIVE"],
 ]) {
   test(`a broken file changes nothing, and is reported with ${code}`, () =>

@@ -12,6 +12,15 @@ const square = (height) => ({
 /** A model of one square at each height. */
 export const planes = (...heights) => ({ surfaces: heights.map(square) });
 
+/** A model of squares of side 2 in a row along x, each at its height; none overlaps another. */
+export const row = (...heights) => ({
+  surfaces: heights.map((height, index) => {
+    const { ctrl, ...rest } = square(height);
+    const moved = ctrl.map((column) => column.map(([x, ...others]) => [x + 3 * index, ...others]));
+    return { ...rest, ctrl: moved };
+  }),
+});
+
 /** x, y and weight of the control points of a circular arc, `quarters` quarter turns from an angle (The NURBS Book, section 7.5). */
 const arc = (from, quarters) =>
   Array.from({ length: 2 * quarters + 1 }, (_, eighth) => {

@@ -5,6 +5,8 @@
 // Three examples are tools whose answers are tested here, by a module of each.
 #[path = "../../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
+#[path = "../known_pairs/mod.rs"]
+mod pairs;
 #[path = "../../examples/verify/proof/mod.rs"]
 mod proof;
 #[path = "../../examples/experiments/suite/mod.rs"]

@@ -52,7 +52,7 @@ impl Shelf<'_> {
         let folder = self.folder;
         self.prepared.entry(name.to_owned()).or_insert_with(|| {
             let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).unwrap();
-            PreparedModel::new(&Model::from_json(&text).unwrap())
+            PreparedModel::new(&Model::from_json(&text).unwrap()).unwrap()
         });
     }
 }

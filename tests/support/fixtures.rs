@@ -25,6 +25,23 @@ pub fn square(x: f64, height: f64) -> SurfaceArrays {
     }
 }
 
+/// A bicubic sheet over the unit square whose inner control point (1, 1) has this
+/// weight: a large one makes the bounds of its derivatives useless on large cells.
+pub fn peaked_sheet(weight: f64) -> Model {
+    let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+    let point = |index: usize| {
+        let [x, y] = [index / 4, index % 4].map(|k| k as f64 / 3.0);
+        [x, y, 0.3 * (5.0 * x).sin() * (4.0 * y).cos(), if index == 5 { weight } else { 1.0 }]
+    };
+    let control_points = (0..16).map(point).collect();
+    model(vec![SurfaceArrays {
+        degree: [3, 3],
+        knots: [knots.clone(), knots],
+        counts: [4, 4],
+        control_points,
+    }])
+}
+
 /// A model of surfaces that are known to be valid.
 pub fn model(surfaces: Vec<SurfaceArrays>) -> Model {
     Model::from_arrays(None, surfaces).unwrap()

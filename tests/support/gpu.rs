@@ -24,6 +24,6 @@ pub fn engine(test: &str) -> Option<Engine> {
 
 /// The distance of two models, prepared for this once.
 pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
-    let (a, b) = (PreparedModel::new(a), PreparedModel::new(b));
+    let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor)).unwrap()
 }

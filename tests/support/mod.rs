@@ -8,8 +8,10 @@
     reason = "each test crate uses a part, and a panic is how a test fails"
 )]
 
+pub mod brep;
 pub mod cpu;
 pub mod evaluator;
 pub mod fixtures;
 pub mod gpu;
 pub mod models;
+pub mod trims;

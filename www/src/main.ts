@@ -1,56 +1,164 @@
 // The main page: connects the panel, the worker, the view and the results.
 import { element } from "./common/elements.ts";
+import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
-import { fillShapes, onSource, setLoading, showSources } from "./controls/sources.ts";
+import * as position from "./controls/position.ts";
+import { fillShapes, onSource, openShapes, setLoading, showSources } from "./controls/sources.ts";
+import { download } from "./export/download.ts";
+import { onExport } from "./export/exportPanel.ts";
+import { exportAs } from "./export/exports.ts";
+import { FacesPanel } from "./faces/facesPanel.ts";
+import { showFileNotes } from "./files/fileNotes.ts";
+import * as deviation from "./inspection/deviationPanel.ts";
+import { Probing } from "./inspection/pins/probing.ts";
 import * as resultPanel from "./results/resultPanel.ts";
+import { onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
-import { Pose } from "./scene/pose.ts";
+import { degreesOf, Pose } from "./scene/pose.ts";
 import { View } from "./scene/view.ts";
+import { applyFormState } from "./state/formState.ts";
+import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import type { Reply } from "./worker/protocol.ts";
+import type { PlainOptions, Reply } from "./worker/protocol.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
-const view = new View(canvas, warnings.showNoWebGl);
+const view = new View(canvas, warnings.showNoWebGl, (move, rotation) => {
+  position.setPosition(move, degreesOf(rotation));
+  moved();
+});
 const client = new Client(onReply);
+const faces = new FacesPanel({
+  compare: (tolerance) => client.diff({ tolerance, transform: pose().transform }),
+  cancel: () => client.cancelDiff(),
+  show: (result) => view.showFaces(result),
+  select: (change) => view.selectFace(change),
+});
+const probing = new Probing(canvas, view, client, () => pose().transform);
+/** Controls that are set only after the models of their state are loaded. */
+let pending: string | undefined;
+const past = new History((state) => {
+  if (openShapes(state)) pending = state;
+  else applyFormState(state);
+});
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
 element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 canvas.addEventListener("dblclick", () => view.fit());
+document.addEventListener("input", () => past.record());
+display.onDisplay((name) => view.look(name), show);
+deviation.onScale((scale) => view.rescale(scale));
+onLimit(() => deviation.rescale());
 options.onChange(() => {
   resultPanel.hideError();
   measure();
 });
+position.onPosition(moved);
 onSource((sources, placement) => {
   resultPanel.hideError();
   setLoading(true);
   client.load(sources, placement);
 });
+onExport((format) =>
+  exportAs(format, {
+    ...{ view, canvas, options: measured(), diff: faces.result, pins: view.pins.probes },
+    ...{ result: view.result, names: view.models.names, requestCsv: () => client.csv() },
+  }),
+);
+
+function pose(): Pose {
+  return new Pose(position.translation(), position.degrees(), view.models.middle);
+}
+
+function measured(): PlainOptions {
+  return {
+    ...options.distanceOptions(),
+    transform: pose().transform,
+  };
+}
+
+function moved(): void {
+  resultPanel.hideError();
+  view.pins.clear();
+  if (faces.active) {
+    client.cancelDiff();
+    faces.clear("outdated", "A was moved: compare again.");
+  }
+  past.record();
+  measure();
+}
+
+function show(): void {
+  const overlays = options.overlays();
+  const a = display.visibility("a");
+  view.show(pose(), overlays, {
+    // Lines inside A are seen through it.
+    visibility: {
+      a: a === "solid" && overlays.lines ? "glass" : a,
+      b: display.visibility("b"),
+    },
+    orthographic: display.isOrthographic(),
+    section: display.section(),
+    gizmo: display.gizmoMode(),
+  });
+}
 
 function measure(): void {
   if (!view.models.complete) return;
-  const pose = new Pose(options.translation(), options.rotationDegrees(), view.models.middle);
-  view.show(pose, options.overlays());
+  show();
   resultPanel.showPending();
-  client.measure({ ...options.distanceOptions(), transform: pose.transform });
+  client.measure(measured());
+}
+
+function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
+  faces.clear("idle", "");
+  view.pins.clear();
+  view.showModels(models);
+  showSources(models, placement);
+  showFileNotes(models);
+  faces.propose(view.models.diagonal);
+  position.setPlacement(placement, view.models.diagonal);
+  if (pending !== undefined) applyFormState(pending, ["a", "b"]);
+  pending = undefined;
+  setLoading(false);
+  hideResult();
+  resultPanel.clearResult("working");
+  measure();
+  view.fit();
+  const fromFile = Object.values(models).some(({ source }) => "file" in source);
+  if (fromFile) past.reset();
+  else past.record();
+}
+
+function hideResult(): void {
+  view.hideResult();
+  deviation.hideDeviation();
+}
+
+function showMeasured({ result, field }: Extract<Reply, { kind: "measured" }>): void {
+  view.showResult(result);
+  deviation.hideDeviation();
+  if (field === undefined) return;
+  const { scale, largest } = deviation.showDeviation(result, field);
+  view.showField(field, scale, largest);
 }
 
 function onReply(reply: Reply): void {
   switch (reply.kind) {
-    case "ready":
+    case "ready": {
       warnings.showEngine(reply.engine);
+      const { linked } = History;
       fillShapes(reply.shapes);
+      if (linked !== undefined && openShapes(linked)) pending = linked;
+      else openShapes();
+      break;
+    }
+    case "loading":
+      setLoading(true, reply.text);
       break;
     case "loaded":
-      view.models.show(reply.models);
-      showSources(reply.models, reply.placement);
-      options.setPlacement(reply.placement, view.models.diagonal);
-      setLoading(false);
-      view.hideResult();
-      resultPanel.clearResult("working");
-      measure();
-      view.fit();
+      showLoaded(reply);
       break;
     case "progress":
       resultPanel.showWorking(
@@ -62,14 +170,24 @@ function onReply(reply: Reply): void {
       break;
     case "measured":
       resultPanel.showResult(reply.result, client.isNewest(reply.run));
-      view.showResult(reply.result, reply.transform);
+      showMeasured(reply);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);
+      break;
+    case "diff":
+      // A comparison that ended because A was moved is no longer shown.
+      if (faces.active || reply.state === "working") faces.show(reply);
+      break;
+    case "probed":
+      probing.show(reply.id, reply.probe);
+      break;
+    case "csv":
+      download("hausdorff.csv", reply.table);
       break;
     case "cancelled":
       if (!client.isNewest(reply.run)) break;
       resultPanel.clearResult("cancelled");
-      view.hideResult();
+      hideResult();
       break;
     case "failed":
       if (reply.run !== undefined && !client.isNewest(reply.run)) break;
@@ -78,7 +196,7 @@ function onReply(reply: Reply): void {
       // After a file that could not be loaded, the old models and their result stay.
       if (reply.run !== undefined || !view.models.complete) {
         resultPanel.clearResult("failed");
-        view.hideResult();
+        hideResult();
       }
       break;
   }

@@ -17,7 +17,7 @@ const COLUMNS: [&str; 8] =
 
 /// `figure5`: the published iteration at several spacings, and `certified`.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
-    let (a, b) = (PreparedModel::new(&figure5_plane()?), PreparedModel::new(&figure5_cylinder()?));
+    let (a, b) = (PreparedModel::new(&figure5_plane()?)?, PreparedModel::new(&figure5_cylinder()?)?);
     let side = a.bounding_box().extent().x;
     let mut table = Table::new(&COLUMNS);
     let mut curves: [Vec<Option<[f64; 2]>>; 3] = Default::default();

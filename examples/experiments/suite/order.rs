@@ -81,7 +81,8 @@ fn cases(setup: &Setup) -> Anyhow<Vec<Case>> {
 
 /// Returns the numbers of cells at all tolerances that the budget allows.
 fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[f64; 2]>>> {
-    let [a, b] = case.models.each_ref().map(PreparedModel::new);
+    let [a, b] = &case.models;
+    let (a, b) = (PreparedModel::new(a)?, PreparedModel::new(b)?);
     let mut points = Vec::new();
     for step in 0..setup.choose(TOLERANCES, 5) {
         let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_PER_DECADE);

@@ -32,12 +32,12 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         None => wavy_sheet(&WavySheet::of_counts(setup.choose([312, 323], [40, 40]), 0))?,
     };
     let corner = corner(&whole, SIDE_A)?;
-    let a = PreparedModel::new(&corner);
+    let a = PreparedModel::new(&corner)?;
     let shift = MOVE * corner.bounding_box().diagonal();
     let mut table = Table::new(&COLUMNS);
     let mut curves: [Vec<Option<[f64; 2]>>; 2] = Default::default();
     for part in PARTS {
-        let b = PreparedModel::new(&self::corner(&whole, part)?);
+        let b = PreparedModel::new(&self::corner(&whole, part)?)?;
         // Relative to A, so that the problem is the same for every size of B.
         let tolerance = 1e-6 * corner.bounding_box().diagonal();
         let options = Options {

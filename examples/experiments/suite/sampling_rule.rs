@@ -23,7 +23,8 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let mut panels = Vec::new();
     for (name, models, translation) in cases(setup)? {
-        let [a, b] = models.each_ref().map(PreparedModel::new);
+        let [a, b] = &models;
+        let (a, b) = (PreparedModel::new(a)?, PreparedModel::new(b)?);
         let transform = RigidTransform::translation(translation)?;
         let found = setup.measure(&a, &b, &Options { transform, ..certified() })?;
         let truth = 0.5 * (found.lower + found.upper);

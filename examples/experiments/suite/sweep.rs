@@ -28,7 +28,7 @@ pub(crate) struct Curve {
 /// takes longer right after one on the GPU, whose threads are still active. Several
 /// passes over the positions average out temporary load of the machine.
 pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve>> {
-    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let (a, b) = (PreparedModel::new(&pair.a)?, PreparedModel::new(&pair.b)?);
     let positions = pair.positions(setup.choose(21, 5));
     let mut curves = Vec::new();
     for method in methods(setup.choose(64, 12)) {

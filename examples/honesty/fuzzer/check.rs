@@ -48,7 +48,7 @@ pub(crate) fn check(seed: u64) -> Outcome {
         limit: pair.limit.map(|limit| limit * diagonal),
         ..Options::default()
     };
-    let (a, b) = (PreparedModel::new(&pair.a), PreparedModel::new(&pair.b));
+    let (a, b) = (PreparedModel::new(&pair.a).unwrap(), PreparedModel::new(&pair.b).unwrap());
     let measured = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor));
     let result = measured.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];

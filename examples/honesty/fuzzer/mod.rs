@@ -8,5 +8,6 @@ pub(crate) mod check;
 mod offsets;
 pub(crate) mod pairs;
 mod partners;
+mod refits;
 mod sheet;
 mod surfaces;

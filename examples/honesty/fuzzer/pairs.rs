@@ -2,6 +2,7 @@
 
 use super::offsets::{Offset, offset};
 use super::partners::{both_sides, cut, moved, near, refined, scale_and_shift, transposed};
+use super::refits::{Refit, refit};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
@@ -64,7 +65,7 @@ fn models(rng: &mut Rng) -> Models {
         (0..rng.usize(1..=4)).map(|_| surface(rng, weights)).collect()
     };
     let a = several(rng);
-    let (kind, b) = match rng.u8(0..12) {
+    let (kind, b) = match rng.u8(0..16) {
         0 => ("the same", a.clone()),
         1 | 2 => {
             let size = magnitude(rng, -9.0, -1.0);
@@ -78,6 +79,10 @@ fn models(rng: &mut Rng) -> Models {
         8 | 9 => {
             let Offset { a, b, truth } = offset(rng);
             return ("offset", a, b, Some(truth));
+        }
+        10..14 => {
+            let Refit { a, b } = refit(rng);
+            return ("refit", a, b, None);
         }
         _ => ("unrelated", several(rng)),
     };

@@ -7,7 +7,7 @@ use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
-/// How far apart are two NURBS models? Models are interchange JSON files.
+/// How far apart are two NURBS models? Models are files of interchange JSON or BREP text.
 #[derive(Debug, Parser)]
 #[command(version, about)]
 pub(crate) struct Arguments {
@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Diff(DiffArguments),
     /// Prints the surfaces, patches and bounding box of a model.
     Info(InfoArguments),
+    /// Writes a model as interchange JSON, and prints what reading it kept and left out.
+    Convert(ConvertArguments),
     /// Prints a completion script.
     Completions {
         /// The shell to complete in.
@@ -90,6 +92,9 @@ pub(crate) struct DistanceArguments {
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -119,6 +124,9 @@ pub(crate) struct DiffArguments {
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
     /// Moves A before it is compared.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -139,6 +147,7 @@ impl DiffArguments {
         Ok(DiffOptions {
             tolerance: self.tolerance,
             max_cells: self.max_cells,
+            scale_units: self.scale_units,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
         })
     }
@@ -149,6 +158,17 @@ pub(crate) struct InfoArguments {
     /// The model.
     pub(crate) model: PathBuf,
     /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArguments {
+    /// The model.
+    pub(crate) input: PathBuf,
+    /// The file to write.
+    pub(crate) output: PathBuf,
+    /// Prints the report as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -176,6 +196,7 @@ impl DistanceArguments {
             grid: self.grid,
             memory_budget: self.memory_budget,
             symmetric: self.symmetric,
+            scale_units: self.scale_units,
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
             backend: self.backend.into(),
             field: self.field,

@@ -17,7 +17,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
-    let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));
+    let (a, b) = (PreparedModel::new(&a)?, PreparedModel::new(&b)?);
     let mut bar = Bar::new();
     let result = pollster::block_on(engine.diff(&a, &b, &options, &mut bar))?;
     drop(bar);

@@ -23,7 +23,7 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let uses_gpu = staged || options.backend == Backend::Gpu;
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
-    let (a, b) = (PreparedModel::new(&a), PreparedModel::new(&b));
+    let (a, b) = (PreparedModel::new(&a)?, PreparedModel::new(&b)?);
     let mut bar = Bar::new();
     let result = pollster::block_on(engine.distance(&a, &b, &options, &mut bar))?;
     drop(bar);

@@ -4,34 +4,12 @@ use crate::args::InfoArguments;
 use crate::failure::Failure;
 use crate::files::read;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Axis, Model, NurbsSurface, PreparedModel};
-use serde::Serialize;
+use nurbs_hausdorff::ModelInfo;
 use std::fmt::Write;
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Info {
-    name: Option<String>,
-    surfaces: Vec<SurfaceInfo>,
-    patches: usize,
-    bounding_box: [[f64; 3]; 2],
-    diagonal: f64,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct SurfaceInfo {
-    degree: [usize; 2],
-    counts: [usize; 2],
-    domain: [[f64; 2]; 2],
-    rational: bool,
-    clamped: [bool; 2],
-    patches: usize,
-}
 
 /// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
-    let info = info(&read(&arguments.model)?);
+    let info = ModelInfo::new(&read(&arguments.model)?)?;
     if arguments.json {
         return print_json(&info);
     }
@@ -41,11 +19,18 @@ pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     print(&text)
 }
 
-fn lines(out: &mut String, info: &Info) -> std::fmt::Result {
+fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
     let [min, max] = info.bounding_box;
     writeln!(out, "model     {}", info.name.as_deref().unwrap_or("without a name"))?;
     writeln!(out, "box       {min:?} to {max:?}, diagonal {:?}", info.diagonal)?;
-    writeln!(out, "surfaces  {}, {} Bézier patches", info.surfaces.len(), info.patches)?;
+    if let Some(unit) = info.unit {
+        writeln!(out, "unit      {unit:?} m")?;
+    }
+    let trimmed = if info.trimmed > 0 { format!("{} trimmed, ", info.trimmed) } else { String::new() };
+    writeln!(out, "surfaces  {}, {trimmed}{} Bézier patches", info.surfaces.len(), info.patches)?;
+    if info.trimmed > 0 || info.gap > 0.0 {
+        writeln!(out, "gap       {:?}, deviation of the pieces {:?}", info.gap, info.deviation)?;
+    }
     for (index, surface) in info.surfaces.iter().enumerate() {
         let [p, q] = surface.degree;
         let [rows, columns] = surface.counts;
@@ -53,39 +38,15 @@ fn lines(out: &mut String, info: &Info) -> std::fmt::Result {
         let kind = if surface.rational { "rational" } else { "polynomial" };
         let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
         let patches = surface.patches;
+        let trim = surface.trim.as_ref().map_or(String::new(), |loops| {
+            format!("  {} loops of {} curves", loops.len(), loops.iter().sum::<usize>())
+        });
+        let part = surface.part.as_ref().map_or(String::new(), |part| format!("  {part}"));
         writeln!(
             out,
             "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
-             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches"
+             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches{trim}{part}"
         )?;
     }
     Ok(())
-}
-
-fn info(model: &Model) -> Info {
-    let prepared = PreparedModel::new(model);
-    let bounding_box = model.bounding_box();
-    let surface = |(surface, [rows, columns]): (&NurbsSurface, [usize; 2])| {
-        let weight = surface.control_points()[0][3];
-        SurfaceInfo {
-            degree: surface.degree(),
-            counts: surface.counts(),
-            domain: surface.domain().intervals(),
-            rational: surface.control_points().iter().any(|point| point[3] != weight),
-            clamped: Axis::BOTH.map(|axis| clamped(surface.knots(axis), surface.degree()[axis])),
-            patches: rows * columns,
-        }
-    };
-    Info {
-        name: model.name().map(str::to_owned),
-        surfaces: model.surfaces().iter().zip(prepared.patch_counts()).map(surface).collect(),
-        patches: prepared.patch_counts().map(|[rows, columns]| rows * columns).sum(),
-        bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
-        diagonal: bounding_box.diagonal(),
-    }
-}
-
-/// Whether both end knots are repeated degree + 1 times.
-fn clamped(knots: &[f64], degree: usize) -> bool {
-    knots[0] == knots[degree] && knots[knots.len() - 1 - degree] == knots[knots.len() - 1]
 }

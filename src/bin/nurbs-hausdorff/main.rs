@@ -2,15 +2,19 @@
 
 mod args;
 mod completions;
+mod convert;
 mod diff;
 mod distance;
 mod failure;
 mod files;
+mod format;
 mod info;
 mod motion;
 mod output;
 mod progress;
 mod report;
+#[cfg(test)]
+mod table;
 mod usage;
 
 /// Exit status of bad arguments, bad input or a failed machine.
@@ -24,6 +28,7 @@ fn main() -> std::process::ExitCode {
     };
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),

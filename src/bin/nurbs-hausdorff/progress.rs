@@ -6,8 +6,16 @@ use nurbs_hausdorff::Monitor;
 /// Steps of the bar.
 const STEPS: u64 = 1000;
 
+/// The line that a search prints when it first stalls.
+const STALLED: &str = "the interval has not halved over ten times the cells of the last time: the search may take \
+much longer; --max-seconds, --max-cells or a larger --tolerance ends it";
+
 /// A bar on standard error, drawn only if that is a terminal.
-pub(crate) struct Bar(ProgressBar);
+pub(crate) struct Bar {
+    bar: ProgressBar,
+    /// Whether the line about a stalled search is printed.
+    has_stalled: bool,
+}
 
 impl Bar {
     pub(crate) fn new() -> Self {
@@ -15,23 +23,30 @@ impl Bar {
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3}% {elapsed} {msg}") {
             bar.set_style(style);
         }
-        Self(bar)
+        Self { bar, has_stalled: false }
     }
 }
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 
 impl Monitor for Bar {
     fn progress(&mut self, fraction: f64) {
-        self.0.set_position((fraction * STEPS as f64) as u64);
+        self.bar.set_position((fraction * STEPS as f64) as u64);
     }
 
     fn interval(&mut self, lower: f64, upper: f64) {
-        self.0.set_message(format!("[{lower:.6e}, {upper:.6e}]"));
+        self.bar.set_message(format!("[{lower:.6e}, {upper:.6e}]"));
+    }
+
+    fn stalled(&mut self, stalled: bool) {
+        if stalled && !self.has_stalled {
+            self.has_stalled = true;
+            self.bar.suspend(|| eprintln!("{STALLED}"));
+        }
     }
 
     fn cancelled(&self) -> bool {

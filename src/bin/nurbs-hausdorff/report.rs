@@ -16,6 +16,12 @@ pub(crate) fn text(result: &DistanceResult) -> String {
 fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "distance   {:?}", result.computed)?;
     interval(out, result)?;
+    if result.model_gap > 0.0 {
+        writeln!(out, "model gap  {:?}, by what the files state", result.model_gap)?;
+    }
+    if let Some(unit) = result.unit {
+        writeln!(out, "unit       {unit:?} m")?;
+    }
     point(out, "on A", &result.witness.a)?;
     point(out, "on B", &result.witness.b)?;
     for (name, directed) in [("A to B", &result.forward), ("B to A", &result.reverse)] {
@@ -46,8 +52,9 @@ fn interval(out: &mut String, result: &DistanceResult) -> Result {
 }
 
 fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
-    let SurfacePoint { surface, u, v, point: [x, y, z] } = point;
-    writeln!(out, "{name}       surface {surface} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
+    let SurfacePoint { surface, part, u, v, point: [x, y, z] } = point;
+    let part = part.as_ref().map_or(String::new(), |part| format!(" ({part})"));
+    writeln!(out, "{name}       surface {surface}{part} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }
 
 fn certified(out: &mut String, details: &CertifiedDetails) -> Result {

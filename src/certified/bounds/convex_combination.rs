@@ -49,7 +49,7 @@ impl UpperBound for ConvexCombination {
         let terms: Vec<Term<'_>> = pairs
             .iter()
             .map(|(pair, weight)| {
-                let difference = pair.difference(&pair.linearized());
+                let difference = pair.difference();
                 (difference.quadratic.length_squared(), *weight, difference)
             })
             .collect();

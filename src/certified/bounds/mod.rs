@@ -6,6 +6,9 @@
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod attained;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod attained_across_seams;
 mod bilinear;
 mod boxes;
 mod cell_context;

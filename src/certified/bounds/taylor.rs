@@ -14,7 +14,9 @@
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
+use super::super::sheets::{Chart, Reach};
 use super::{CellContext, Quadratic, UpperBound};
+use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
 use glam::DVec3;
@@ -31,19 +33,27 @@ impl UpperBound for Taylor {
             return Some(lipschitz);
         }
         let facing = CellPair::new(context, &foot);
-        let difference = facing.difference(&facing.linearized());
-        let quadratic = &difference.quadratic;
-        let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
-        let mut bound = length + difference.remainder(Bounds::Patch);
-        if length <= threshold && bound > threshold {
-            bound = length + difference.remainder(Bounds::Local);
+        let difference = facing.difference();
+        let mut bound = difference.upper_bound(threshold);
+        // NaN is no bound.
+        if !(bound <= threshold)
+            && difference.is_clamped
+            && foot.distance() <= threshold.min(MAX_DISTANCE_IN_RADII * context.radius)
+            && let Some(difference) = facing.across_seams()
+        {
+            let across = difference.upper_bound(threshold);
+            bound = if across < bound { across } else { bound };
         }
         Some(if bound < lipschitz { bound } else { lipschitz })
     }
 }
 
+/// Distance of the centre's foot, in radii of the cell, up to which seams are
+/// crossed: on near copies cells are large for their distance.
+const MAX_DISTANCE_IN_RADII: f64 = 1.0;
+
 /// Roundings of a sum of remainders, relative to it.
-const REMAINDER_ROUNDINGS: f64 = 32.0;
+const REMAINDER_ROUNDINGS: f64 = 64.0;
 
 /// Roundings of a coefficient of `|Q|²`, relative to the square of the size of
 /// Q's terms (lemma R8).
@@ -98,11 +108,32 @@ impl<'a> CellPair<'a> {
             .unwrap_or(Reparametrization::CONSTANT)
     }
 
-    /// `A - B∘φ` with φ the map clamped to B's patch.
-    pub(super) fn difference(&self, map: &Reparametrization) -> Difference<'_> {
-        let map = map.clamped_to(self.domain, self.foot.parameters);
+    /// `A - B∘φ` with φ the foot's linearization clamped to B's patch.
+    pub(super) fn difference(&self) -> Difference<'_> {
+        let linear = self.linearized();
+        let map = linear.clamped_to(self.domain, self.foot.parameters);
         let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
-        Difference { pair: self, map, quadratic }
+        Difference { pair: self, is_clamped: map != linear, map, quadratic, sheet: None }
+    }
+
+    /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
+    /// has a crease at an edge to which the foot is bound.
+    fn across_seams(&self) -> Option<Difference<'_>> {
+        let chart = Chart::new(self.context.pair.b.sheets?, self.foot.patch, self.foot.parameters);
+        let jet = chart.jet();
+        let (a, [h, k]) = (&self.context.jet, self.context.cell.half);
+        let residual = jet.point - a.point;
+        let frozen = Axis::BOTH.map(|axis| {
+            let gradient = residual.dot(if axis == Axis::U { jet.s } else { jet.t });
+            let parameter = chart.parameters[axis];
+            (parameter <= 0.0 && gradient > 0.0 && !chart.continues(axis, 0))
+                || (parameter >= 1.0 && gradient < 0.0 && !chart.continues(axis, 1))
+        });
+        let map = Reparametrization::linearized(&jet, residual, [h * a.s, k * a.t], frozen)?;
+        let reach = chart.reach(map.extent().to_array());
+        let map = map.clamped_to(reach.domain, chart.parameters);
+        let quadratic = taylor_quadratic(a, &jet, [h, k], &map);
+        Some(Difference { pair: self, map, is_clamped: false, quadratic, sheet: Some((chart, reach)) })
     }
 }
 
@@ -110,16 +141,35 @@ impl<'a> CellPair<'a> {
 pub(super) struct Difference<'a> {
     pair: &'a CellPair<'a>,
     map: Reparametrization,
+    /// Whether the map is another than the linearization, which leaves B's patch.
+    is_clamped: bool,
     /// The Taylor quadratic at the centre.
     pub(super) quadratic: Quadratic,
+    /// The surface of B that the map runs over, if that is not the foot's patch alone.
+    sheet: Option<(Chart<'a>, Reach)>,
 }
 
 impl Difference<'_> {
+    /// An upper bound on its length over the cell, with local derivative bounds
+    /// where these may bring it to the threshold.
+    fn upper_bound(&self, threshold: f64) -> f64 {
+        let quadratic = &self.quadratic;
+        let length = (quadratic.max_length_squared() + coefficient_error(quadratic)).sqrt();
+        let bound = length + self.remainder(Bounds::Patch);
+        if length <= threshold && bound > threshold {
+            return length + self.remainder(Bounds::Local);
+        }
+        bound
+    }
+
     /// An upper bound on the distance between the difference and its computed
     /// quadratic: Taylor's remainders and the rounding of the derivatives (lemma R8).
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
+        if let Some((chart, reach)) = &self.sheet {
+            return self.remainder_on_sheet(chart, reach, bounds);
+        }
         let [low, high] = self.map.image(foot.parameters);
         let (of_a, of_b) = match bounds {
             Bounds::Patch => (context.patch_bounds(), *b.extended_bounds(foot.patch, low, high)),
@@ -130,6 +180,21 @@ impl Difference<'_> {
         (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
             + b.jet_scale(foot.patch).quadratic_error(extent, JET_ROUNDINGS)
+    }
+
+    /// The same where the map runs over seams.
+    fn remainder_on_sheet(&self, chart: &Chart<'_>, reach: &Reach, bounds: Bounds) -> f64 {
+        let context = self.pair.context;
+        let of_a = match bounds {
+            Bounds::Patch => context.patch_bounds(),
+            Bounds::Local => context.local_bounds(),
+        };
+        let (half, extent) = (context.cell.half, self.map.extent().to_array());
+        let remainder =
+            taylor_remainder(of_a, half) + chart.remainder(reach, extent, bounds == Bounds::Local);
+        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
+            + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
+            + chart.jet_scale().quadratic_error(extent, JET_ROUNDINGS)
     }
 }
 

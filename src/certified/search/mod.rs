@@ -1,9 +1,11 @@
 //! Branch and bound over A.
 
 mod frontier;
+mod gains;
 mod incumbent;
 mod node;
 
+pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;
 pub(crate) use node::{Domain, SearchNode};
 
@@ -267,6 +269,9 @@ impl<'a> BranchAndBound<'a> {
         if self.frontier.is_empty() {
             return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
         }
+        // What a kernel could not bound it cannot bound in parts either, and it would
+        // lose their feet: they stay in float64.
+        let float64_only = self.frontier.has_float64_only();
         let nodes = self.frontier.next(CHUNK);
         self.update_shortlist(&nodes[0]);
         let threshold = self.prune_threshold();
@@ -294,7 +299,11 @@ impl<'a> BranchAndBound<'a> {
                 node.branch(&self.pair.a, evaluation.foot, &mut children);
             }
         }
-        self.frontier.extend(children);
+        if float64_only {
+            self.frontier.extend_float64_only(children);
+        } else {
+            self.frontier.extend(children);
+        }
         None
     }
 

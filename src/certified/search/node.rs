@@ -31,7 +31,7 @@ impl SearchNode {
     }
 
     /// Appends the children of this node, given its own foot.
-    pub(super) fn branch(&self, a: &Operand<'_>, foot: Foot, children: &mut Vec<Self>) {
+    pub(crate) fn branch(&self, a: &Operand<'_>, foot: Foot, children: &mut Vec<Self>) {
         let mut push = |domain, foot| {
             children.push(Self { domain, foot, upper: self.upper, level: self.level + 1 });
         };

@@ -23,8 +23,9 @@ impl Face {
         let mut patches = vec![PatchSet::default(); count];
         let mut bounds: Vec<Vec<LocalDerivativeBounds>> = (0..count).map(|_| Vec::new()).collect();
         for (patch, &extension) in flat.target.patches.iter().zip(flat.extensions()) {
-            patches[patch.surface].push(patch);
-            bounds[patch.surface].push(LocalDerivativeBounds::new(extension));
+            let face = model.pieces().face(patch.surface);
+            patches[face].push(patch);
+            bounds[face].push(LocalDerivativeBounds::new(extension));
         }
         let face = |(patches, bounds): (PatchSet, _)| Self {
             aabb: patches.bounding_box(),

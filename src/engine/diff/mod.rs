@@ -22,6 +22,9 @@ pub struct DiffOptions {
     pub tolerance: f64,
     /// The cells after which a face is given up as undecided, 1 or more.
     pub max_cells: usize,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are
+    /// an error.
+    pub scale_units: bool,
     /// Moves A before it is compared. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -31,7 +34,12 @@ pub struct DiffOptions {
 impl Default for DiffOptions {
     /// The tolerance is a thousandth of a unit: a micrometre where the unit is a millimetre.
     fn default() -> Self {
-        Self { tolerance: 1e-3, max_cells: DEFAULT_MAX_CELLS, transform: RigidTransform::IDENTITY }
+        Self {
+            tolerance: 1e-3,
+            max_cells: DEFAULT_MAX_CELLS,
+            scale_units: false,
+            transform: RigidTransform::IDENTITY,
+        }
     }
 }
 
@@ -99,6 +107,11 @@ pub struct DiffResult {
     pub tolerance: f64,
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,
+    /// Metres per unit of every length here, if A or B states its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<f64>,
+    /// The sum of both models' gaps, as in [`super::DistanceResult::model_gap`].
+    pub model_gap: f64,
     /// Every face of A, in order, compared with B.
     pub a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.

@@ -3,12 +3,12 @@
 use super::face::Face;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{BranchAndBound, Interval, Operand, Pair};
-use crate::engine::directed_result::surface_point;
 use crate::engine::{Engine, PreparedModel, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
 use crate::parallel::map;
+use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
 use glam::DVec3;
 use web_time::Instant;
@@ -39,7 +39,8 @@ impl Engine {
     /// state, and those of changed faces when three digits of the distance are known.
     ///
     /// # Errors
-    /// [`crate::Error::OptionOutOfRange`]; [`crate::Error::Cancelled`].
+    /// [`crate::Error::OptionOutOfRange`]; [`crate::Error::UnitsDiffer`];
+    /// [`crate::Error::Cancelled`].
     pub async fn diff(
         &self,
         a: &PreparedModel,
@@ -48,6 +49,8 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
         options.validate()?;
+        let scaled = b.in_unit_of(a, options.scale_units)?;
+        let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, true);
         let started = Instant::now();
         let [flat_a, flat_b] = [a, b].map(|model| model.target(Flatness::Loose));
@@ -56,18 +59,33 @@ impl Engine {
         let faces_b = Face::all(b, &flat_b);
         let prepare_seconds = started.elapsed().as_secs_f64();
         let transform = options.transform;
-        let forward = Side { whole: whole_a, faces: &faces_a, other: whole_b, others: &faces_b, transform };
+        let forward = Side {
+            whole: whole_a,
+            faces: &faces_a,
+            other: whole_b,
+            others: &faces_b,
+            pieces: [a.pieces(), b.pieces()],
+            transform,
+        };
         let of_a = forward.differences(options, &mut progress).await?;
         progress.second_half();
         let inverse = transform.inverse();
-        let reverse =
-            Side { whole: whole_b, faces: &faces_b, other: whole_a, others: &faces_a, transform: inverse };
+        let reverse = Side {
+            whole: whole_b,
+            faces: &faces_b,
+            other: whole_a,
+            others: &faces_a,
+            pieces: [b.pieces(), a.pieces()],
+            transform: inverse,
+        };
         let of_b = reverse.differences(options, &mut progress).await?;
         progress.finish();
         let of_b: Vec<_> = of_b.into_iter().map(|found| found.reversed(&transform)).collect();
         Ok(DiffResult {
             state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
             tolerance: options.tolerance,
+            unit: a.unit().or(b.unit()),
+            model_gap: a.gap() + b.gap(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
             a: of_a,
             b: of_b,
@@ -83,6 +101,8 @@ struct Side<'a> {
     faces: &'a [Face],
     other: Operand<'a>,
     others: &'a [Face],
+    /// The pieces of both models.
+    pieces: [&'a FacePieces; 2],
     transform: RigidTransform,
 }
 
@@ -154,7 +174,7 @@ impl<'a> Side<'a> {
             if !is_changed || interval.upper - interval.lower <= CHANGE_PART * interval.lower {
                 let Interval { lower, upper } = interval;
                 let state = state(interval, options.tolerance);
-                let witness = witness(&search).ok_or(Error::EmptyModel)?;
+                let witness = witness(&search, self.pieces).ok_or(Error::EmptyModel)?;
                 return Ok(FaceDifference { face, state, lower, upper, witness, cells });
             }
             search = BranchAndBound::new(self.pair(face), CHANGE_PART * interval.lower, None, 0.0);
@@ -186,12 +206,16 @@ fn state(interval: Interval, tolerance: f64) -> FaceState {
 
 /// The witness of a search, on the face and on the other model; `None` for a face
 /// without patches, which validation rules out.
-fn witness(search: &BranchAndBound<'_>) -> Option<Witness> {
+fn witness(search: &BranchAndBound<'_>, [from_pieces, to_pieces]: [&FacePieces; 2]) -> Option<Witness> {
     let witness = search.witness()?;
     let [from, to] = search.witness_patches(witness);
     let closest = &witness.closest;
     Some(Witness {
-        a: surface_point(from.surface, from.surface_parameters(witness.parameters), witness.point),
-        b: surface_point(to.surface, to.surface_parameters(closest.parameters), closest.point),
+        a: from_pieces.surface_point(
+            from.surface,
+            from.surface_parameters(witness.parameters),
+            witness.point,
+        ),
+        b: to_pieces.surface_point(to.surface, to.surface_parameters(closest.parameters), closest.point),
     })
 }

@@ -3,7 +3,7 @@
 mod backend;
 mod cpu;
 
-use super::directed_result::{DirectedResult, surface_point};
+use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
 use super::{Details, HierarchyDetails, Options, PreparedModel, Processor, Seconds};
 use crate::error::{Error, Result};
@@ -80,6 +80,8 @@ impl Direction<'_> {
             adapter,
             notice: None,
             diagonal: pair.diagonal,
+            unit: self.unit(),
+            model_gap: self.model_gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: self.to.bezier().patches.len(),
             seconds: Seconds {
@@ -94,7 +96,7 @@ impl Direction<'_> {
     /// [`BOX_ROUNDINGS`].
     fn box_error(&self) -> f64 {
         let models = [self.from, self.to];
-        let [a, b] = models.map(|model| model.bounding_box().farthest_from_origin());
+        let [a, b] = models.map(|model| model.control_box().farthest_from_origin());
         let [of_a, of_b] = models.map(|model| model.bezier().point_error.after(0));
         let length = (a + self.transform.offset().length()).max(b);
         (of_a + self.transform.rounding(a)).max(of_b) + gamma(BOX_ROUNDINGS) * length + VANISHING_LENGTH
@@ -142,21 +144,24 @@ impl TreePair<'_> {
             pairs.push(bounds.pairs);
             lower = lower.max(bounds.lower);
             upper = upper.min(bounds.upper);
-            progress.interval(lower, upper);
+            progress.interval(lower, upper, false);
         }
         let farthest = backend.farthest(progress).await?;
         let [(a_parameters, a), (b_parameters, b)] =
             [0, 1].map(|side| self.trees[side].middle(self.models[side].bezier(), farthest[side]));
         let a = self.transform.apply(a);
-        let surface = |side: usize| self.trees[side].cells[farthest[side]].surface as usize;
+        let surface_point = |side: usize, parameters, point| {
+            let piece = self.trees[side].cells[farthest[side]].surface as usize;
+            self.models[side].pieces().surface_point(piece, parameters, point)
+        };
         let tolerance = if options.absolute { options.tolerance } else { options.tolerance * self.diagonal };
         Ok(DirectedResult {
             computed: a.distance(b),
             lower,
             upper,
             converged: upper - lower <= tolerance,
-            from: surface_point(surface(0), a_parameters, a),
-            to: surface_point(surface(1), b_parameters, b),
+            from: surface_point(0, a_parameters, a),
+            to: surface_point(1, b_parameters, b),
             details: Details::Hierarchy(HierarchyDetails { grid: options.grid, levels: pairs.len(), pairs }),
             field: Vec::new(),
         })

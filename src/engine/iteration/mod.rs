@@ -3,7 +3,7 @@
 mod backend;
 mod cpu;
 
-use super::directed_result::{DirectedResult, surface_point};
+use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
 use super::{
     Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
@@ -84,6 +84,8 @@ impl Direction<'_> {
             adapter: gpu.and_then(|gpu| gpu.adapter()),
             notice: None,
             diagonal,
+            unit: self.unit(),
+            model_gap: self.model_gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: target.target.patches.len(),
             seconds: Seconds {
@@ -266,7 +268,11 @@ impl SampledDirection<'_> {
             upper: largest + rounding,
             converged,
             from: self.sample_point(farthest.sample, farthest.point),
-            to: surface_point(patch.surface, patch.surface_parameters(farthest.parameters), farthest.foot),
+            to: self.to.pieces().surface_point(
+                patch.surface,
+                patch.surface_parameters(farthest.parameters),
+                farthest.foot,
+            ),
             details: Details::Iteration(IterationDetails {
                 bounds: Bounds { k_a: radius.published, k_a_rigorous: radius.rigorous, k_b },
                 samples: self.sampling.sampling.len(),
@@ -279,7 +285,7 @@ impl SampledDirection<'_> {
     /// Returns an upper bound on how far the computed points of both models, moved, are
     /// from the exact ones, added up.
     fn point_errors(&self) -> f64 {
-        let moved = self.transform.rounding(self.from.bounding_box().farthest_from_origin());
+        let moved = self.transform.rounding(self.from.control_box().farthest_from_origin());
         let of_a = self.from.bezier().point_error.after(0);
         of_a + moved + self.to.bezier().point_error.after(MAX_HALVINGS)
     }
@@ -287,6 +293,7 @@ impl SampledDirection<'_> {
     /// Returns a sample with its surface and parameters.
     fn sample_point(&self, index: usize, point: DVec3) -> SurfacePoint {
         let sampling = &self.sampling.sampling;
-        surface_point(sampling.surface(index), sampling.parameters(index), point)
+        let piece = sampling.surface(index);
+        self.from.pieces().surface_point(piece, sampling.parameters(index), point)
     }
 }

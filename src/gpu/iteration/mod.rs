@@ -70,8 +70,7 @@ impl GpuIteration {
         rule: Rule,
     ) -> Result<Self> {
         gpu.check()?;
-        let rows = |page: &Vec<SampleGroup>| page.iter().map(|group| u64::from(group.row_count)).sum::<u64>();
-        let capacity = sampling.pages.iter().map(rows).max().unwrap_or(0) * sampling.columns as u64;
+        let capacity = sampling.page_samples;
         let projected_bytes = capacity * size_of::<layouts::Projected>() as u64;
         let block_bytes = block_count(capacity) * size_of::<Block>() as u64;
         let buffers = Buffers {

@@ -17,8 +17,10 @@ pub(crate) struct GpuSampling {
     /// The factor of the coordinates before the model is moved.
     pub(crate) scale: f64,
     pub(crate) pages: Vec<Vec<SampleGroup>>,
-    /// Samples of a row.
+    /// The largest number of samples of a row.
     pub(crate) columns: usize,
+    /// The largest number of samples of a page.
+    pub(crate) page_samples: u64,
     /// Upper bound on the error of a sample in float32 before it is moved, in model units.
     pub(crate) coordinate_error: f64,
     /// Upper bound on the distance of a sample from the origin.
@@ -72,7 +74,8 @@ impl Gpu {
             origin: frame.origin,
             scale: frame.scale,
             pages: pages.iter().map(|page| self.upload_page(model, sampling, page, &frame)).collect(),
-            columns: sampling.grids.first().map_or(0, |grid| grid.counts()[1]),
+            columns: sampling.grids.iter().map(|grid| grid.counts()[1]).max().unwrap_or(0),
+            page_samples: pages.iter().map(|page| page.len() as u64).max().unwrap_or(0),
             coordinate_error: model.patches.iter().map(|patch| patch_error(&patch)).fold(0.0, f64::max),
             radius: frame.radius,
         }
@@ -119,7 +122,9 @@ fn add_row(
     let Patch { degree, .. } = model.patches.patch(patches.first);
     let (patch_row, s) = grid.locations[0][grid.row_and_column(first_sample).0];
     let open = drafts.iter().position(|draft| {
-        draft.degree == degree && draft.patches.len() + patch_columns <= max_patches(degree)
+        draft.degree == degree
+            && draft.column_count == grid.counts()[1]
+            && draft.patches.len() + patch_columns <= max_patches(degree)
     });
     let index = open.unwrap_or_else(|| {
         drafts.push(Draft::new(degree, grid.counts()[1]));

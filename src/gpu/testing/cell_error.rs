@@ -161,10 +161,12 @@ fn a_million_jets_are_within_their_error_bounds() {
     assert!(draws >= 1_000_000, "{draws}");
 }
 
-/// The number of cells that the kernels get, and the step between two of their
-/// descendants that are checked.
+/// The number of cells that the kernels get first.
 const CELLS: usize = 100;
-const STEP: usize = 25;
+
+/// Rounds of halving from these cells, and the cells checked in each.
+const ROUNDS: usize = 5;
+const CHECKED: usize = 250;
 
 #[test]
 fn no_point_of_a_cell_is_farther_than_its_upper_bound() {
@@ -204,17 +206,24 @@ fn no_point_of_a_cell_is_farther_than_its_upper_bound() {
             assert!(search.advance_once().is_none(), "{degree:?}: decided too soon");
         }
         let driver = GpuCertified::new(&gpu, &search).unwrap().unwrap();
-        let batch = search.take_batch(CELLS);
-        // With a threshold of 0 no cell is pruned, and each is returned with its bound.
-        let result = pollster::block_on(driver.bound(&batch, 0.0)).unwrap();
-        assert!(result.cells > CELLS && result.dropped == 0.0);
-        for node in result.waiting.iter().chain(&result.undecided).step_by(STEP) {
-            let Domain::Cell(cell) = node.domain else { panic!("the batch has a node of the BVH") };
-            let position = [0, 1].map(|_| [-1.0, 1.0, 2.0 * random.f64() - 1.0][random.usize(0..3)]);
-            let point = transform.apply(a.patches.patch(cell.patch as usize).point(cell.at(position)));
-            let truth = closest(&b, point, 1e-9).unwrap();
-            assert!(truth.lower <= node.upper, "{degree:?}: {} > {}", truth.lower, node.upper);
-            checked += 1;
+        let mut batch = search.take_batch(CELLS);
+        // With a threshold of 0 no cell is pruned, and each whose centre is not on B
+        // is returned with its bound. Its parts are bounded next.
+        for _ in 0..ROUNDS {
+            let result = pollster::block_on(driver.bound(&batch, 0.0)).unwrap();
+            assert!(result.cells >= batch.len() && result.dropped == 0.0);
+            let nodes = || result.waiting.iter().chain(&result.undecided);
+            let (mut parts, stride) = (Vec::new(), (nodes().count() / CHECKED).max(1));
+            for node in nodes().step_by(stride) {
+                let Domain::Cell(cell) = node.domain else { panic!("the batch has a node of the BVH") };
+                let position = [0, 1].map(|_| [-1.0, 1.0, 2.0 * random.f64() - 1.0][random.usize(0..3)]);
+                let point = transform.apply(a.patches.patch(cell.patch as usize).point(cell.at(position)));
+                let truth = closest(&b, point, 1e-9).unwrap();
+                assert!(truth.lower <= node.upper, "{degree:?}: {} > {}", truth.lower, node.upper);
+                checked += 1;
+                node.branch(&search.pair().a, node.foot, &mut parts);
+            }
+            batch = parts;
         }
     }
     assert!(checked > 5_000, "{checked}");

@@ -60,8 +60,9 @@ pub fn part(surface: &NurbsSurface, fractions: ParamBox) -> Result<NurbsSurface>
 /// v, each strictly between 0 and 1, in any order.
 ///
 /// # Errors
-/// Those of [`cut_surface`].
+/// Those of [`cut_surface`]; `MODEL_TRIMMED` for a model with a trimmed face.
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
+    model.require_whole()?;
     let mut pieces = model.surfaces().to_vec();
     for axis in Axis::BOTH {
         let mut fractions = fractions[axis].to_vec();

@@ -54,8 +54,9 @@ pub fn refit_surface(surface: &NurbsSurface, counts: [usize; 2]) -> Result<Nurbs
 /// Returns `model` with every surface refitted through `count` × `count` points.
 ///
 /// # Errors
-/// Those of [`refit_surface`].
+/// Those of [`refit_surface`]; `MODEL_TRIMMED` for a model with a trimmed face.
 pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
+    model.require_whole()?;
     let surfaces = model.surfaces().iter().map(|surface| refit_surface(surface, [count; 2]));
     Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)
 }

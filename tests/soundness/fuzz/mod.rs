@@ -5,6 +5,7 @@
 #![allow(unreachable_pub, reason = "the crate in `fuzz/` makes this module public")]
 
 pub mod arrays;
+pub mod brep_text;
 mod bytes;
 pub mod closest_point;
 pub mod extraction;
@@ -19,8 +20,9 @@ mod surfaces;
 pub type Check = fn(&[u8]);
 
 /// The targets by name.
-pub const TARGETS: [(&str, Check); 6] = [
+pub const TARGETS: [(&str, Check); 7] = [
     ("arrays", arrays::check),
+    ("brep_text", brep_text::check),
     ("closest_point", closest_point::check),
     ("extraction", extraction::check),
     ("json_text", json_text::check),

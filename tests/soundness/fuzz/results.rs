@@ -4,7 +4,7 @@ use nurbs_hausdorff::{Backend, DistanceResult, Engine, Model, NoMonitor, Options
 
 /// The distance on the CPU.
 pub(super) fn distance(a: &Model, b: &Model, options: &Options) -> Result<DistanceResult> {
-    let [a, b] = [a, b].map(PreparedModel::new);
+    let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
     pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor))
 }
@@ -14,7 +14,7 @@ pub(super) fn assert_numbers(result: &DistanceResult) {
     let DistanceResult { lower, upper, computed, diagonal, .. } = *result;
     assert!(0.0 <= lower && lower <= upper, "{result:?}");
     assert!(lower.is_finite() && !computed.is_nan() && !diagonal.is_nan(), "{result:?}");
-    for end in [result.witness.a, result.witness.b] {
+    for end in [&result.witness.a, &result.witness.b] {
         let [x, y, z] = end.point;
         assert!([end.u, end.v, x, y, z].iter().all(|number| !number.is_nan()), "{result:?}");
     }

@@ -142,7 +142,7 @@ fn results_of_the_search_are_proved_also_of_moved_models() {
         let [a, b] = [a, b].map(|name| shape(name).unwrap());
         let transform = RigidTransform::new(turn, shift).unwrap();
         let options = Options { transform, ..Options::default() };
-        let (prepared_a, prepared_b) = (PreparedModel::new(&a), PreparedModel::new(&b));
+        let (prepared_a, prepared_b) = (PreparedModel::new(&a).unwrap(), PreparedModel::new(&b).unwrap());
         let result =
             pollster::block_on(engine.distance(&prepared_a, &prepared_b, &options, &mut NoMonitor)).unwrap();
         let motion =

@@ -12,6 +12,34 @@ export function distanceText(distance: number, diagonal: number): string {
   return distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)));
 }
 
+/** An upper bound to two significant digits, rounded up, such as 1.1e-11. */
+export const upperText = (bound: number): string => short(bound, 1);
+
+/** A bound to two significant digits, rounded up or down. */
+function short(bound: number, sign: -1 | 1): string {
+  if (bound === 0) return "0";
+  const step = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  const rounded = Number(bound.toPrecision(2));
+  const safe = sign * (rounded - bound) < 0 ? rounded + sign * step : rounded;
+  return Math.abs(Math.log10(safe)) < 3 ? `${Number(safe.toPrecision(2))}` : safe.toExponential(1);
+}
+
+/** Whether an interval states only an upper bound: it is wider than its lower end is large. */
+const isUpperBound = (lower: number, upper: number): boolean => lower <= upper - lower;
+
+/**
+ * The distance in this interval: `computed`, or where the interval states only
+ * an upper bound, that bound, such as ≤ 1.1e-11.
+ */
+export function certifiedText(
+  computed: number,
+  [lower, upper]: readonly [number, number],
+  diagonal: number,
+): string {
+  if (upper === 0) return "0";
+  return isUpperBound(lower, upper) ? `≤ ${upperText(upper)}` : distanceText(computed, diagonal);
+}
+
 /** A signed distance, always with its sign. */
 export function signedText(distance: number, diagonal: number): string {
   const text = distanceText(Math.abs(distance), diagonal);
@@ -24,6 +52,7 @@ export function signedText(distance: number, diagonal: number): string {
  * interval shown contains the certified one.
  */
 export function intervalText(lower: number, upper: number, diagonal: number): string {
+  if (isUpperBound(lower, upper)) return `[${short(lower, -1)}, ${short(upper, 1)}]`;
   const width = upper - lower;
   const available = SIGNIFICANT_DIGITS - 1 - magnitude(Math.max(upper, diagonal));
   const digits = digitsAfterPoint(

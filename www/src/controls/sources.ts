@@ -2,6 +2,7 @@
 import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
+import { ACCEPT } from "../files/formats.ts";
 import {
   type DisplayModel,
   type Placement,
@@ -21,8 +22,13 @@ const lists: Record<Side, HTMLSelectElement> = {
   b: element("shape-b", HTMLSelectElement),
 };
 
+/** The shapes shown. */
+const shown: Sides<string> = {};
+let open: (sources: Sides<Source>, placement: Placement) => void = () => {};
+
 /** Calls back with the models that the user selects. Only presets move A; other models keep their positions. */
 export function onSource(callback: (sources: Sides<Source>, placement: Placement) => void): void {
+  open = callback;
   pair.append(
     ...presets.map(({ title }, index) => new Option(title, `${index}`)),
     otherOption("own pair"),
@@ -37,6 +43,7 @@ export function onSource(callback: (sources: Sides<Source>, placement: Placement
       callback({ [side]: { shape: lists[side].value } }, IN_PLACE);
     });
     const input = element(`file-${side}`, HTMLInputElement);
+    input.accept = ACCEPT;
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       if (file) callback({ [side]: { file } }, IN_PLACE);
@@ -50,7 +57,30 @@ export function onSource(callback: (sources: Sides<Source>, placement: Placement
   });
 }
 
-/** Fills the lists of shapes and requests the first pair. */
+/**
+ * Opens the shapes that a state of the page names, without a state the first
+ * pair; returns whether there is anything to open.
+ */
+export function openShapes(state?: string): boolean {
+  if (state === undefined) {
+    pair.dispatchEvent(new Event("change"));
+    return true;
+  }
+  const parameters = new URLSearchParams(state);
+  const sources: Sides<Source> = {};
+  for (const side of SIDES) {
+    const named = parameters.get(side) ?? OTHER;
+    const known = [...lists[side].options].some(({ value }) => value === named);
+    if (known && named !== OTHER && named !== shown[side]) sources[side] = { shape: named };
+    // The page always shows two models.
+    else if (shown[side] === undefined) sources[side] = { shape: presets[0]?.[side] ?? named };
+  }
+  if (Object.keys(sources).length === 0) return false;
+  open(sources, IN_PLACE);
+  return true;
+}
+
+/** Fills the lists of shapes. */
 export function fillShapes(shapes: ShapeInfo[]): void {
   for (const list of Object.values(lists)) {
     list.replaceChildren(
@@ -58,12 +88,12 @@ export function fillShapes(shapes: ShapeInfo[]): void {
       otherOption(""),
     );
   }
-  pair.dispatchEvent(new Event("change"));
 }
 
-/** Shows or hides the note that models are being loaded, which takes a while for large files. */
-export function setLoading(loading: boolean): void {
+/** Shows or hides the note that models are being loaded, or what for, which takes a while for large files. */
+export function setLoading(loading: boolean, text = "loading…"): void {
   element("loading").hidden = !loading;
+  element("loading").textContent = text;
 }
 
 /** Selects the entries of the lists that name the models shown. */
@@ -74,6 +104,7 @@ export function showSources(models: Sides<DisplayModel>, placement: Placement): 
     const { source, surfaceCount } = model;
     const list = lists[side];
     list.value = "shape" in source ? source.shape : OTHER;
+    shown[side] = list.value;
     if ("file" in source) {
       const option = list.querySelector<HTMLOptionElement>(`option[value="${OTHER}"]`);
       if (option) option.textContent = source.file.name;

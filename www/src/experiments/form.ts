@@ -2,6 +2,7 @@
 import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
+import { ACCEPT } from "../files/formats.ts";
 import { SIDES, type Side, type Sides, type Source } from "../worker/protocol.ts";
 import * as methodList from "./methodList.ts";
 import { type Entry, methods } from "./sweep/methods.ts";
@@ -23,6 +24,7 @@ export function fill(): void {
   methodList.fill(entries());
   for (const side of SIDES) {
     const input = element(`file-${side}`, HTMLInputElement);
+    input.accept = ACCEPT;
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       if (file) takeFiles({ [side]: file });

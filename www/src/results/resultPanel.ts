@@ -3,8 +3,10 @@
 import type { DistanceResult } from "nurbs-hausdorff";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { distanceText, intervalText, twoDigits } from "../common/numbers.ts";
-import { type Detail, detailsOf, statisticsOf } from "./resultDetails.ts";
+import { certifiedText, intervalText, twoDigits } from "../common/numbers.ts";
+import { commonUnit } from "../files/fileNotes.ts";
+import { type Detail, detailsOf } from "./resultDetails.ts";
+import { showVerdict } from "./verdict.ts";
 
 /** The meaning of the interval shown. */
 const SO_FAR = "certified so far";
@@ -13,14 +15,13 @@ const ONE_DIRECTION = "one direction so far";
 
 const section = element("result");
 const kind = element("kind");
+const unit = element("unit");
 const distance = element("distance");
 const interval = element("interval");
 const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const details = element("facts");
-const estimates = element("estimates");
-const statistics = element("statistics");
 
 /** Shows that a new measurement of the same models was requested. */
 export function showPending(): void {
@@ -44,10 +45,11 @@ export function showWorking(
 /** Shows a result; `last` states that no newer measurement was requested. */
 export function showResult(result: DistanceResult, last: boolean): void {
   kind.textContent = kindOf(result);
-  distance.textContent = distanceText(result.computed, result.diagonal);
+  unit.textContent = commonUnit() ?? "model units";
+  const ends = [result.lower, result.upper] as const;
+  distance.textContent = certifiedText(result.computed, ends, result.diagonal);
   showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
-  show(details, detailsOf(result));
-  showEstimates(statisticsOf(result));
+  showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
   Object.assign(section.dataset, {
     method: result.method,
@@ -68,8 +70,8 @@ export function clearResult(state: "cancelled" | "failed" | "working"): void {
   distance.textContent = "–";
   interval.textContent = state === "working" ? "computing" : state;
   width.textContent = "";
+  showVerdict();
   details.replaceChildren();
-  showEstimates([]);
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
     delete section.dataset[name];
   }
@@ -79,7 +81,7 @@ export function clearResult(state: "cancelled" | "failed" | "working"): void {
 export function showError(code: string, message: string): void {
   error.hidden = false;
   error.dataset.code = code;
-  error.textContent = `${code}: ${message}`;
+  error.textContent = `${message} (${code})`;
 }
 
 export function hideError(): void {
@@ -90,6 +92,8 @@ export function hideError(): void {
 function showInterval(lower: number, upper: number, diagonal: number, note: string): void {
   interval.textContent = intervalText(lower, upper, diagonal);
   width.textContent = `${note} · width ${twoDigits(upper - lower)}`;
+  // One direction's interval decides nothing about the larger of both.
+  showVerdict(note === ONE_DIRECTION ? undefined : [lower, upper]);
 }
 
 /** The meaning of the interval. It contains the distance whether the method converged or not. */
@@ -105,12 +109,8 @@ function kindOf(result: DistanceResult): string {
   return `${kind} distance, ${from} to ${to}`;
 }
 
-function showEstimates(all: Detail[]): void {
-  estimates.hidden = all.length === 0;
-  show(statistics, all);
-}
-
-function show(list: HTMLElement, all: Detail[]): void {
+/** Fills a list with terms and texts. */
+export function showDetails(list: HTMLElement, all: Detail[]): void {
   list.replaceChildren(
     ...all.flatMap(([term, text]) => [definition("dt", term), definition("dd", text)]),
   );

@@ -1,5 +1,5 @@
-// The materials of the models: an opaque one, a glass-like one, and one for painted vertices.
-import { DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial } from "three";
+// The materials of the models: an opaque one, a glass-like one, and a painted one.
+import { DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial, type Texture } from "three";
 
 /** The opacity of glass seen face on. */
 const FACING = 0.28;
@@ -25,13 +25,13 @@ export function satin(color: string): MeshPhysicalMaterial {
 }
 
 /**
- * Returns a matt material in the colours of the vertices. It is drawn among the
+ * Returns a matt material in the colours of a scale. It is drawn among the
  * transparent objects and after them, so that neither gloss nor glass changes
  * the colours.
  */
-export function painted(): MeshStandardMaterial {
+export function painted(map: Texture): MeshStandardMaterial {
   return new MeshStandardMaterial({
-    vertexColors: true,
+    map,
     transparent: true,
     roughness: 0.9,
     metalness: 0,

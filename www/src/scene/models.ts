@@ -1,10 +1,14 @@
 // The two models in the scene.
-import type { Field, Transform } from "nurbs-hausdorff";
-import { Box3, Group, Vector3 } from "three";
+import type { Vector3 as Point } from "nurbs-hausdorff";
+import { Box3, Group, type Mesh, type Plane, type Texture, Vector3 } from "three";
+import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
-import { deviationGeometry } from "./deviation.ts";
-import { ModelMesh } from "./mesh.ts";
+import type { Viewport } from "./camera/viewport.ts";
+import type { FaceClass } from "./faces.ts";
+import { ModelMesh, type Visibility } from "./mesh.ts";
+import { deviationGeometry } from "./overlays/deviation.ts";
 import type { Pose } from "./pose.ts";
+import { clippingPlanes, type Section } from "./section.ts";
 
 export class Models {
   readonly group = new Group();
@@ -14,10 +18,14 @@ export class Models {
    */
   readonly center = new Vector3();
   readonly #colors: Record<Side, string>;
+  readonly #map: Texture;
+  #planes: Plane[] = [];
   readonly #meshes: Sides<ModelMesh> = {};
 
-  constructor(colors: Record<Side, string>) {
+  /** `map` is the colour scale of the deviation. */
+  constructor(colors: Record<Side, string>, map: Texture) {
     this.#colors = colors;
+    this.#map = map;
   }
 
   /** Adds models to the scene, each in place of the one before. */
@@ -26,7 +34,7 @@ export class Models {
       const model = models[side];
       if (model === undefined) continue;
       this.#meshes[side]?.dispose();
-      const mesh = new ModelMesh(model, this.#colors[side]);
+      const mesh = new ModelMesh(model, this.#colors[side], this.#map);
       this.#meshes[side] = mesh;
       this.group.add(mesh.group);
     }
@@ -34,25 +42,81 @@ export class Models {
     if (box !== undefined) boxOf(box).getCenter(this.center);
   }
 
-  /** B is always transparent, as A may lie inside it; A only on request. */
-  setDisplay(transparent: boolean, triangles: boolean): void {
-    const { a, b } = this.#meshes;
-    if (a) a.transparent = transparent;
-    if (b) b.transparent = true;
-    for (const mesh of Object.values(this.#meshes)) mesh.triangles = triangles;
+  /** Shows or hides models and their triangles. */
+  setDisplay(visibility: Record<Side, Visibility>, triangles: boolean): void {
+    for (const side of SIDES) {
+      const mesh = this.#meshes[side];
+      if (mesh === undefined) continue;
+      mesh.visibility = visibility[side];
+      mesh.triangles = triangles;
+    }
   }
 
-  /** Paints A by its deviation, measured at `transform`, on a scale that ends at `largest`. */
-  paint(fields: Field[], largest: number, transform: Transform): void {
-    const { a } = this.#meshes;
-    if (a === undefined) return;
-    const origin = new Vector3(...a.model.tessellation.origin);
-    a.paint(deviationGeometry(fields, largest, transform, origin));
+  /** Cuts both models open. */
+  cut(section: Section | undefined): void {
+    const planes = clippingPlanes(section, this.box);
+    for (const mesh of Object.values(this.#meshes)) mesh.clipping = planes;
+    this.#planes = planes;
+  }
+
+  /** The point of a model that the view's ray hits first, in the model's coordinates. */
+  hit(
+    viewport: Viewport,
+    clientX: number,
+    clientY: number,
+  ): { side: Side; near: Point } | undefined {
+    const visible = SIDES.filter((side) => this.#meshes[side]?.group.visible);
+    const targets = visible.flatMap((side) => this.#meshes[side]?.target ?? []);
+    const hit = viewport
+      .hits(clientX, clientY, targets)
+      .find(({ point }) => this.#planes.every((plane) => plane.distanceToPoint(point) >= 0));
+    const side = visible.find((side) => this.#meshes[side]?.target === hit?.object);
+    const mesh = side && this.#meshes[side];
+    if (hit === undefined || side === undefined || mesh === undefined) return undefined;
+    const local = mesh.target.worldToLocal(hit.point.clone());
+    return { side, near: local.add(new Vector3(...mesh.model.tessellation.origin)).toArray() };
+  }
+
+  /** The names of the models' shapes or files. */
+  get names(): Record<Side, string> {
+    const name = (side: Side) => {
+      const source = this.#meshes[side]?.model.source;
+      if (source === undefined) return "";
+      return "shape" in source ? source.shape : source.file.name;
+    };
+    return { a: name("a"), b: name("b") };
+  }
+
+  colorOf(side: Side): string {
+    return this.#colors[side];
+  }
+
+  /** The meshes to export, with their names. */
+  get exported(): { side: Side; mesh: Mesh }[] {
+    return SIDES.flatMap((side) => {
+      const mesh = this.#meshes[side];
+      return mesh === undefined ? [] : [{ side, mesh: mesh.exported }];
+    });
+  }
+
+  /** Paints A by its deviation, in units of `unit`. */
+  paint(field: FieldDisplay, unit: number): void {
+    this.#meshes.a?.paint(deviationGeometry(field, unit), field.origin);
+  }
+
+  /** Colours the faces of both models by their classes; without classes, as models. */
+  classify(classes: Sides<FaceClass[]>): void {
+    for (const side of SIDES) this.#meshes[side]?.classify(classes[side]);
+  }
+
+  /** The box of one face, in scene coordinates. */
+  faceBox(side: Side, face: number): Box3 {
+    return this.#meshes[side]?.faceBox(face) ?? new Box3();
   }
 
   /** Removes the paint from A. */
   clearPaint(): void {
-    this.#meshes.a?.paint(undefined);
+    this.#meshes.a?.paint();
   }
 
   /** Whether both models are loaded. */
@@ -76,7 +140,12 @@ export class Models {
 
   /** The box of both models at their positions, in scene coordinates. */
   get box(): Box3 {
-    return new Box3().setFromObject(this.group);
+    const box = new Box3();
+    for (const side of SIDES) {
+      const mesh = this.#meshes[side];
+      if (mesh !== undefined) box.union(new Box3().setFromObject(mesh.target));
+    }
+    return box;
   }
 
   /** Moves A to the pose, and B to its own position. */

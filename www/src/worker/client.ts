@@ -1,5 +1,15 @@
 // The page's side of the worker.
-import type { Placement, PlainOptions, Reply, Request, Sides, Source } from "./protocol.ts";
+import type { Transform, Vector3 } from "nurbs-hausdorff";
+import type {
+  Placement,
+  PlainDiffOptions,
+  PlainOptions,
+  Reply,
+  Request,
+  Side,
+  Sides,
+  Source,
+} from "./protocol.ts";
 
 export class Client {
   readonly #worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
@@ -37,6 +47,25 @@ export class Client {
 
   cancel(): void {
     this.#post({ kind: "cancel" });
+  }
+
+  /** Requests the comparison of the models face by face. */
+  diff(options: PlainDiffOptions): void {
+    this.#post({ kind: "diff", options });
+  }
+
+  cancelDiff(): void {
+    this.#post({ kind: "cancelDiff" });
+  }
+
+  /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */
+  probe(id: number, side: Side, near: Vector3, transform: Transform): void {
+    this.#post({ kind: "probe", id, side, near, transform });
+  }
+
+  /** Requests the samples of the last measurement as a table. */
+  csv(): void {
+    this.#post({ kind: "csv" });
   }
 
   #post(request: Request): void {

@@ -1,5 +1,6 @@
 // Loading of models from shapes and files.
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+import { type FileReader, reader } from "./cadFiles.ts";
 import { outline } from "./outline.ts";
 import { type DisplayModel, SIDES, type Sides, type Source } from "./protocol.ts";
 
@@ -10,23 +11,30 @@ export interface Loaded {
 }
 
 /**
- * Loads all of the models or, if one is invalid, none.
+ * Loads all of the models or, if one is invalid, none. Calls `onLibrary` before
+ * a library is fetched that a file needs.
  *
  * @throws {HausdorffError} whose message names the file.
  */
-export async function load(engine: Hausdorff, sources: Sides<Source>): Promise<Loaded> {
+export async function load(
+  engine: Hausdorff,
+  sources: Sides<Source>,
+  onLibrary: (text: string) => void,
+): Promise<Loaded> {
+  const readFile = reader(onLibrary);
   const models: Sides<NurbsModel> = {};
   const display: Sides<DisplayModel> = {};
   try {
     for (const side of SIDES) {
       const source = sources[side];
       if (source === undefined) continue;
-      const model = await createModel(engine, source);
+      const model = await createModel(engine, source, readFile);
       models[side] = model;
       const tessellation = model.tessellate();
       display[side] = {
         source,
         surfaceCount: model.surfaceCount,
+        report: model.report,
         box: model.boundingBox,
         tessellation,
         outline: outline(tessellation),
@@ -39,12 +47,17 @@ export async function load(engine: Hausdorff, sources: Sides<Source>): Promise<L
   return { models, display };
 }
 
-async function createModel(engine: Hausdorff, source: Source): Promise<NurbsModel> {
+async function createModel(
+  engine: Hausdorff,
+  source: Source,
+  readFile: FileReader,
+): Promise<NurbsModel> {
   if ("shape" in source) return engine.shape(source.shape);
   const { file, firstSurface } = source;
   try {
-    const json = await readText(file);
-    return engine.model(firstSurface ? withFirstSurface(json) : json);
+    const bytes = await readBytes(file);
+    if (!firstSurface) return await readFile(bytes, file.name);
+    return engine.model(withFirstSurface(new TextDecoder().decode(bytes)));
   } catch (error) {
     if (!(error instanceof HausdorffError)) throw error;
     throw new HausdorffError(error.code, `${file.name}: ${error.message}`, { cause: error });
@@ -61,9 +74,9 @@ function withFirstSurface(json: string): string {
   }
 }
 
-async function readText(file: File): Promise<string> {
+async function readBytes(file: File): Promise<ArrayBuffer> {
   try {
-    return await file.text();
+    return await file.arrayBuffer();
   } catch (error) {
     // For example a folder, or a file that was moved after it was chosen.
     throw new HausdorffError("FILE_UNREADABLE", `${error}`, { cause: error });

@@ -1,5 +1,12 @@
 // The queue of measurements: one runs, and only the newest request waits.
-import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+import {
+  type DistanceResult,
+  type Field,
+  type Hausdorff,
+  HausdorffError,
+  type NurbsModel,
+} from "nurbs-hausdorff";
+import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
 import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
 
 /**
@@ -18,15 +25,16 @@ interface Requested {
 
 export class Measurements {
   readonly #engine: Hausdorff;
-  readonly #reply: (reply: Reply) => void;
+  readonly #reply: (reply: Reply, transfer?: Transferable[]) => void;
   readonly #fail: (error: unknown, run: number) => void;
   #models: Sides<NurbsModel> = {};
+  #fields: Field[] | undefined;
   #waiting: Requested | undefined;
   #running: Requested | undefined;
 
   constructor(
     engine: Hausdorff,
-    reply: (reply: Reply) => void,
+    reply: (reply: Reply, transfer?: Transferable[]) => void,
     fail: (error: unknown, run: number) => void,
   ) {
     this.#engine = engine;
@@ -41,6 +49,16 @@ export class Measurements {
       this.#models[side]?.dispose();
     }
     Object.assign(this.#models, models);
+  }
+
+  /** The models that are measured. */
+  get models(): Sides<NurbsModel> {
+    return this.#models;
+  }
+
+  /** The samples of the last measurement; undefined if it had none. */
+  get fields(): Field[] | undefined {
+    return this.#fields;
   }
 
   request(run: number, options: PlainOptions): void {
@@ -77,19 +95,30 @@ export class Measurements {
           if (mayCancel(options, performance.now() - begin, interval)) abort.abort();
         },
       });
-      this.#reply({
-        kind: "measured",
-        run,
-        result,
-        transform: options.transform ?? {},
-        engine: engineState(this.#engine),
-      });
+      const transform = options.transform ?? {};
+      this.#fields = (result.forward ?? result).field;
+      const field = this.#fields && fieldDisplay(this.#fields, transform);
+      const engine = engineState(this.#engine);
+      const plain = withoutField(result);
+      this.#reply(
+        { kind: "measured", run, result: plain, field, transform, engine },
+        field && buffersOf(field),
+      );
     } catch (error) {
       if (error instanceof HausdorffError && error.code === "CANCELLED") {
         this.#reply({ kind: "cancelled", run });
       } else this.#fail(error, run);
     }
   }
+}
+
+function withoutField<Result extends DistanceResult>(result: Result): Result {
+  const { field, forward, reverse, ...rest } = result;
+  return {
+    ...rest,
+    ...(forward && { forward: withoutField(forward) }),
+    ...(reverse && { reverse: withoutField(reverse) }),
+  } as Result;
 }
 
 /** Returns whether a measurement may be cancelled for a newer one. */

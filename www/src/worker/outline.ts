@@ -1,12 +1,28 @@
-// The outline of a model: its boundary edges, creases and gaps.
+// The outline of a model: the edges of its faces, creases and gaps.
 import type { Tessellation } from "nurbs-hausdorff";
+
+/** The cosine of the largest angle between normals across an inner border of a smooth face. */
+const SMOOTH_COSINE = Math.cos((10 * Math.PI) / 180);
+
+/** An edge as its two vertices. */
+type Edge = readonly [from: number, to: number];
 
 /**
  * Returns the edges that belong to only one triangle, two vertices per edge.
- * Creases are among them, because the tessellation duplicates their vertices.
+ * Creases are among them, because the tessellation duplicates their vertices;
+ * seams and borders between the pieces of one smooth face are not.
  * O(n log n) in the number of triangles.
  */
-export function outline({ positions, indices }: Tessellation): Uint32Array<ArrayBuffer> {
+export function outline(tessellation: Tessellation): Uint32Array<ArrayBuffer> {
+  const { indices, surfaces } = tessellation;
+  const edges = surfaces.flatMap(({ firstIndex, indexCount }) => {
+    const own = indices.subarray(firstIndex, firstIndex + indexCount);
+    return withoutInner(openEdges(tessellation, own), tessellation);
+  });
+  return new Uint32Array(edges.flat());
+}
+
+function openEdges({ positions }: Tessellation, indices: Uint32Array): Edge[] {
   const count = positions.length / 3;
   // Each edge is encoded as one number, exact in float64 up to 9e7 vertices.
   const keys = new Float64Array(indices.length);
@@ -18,15 +34,41 @@ export function outline({ positions, indices }: Tessellation): Uint32Array<Array
     }
   }
   keys.sort();
-  const edges: number[] = [];
+  const edges: Edge[] = [];
   for (let index = 0; index < keys.length; ) {
     const key = keys[index] ?? 0;
     const begin = index;
     while (index < keys.length && keys[index] === key) index += 1;
     const [from, to] = [Math.floor(key / count), key % count];
-    if (index - begin === 1 && distinct(positions, from, to)) edges.push(from, to);
+    if (index - begin === 1 && distinct(positions, from, to)) edges.push([from, to]);
   }
-  return new Uint32Array(edges);
+  return edges;
+}
+
+/** The edges of one face without those that lie on each other and have the same normals. */
+function withoutInner(edges: Edge[], { positions, normals }: Tessellation): Edge[] {
+  const place = (vertex: number) => positions.subarray(3 * vertex, 3 * vertex + 3).join(" ");
+  const byPlace = new Map<string, Edge>();
+  const inner = new Set<Edge>();
+  for (const edge of edges) {
+    const ends = edge.map(place);
+    const ordered: Edge = (ends[0] ?? "") < (ends[1] ?? "") ? edge : [edge[1], edge[0]];
+    const key = ends.sort().join(" ");
+    const other = byPlace.get(key);
+    if (other === undefined) byPlace.set(key, ordered);
+    else if ([0, 1].every((end) => smooth(normals, ordered[end] ?? 0, other[end] ?? 0))) {
+      for (const one of [ordered, other]) inner.add(one);
+    }
+  }
+  return [...byPlace.values()].filter((edge) => !inner.has(edge));
+}
+
+/** Returns whether two vertices have nearly the same normal. */
+function smooth(normals: Float32Array, one: number, other: number): boolean {
+  const axes = [0, 1, 2].map(
+    (axis) => (normals[3 * one + axis] ?? 0) * (normals[3 * other + axis] ?? 0),
+  );
+  return axes.reduce((sum, product) => sum + product, 0) >= SMOOTH_COSINE;
 }
 
 /** Returns whether the edge has a positive length; at poles some have none. */

@@ -1,5 +1,7 @@
 // The messages between the page and its worker.
 import type {
+  DiffOptions,
+  DiffResult,
   DistanceOptions,
   DistanceResult,
   ErrorCode,
@@ -8,6 +10,9 @@ import type {
   Transform,
   Vector3,
 } from "nurbs-hausdorff";
+import type { CadReport } from "nurbs-hausdorff/cad";
+
+import type { FieldDisplay } from "./field/fieldDisplay.ts";
 
 export type Side = "a" | "b";
 
@@ -30,15 +35,42 @@ export interface Placement {
 /** The options that can be posted to a worker. */
 export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 
+/** The options of a comparison face by face that can be posted to a worker. */
+export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
+
+/** A point of one model, and its closest point on the other. */
+export interface Probe {
+  side: Side;
+  face: number;
+  u: number;
+  v: number;
+  point: Vector3;
+  foot: Vector3;
+  /** The other model's face. */
+  footFace: number;
+  distance: number;
+  /** The true distance differs from `distance` by at most this. */
+  bound: number;
+  /** The distance with a sign; NaN without one. */
+  signed: number;
+}
+
 export type Request =
   | { kind: "load"; sources: Sides<Source>; placement: Placement }
   | { kind: "measure"; run: number; options: PlainOptions }
-  | { kind: "cancel" };
+  | { kind: "cancel" }
+  | { kind: "diff"; options: PlainDiffOptions }
+  | { kind: "cancelDiff" }
+  /** `near` is in the model's own coordinates. */
+  | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform }
+  | { kind: "csv" };
 
 /** What the page needs to draw a model. */
 export interface DisplayModel {
   source: Source;
   surfaceCount: number;
+  /** What reading a file kept, changed and left out; null for a shape. */
+  report: CadReport | null;
   box: { min: Vector3; max: Vector3 };
   tessellation: Tessellation;
   /** The vertices of the tessellation's open edges, two per edge. */
@@ -56,17 +88,32 @@ export interface EngineState {
   notice: string | null;
 }
 
+/** The state of the comparison face by face. */
+export type DiffReply = { kind: "diff" } & (
+  | { state: "working"; fraction: number }
+  | { state: "done"; result: DiffResult }
+  | { state: "cancelled" }
+  | { state: "failed"; code: Code; message: string }
+);
+
 export type Reply =
+  | DiffReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
+  /** A library is fetched that a file needs. */
+  | { kind: "loading"; text: string }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
   | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
   | {
       kind: "measured";
       run: number;
+      /** Without its field, of which the page draws `field`. */
       result: DistanceResult;
+      field: FieldDisplay | undefined;
       /** The transform of A with which the result was computed. */
       transform: Transform;
       engine: EngineState;
     }
+  | { kind: "probed"; id: number; probe: Probe | undefined }
+  | { kind: "csv"; table: Blob }
   | { kind: "cancelled"; run: number }
   | { kind: "failed"; run?: number; code: Code; message: string };

@@ -1,7 +1,11 @@
 // The worker, which owns the engine and the two models: computations do not block the page.
-import { Hausdorff, HausdorffError } from "nurbs-hausdorff";
+import { Hausdorff } from "nurbs-hausdorff";
+import { Differences } from "./differences.ts";
+import { codeOf, messageOf } from "./failure.ts";
+import { csvOf } from "./field/csv.ts";
 import { load } from "./load.ts";
 import { engineState, Measurements } from "./measurements.ts";
+import { probe } from "./probe.ts";
 import type { Reply, Request } from "./protocol.ts";
 
 const ready = start();
@@ -17,19 +21,40 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     fail(error);
     return;
   }
-  const { engine, measurements } = started;
-  if (data.kind === "measure") measurements.request(data.run, data.options);
-  else if (data.kind === "cancel") measurements.cancel();
-  else loaded = loaded.then(() => replace(engine, measurements, data));
+  const { measurements, differences } = started;
+  switch (data.kind) {
+    case "measure":
+      measurements.request(data.run, data.options);
+      break;
+    case "cancel":
+      measurements.cancel();
+      break;
+    case "diff":
+      void differences.compare(measurements.models, data.options);
+      break;
+    case "cancelDiff":
+      differences.cancel();
+      break;
+    case "probe":
+      void reportProbe(started, data);
+      break;
+    case "csv":
+      reply({ kind: "csv", table: csvOf(measurements.fields ?? []) });
+      break;
+    case "load":
+      loaded = loaded.then(() => replace(started, data));
+  }
 };
 
 async function replace(
-  engine: Hausdorff,
-  measurements: Measurements,
+  { engine, measurements, differences }: Awaited<typeof ready>,
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
-    const { models, display } = await load(engine, sources);
+    const { models, display } = await load(engine, sources, (text) =>
+      reply({ kind: "loading", text }),
+    );
+    differences.drop();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
       tessellation.positions.buffer,
@@ -43,10 +68,22 @@ async function replace(
   }
 }
 
+async function reportProbe(
+  { engine, measurements }: Awaited<typeof ready>,
+  { id, side, near, transform }: Extract<Request, { kind: "probe" }>,
+): Promise<void> {
+  // A point that cannot be measured, for example while models are replaced, is not reported.
+  const found = await probe(engine, measurements.models, side, near, transform).catch(
+    () => undefined,
+  );
+  reply({ kind: "probed", id, probe: found });
+}
+
 async function start() {
   const engine = await Hausdorff.create();
   reply({ kind: "ready", engine: engineState(engine), shapes: Hausdorff.shapes() });
-  return { engine, measurements: new Measurements(engine, reply, fail) };
+  const measurements = new Measurements(engine, reply, fail);
+  return { engine, measurements, differences: new Differences(engine, reply) };
 }
 
 function reply(message: Reply, transfer: Transferable[] = []): void {
@@ -54,7 +91,6 @@ function reply(message: Reply, transfer: Transferable[] = []): void {
 }
 
 function fail(error: unknown, run?: number): void {
-  const code = error instanceof HausdorffError ? error.code : "UNEXPECTED";
-  const message = error instanceof Error ? error.message : `${error}`;
-  reply({ kind: "failed", ...(run === undefined ? {} : { run }), code, message });
+  const failed = { code: codeOf(error), message: messageOf(error) };
+  reply({ kind: "failed", ...(run === undefined ? {} : { run }), ...failed });
 }

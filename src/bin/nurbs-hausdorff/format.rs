@@ -1,0 +1,38 @@
+//! The format of a file by its content.
+
+/// The bytes in which a text's signature is searched: comments and blanks may precede it.
+const HEAD_LENGTH: usize = 1024;
+
+/// The column, from 0, that names a line's section in IGES.
+const IGES_SECTION_COLUMN: usize = 72;
+
+/// Whether a text is OpenCASCADE's BREP.
+pub(crate) fn is_brep(text: &str) -> bool {
+    let text = text.trim_start();
+    text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")
+}
+
+/// The name of a format that the package's command line in Node reads and this one does
+/// not.
+pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
+    let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
+    let contains = |text: &str| head.windows(text.len()).any(|window| window == text.as_bytes());
+    let signatures = [
+        (head.starts_with(b"3D Geometry File Format"), "a Rhino 3DM file"),
+        (contains("ISO-10303-21"), "a STEP file"),
+        (is_iges(head), "an IGES file"),
+        (head.starts_with(b"PK\x03\x04"), "a zip archive, as FreeCAD documents are"),
+        (head.starts_with(&[0x1f, 0x8b]), "a file compressed by gzip"),
+    ];
+    signatures.into_iter().find_map(|(found, name)| found.then_some(name))
+}
+
+/// Whether the first line is of the start section, and numbered.
+fn is_iges(head: &[u8]) -> bool {
+    let mark = head.get(IGES_SECTION_COLUMN..IGES_SECTION_COLUMN + 8);
+    mark.is_some_and(|mark| {
+        mark[0] == b'S'
+            && mark[1..7].iter().all(|byte| matches!(byte, b' ' | b'0'..=b'9'))
+            && mark[7].is_ascii_digit()
+    })
+}

@@ -1,0 +1,139 @@
+//! The faces of a file and their placements.
+
+use super::faces::convert;
+use super::report::{ReadReport, Skipped};
+use super::text::{BrepFile, Orientation, ShapeKind};
+use crate::error::{Error, Result};
+use crate::model::{InstanceArrays, ModelArrays};
+use glam::DAffine3;
+use std::collections::HashMap;
+
+/// The most shapes visited from the root. A shape can stand in several others, so that
+/// a short file may describe more placements than memory holds.
+const MAX_VISITS: usize = 1 << 22;
+
+/// The faces of a file with the account of each.
+pub(super) struct Assembled {
+    pub(super) model: ModelArrays,
+    /// One entry a face of the model.
+    pub(super) counts: Vec<FaceCounts>,
+    pub(super) skipped: Vec<Skipped>,
+}
+
+/// The number of a face among those of the file, and those of its curves.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceCounts {
+    pub(super) number: usize,
+    pub(super) exact: usize,
+    pub(super) fitted: usize,
+}
+
+impl Assembled {
+    /// Returns the report on these faces.
+    pub(super) fn report(&self) -> ReadReport {
+        let curves = || self.model.faces.iter().filter_map(|face| face.trim.as_ref()).flatten().flatten();
+        ReadReport {
+            surfaces: self.counts.len(),
+            trims: curves().count(),
+            exact: self.counts.iter().map(|face| face.exact).sum(),
+            fitted: self.counts.iter().map(|face| face.fitted).sum(),
+            gap: curves().map(|curve| curve.gap).fold(0.0, f64::max),
+            unit: self.model.unit,
+            skipped: self.skipped.clone(),
+        }
+    }
+}
+
+/// A face where an assembly places it.
+struct Placed {
+    shape: usize,
+    reversed: bool,
+    location: DAffine3,
+}
+
+/// Converts every face below the root once, and lists its placements if any is moved.
+pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
+    let mut model = ModelArrays::default();
+    let (mut counts, mut skipped) = (Vec::new(), Vec::new());
+    // The index of each face among those of the file, and among those read.
+    let mut faces: HashMap<usize, Option<usize>> = HashMap::new();
+    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
+    for placed in placed_faces(file)? {
+        let number = faces.len();
+        let index = *faces.entry(placed.shape).or_insert_with(|| match convert(file, placed.shape) {
+            Ok(mut converted) => {
+                counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
+                converted.face.reversed = placed.reversed;
+                converted.face.part = Some(format!("face {number}"));
+                model.faces.push(converted.face);
+                Some(model.faces.len() - 1)
+            }
+            Err(fault) => {
+                skipped.push(Skipped { face: number, code: fault.code, why: fault.why });
+                None
+            }
+        });
+        let Some(index) = index else { continue };
+        let transform = matrix(&placed.location);
+        let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
+            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name: None });
+            model.instances.len() - 1
+        });
+        model.instances[group].surfaces.push(index);
+    }
+    for instance in &mut model.instances {
+        instance.surfaces.sort_unstable();
+        instance.surfaces.dedup();
+    }
+    if let [only] = model.instances.as_slice()
+        && only.transform == crate::model::IDENTITY
+    {
+        model.instances.clear();
+    }
+    match skipped.first() {
+        Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
+            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: skipped.len() })
+        }
+        _ if model.faces.is_empty() => Err(Error::EmptyModel),
+        _ => Ok(Assembled { model, counts, skipped }),
+    }
+}
+
+/// Returns the faces below the root, in the order of the file.
+fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
+    let mut placed = Vec::new();
+    // Uses still to be visited, the next one last, each with what it stands in.
+    let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
+    let mut visits = 0;
+    while let Some((shape_use, above, reversed)) = pending.pop() {
+        visits += 1;
+        if visits > MAX_VISITS {
+            return Err(Error::BrepSyntax {
+                line: 0,
+                found: "more than 4194304 placements of shapes".to_owned(),
+                expected: "an assembly of fewer".to_owned(),
+            });
+        }
+        let location = above * shape_use.location;
+        let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
+        let shape = &file.shapes[shape_use.shape];
+        match shape.kind {
+            ShapeKind::Face(_) => placed.push(Placed { shape: shape_use.shape, reversed, location }),
+            ShapeKind::Group => {
+                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
+            }
+            // Loose wires, edges and vertices are no surfaces.
+            _ => {}
+        }
+    }
+    Ok(placed)
+}
+
+/// Returns the row-major 3x4 matrix of an affine map.
+fn matrix(map: &DAffine3) -> [f64; 12] {
+    let rows = map.matrix3.transpose();
+    let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
+    let t = map.translation;
+    // Adding 0 makes zeros of either sign equal.
+    [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z].map(|entry| entry + 0.0)
+}

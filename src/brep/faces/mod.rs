@@ -1,0 +1,151 @@
+//! From a face of the file to a surface and closed loops in its parameters.
+//!
+//! The stages: [`uses`] finds the curve of each edge in the parameter plane; [`chain`]
+//! orders them head to tail across periods; [`rings`] closes loops that run around a
+//! period; [`nesting`] decides orientations and adds a missing outer loop; [`mapping`]
+//! takes the curves to the parameters of the exact NURBS; [`joints`] makes the loops
+//! meet in equal floats.
+
+mod chain;
+mod fit;
+mod inversion;
+mod jet;
+mod joints;
+mod mapping;
+mod metric;
+mod nesting;
+mod rings;
+mod uses;
+
+use super::nurbs::{Surface, SurfaceNet};
+use super::report::FaceFault;
+use super::text::{BrepFile, Orientation, ShapeKind};
+use crate::model::trim::{FaceArrays, TrimCurveArrays};
+use chain::Chain;
+use glam::DVec3;
+use mapping::Mapped;
+use metric::Metric;
+use uses::TrimUse;
+
+/// A face in the form of the interchange.
+pub(super) struct Converted {
+    pub(super) face: FaceArrays,
+    /// The number of trimming curves that are exact.
+    pub(super) exact: usize,
+    /// The number of fitted trimming curves.
+    pub(super) fitted: usize,
+}
+
+/// The longest range of a periodic parameter that loops may cover, in periods. A loop of
+/// one period may begin anywhere, so that one more is enough.
+const MAX_PERIODS: f64 = 2.0;
+
+/// Converts a face.
+///
+/// # Errors
+/// The reason for which it cannot be read.
+pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFault> {
+    let ShapeKind::Face(face) = &file.shapes[shape].kind else {
+        return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
+    };
+    let Some(index) = face.surface else {
+        return Err(FaceFault::new("BREP_NO_SURFACE", "the face has triangles and no surface"));
+    };
+    let surface = &file.surfaces[index];
+    let loops = loops(file, shape, surface)?;
+    let arrays = |net: SurfaceNet, trim| FaceArrays {
+        surface: net.into_arrays(&face.location),
+        trim,
+        reversed: false,
+        part: None,
+        kind: Some(surface.kind().to_owned()),
+        gap: 0.0,
+    };
+    if loops.is_empty() {
+        let [Some(u), Some(v)] = surface.natural_ranges() else {
+            return Err(FaceFault::new("BREP_UNBOUNDED", "the face has no loops and its surface no bounds"));
+        };
+        let net = net(surface, [u, v])?;
+        return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0 });
+    }
+    let net = net(surface, ranges(surface, &loops)?)?;
+    let metric = Metric::of(&net);
+    let mut mapped: Vec<Vec<Mapped>> = loops
+        .into_iter()
+        .map(|uses| uses.into_iter().flat_map(|trim_use| mapping::map(trim_use, &net, &metric)).collect())
+        .collect();
+    joints::join(&mut mapped, &net);
+    let curves = || mapped.iter().flatten();
+    let fitted = curves().filter(|curve| curve.fitted).count();
+    let exact = curves().count() - fitted;
+    let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
+    Ok(Converted { face: arrays(net, Some(trim)), exact, fitted })
+}
+
+/// Returns the loops of a face in the parameters of the file, closed and oriented with
+/// the material on the left.
+fn loops(file: &BrepFile, shape: usize, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
+    let mut chains: Vec<Chain> = Vec::new();
+    for wire in &file.shapes[shape].children {
+        let bounds = matches!(wire.orientation, Orientation::Forward | Orientation::Reversed);
+        if !bounds || !matches!(file.shapes[wire.shape].kind, ShapeKind::Wire) {
+            continue;
+        }
+        let uses = uses::of_wire(file, shape, wire)?;
+        if !uses.is_empty() {
+            chains.push(chain::chain(uses, surface)?);
+        }
+    }
+    let loops = rings::close(chains, surface)?;
+    nesting::orient(loops, surface)
+}
+
+/// Returns the ranges of u and v that loops cover.
+fn ranges(surface: &Surface, loops: &[Vec<TrimUse>]) -> Result<[[f64; 2]; 2], FaceFault> {
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    // Control points inside of the domain need no cuts later; but beyond a pole, and where a
+    // B-spline would have to be extended to them, the curves themselves are bounded.
+    let tight = matches!(surface, Surface::Spline(_)) || !surface.poles().is_empty();
+    for curve in loops.iter().flatten() {
+        let [curve_low, curve_high] = if tight { curve.bounds() } else { curve.hull() };
+        (low, high) = (low.min(curve_low), high.max(curve_high));
+    }
+    let periods = surface.periods();
+    for axis in [0, 1] {
+        let length = high[axis] - low[axis];
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(FaceFault::new(
+                "BREP_LOOP_NO_AREA",
+                format!("the loops cover a range of {length:?}"),
+            ));
+        }
+        if periods[axis].is_some_and(|period| length > MAX_PERIODS * period * (1.0 + 1e-9)) {
+            let why = format!("the loops cover a range of {length:?}, expected at most two periods");
+            return Err(FaceFault::new("BREP_TOO_MANY_PERIODS", why));
+        }
+    }
+    Ok([[low.x, high.x], [low.y, high.y]])
+}
+
+fn net(surface: &Surface, ranges: [[f64; 2]; 2]) -> Result<SurfaceNet, FaceFault> {
+    let net = surface.net(ranges)?;
+    if !net.has_positive_weights() {
+        let why = "the loops leave the surface so far that its continuation has weights below 0";
+        return Err(FaceFault::new("BREP_OUTSIDE_DOMAIN", why));
+    }
+    Ok(net)
+}
+
+fn curve_arrays(mapped: &Mapped) -> TrimCurveArrays {
+    let control = |control: &glam::DVec4| {
+        let point = super::nurbs::project(*control);
+        [point.x, point.y, control.w]
+    };
+    TrimCurveArrays {
+        degree: mapped.curve.degree,
+        knots: mapped.curve.knots.clone(),
+        control_points: mapped.curve.controls.iter().map(control).collect(),
+        gap: mapped.gap,
+        edge: mapped.edge,
+    }
+}

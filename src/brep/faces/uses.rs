@@ -1,0 +1,190 @@
+//! The curves of a wire's edges in the parameter plane of a face.
+
+use super::inversion::{invert, samples};
+use crate::brep::nurbs::{Curve, Spline, Surface};
+use crate::brep::report::FaceFault;
+use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
+use glam::{DAffine3, DVec3};
+
+/// An edge as part of a loop.
+#[derive(Debug, Clone)]
+pub(super) struct TrimUse {
+    /// The curve in the parameters of the file, along the loop.
+    pub(super) curve: Spline,
+    /// The number of the edge; `None` for curves that no edge of the file is.
+    pub(super) edge: Option<u32>,
+    /// The vertices at the start and the end, as indices of shapes.
+    pub(super) vertices: [Option<usize>; 2],
+    pub(super) tolerance: f64,
+    /// The distance between the curve on the surface and the edge: measured, unless the
+    /// curve was made from the edge.
+    pub(super) gap: f64,
+}
+
+impl TrimUse {
+    /// A segment that no edge of the file is.
+    pub(super) fn segment(start: DVec3, end: DVec3) -> Self {
+        let curve = Spline::segment([0.0, 1.0], start, end);
+        Self { curve, edge: None, vertices: [None; 2], tolerance: 0.0, gap: 0.0 }
+    }
+
+    /// Returns the box of the control points.
+    pub(super) fn hull(&self) -> [DVec3; 2] {
+        let points = || self.curve.points();
+        [points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max)]
+    }
+
+    /// Returns a box that contains the curve, and little more.
+    pub(super) fn bounds(&self) -> [DVec3; 2] {
+        let pieces = self.curve.pieces().into_iter().flat_map(|piece| {
+            let [start, end] = piece.domain();
+            let at = move |index: usize| start + (end - start) * index as f64 / BOX_PARTS as f64;
+            let parts = if piece.degree == 1 { 1 } else { BOX_PARTS };
+            (0..parts).map(move |part| match parts {
+                1 => piece.clone(),
+                _ => piece.sub_piece([at(part), at(part + 1)]),
+            })
+        });
+        pieces.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], piece| {
+            piece.points().fold([low, high], |[low, high], point| [low.min(point), high.max(point)])
+        })
+    }
+}
+
+/// The number of parts of a piece whose control points bound it: they leave it by about
+/// a 64th of what those of the whole do.
+const BOX_PARTS: usize = 8;
+
+/// Returns the curves of a wire in the order of the file, each along the loop.
+pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
+    let ShapeKind::Face(face) = &file.shapes[face_shape].kind else { return Ok(Vec::new()) };
+    let mut uses = Vec::new();
+    for child in &file.shapes[wire.shape].children {
+        let ShapeKind::Edge(edge) = &file.shapes[child.shape].kind else { continue };
+        let reversed = match child.orientation {
+            Orientation::Forward => wire.orientation == Orientation::Reversed,
+            Orientation::Reversed => wire.orientation == Orientation::Forward,
+            // Edges within the face do not bound it.
+            Orientation::Internal | Orientation::External => continue,
+        };
+        let location = wire.location * child.location;
+        let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
+            FaceFault { code, why: format!("edge {}: {why}", child.shape) }
+        })?;
+        let Some((curve, gap)) = found else { continue };
+        let vertices = vertices(file, child.shape);
+        uses.push(TrimUse {
+            curve: if reversed { curve.reversed() } else { curve },
+            edge: u32::try_from(child.shape).ok(),
+            vertices: if reversed { [vertices[1], vertices[0]] } else { vertices },
+            tolerance: edge.tolerance,
+            gap,
+        });
+    }
+    if wire.orientation == Orientation::Reversed {
+        uses.reverse();
+    }
+    Ok(uses)
+}
+
+/// Returns the vertices at the start and end of an edge.
+fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
+    [Orientation::Forward, Orientation::Reversed].map(|orientation| {
+        let children = &file.shapes[edge].children;
+        children.iter().find(|child| child.orientation == orientation).map(|child| child.shape)
+    })
+}
+
+/// Returns the curve of an edge in the direction of the edge, and its gap. `None` for an
+/// edge of no length.
+fn of_edge(
+    file: &BrepFile,
+    face: &Face,
+    edge: &Edge,
+    location: &DAffine3,
+    reversed: bool,
+) -> Result<Option<(Spline, f64)>, FaceFault> {
+    let Some(index) = face.surface else { return Ok(None) };
+    let surface = &file.surfaces[index];
+    let Some(p_curve) = p_curve(edge, index, location, &face.location) else {
+        if edge.degenerate {
+            return Ok(None);
+        }
+        return invert(file, face, surface, edge, location).map(Some);
+    };
+    let curve = &file.p_curves[p_curve.curves[usize::from(reversed)]];
+    let [start, end] = p_curve.range;
+    if start >= end {
+        return Ok(None);
+    }
+    let (spline, _) = curve.spline(p_curve.range)?;
+    if !spline.points().all(DVec3::is_finite) {
+        return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
+    }
+    let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
+    Ok(Some((spline, gap)))
+}
+
+/// Returns the curve of an edge on a surface. An edge moved by `location` lies on the
+/// surface moved by `surface_location` if its own entry states the surface moved by the
+/// quotient; where none does, any entry of the surface is taken.
+fn p_curve<'a>(
+    edge: &'a Edge,
+    surface: usize,
+    location: &DAffine3,
+    surface_location: &DAffine3,
+) -> Option<&'a PCurve> {
+    let mut entries = edge.p_curves.iter().filter(|entry| entry.surface == surface);
+    let same = |entry: &&PCurve| (*location * entry.location).abs_diff_eq(*surface_location, SAME_LOCATION);
+    entries.clone().find(same).or_else(|| entries.next())
+}
+
+/// The largest difference of entries of equal locations, which products round differently.
+const SAME_LOCATION: f64 = 1e-9;
+
+/// Returns the largest distance from points of the curve on the surface, at equally spaced
+/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
+/// to a nearer one if that is another point.
+fn measured_gap(
+    file: &BrepFile,
+    face: &Face,
+    surface: &Surface,
+    edge: &Edge,
+    location: &DAffine3,
+    curve: &Curve,
+    range: [f64; 2],
+) -> f64 {
+    let Some(space) = &edge.curve else { return 0.0 };
+    let space_location = *location * space.location;
+    let in_space = &file.curves[space.curve];
+    let mut gap = 0.0_f64;
+    for (t_curve, t_space) in samples(range).zip(samples(space.range)) {
+        let parameters = curve.point(t_curve);
+        let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
+        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
+        let mut t = t_space;
+        let mut nearest = distance(t);
+        // Curves of unequal parametrization are nearer to each other elsewhere.
+        for _ in 0..NEAREST_STEPS {
+            if nearest <= SAME_POINT {
+                break;
+            }
+            let tangent = space_location.transform_vector3(in_space.tangent(t));
+            let difference = on_surface - space_location.transform_point3(in_space.point(t));
+            let step = difference.dot(tangent) / tangent.length_squared();
+            if !step.is_finite() {
+                break;
+            }
+            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
+            nearest = nearest.min(distance(t));
+        }
+        gap = gap.max(nearest);
+    }
+    gap
+}
+
+/// The distance at which OpenCASCADE takes two points for one, `Precision::Confusion`.
+const SAME_POINT: f64 = 1e-7;
+
+/// The Gauss-Newton steps towards the nearest point of an edge.
+const NEAREST_STEPS: usize = 4;

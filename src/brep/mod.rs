@@ -1,0 +1,69 @@
+//! The reader of OpenCASCADE's BREP text.
+//!
+//! The stages: [`text`] reads the sections into curves, surfaces and shapes as they
+//! stand in the file; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
+//! turns a face into a surface and closed loops in its parameters; [`assembly`] collects
+//! the faces and their placements.
+
+mod assembly;
+mod faces;
+mod nurbs;
+mod report;
+mod text;
+mod validation;
+
+pub use report::{ReadReport, Skipped};
+
+use crate::error::{Error, Result};
+use crate::model::Model;
+#[cfg(target_arch = "wasm32")]
+use crate::model::ModelArrays;
+
+impl Model {
+    /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
+    /// trimmed as it is.
+    ///
+    /// Elementary and swept surfaces become exact NURBS over the region that their loops
+    /// cover. Trimming curves stay exact on planes and B-splines and along parameter
+    /// lines; others are fitted, with the bound of the difference in their gap. A face
+    /// that cannot be read is in the report, never dropped silently. O(size).
+    ///
+    /// # Errors
+    /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
+    /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
+    pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
+        model(text, None, None)
+    }
+}
+
+/// Reads a BREP text as a model of this name and unit, which the text does not state.
+///
+/// # Errors
+/// Those of [`Model::from_brep`], and [`Error::UnitInvalid`].
+pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    let mut read = assembled(text)?;
+    (read.model.name, read.model.unit) = (name, unit);
+    validation::into_model(read)
+}
+
+/// Makes a model of faces that another reader made, whose curves count as exact. Faces
+/// that the model refuses are skipped in the report, by their index.
+///
+/// # Errors
+/// Those of [`Model::from_faces`] that concern no face, or every one.
+#[cfg(target_arch = "wasm32")]
+pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
+    let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
+    let count = |(number, face)| assembly::FaceCounts { number, exact: curves(face), fitted: 0 };
+    let counts = model.faces.iter().enumerate().map(count).collect();
+    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
+}
+
+fn assembled(text: &str) -> Result<assembly::Assembled> {
+    let found = text.len() as u64;
+    if found > Model::MAX_JSON_BYTES {
+        return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
+    }
+    let file = text::BrepFile::parse(text)?;
+    assembly::assemble(&file)
+}

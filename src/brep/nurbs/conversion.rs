@@ -1,0 +1,45 @@
+//! The reasons for which a curve or surface has no exact NURBS.
+
+/// A conversion's failure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Unconvertible {
+    /// The offset of a curve or surface is not rational.
+    Offset,
+    /// The range is too long, or too far from the first period, to be that of an edge.
+    Range,
+}
+
+impl Unconvertible {
+    /// The stable code of the reason.
+    pub(crate) fn code(self) -> &'static str {
+        match self {
+            Self::Offset => "BREP_OFFSET",
+            Self::Range => "BREP_RANGE",
+        }
+    }
+
+    /// The reason in words.
+    pub(crate) fn why(self) -> &'static str {
+        match self {
+            Self::Offset => "the offset of this kind of curve or surface is not rational",
+            Self::Range => "the range is longer than 16 periods, or a million periods from 0",
+        }
+    }
+}
+
+/// The longest range of a periodic parameter, in periods.
+const MAX_PERIODS: f64 = 16.0;
+
+/// The largest parameter, in periods: float64 still resolves 1e-10 of one.
+const MAX_PARAMETER: f64 = 1e6;
+
+/// Checks that a range is one that an edge may have, relative to the start of the first
+/// period.
+///
+/// # Errors
+/// [`Unconvertible::Range`] if not.
+pub(crate) fn check_range([start, end]: [f64; 2], period: f64) -> Result<(), Unconvertible> {
+    let near = [start, end].iter().all(|parameter| parameter.abs() <= MAX_PARAMETER * period);
+    let valid = near && end > start && end - start <= MAX_PERIODS * period;
+    if valid { Ok(()) } else { Err(Unconvertible::Range) }
+}

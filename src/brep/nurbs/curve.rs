@@ -1,0 +1,213 @@
+//! The curves of the file.
+
+use super::basis::Basis;
+use super::conic::Conic;
+use super::conversion::{Unconvertible, check_range};
+use super::frame::Frame;
+use super::parameter_map::ParameterMap;
+use super::spline::{Spline, project};
+use glam::{DVec3, DVec4};
+use std::f64::consts::TAU;
+
+/// A curve in space, or in the parameter plane z = 0.
+#[derive(Debug, Clone)]
+pub(crate) enum Curve {
+    /// `point + t direction`.
+    Line {
+        point: DVec3,
+        direction: DVec3,
+    },
+    /// A conic with its lengths in x and y.
+    Conic {
+        conic: Conic,
+        center: DVec3,
+        x: DVec3,
+        y: DVec3,
+    },
+    Spline(SplineCurve),
+    /// The part of a curve between two parameters.
+    Trimmed {
+        range: [f64; 2],
+        basis: Box<Self>,
+    },
+    /// `C + distance (C' × normal) / |C' × normal|`.
+    Offset {
+        distance: f64,
+        normal: DVec3,
+        basis: Box<Self>,
+    },
+}
+
+/// A Bézier or B-spline curve.
+#[derive(Debug, Clone)]
+pub(crate) struct SplineCurve {
+    basis: Basis,
+    poles: Vec<DVec4>,
+    /// The curve over [`Basis::domain`].
+    one_period: Spline,
+}
+
+impl SplineCurve {
+    pub(crate) fn new(basis: Basis, poles: Vec<DVec4>) -> Self {
+        let (knots, indices) = basis.one_period();
+        let controls = indices.iter().map(|&index| poles[index]).collect();
+        let one_period = Spline { degree: basis.degree, knots: knots.to_vec(), controls };
+        Self { basis, poles, one_period }
+    }
+
+    /// Returns the curve over clamped knots of `range`.
+    fn over(&self, range: [f64; 2]) -> Spline {
+        let (knots, indices) = self.basis.unrolled(range);
+        let controls = indices.iter().map(|&index| self.poles[index]).collect();
+        let spline = Spline { degree: self.basis.degree, knots, controls };
+        let clamped = self.basis.clamped(range);
+        if clamped == spline.knots { spline } else { spline.with_knots(&clamped) }
+    }
+}
+
+impl Curve {
+    /// Returns the point at a parameter.
+    pub(crate) fn point(&self, t: f64) -> DVec3 {
+        match self {
+            Self::Line { point, direction } => *point + t * *direction,
+            Self::Conic { conic, center, x, y } => {
+                let [a, b] = conic.point(t);
+                *center + a * *x + b * *y
+            }
+            Self::Spline(spline) => spline.one_period.point(spline.basis.reduced(t)),
+            Self::Trimmed { basis, .. } => basis.point(t),
+            Self::Offset { distance, normal, basis } => {
+                let side = basis.tangent(t).cross(*normal);
+                basis.point(t) + *distance * side.normalize_or_zero()
+            }
+        }
+    }
+
+    /// Returns the derivative at a parameter.
+    pub(crate) fn tangent(&self, t: f64) -> DVec3 {
+        match self {
+            Self::Line { direction, .. } => *direction,
+            Self::Conic { conic, x, y, .. } => {
+                let [a, b] = conic.tangent(t);
+                a * *x + b * *y
+            }
+            Self::Spline(spline) => spline.one_period.tangent(spline.basis.reduced(t)),
+            Self::Trimmed { basis, .. } => basis.tangent(t),
+            // The direction is the basis curve's; the length serves normals only.
+            Self::Offset { basis, .. } => basis.tangent(t),
+        }
+    }
+
+    /// Returns the period of a closed periodic curve.
+    pub(crate) fn period(&self) -> Option<f64> {
+        match self {
+            Self::Conic { conic: Conic::Elliptic, .. } => Some(TAU),
+            Self::Spline(spline) => spline.basis.period(),
+            Self::Offset { basis, .. } => basis.period(),
+            _ => None,
+        }
+    }
+
+    /// Returns the range of the whole curve, if it is bounded.
+    pub(crate) fn natural_range(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Conic { conic: Conic::Elliptic, .. } => Some([0.0, TAU]),
+            Self::Line { .. } | Self::Conic { .. } => None,
+            Self::Spline(spline) => Some(spline.basis.domain()),
+            Self::Trimmed { range, .. } => Some(*range),
+            Self::Offset { basis, .. } => basis.natural_range(),
+        }
+    }
+
+    /// Returns the exact rational curve over `range`, a clamped spline, and the map from
+    /// this curve's parameter to the spline's.
+    ///
+    /// # Errors
+    /// [`Unconvertible`], also for a range that is empty.
+    pub(crate) fn spline(&self, range: [f64; 2]) -> Result<(Spline, ParameterMap), Unconvertible> {
+        match self {
+            Self::Line { .. } => {
+                let [start, end] = range.map(|t| self.point(t));
+                if range[0] >= range[1] {
+                    return Err(Unconvertible::Range);
+                }
+                Ok((Spline::segment(range, start, end), ParameterMap::Identity))
+            }
+            Self::Conic { conic, center, x, y } => {
+                check_range(range, conic.longest_range())?;
+                let breaks = conic.breaks(range);
+                Ok((conic.spline(&breaks, *center, *x, *y), conic.map(breaks)))
+            }
+            Self::Spline(spline) => {
+                spline.basis.check_range(range)?;
+                Ok((spline.over(range), ParameterMap::Identity))
+            }
+            Self::Trimmed { basis, .. } => basis.spline(range),
+            Self::Offset { distance, normal, basis } => {
+                basis.offset(*distance, *normal).ok_or(Unconvertible::Offset)?.spline(range)
+            }
+        }
+    }
+
+    /// Returns the offset of a line or circle, which is of the same kind with equal
+    /// parameters; `None` for other curves.
+    pub(crate) fn offset(&self, distance: f64, normal: DVec3) -> Option<Self> {
+        match self {
+            Self::Line { point, direction } => {
+                let side = direction.cross(normal).try_normalize()?;
+                Some(Self::Line { point: *point + distance * side, direction: *direction })
+            }
+            Self::Conic { conic: Conic::Elliptic, center, x, y } => {
+                let radius = x.length();
+                let along = x.cross(*y).try_normalize()?.dot(normal.try_normalize()?);
+                let circle = (y.length() - radius).abs() <= SAME_DIRECTION * radius
+                    && x.dot(*y).abs() <= SAME_DIRECTION * radius * radius;
+                if !circle || 1.0 - along.abs() > SAME_DIRECTION {
+                    return None;
+                }
+                // Outward is C' × (x × y).
+                let scale = 1.0 + distance * along.signum() / radius;
+                Some(Self::Conic { conic: Conic::Elliptic, center: *center, x: scale * *x, y: scale * *y })
+            }
+            Self::Trimmed { range, basis } => {
+                let basis = Box::new(basis.offset(distance, normal)?);
+                Some(Self::Trimmed { range: *range, basis })
+            }
+            Self::Offset { distance: inner, normal: direction, basis } => {
+                basis.offset(*inner, *direction)?.offset(distance, normal)
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns the curve in the coordinates of a frame.
+    pub(crate) fn in_frame(self, frame: &Frame) -> Self {
+        match self {
+            Self::Line { point, direction } => {
+                Self::Line { point: frame.local_point(point), direction: frame.local_vector(direction) }
+            }
+            Self::Conic { conic, center, x, y } => Self::Conic {
+                conic,
+                center: frame.local_point(center),
+                x: frame.local_vector(x),
+                y: frame.local_vector(y),
+            },
+            Self::Spline(spline) => {
+                let local = |&pole: &DVec4| (pole.w * frame.local_point(project(pole))).extend(pole.w);
+                let poles = spline.poles.iter().map(local).collect();
+                Self::Spline(SplineCurve::new(spline.basis, poles))
+            }
+            Self::Trimmed { range, basis } => Self::Trimmed { range, basis: Box::new(basis.in_frame(frame)) },
+            Self::Offset { distance, normal, basis } => Self::Offset {
+                // A cross product turns round in a left-handed frame.
+                distance: distance * frame.handedness(),
+                normal: frame.local_vector(normal),
+                basis: Box::new(basis.in_frame(frame)),
+            },
+        }
+    }
+}
+
+/// The difference of unit vectors, or of lengths relative to them, below which they are
+/// equal: files state directions to 15 digits.
+const SAME_DIRECTION: f64 = 1e-12;

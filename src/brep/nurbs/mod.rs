@@ -1,0 +1,21 @@
+//! Curves and surfaces of the file: evaluation, and exact conversion to NURBS.
+
+mod basis;
+mod conic;
+mod conversion;
+mod curve;
+mod frame;
+mod parameter_map;
+mod spline;
+mod surface;
+mod surface_net;
+
+pub(crate) use basis::Basis;
+pub(crate) use conic::Conic;
+pub(crate) use conversion::Unconvertible;
+pub(crate) use curve::{Curve, SplineCurve};
+pub(crate) use frame::Frame;
+pub(crate) use parameter_map::ParameterMap;
+pub(crate) use spline::{Spline, project};
+pub(crate) use surface::{SplineSurface, Surface};
+pub(crate) use surface_net::SurfaceNet;

@@ -1,0 +1,111 @@
+//! Maps of a cell along the parameter lines of B.
+
+use super::super::CellContext;
+use crate::axis::Axis;
+use crate::certified::reparametrization::Reparametrization;
+use glam::{DVec2, DVec4};
+
+/// How the axes of A and of B correspond under a map.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Orientation {
+    /// Whether σ runs along B's second parameter.
+    pub(super) swapped: bool,
+    /// Whether B's parameter decreases, by A's axes.
+    backwards: [bool; 2],
+}
+
+impl Orientation {
+    pub(super) fn new(map: &Reparametrization) -> Self {
+        let mut orientation = Self { swapped: map.p.y.abs() > map.p.x.abs(), backwards: [false; 2] };
+        orientation.backwards = orientation.along(map).map(|derivative| derivative < 0.0);
+        orientation
+    }
+
+    /// The derivatives by σ and τ along B's parameter lines.
+    pub(super) fn along(&self, map: &Reparametrization) -> [f64; 2] {
+        if self.swapped { [map.p.y, map.q.x] } else { [map.p.x, map.q.y] }
+    }
+
+    /// The derivatives by σ and τ across them.
+    pub(super) fn across(&self, map: &Reparametrization) -> DVec2 {
+        if self.swapped { DVec2::new(map.p.x, map.q.y) } else { DVec2::new(map.p.y, map.q.x) }
+    }
+
+    /// The control net of a patch of B in the order of A's parameters.
+    pub(super) fn oriented(&self, controls: &[DVec4], [p, q]: [usize; 2]) -> Vec<DVec4> {
+        let [rows, columns] = if self.swapped { [q, p] } else { [p, q] };
+        let mut oriented = Vec::with_capacity(controls.len());
+        for i in 0..=rows {
+            for j in 0..=columns {
+                let i = if self.backwards[0] { rows - i } else { i };
+                let j = if self.backwards[1] { columns - j } else { j };
+                let [i, j] = if self.swapped { [j, i] } else { [i, j] };
+                oriented.push(controls[i * (q + 1) + j]);
+            }
+        }
+        oriented
+    }
+}
+
+/// How far, relative to its length along the parameter lines, a map may run
+/// across them or be clamped at the edge of the patch.
+const MAX_SKEW: f64 = 1e-6;
+
+/// A map of the cell along B's parameter lines.
+pub(super) struct AlignedMap {
+    /// The derivatives by σ and τ along the lines.
+    p: DVec2,
+    q: DVec2,
+    pub(super) orientation: Orientation,
+    /// Their sizes and signs by A's axes.
+    along: [f64; 2],
+}
+
+impl AlignedMap {
+    /// The feet's linearization if it is one. An axis along which A's patch is
+    /// constant may be mapped to a point.
+    pub(super) fn new(context: &CellContext<'_>) -> Option<Self> {
+        let (foot, a, [h, k]) = (context.foot(), &context.jet, context.cell.half);
+        let jet = context.pair.b.patch(foot.patch).jet(foot.parameters);
+        let tangents = [h * a.s, k * a.t];
+        let map = Reparametrization::linearized(&jet, jet.point - a.point, tangents, [false; 2])?;
+        let clamped = map.clamped_to(context.pair.b.room(foot.patch), foot.parameters);
+        let clamping = (map.extent() - clamped.extent()).abs().max_element();
+        let Reparametrization { p, q } = clamped;
+        let orientation = Orientation::new(&clamped);
+        let (along, across) = (orientation.along(&clamped), orientation.across(&clamped));
+        let is_constant = Axis::BOTH.map(|axis| context.patch.is_constant(axis));
+        let mut least = f64::INFINITY;
+        for axis in 0..2 {
+            if !is_constant[axis] {
+                least = least.min(along[axis].abs());
+            }
+        }
+        let skew = across.abs().max_element().max(clamping);
+        (skew <= MAX_SKEW * least && least > 0.0).then_some(Self { p, q, orientation, along })
+    }
+
+    /// Whether a corner of the cell is farther than the threshold from its image.
+    pub(super) fn is_beyond(&self, context: &CellContext<'_>, threshold: f64) -> bool {
+        let foot = context.foot();
+        let target = context.pair.b.patch(foot.patch);
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        corners.into_iter().any(|corner| {
+            let from = context.pair.point_of_a(context.cell.patch, context.cell.at(corner));
+            let image = DVec2::from_array(foot.parameters) + corner[0] * self.p + corner[1] * self.q;
+            from.distance_squared(target.point(image.to_array())) > threshold * threshold
+        })
+    }
+
+    /// The image of the cell, by B's axes.
+    pub(super) fn image(&self, foot: [f64; 2]) -> [[f64; 2]; 2] {
+        let [first, second] = self.along;
+        let extent = if self.orientation.swapped { [second, first] } else { [first, second] };
+        [0, 1].map(|axis| [foot[axis] - extent[axis].abs(), foot[axis] + extent[axis].abs()])
+    }
+
+    /// Whether the image lies in B's patch, not only in its extension.
+    pub(super) fn is_inside(&self, foot: [f64; 2]) -> bool {
+        self.image(foot).as_flattened().iter().all(|parameter| (0.0..=1.0).contains(parameter))
+    }
+}

@@ -1,0 +1,342 @@
+//! A surface in the parameters of one of its Bézier patches.
+//!
+//! Lemma (Taylor bound across seams). Let a surface be the polynomial or rational
+//! functions of its patches, and let the segment from β to β + λ, with
+//! |λ_i| <= ℓ_i, cross seams. Then the surface at β + λ differs from the Taylor
+//! polynomial of second order of the patch of β by at most
+//!
+//! `(ℓ_s³ M_sss + 3 ℓ_s² ℓ_t M_sst + 3 ℓ_s ℓ_t² M_stt + ℓ_t³ M_ttt) / 6 +
+//! Σ (J_00 + ω (ℓ_a J_10 + ℓ_b J_01) + ½ ω² (ℓ_a² J_20 + 2 ℓ_a ℓ_b J_11 + ℓ_b² J_02))`
+//!
+//! with M over all patches that β ± ℓ touches, and the sum over the seams across s and
+//! across t that lie on one side of β, of the larger of its two sums; J bounds
+//! the jumps across the seam (axis a) and along it (axis b) on all patches
+//! touched, and `ω = 1 - d / ℓ_a` with d the distance of the seam from β.
+//!
+//! Proof. Along the segment, g(θ) = B(β + θ λ) is smooth between the crossings
+//! θ_k, where g, g' and g'' jump by g_k, g_k', g_k''. Integrating by parts between the crossings,
+//!
+//! `g(1) = g(0) + g'(0) + ½ g''(0) + ∫ ½ (1 - θ)² g''' dθ + Σ (g_k + (1 - θ_k) g_k' + ½ (1 - θ_k)² g_k'')`
+//!
+//! for one-sided derivatives at 0. A crossing at a corner is one across s and one
+//! across t; a segment along a seam stays on one side. The integral is at most
+//! the largest |g'''| over 6. At distance d a seam is crossed at θ = d/|λ_a|, so 1 - θ <= ω, and the
+//! jumps of g', g'' are those of the partial derivatives times λ. ∎
+
+use super::super::rounding::{JetScale, UNIT_ROUNDOFF};
+use super::Sheets;
+use crate::axis::Axis;
+use crate::bezier::{DerivativeBounds, Jet, Patch, PatchGrid, SeamJumps};
+use crate::param_box::ParamBox;
+use std::ops::RangeInclusive;
+
+/// The largest number of seams that a map may cross on one side. Cells of which the images
+/// touch more patches are halved.
+const MAX_CROSSED: isize = 4;
+
+/// The largest ratio of the widths of two spans that one map may touch:
+/// bounds on derivatives by the narrower span's parameters grow with its cube.
+const MAX_WIDTH_RATIO: f64 = 64.0;
+
+/// The largest jump of points, relative to the patch's first derivative, and of
+/// first derivatives, at a seam that a map may cross. Beyond a larger one, which is an edge of
+/// the surface or a crease, the Taylor bound is of first order.
+const MAX_GAP: f64 = 1e-9;
+const MAX_CREASE: f64 = 1e-6;
+
+/// The rounding of a seam's parameter, in units of the sizes of its terms.
+const LINE_ROUNDINGS: f64 = 16.0;
+
+/// The largest rounding of a seam's parameter at which the seam may be crossed, and a
+/// relative margin that covers it in the parameters of the other patches.
+const MAX_LINE_ERROR: f64 = 1e-11;
+const MARGIN: f64 = 1e-8;
+
+/// A surface about a point of one of its patches, in that patch's parameters.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::certified) struct Chart<'a> {
+    sheets: Sheets<'a>,
+    grid: &'a PatchGrid,
+    /// The patch, by its place in the grid.
+    index: [usize; 2],
+    patch: Patch<'a>,
+    /// The point's parameters.
+    pub(in crate::certified) parameters: [f64; 2],
+}
+
+/// How far a surface is followed from a point.
+#[derive(Debug, Clone)]
+pub(in crate::certified) struct Reach {
+    /// The parameters, inside by their rounding.
+    pub(in crate::certified) domain: ParamBox,
+    /// The patches, by their offsets along each axis.
+    patches: [RangeInclusive<isize>; 2],
+}
+
+impl<'a> Chart<'a> {
+    /// The chart of the patch that a flat patch was cut from, about a point of the latter.
+    pub(in crate::certified) fn new(sheets: Sheets<'a>, flat: u32, parameters: [f64; 2]) -> Self {
+        let place = &sheets.places[flat as usize];
+        let patch = sheets.bezier.patches.patch(place.patch as usize);
+        let grid = &sheets.bezier.grids[patch.surface];
+        let columns = grid.counts()[1];
+        let local = place.patch as usize - grid.first;
+        // The rounded parameters are those of another point, which serves as well.
+        let inside = |axis: usize| (place.low[axis] + place.width[axis] * parameters[axis]).clamp(0.0, 1.0);
+        Self {
+            sheets,
+            grid,
+            index: [local / columns, local % columns],
+            patch,
+            parameters: [inside(0), inside(1)],
+        }
+    }
+
+    /// The patch's jet at the point.
+    pub(in crate::certified) fn jet(&self) -> Jet {
+        self.patch.jet(self.parameters)
+    }
+
+    /// What the rounding of the jet depends on.
+    pub(in crate::certified) fn jet_scale(&self) -> JetScale {
+        self.sheets.jet_scale(self.patch_at([0; 2]))
+    }
+
+    /// Whether the surface continues smoothly beyond the start (`end` 0) or the end (1)
+    /// of the patch along an axis.
+    pub(in crate::certified) fn continues(&self, axis: Axis, end: usize) -> bool {
+        self.is_passable(axis, end as isize)
+    }
+
+    /// How far the surface may be followed from the point for steps of about
+    /// `extent`: up to seams that are no smooth joins.
+    pub(in crate::certified) fn reach(&self, extent: [f64; 2]) -> Reach {
+        let reached = Axis::BOTH.map(|axis| {
+            let (at, extent) = (self.parameters[axis], extent[axis.index()]);
+            let mut lines = [0_isize, 1];
+            while lines[0] > -MAX_CROSSED
+                && at - extent < self.line(axis, lines[0])
+                && self.is_passable(axis, lines[0])
+            {
+                lines[0] -= 1;
+            }
+            while lines[1] <= MAX_CROSSED
+                && at + extent > self.line(axis, lines[1])
+                && self.is_passable(axis, lines[1])
+            {
+                lines[1] += 1;
+            }
+            // Inside by the rounding of the lines.
+            let [low, high] = lines.map(|line| self.line(axis, line));
+            let [low_error, high_error] = lines.map(|line| self.line_error(axis, line));
+            ([low + low_error, high - high_error], lines[0]..=lines[1] - 1)
+        });
+        let [(s, rows), (t, columns)] = reached;
+        Reach { domain: ParamBox::new(s, t), patches: [rows, columns] }
+    }
+
+    /// The lemma's bound for steps of at most `extent` that stay in the domain, with
+    /// the derivatives over the box touched or over all patches touched.
+    pub(in crate::certified) fn remainder(&self, reach: &Reach, extent: [f64; 2], is_local: bool) -> f64 {
+        let touched =
+            Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]));
+        let mut third = [0.0_f64; 4];
+        for m in touched[0].clone() {
+            for n in touched[1].clone() {
+                let bounds = self.third(extent, [m, n], is_local);
+                for (third, bound) in third.iter_mut().zip(bounds) {
+                    *third = crate::rounding::upper_max(*third, bound);
+                }
+            }
+        }
+        let [h, k] = extent;
+        let [sss, sst, stt, ttt] = third;
+        let taylor =
+            (h * h * h * sss + 3.0 * h * h * k * sst + 3.0 * h * k * k * stt + k * k * k * ttt) / 6.0;
+        let [across_s, across_t] = Axis::BOTH.map(|axis| self.jumps(axis, extent, &touched));
+        taylor + across_s + across_t
+    }
+
+    /// The larger of the sums over the seams on either side of the point.
+    fn jumps(&self, axis: Axis, extent: [f64; 2], touched: &[RangeInclusive<isize>; 2]) -> f64 {
+        let range = &touched[axis.index()];
+        let sum = |lines: RangeInclusive<isize>| -> f64 {
+            lines.map(|line| self.jump(axis, line, extent, &touched[axis.other().index()])).sum()
+        };
+        sum(range.start() + 1..=0).max(sum(1..=*range.end()))
+    }
+
+    /// The term of one seam.
+    fn jump(&self, axis: Axis, line: isize, extent: [f64; 2], along: &RangeInclusive<isize>) -> f64 {
+        let [a, b] = [extent[axis.index()], extent[axis.other().index()]];
+        let error = self.line_error(axis, line) + UNIT_ROUNDOFF;
+        let distance = (self.line(axis, line) - self.parameters[axis]).abs() - 4.0 * error;
+        let omega = if distance > 0.0 { (1.0 - distance / a).max(0.0) } else { 1.0 };
+        let mut largest = 0.0_f64;
+        for other in along.clone() {
+            let j = self.seam(axis, line, other);
+            let first = a * j[1][0] + b * j[0][1];
+            let second = a * a * j[2][0] + 2.0 * a * b * j[1][1] + b * b * j[0][2];
+            largest =
+                crate::rounding::upper_max(largest, j[0][0] + omega * first + 0.5 * omega * omega * second);
+        }
+        largest
+    }
+
+    /// The jumps at a seam across an axis by the chart's parameters, `line` of this
+    /// axis and patch `other` of the other one.
+    fn seam(&self, axis: Axis, line: isize, other: isize) -> [[f64; 3]; 3] {
+        let place = |along: isize| if axis == Axis::U { [along, other] } else { [other, along] };
+        let [low, high] = [line - 1, line].map(|along| self.patch_at(place(along)));
+        let [before, after] = [line - 1, line].map(|along| self.width(axis, along));
+        let jumps: &SeamJumps = self.sheets.jumps([low, high], axis, before / after);
+        let (across, along) = (before.recip(), self.width(axis.other(), other).recip());
+        let mut scaled = jumps.bounds;
+        for (a, row) in scaled.iter_mut().enumerate() {
+            for (b, bound) in row.iter_mut().enumerate() {
+                *bound *= (1.0 + MARGIN) * across.powi(a as i32) * along.powi(b as i32);
+            }
+        }
+        scaled
+    }
+
+    /// Whether the surface is smooth enough at a seam for a map to cross it.
+    fn is_passable(&self, axis: Axis, line: isize) -> bool {
+        let widths = [line - 1, line].map(|along| self.width(axis, along));
+        let is_similar = |width: &f64| (MAX_WIDTH_RATIO.recip()..=MAX_WIDTH_RATIO).contains(width);
+        let own = self.patch_at([0; 2]);
+        if !widths.iter().all(is_similar) || self.line_error(axis, line) > MAX_LINE_ERROR {
+            return false;
+        }
+        let j = self.seam(axis, line, 0);
+        let speed = self.sheets.bounds(own).whole(&self.patch).first[axis.index()];
+        j[0][0] <= MAX_GAP * speed && j[1][0] <= MAX_CREASE * speed
+    }
+
+    /// The patches along an axis, of those within reach, that a step of at most
+    /// `extent` may touch.
+    fn touched(&self, axis: Axis, extent: f64, reach: &RangeInclusive<isize>) -> RangeInclusive<isize> {
+        let at = self.parameters[axis];
+        let (mut first, mut last) = (0_isize, 0_isize);
+        let is_beyond = |line: isize, reach: f64| {
+            let error = 4.0 * (self.line_error(axis, line) + UNIT_ROUNDOFF * (1.0 + extent));
+            if line <= 0 {
+                reach - error < self.line(axis, line)
+            } else {
+                reach + error > self.line(axis, line)
+            }
+        };
+        while first > *reach.start() && is_beyond(first, at - extent) {
+            first -= 1;
+        }
+        while last < *reach.end() && is_beyond(last + 1, at + extent) {
+            last += 1;
+        }
+        first..=last
+    }
+
+    /// Bounds on the third derivatives, by the chart's parameters, over the part of
+    /// a patch that steps of at most `extent` may touch, or over the whole patch.
+    fn third(&self, extent: [f64; 2], offsets: [isize; 2], is_local: bool) -> [f64; 4] {
+        let index = self.patch_at(offsets);
+        let patch = self.sheets.bezier.patches.patch(index);
+        let widths = Axis::BOTH.map(|axis| self.width(axis, offsets[axis.index()]));
+        let bounds = self.sheets.bounds(index);
+        let DerivativeBounds { third, .. } = if is_local {
+            let range = Axis::BOTH.map(|axis| {
+                let start = self.line(axis, offsets[axis.index()]);
+                let (at, extent) = (self.parameters[axis], extent[axis.index()]);
+                let local = |parameter: f64| (parameter - start) / widths[axis];
+                [(local(at - extent) - MARGIN).clamp(0.0, 1.0), (local(at + extent) + MARGIN).clamp(0.0, 1.0)]
+            });
+            bounds.over(&patch, range.map(|[low, _]| low), range.map(|[_, high]| high))
+        } else {
+            *bounds.whole(&patch)
+        };
+        let [s, t] = widths.map(f64::recip);
+        let scales = [s * s * s, s * s * t, s * t * t, t * t * t];
+        [0, 1, 2, 3].map(|k| (1.0 + MARGIN) * scales[k] * third[k])
+    }
+
+    /// The patch that is so many patches away, cyclically.
+    pub(in crate::certified) fn neighbour(&self, offsets: [isize; 2]) -> Patch<'a> {
+        self.sheets.bezier.patches.patch(self.patch_at(offsets))
+    }
+
+    /// The lines at the ends of the patches that cover a range of parameters along
+    /// an axis, or the part of it in which the surface lies.
+    pub(in crate::certified) fn lines_between(
+        &self,
+        axis: Axis,
+        [low, high]: [f64; 2],
+    ) -> RangeInclusive<isize> {
+        let (mut first, mut last) = (0_isize, 1_isize);
+        while low < self.line(axis, first) - MARGIN && self.is_joined(axis, first) {
+            first -= 1;
+        }
+        while high > self.line(axis, last) + MARGIN && self.is_joined(axis, last) {
+            last += 1;
+        }
+        first..=last
+    }
+
+    /// Whether a line lies inside the surface, or where its two ends join.
+    fn is_joined(&self, axis: Axis, line: isize) -> bool {
+        let count = self.grid.breaks[axis].len() as isize - 1;
+        (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
+    }
+
+    /// The index of the patch that is so many patches away, cyclically.
+    fn patch_at(&self, offsets: [isize; 2]) -> usize {
+        let counts = self.grid.counts();
+        let [row, column] = Axis::BOTH.map(|axis| {
+            let moved = self.index[axis] as isize + offsets[axis.index()];
+            moved.rem_euclid(counts[axis] as isize) as usize
+        });
+        self.grid.first + row * counts[1] + column
+    }
+
+    /// The width of the span so many spans away, in widths of the chart's own.
+    pub(in crate::certified) fn width(&self, axis: Axis, offset: isize) -> f64 {
+        let breaks = &self.grid.breaks[axis];
+        let count = breaks.len() as isize - 1;
+        let span = (self.index[axis] as isize + offset).rem_euclid(count) as usize;
+        (breaks[span + 1] - breaks[span]) / self.own_width(axis)
+    }
+
+    fn own_width(&self, axis: Axis) -> f64 {
+        let (breaks, index) = (&self.grid.breaks[axis], self.index[axis]);
+        breaks[index + 1] - breaks[index]
+    }
+
+    /// The parameter at the start of the span so many spans away. Beyond an end of
+    /// the surface its other end follows.
+    pub(in crate::certified) fn line(&self, axis: Axis, offset: isize) -> f64 {
+        match offset {
+            0 => 0.0,
+            1 => 1.0,
+            _ => {
+                let (breaks, own) = (&self.grid.breaks[axis], self.index[axis]);
+                let count = breaks.len() as isize - 1;
+                let moved = own as isize + offset;
+                let periods = if moved == count { 0 } else { moved.div_euclid(count) };
+                let knot = breaks[(moved - periods * count) as usize];
+                let beyond = periods as f64 * (breaks[count as usize] - breaks[0]);
+                ((knot - breaks[own]) + beyond) / self.own_width(axis)
+            }
+        }
+    }
+
+    /// A bound on the rounding error of [`Chart::line`].
+    fn line_error(&self, axis: Axis, offset: isize) -> f64 {
+        if offset == 0 || offset == 1 {
+            return 0.0;
+        }
+        let breaks = &self.grid.breaks[axis];
+        let count = breaks.len() as isize - 1;
+        let moved = self.index[axis] as isize + offset;
+        let periods = if moved == count { 0 } else { moved.div_euclid(count) };
+        let beyond = periods.abs() as f64 * (breaks[count as usize] - breaks[0]) / self.own_width(axis);
+        LINE_ROUNDINGS * UNIT_ROUNDOFF * (self.line(axis, offset).abs() + 2.0 * beyond)
+    }
+}

@@ -1,0 +1,55 @@
+//! Surfaces as sheets of Bézier patches that join along their knot lines.
+
+mod chart;
+
+pub(super) use chart::{Chart, Reach};
+
+use super::rounding::JetScale;
+use crate::axis::Axis;
+use crate::bezier::{BezierModel, LocalDerivativeBounds, SeamJumps};
+use crate::flatness::Place;
+use crate::param_box::ParamBox;
+use std::sync::OnceLock;
+
+/// What the sheets of a model have, each computed at its first use.
+#[derive(Debug, Default)]
+pub(crate) struct SheetCache {
+    /// Derivative bounds of the patches as extracted.
+    bounds: OnceLock<Vec<LocalDerivativeBounds>>,
+    /// The jumps at the end of each patch along each axis.
+    seams: OnceLock<Vec<[OnceLock<SeamJumps>; 2]>>,
+}
+
+/// The sheets of a model, and where its flat patches are in them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sheets<'a> {
+    pub(crate) bezier: &'a BezierModel,
+    pub(crate) places: &'a [Place],
+    pub(crate) cache: &'a SheetCache,
+}
+
+impl<'a> Sheets<'a> {
+    /// Derivative bounds of a patch as extracted.
+    fn bounds(&self, patch: usize) -> &'a LocalDerivativeBounds {
+        let count = self.bezier.patches.len();
+        let new = || (0..count).map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+        &self.cache.bounds.get_or_init(new)[patch]
+    }
+
+    /// What the rounding of a patch's derivatives depends on.
+    fn jet_scale(&self, index: usize) -> JetScale {
+        let patch = self.bezier.patches.patch(index);
+        JetScale::new(&patch, self.bounds(index).whole(&patch).radius)
+    }
+
+    /// The jumps between a patch and the next one along an axis, cyclically, of
+    /// derivatives by the parameters of the first of them. `ratio` is its
+    /// width over that of the next.
+    fn jumps(&self, [low, high]: [usize; 2], axis: Axis, ratio: f64) -> &'a SeamJumps {
+        let new = || (0..self.bezier.patches.len()).map(|_| Default::default()).collect();
+        self.cache.seams.get_or_init(new)[low][axis].get_or_init(|| {
+            let [before, after] = [low, high].map(|index| self.bezier.patches.patch(index));
+            SeamJumps::between(&before, &after, self.bounds(high).whole(&after), axis, ratio)
+        })
+    }
+}

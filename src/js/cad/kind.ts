@@ -1,0 +1,80 @@
+import { HausdorffError } from "../error.js";
+
+/** The kinds of file that are read. */
+export type CadKind = "step" | "iges" | "3dm" | "brep" | "fcstd" | "json";
+
+/** The formats that are read, for the errors' texts. */
+const READ =
+  "read are STEP, IGES, Rhino 3DM, OpenCASCADE BREP text, FreeCAD FCStd and interchange JSON";
+
+/** Bytes in which a text's signature is searched: comments and blanks may precede it. */
+const HEAD_LENGTH = 1024;
+
+/** The column, from 0, that names a line's section in IGES. */
+const IGES_SECTION_COLUMN = 72;
+
+const EXPORT_STEP = "export it as STEP from the program that made it";
+
+/** Formats that are recognised and not read: signature, name, advice. */
+const OTHERS: readonly (readonly [signature: RegExp, name: string, advice: string])[] = [
+  [
+    /^\s*Open CASCADE Topology V/,
+    "an OpenCASCADE BREP file in binary",
+    "write it with BRepTools.Write",
+  ],
+  [/^(\*\*ABCDEFG|PS\0)/, "a Parasolid file", EXPORT_STEP],
+  [/^(ACIS BinaryFile|ASM BinaryFile|\d{2,5} \d+ \d+ \d+\s)/, "an ACIS file", EXPORT_STEP],
+  [/^Version \d+\.\d+ JT/, "a JT file", EXPORT_STEP],
+  [/^V5_CFV2/, "a CATIA file", EXPORT_STEP],
+  [/^\xD0\xCF.\xE0\xA1/s, "a SolidWorks, Inventor or other compound file", EXPORT_STEP],
+  [/^AC10\d\d/, "a DWG file", EXPORT_STEP],
+  [/^\s*0\s+SECTION/, "a DXF file", EXPORT_STEP],
+  [/^glTF/, "a glTF file", "it holds triangles, not NURBS: export STEP instead"],
+  [/^Kaydara FBX/, "an FBX file", "it holds triangles, not NURBS: export STEP instead"],
+  [/^ply\s/, "a PLY file", "it holds triangles, not NURBS: export STEP instead"],
+  [/^solid\s/, "an STL file", "it holds triangles, not NURBS: export STEP instead"],
+  [/^\s*(#.*\n\s*)*(v|mtllib|o) /, "an OBJ file", "it holds triangles, not NURBS: export STEP"],
+];
+
+/** The error for bytes that no reader takes. */
+export function unsupported(found: string, advice: string): HausdorffError {
+  return new HausdorffError("FORMAT_UNSUPPORTED", `found ${found}; ${READ}; ${advice}`);
+}
+
+/** The first bytes, one character each. */
+export function head(bytes: Uint8Array): string {
+  let text = "";
+  for (const byte of bytes.subarray(0, HEAD_LENGTH)) text += String.fromCharCode(byte);
+  return text;
+}
+
+/** Whether the bytes are compressed by gzip. */
+export function isGzip(bytes: Uint8Array): boolean {
+  return bytes[0] === 0x1f && bytes[1] === 0x8b;
+}
+
+/** Whether the bytes are a zip archive. */
+export function isZip(bytes: Uint8Array): boolean {
+  return head(bytes.subarray(0, 4)) === "PK\x03\x04";
+}
+
+/**
+ * The kind of a file by its content, never by its name. A zip archive counts as
+ * `fcstd`; its reader looks inside.
+ *
+ * @throws {HausdorffError} `FORMAT_UNSUPPORTED`, naming what was recognised and
+ * how to convert it.
+ */
+export function kindByContent(bytes: Uint8Array): CadKind {
+  if (bytes.length === 0) throw unsupported("an empty file", "choose another file");
+  if (isZip(bytes)) return "fcstd";
+  const text = head(bytes).replace(/^\xEF\xBB\xBF/, "");
+  if (text.startsWith("3D Geometry File Format")) return "3dm";
+  if (text.includes("ISO-10303-21")) return "step";
+  if (/^\s*(DBRep_DrawableShape|CASCADE Topology V)/.test(text)) return "brep";
+  if (/^S[ \d]{6}\d/.test(text.slice(IGES_SECTION_COLUMN))) return "iges";
+  if (/^\s*\{/.test(text)) return "json";
+  const other = OTHERS.find(([signature]) => signature.test(text));
+  if (other) throw unsupported(other[1], other[2]);
+  throw unsupported("an unknown format", EXPORT_STEP);
+}

@@ -1,0 +1,32 @@
+import type { CadKind } from "./kind.js";
+
+/** A face that was not read, and the reason. */
+export interface SkippedFace {
+  /** The face's name or number in its file. */
+  face: string;
+  /** The reason in words. */
+  why: string;
+}
+
+/** What reading a CAD file kept, changed and left out. */
+export interface CadReport {
+  /** The kind of file, found by its content. */
+  kind: CadKind;
+  /** Number of faces read, instances not counted. */
+  surfaces: number;
+  /** Number of trimming curves. */
+  trims: number;
+  /** Number of trimming curves converted without approximation. */
+  exact: number;
+  /** Number of trimming curves approximated; `gap` bounds their deviation too. */
+  fitted: number;
+  /**
+   * The largest distance between a trimming curve on its surface and the edge
+   * that it stands for, in model units; an ambiguity of the file itself.
+   */
+  gap: number;
+  /** Metres per model unit; null where neither the file nor the caller states it. */
+  unit: number | null;
+  /** The faces left out. */
+  skipped: SkippedFace[];
+}

@@ -1,0 +1,27 @@
+import type { InterchangeModel } from "../../surface.js";
+import { type Peer, type PeerLoader, start } from "../peers.js";
+import type { CadReport } from "../report.js";
+import { rhinoModel } from "./file.js";
+import type { Rhino } from "./types.js";
+
+const RHINO: Peer = {
+  name: "rhino3dm",
+  purpose: "reading 3DM",
+  option: "rhino",
+  node: "rhino3dm",
+  // The ES module finds its wasm file by `import.meta.url`.
+  bundled: () => import("rhino3dm/rhino3dm.module.js"),
+};
+
+/**
+ * The model of a 3DM file.
+ *
+ * @throws {HausdorffError} `PEER_MISSING`, `CAD_UNREADABLE`, `EMPTY_MODEL`.
+ */
+export async function readRhino(
+  bytes: Uint8Array,
+  name: string | undefined,
+  loader: PeerLoader | undefined,
+): Promise<{ model: InterchangeModel; report: CadReport }> {
+  return rhinoModel((await start(RHINO, loader)) as Rhino, bytes, name);
+}

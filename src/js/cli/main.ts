@@ -1,0 +1,56 @@
+#!/usr/bin/env node
+// The command line in Node: as the native one, for CAD files too.
+import { readFileSync } from "node:fs";
+import { HausdorffError } from "../error.js";
+import { Hausdorff } from "../hausdorff.js";
+import type { Backend } from "../options.js";
+import { type Invocation, parseArguments } from "./arguments.js";
+import { convert } from "./convert.js";
+import { diff } from "./diff.js";
+import { distance } from "./distance.js";
+import { help } from "./help.js";
+import { info } from "./info.js";
+import { print } from "./output.js";
+import { table } from "./table.js";
+
+/** Exit status of bad arguments, bad input or a failed machine. */
+const FAILED = 2;
+
+const here = (path: string) => new URL(path, import.meta.url);
+
+function create(backend: Backend): Promise<Hausdorff> {
+  const module = readFileSync(here("../wasm/nurbs_hausdorff_bg.wasm"));
+  return Hausdorff.create({ backend, module });
+}
+
+async function run({ command, values }: Invocation): Promise<number> {
+  if (command.name === "distance") return distance(values, create);
+  if (command.name === "diff") return diff(values, create);
+  if (command.name === "completions") {
+    const native = "completions are printed by the native command, cargo install nurbs-hausdorff";
+    throw new HausdorffError("OPTION_INVALID", native);
+  }
+  using _hd = await create("cpu");
+  await (command.name === "convert" ? convert(values) : info(values));
+  return 0;
+}
+
+async function main(args: readonly string[]): Promise<number> {
+  const commands = table();
+  const request = parseArguments(commands, args);
+  if ("help" in request) print(help(commands, request.help));
+  else if ("version" in request) print(`nurbs-hausdorff ${version()}\n`);
+  else return run(request);
+  return 0;
+}
+
+function version(): string {
+  return JSON.parse(readFileSync(here("../../package.json"), "utf8")).version;
+}
+
+process.exitCode = await main(process.argv.slice(2)).catch((error: unknown) => {
+  const { code } = error as { code?: unknown };
+  if (!(error instanceof Error) || typeof code !== "string") throw error;
+  process.stderr.write(`error[${code}]: ${error.message}\n`);
+  return FAILED;
+});

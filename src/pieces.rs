@@ -1,0 +1,181 @@
+//! The faces of a model as untrimmed pieces, which every later stage measures.
+
+use crate::bvh::Aabb;
+use crate::engine::SurfacePoint;
+use crate::error::Result;
+use crate::model::trim::Trim;
+use crate::model::{Face, Model, NurbsSurface};
+use crate::parallel::map;
+use crate::untrim::{ParameterMap, Piece, Untrimmed, untrim};
+use glam::DVec3;
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// The largest deviation of the pieces from the faces, relative to the diagonal of the
+/// model: three digits below the default tolerance.
+const MAX_DEVIATION: f64 = 1e-9;
+
+/// The pieces of every face, in the order of the faces, and the way back to the faces.
+///
+/// An untrimmed face is one piece, itself. Later stages see the pieces as the surfaces of
+/// an untrimmed model, and results are converted by [`FacePieces::surface_point`].
+#[derive(Debug)]
+pub(crate) struct FacePieces {
+    /// The face of each piece, with the map to its parameters.
+    origins: Vec<(usize, ParameterMap)>,
+    /// The pieces of each face.
+    faces: Vec<Range<usize>>,
+    /// The name of each face.
+    parts: Vec<Option<String>>,
+    /// An upper bound on the Hausdorff distance between each face and its pieces, the
+    /// largest over all faces.
+    deviation: f64,
+}
+
+impl FacePieces {
+    /// Cuts the trimmed faces into pieces, on all cores; returns the pieces as an untrimmed
+    /// model, which is `model` itself if no face is trimmed.
+    ///
+    /// # Errors
+    /// [`crate::Error::FaceNotCut`].
+    pub(crate) fn new(model: &Model) -> Result<(Self, Cow<'_, Model>)> {
+        let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
+        if !model.is_trimmed() {
+            let count = model.surfaces().len();
+            let pieces = Self {
+                origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
+                faces: (0..count).map(|face| face..face + 1).collect(),
+                parts,
+                deviation: 0.0,
+            };
+            return Ok((pieces, Cow::Borrowed(model)));
+        }
+        let max_deviation = MAX_DEVIATION * extent(model).diagonal();
+        let faces: Vec<Face<'_>> = model.faces().collect();
+        let cut = map(faces.len(), |index| cut(index, &faces[index], max_deviation));
+        let mut pieces = Self { origins: Vec::new(), faces: Vec::new(), parts, deviation: 0.0 };
+        let mut surfaces: Vec<NurbsSurface> = Vec::new();
+        for (face, untrimmed) in cut.into_iter().enumerate() {
+            let untrimmed = untrimmed?;
+            pieces.deviation = pieces.deviation.max(untrimmed.deviation);
+            let first = surfaces.len();
+            for Piece { surface, map } in untrimmed.pieces {
+                surfaces.push(surface);
+                pieces.origins.push((face, map));
+            }
+            pieces.faces.push(first..surfaces.len());
+        }
+        let name = model.name().map(str::to_owned);
+        Ok((pieces, Cow::Owned(Model::new(name, surfaces)?)))
+    }
+
+    /// Returns the number of faces.
+    pub(crate) fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Returns the pieces of each face.
+    pub(crate) fn faces(&self) -> &[Range<usize>] {
+        &self.faces
+    }
+
+    /// Returns the face of a piece.
+    pub(crate) fn face(&self, piece: usize) -> usize {
+        self.origins[piece].0
+    }
+
+    /// Returns the name of a face, if it has one.
+    pub(crate) fn part(&self, face: usize) -> Option<&str> {
+        self.parts[face].as_deref()
+    }
+
+    /// Returns, for each piece, the parts of the samples and cells along both parameters of
+    /// a whole surface that it gets.
+    ///
+    /// The pieces of a face have as many together as a whole surface, about evenly spaced:
+    /// a piece of size a x b, of a face whose pieces have the area S, gets a / √S and
+    /// b / √S, at most 1. Sizes are mean lengths of control polygons. O(control points).
+    pub(crate) fn shares(&self, surfaces: &[NurbsSurface]) -> Vec<[f64; 2]> {
+        let mut shares = Vec::with_capacity(surfaces.len());
+        for pieces in &self.faces {
+            if pieces.len() == 1 {
+                shares.push([1.0; 2]);
+                continue;
+            }
+            let sizes: Vec<[f64; 2]> = surfaces[pieces.clone()].iter().map(size).collect();
+            let side = sizes.iter().map(|[a, b]| a * b).sum::<f64>().sqrt();
+            let share = |length: f64| if side > 0.0 { (length / side).min(1.0) } else { 1.0 };
+            shares.extend(sizes.iter().map(|size| size.map(share)));
+        }
+        shares
+    }
+
+    /// Returns the upper bound on the Hausdorff distance between the faces and their pieces.
+    pub(crate) fn deviation(&self) -> f64 {
+        self.deviation
+    }
+
+    /// Returns the parameters of a face for those of one of its pieces.
+    pub(crate) fn face_parameters(&self, piece: usize, parameters: [f64; 2]) -> [f64; 2] {
+        self.origins[piece].1.face_parameters(parameters)
+    }
+
+    /// Returns a point of a piece as a point of its face.
+    pub(crate) fn surface_point(&self, piece: usize, parameters: [f64; 2], point: DVec3) -> SurfacePoint {
+        let [u, v] = self.face_parameters(piece, parameters);
+        let surface = self.face(piece);
+        let part = self.parts[surface].clone();
+        SurfacePoint { surface, part, u, v, point: point.to_array() }
+    }
+}
+
+/// Returns the mean lengths of a surface's control polygons along u and v.
+fn size(surface: &NurbsSurface) -> [f64; 2] {
+    let [rows, columns] = surface.counts();
+    let point = |i: usize, j: usize| {
+        let [x, y, z, _] = surface.control_points()[i * columns + j];
+        DVec3::new(x, y, z)
+    };
+    let mut lengths = [0.0; 2];
+    for i in 0..rows {
+        for j in 0..columns {
+            if i > 0 {
+                lengths[0] += point(i, j).distance(point(i - 1, j)) / columns as f64;
+            }
+            if j > 0 {
+                lengths[1] += point(i, j).distance(point(i, j - 1)) / rows as f64;
+            }
+        }
+    }
+    lengths
+}
+
+/// Returns the pieces of a face and their deviation, with the rounding of the loops.
+fn cut(index: usize, face: &Face<'_>, max_deviation: f64) -> Result<Untrimmed> {
+    let Some(trim) = face.trim() else {
+        let piece = Piece { surface: face.surface().clone(), map: ParameterMap::Identity };
+        return Ok(Untrimmed { pieces: vec![piece], deviation: 0.0 });
+    };
+    let untrimmed = untrim(index, face.surface(), trim, max_deviation)?;
+    Ok(Untrimmed { deviation: untrimmed.deviation + trim.rounding(), ..untrimmed })
+}
+
+/// Returns a box of about the model's size, that of points on its trimming curves and of
+/// the control points of whole surfaces: those of a trimmed surface may be far from the face.
+fn extent(model: &Model) -> Aabb {
+    let of_trim = |face: &Face<'_>, trim: &Trim| {
+        let ends = trim.loops().iter().flatten().map(|piece| piece.start().to_array());
+        ends.map(|end| DVec3::from_array(face.surface().point(end))).fold(Aabb::EMPTY, Aabb::with)
+    };
+    model.faces().fold(Aabb::EMPTY, |aabb, face| {
+        aabb.union(match face.trim() {
+            Some(trim) => of_trim(&face, trim),
+            None => face
+                .surface()
+                .control_points()
+                .iter()
+                .map(|&[x, y, z, _]| DVec3::new(x, y, z))
+                .fold(Aabb::EMPTY, Aabb::with),
+        })
+    })
+}

@@ -1,0 +1,221 @@
+//! Trimmed faces as NURBS patches: untrimming.
+//!
+//! A face is the part of a surface within loops of curves in its parameter plane. It is cut
+//! into patches once, so that every later stage sees patches only. Parameter rectangles
+//! are cut by knot insertion. Other faces are swept: between two neighbouring boundary
+//! curves lie cells, each the image of the unit square under a ruled map φ, and the surface
+//! composed with φ is a Bézier patch, exact or fitted with a proven error (Massarwi, van
+//! Sosin, Elber, *Untrimming: Precise conversion of trimmed-surfaces to tensor-product
+//! surfaces*, Computers & Graphics 70 (2018)). Lemmas and proofs are in docs/trimming.md.
+
+mod arcs;
+mod chebyshev;
+mod compose;
+mod curve;
+mod face;
+mod graph;
+mod polynomial;
+mod rectangle;
+mod ruling;
+mod sweep;
+
+use crate::error::{Error, Result};
+use crate::model::NurbsSurface;
+use crate::model::trim::Trim;
+use crate::param_box::ParamBox;
+use curve::Curve;
+use face::{Face, transpose};
+use glam::DVec2;
+use ruling::{Mapped, Ruling};
+use sweep::Cell;
+
+/// A part of a trimmed face.
+#[derive(Debug, Clone)]
+pub struct Piece {
+    /// A surface that is a part of the face: a Bézier patch over [0, 1]², or a rectangular
+    /// part of the face's surface with its own knots.
+    pub surface: NurbsSurface,
+    /// The map from the piece's parameters to the face's.
+    pub map: ParameterMap,
+}
+
+/// The map from the parameters of a piece to those of its face.
+#[derive(Debug, Clone)]
+pub enum ParameterMap {
+    /// The piece's parameters are the face's.
+    Identity,
+    /// The piece is ruled between two curves.
+    Ruled(Ruled),
+}
+
+/// The map `(s, t) -> (1 - s) left(t) + s right(t)` between two curves in the parameter
+/// plane of a face.
+#[derive(Debug, Clone)]
+pub struct Ruled {
+    left: Curve,
+    right: Curve,
+    /// The domain that the curves' parameters are normalised to.
+    domain: ParamBox,
+    /// Whether u and v, and s and t, have changed places.
+    transposed: bool,
+}
+
+impl ParameterMap {
+    /// Returns the face's (u, v) for the piece's parameters. The surface there is within
+    /// [`Untrimmed::deviation`] of the piece's point. O(degree²).
+    #[must_use]
+    pub fn face_parameters(&self, piece_parameters: [f64; 2]) -> [f64; 2] {
+        let Self::Ruled(ruled) = self else { return piece_parameters };
+        let exchange = |[a, b]: [f64; 2]| if ruled.transposed { [b, a] } else { [a, b] };
+        let [s, t] = exchange(piece_parameters);
+        let point = (1.0 - s) * ruled.left.point(t) + s * ruled.right.point(t);
+        exchange(ruled.domain.at(point.clamp(DVec2::ZERO, DVec2::ONE).to_array()))
+    }
+}
+
+/// A trimmed face as pieces.
+#[derive(Debug, Clone)]
+pub struct Untrimmed {
+    /// The pieces. They overlap in their edges only, up to the deviation.
+    pub pieces: Vec<Piece>,
+    /// A proven upper bound, in model units, on the Hausdorff distance between the union of
+    /// the pieces and the trimmed face; the bound on rounding alone where the cut is exact.
+    pub deviation: f64,
+}
+
+/// The number of halvings of a cell.
+const MAX_HALVINGS: usize = 32;
+
+/// Cuts a trimmed face, surface number `index` of its model, into pieces within
+/// `max_deviation` of it, in model units.
+///
+/// `max_deviation` bounds the approximations; a bound on the rounding adds to it in
+/// [`Untrimmed::deviation`]. A face that it does not suffice for, whose loops touch or cross
+/// each other by more, is cut with a larger one, which the result states. O(arcs × slabs) for the sweep and O(D²) for a patch of composed
+/// degree D.
+///
+/// # Errors
+/// `FACE_NOT_CUT` where the loops cross each other by more than the deviation, or where a
+/// cell does not converge.
+pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: f64) -> Result<Untrimmed> {
+    let mut attempt = attempt(index, surface, trim, max_deviation)?;
+    let mut allowed = max_deviation;
+    for _ in 0..MAX_ATTEMPTS {
+        match attempt {
+            Ok(untrimmed) => return Ok(untrimmed),
+            Err(_) => allowed *= COARSENING,
+        }
+        let coarser = self::attempt(index, surface, trim, allowed)?;
+        attempt = coarser.or(attempt);
+    }
+    attempt.map_err(|found| Error::FaceNotCut { surface: index, found })
+}
+
+/// The number of attempts with a larger deviation, and the factor from one to the next: from
+/// 1e-9 of the diagonal they reach the crossings that validation accepts.
+const MAX_ATTEMPTS: usize = 4;
+const COARSENING: f64 = 32.0;
+
+/// Cuts a face with this deviation, or says in words what prevents it.
+fn attempt(
+    index: usize,
+    surface: &NurbsSurface,
+    trim: &Trim,
+    max_deviation: f64,
+) -> Result<std::result::Result<Untrimmed, String>> {
+    let face = Face::new(index, surface, trim, max_deviation, false)?;
+    if let Some((part, moved)) = rectangle::rectangle(&face) {
+        let (surface, rounding) = rectangle::cut(surface, part)?;
+        let piece = Piece { surface, map: ParameterMap::Identity };
+        let deviation = face.moved(moved) + rounding;
+        return Ok(Ok(Untrimmed { pieces: vec![piece], deviation }));
+    }
+    let across = Face::new(index, surface, trim, max_deviation, true)?;
+    let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
+    let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
+    let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
+    choices.sort_by_key(|sweep| sweep.cost());
+    for sweep in choices {
+        match sweep.untrimmed() {
+            Ok(untrimmed) => return Ok(Ok(untrimmed)),
+            Err(found) => reason = reason.or(Some(found)),
+        }
+    }
+    Ok(Err(reason.unwrap_or_default()))
+}
+
+/// The cells of a face ruled along one axis.
+struct Sweep<'a> {
+    face: &'a Face,
+    transposed: bool,
+    cells: Vec<Cell>,
+    /// The deviation of the boundary, in model units.
+    deviation: f64,
+}
+
+impl<'a> Sweep<'a> {
+    fn new(face: &'a Face, transposed: bool) -> std::result::Result<Self, String> {
+        let boundary = arcs::boundary(face)?;
+        let cells = sweep::cells(face, &boundary);
+        // A boundary that moves by δ moves the region by at most 2 δ (lemma T2).
+        let deviation = 2.0 * face.moved(boundary.moved) + face.moved([boundary.graph_error, 0.0]);
+        Ok(Self { face, transposed, cells, deviation: deviation + face.rounding })
+    }
+
+    /// Returns an estimate of the patches that the cells take, times 2.
+    fn cost(&self) -> usize {
+        let cell = |cell: &Cell| {
+            let own = cell.sides.iter().filter(|side| matches!(side, arcs::Side::Own(_))).count();
+            if self.face.affine { 2 } else { 2 + own }
+        };
+        self.cells.iter().map(cell).sum()
+    }
+
+    /// Returns the pieces of all cells.
+    fn untrimmed(&self) -> std::result::Result<Untrimmed, String> {
+        if self.cells.is_empty() {
+            return Err("its loops enclose nothing".to_owned());
+        }
+        let mut pieces = Vec::new();
+        let mut deviation = 0.0_f64;
+        let mut open: Vec<(Cell, usize)> = self.cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
+        while let Some((cell, depth)) = open.pop() {
+            match ruling::mapped(self.face, &cell) {
+                Mapped::One(ruling) => {
+                    if let Some(composed) = compose::composed(self.face, &ruling) {
+                        let error = self.face.moved([ruling.error, 0.0]) + composed.deviation;
+                        deviation = deviation.max(error);
+                        pieces.push(self.piece(composed.surface, ruling)?);
+                        continue;
+                    }
+                }
+                Mapped::Cells(cells) => {
+                    open.extend(cells.into_iter().map(|cell| (cell, depth)));
+                    continue;
+                }
+                Mapped::Halve => {}
+            }
+            let [low, high] = cell.v;
+            let middle = 0.5 * (low + high);
+            if depth == MAX_HALVINGS || !(low < middle && middle < high) {
+                let u = cell.sides[0].at(middle);
+                return Err(format!("a cell near ({u}, {middle}) of the unit domain does not converge"));
+            }
+            for v in [[low, middle], [middle, high]] {
+                open.push((Cell { v, ..cell.clone() }, depth + 1));
+            }
+        }
+        Ok(Untrimmed { pieces, deviation: deviation + self.deviation })
+    }
+
+    fn piece(&self, surface: NurbsSurface, ruling: Ruling) -> std::result::Result<Piece, String> {
+        let surface = if self.transposed {
+            transpose(self.face.index, &surface).map_err(|error| error.to_string())?
+        } else {
+            surface
+        };
+        let Ruling { left, right, .. } = ruling;
+        let ruled = Ruled { left, right, domain: self.face.domain, transposed: self.transposed };
+        Ok(Piece { surface, map: ParameterMap::Ruled(ruled) })
+    }
+}

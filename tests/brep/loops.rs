@@ -1,0 +1,152 @@
+//! Loops: joints, gaps, edges and what makes a face unreadable.
+
+use crate::support::brep::{BrepText, line, minus, plus, polygon, rectangle};
+use crate::{area_of, assert_near, read, region};
+use nurbs_hausdorff::Model;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+const PLANE: &str = "1 0 0 0 0 0 1 1 0 0 0 1 0";
+
+#[test]
+fn joints_meet_in_equal_floats_and_lines_stay_parameter_lines() {
+    // Ends that miss each other by 1e-8 of the box.
+    let off = 1e-8;
+    let loops = [vec![
+        line([0.0, 0.0], [1.0, 0.0]),
+        line([1.0, off], [1.0, 1.0]),
+        line([1.0 - off, 1.0], [0.0, 1.0]),
+        line([0.0, 1.0], [0.0, -off]),
+    ]];
+    let (model, report) = region(PLANE, &loops);
+    assert!(report.gap > 0.0 && report.gap <= 2.0 * off, "{}", report.gap);
+    let face = model.faces().next().unwrap().to_arrays();
+    let curves = &face.trim.unwrap()[0];
+    for (index, curve) in curves.iter().enumerate() {
+        let next = &curves[(index + 1) % 4];
+        assert_eq!(curve.control_points[1][..2], next.control_points[0][..2]);
+        let axis = 1 - index % 2;
+        assert_eq!(curve.control_points[0][axis], curve.control_points[1][axis]);
+    }
+}
+
+#[test]
+fn a_loop_that_is_open_beyond_the_tolerance_is_skipped_and_reported() {
+    let mut text = BrepText::new();
+    let plane = text.surface(PLANE);
+    let good = text.region(plane, &[rectangle([0.0, 0.0], [1.0, 1.0])]);
+    let open = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])[..3].to_vec();
+    let bad = text.region(plane, &[open.clone()]);
+    let crossing = text.region(plane, &[polygon(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.5]])]);
+    let shell = text.shape("Sh\n", &[plus(bad), plus(good), plus(crossing)]);
+    let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
+    assert_eq!((model.faces().len(), report.surfaces, report.trims), (1, 1, 4));
+    let skipped: Vec<_> = report.skipped.iter().map(|skipped| (skipped.face, skipped.code)).collect();
+    assert_eq!(skipped, [(0, "BREP_LOOP_OPEN"), (2, "TRIM_LOOPS_CROSS")]);
+    assert!(report.skipped[0].why.contains("open by 1e0"), "{}", report.skipped[0].why);
+    assert_eq!(model.faces().next().unwrap().part(), Some("face 1"));
+    // Nothing is left.
+    let mut text = BrepText::new();
+    let plane = text.surface(PLANE);
+    let face = text.region(plane, &[open]);
+    let error = Model::from_brep(&text.text(plus(face))).unwrap_err();
+    assert_eq!(error.code(), "BREP_UNREADABLE");
+}
+
+/// The measured gap of a curve that lies 0.01 beside its edge.
+#[test]
+fn gaps_are_measured_against_the_edge_in_space() {
+    for (surface, height) in [(PLANE, 0.01), ("2 0 0 0 0 0 1 1 0 0 0 1 0 1", 0.25)] {
+        let mut text = BrepText::new();
+        let surface = text.surface(surface);
+        let vertices = [[0.0; 3]; 4].map(|point| text.vertex(point));
+        let mut edges = Vec::new();
+        for (index, (entry, [first, last])) in rectangle([0.0, 0.0], [1.0, 2.0]).into_iter().enumerate() {
+            let p_curve = text.p_curve(entry);
+            let mut entries = vec![format!("2 {p_curve} {surface} 0 {first:?} {last:?}")];
+            // The edge at u = 1.
+            if index == 1 {
+                let (sin, cos) = 1.0_f64.sin_cos();
+                let curve = match height {
+                    0.01 => text.curve("1 1 0 0.01 0 1 0"),
+                    _ => text.curve(format!("1 {:?} {:?} 0 0 0 1", 1.25 * cos, 1.25 * sin)),
+                };
+                entries.push(format!("1 {curve} 0 0 2"));
+            }
+            edges.push(plus(text.edge(&entries, [vertices[index], vertices[(index + 1) % 4]])));
+        }
+        let wire = text.wire(&edges);
+        let face = text.face(surface, &[wire]);
+        let (_, report) = read(&text, face);
+        assert_near(report.gap, height, 1e-12);
+    }
+}
+
+#[test]
+fn a_face_without_loops_is_its_whole_surface() {
+    let whole = |surface: &str| {
+        let mut text = BrepText::new();
+        let surface = text.surface(surface);
+        let face = text.face(surface, &[]);
+        read(&text, face).0
+    };
+    let sphere = whole("4 0 0 0 0 0 1 1 0 0 0 1 0 10");
+    assert!(sphere.faces().next().unwrap().trim().is_none());
+    assert_near(area_of(&sphere), 2.0 * TAU * 100.0, 1e-11);
+    assert_near(area_of(&whole("10 0 1 0 5\n2 0 0 0 0 0 1 1 0 0 0 1 0 20")), 100.0, 1e-12);
+    let mut text = BrepText::new();
+    let plane = text.surface(PLANE);
+    let face = text.face(plane, &[]);
+    let error = Model::from_brep(&text.text(plus(face))).unwrap_err();
+    assert!(error.to_string().contains("no bounds"), "{error}");
+}
+
+/// Internal edges and vertices bound nothing.
+#[test]
+fn internal_edges_are_left_out() {
+    let mut text = BrepText::new();
+    let plane = text.surface(PLANE);
+    let mut edges = Vec::new();
+    let ends = text.vertex([0.0; 3]);
+    for (entry, [first, last]) in rectangle([0.0, 0.0], [4.0, 4.0]) {
+        let p_curve = text.p_curve(entry);
+        edges.push(plus(text.edge(&[format!("2 {p_curve} {plane} 0 {first:?} {last:?}")], [ends, ends])));
+    }
+    let inner = text.p_curve("1 1 1 1 0");
+    let inner = text.edge(&[format!("2 {inner} {plane} 0 0 1")], [ends, ends]);
+    edges.insert(2, crate::support::brep::Child { shape: inner, sign: 'i', location: 0 });
+    let wire = text.wire(&edges);
+    let inner_wire = text.wire(&[plus(inner)]);
+    let face = text.shape(
+        format!("Fa\n0  1e-07 {plane} 0\n2 1\n"),
+        &[plus(wire), crate::support::brep::Child { shape: inner_wire, sign: 'e', location: 0 }],
+    );
+    let (model, report) = read(&text, face);
+    assert_eq!(report.trims, 4);
+    assert_near(area_of(&model), 16.0, 1e-14);
+}
+
+/// A wire used in reverse turns the directions of all its edges.
+#[test]
+fn directions_of_edges_and_wires_multiply() {
+    let mut text = BrepText::new();
+    let surface = text.surface("4 0 0 0 0 0 1 1 0 0 0 1 0 10");
+    let poles = [-FRAC_PI_2, FRAC_PI_2].map(|v| {
+        let p_curve = text.p_curve(format!("1 0 {v:?} 1 0"));
+        let vertex = text.vertex([0.0, 0.0, 10.0 * v.sin()]);
+        (text.degenerate(&[format!("2 {p_curve} {surface} 0 0 {TAU:?}")], vertex), vertex)
+    });
+    let [at_end, at_start] = [TAU, 0.0].map(|u| text.p_curve(format!("1 {u:?} 0 0 1")));
+    let entry = format!("3 {at_end} {at_start}CN {surface} 0 {:?} {FRAC_PI_2:?}", -FRAC_PI_2);
+    let seam = text.edge(&[entry], [poles[0].1, poles[1].1]);
+    let wire = text.wire(&[plus(poles[0].0), plus(seam), minus(poles[1].0), minus(seam)]);
+    let turned = text.wire(&[plus(seam), plus(poles[1].0), minus(seam), minus(poles[0].0)]);
+    let forward = text.face(surface, &[wire]);
+    let reversed = text.shape(format!("Fa\n0  1e-07 {surface} 0\n"), &[minus(turned)]);
+    let shell = text.shape("Sh\n", &[plus(forward), minus(reversed)]);
+    let (model, report) = read(&text, shell);
+    assert_eq!((report.trims, report.exact), (8, 8));
+    for (face, expected) in model.faces().zip([false, true]) {
+        assert_eq!(face.is_reversed(), expected);
+        assert_near(crate::area::area(&face), 2.0 * TAU * 100.0, 1e-11);
+    }
+}

@@ -1,0 +1,65 @@
+// Accessibility: axe-core finds nothing, in light and dark, on wide and narrow screens.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { modelFile, row } from "./models.mjs";
+import { open } from "./open.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** The rules of WCAG 2.2 on levels A and AA, and axe's own best practices. */
+const TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+
+async function findings(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(
+    (values) => globalThis.axe.run(document, { runOnly: { type: "tag", values } }),
+    TAGS,
+  );
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(" ")}`);
+}
+
+const screens = [
+  { name: "wide", size: { width: 1280, height: 800 } },
+  { name: "narrow", size: { width: 400, height: 800 } },
+];
+
+for (const { name, size } of screens) {
+  for (const colorScheme of ["light", "dark"]) {
+    test(`the main page, ${name} and ${colorScheme}, with all that it can show`, async () => {
+      const prepare = (page) => page.emulateMedia({ colorScheme });
+      const { page, until, screenshot, close } = await open({ size, prepare });
+      try {
+        await page.locator('#result[data-state="done"]').waitFor();
+        for (const [side, heights] of [
+          ["a", [0, 0]],
+          ["b", [0, 0.5]],
+        ]) {
+          const file = modelFile(`${side}.json`, row(...heights));
+          await until("done", () => page.setInputFiles(`#file-${side}`, file));
+        }
+        await page.locator("#limit").fill("0.1");
+        await until("done", () => page.locator("#deviation").check());
+        await page.locator("#compare").click();
+        await page.locator('#faces[data-state="done"]').waitFor();
+        await page.selectOption("#section-axis", "0");
+        await page.locator("#canvas").focus();
+        await page.keyboard.press("Enter");
+        assert.deepEqual(await findings(page), []);
+        await screenshot(`access-${name}-${colorScheme}`);
+      } finally {
+        await close();
+      }
+    });
+  }
+}
+
+test("the page of experiments", async () => {
+  const { page, close } = await open({ path: "experiments.html" });
+  try {
+    assert.deepEqual(await findings(page), []);
+  } finally {
+    await close();
+  }
+});

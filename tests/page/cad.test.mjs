@@ -1,0 +1,75 @@
+// CAD files on the page: their libraries are loaded when the first such file comes.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { modelFile, planes } from "./models.mjs";
+import { open } from "./open.mjs";
+
+const shared = (name) => new URL(`../../../shared/models/${name}`, import.meta.url).pathname;
+
+let opened;
+const fetched = [];
+
+before(async () => {
+  opened = await open({
+    prepare: (page) => page.on("request", (request) => fetched.push(request.url())),
+  });
+  await opened.page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+const openFile = (side, path) =>
+  opened.until("done", () => opened.page.setInputFiles(`#file-${side}`, path));
+
+test("nothing of OpenCASCADE or rhino3dm is fetched before a file needs it", () => {
+  assert.deepEqual(
+    fetched.filter((url) => /occt|rhino/.test(url)),
+    [],
+  );
+});
+
+for (const [side, name, format, unit] of [
+  ["a", "step/linkrods.step.gz", "STEP", "mm"],
+  ["b", "iges/bearing.iges.gz", "IGES", "mm"],
+]) {
+  test(`${name} shows its format, faces and unit`, async (context) => {
+    if (!existsSync(shared(name))) {
+      context.skip(`there is no ../shared/models/${name}`);
+      return;
+    }
+    await openFile(side, shared(name));
+    const note = await opened.page.locator(`#note-${side} summary`).textContent();
+    assert.match(note, new RegExp(`^${format} · [0-9,]+ faces · ${unit}`));
+    assert.ok(fetched.some((url) => /occt.*\.wasm/.test(url)));
+    await opened.screenshot(`cad-${side}`);
+  });
+}
+
+test("a file in another format is refused with the formats that are read", async () => {
+  const { page } = opened;
+  await page.setInputFiles("#file-a", {
+    name: "part.stl",
+    mimeType: "model/stl",
+    buffer: Buffer.from("solid part\nendsolid part\n"),
+  });
+  const error = page.locator('#error[data-code="FORMAT_UNSUPPORTED"]');
+  await error.waitFor();
+  assert.match(await error.textContent(), /part\.stl.*STL.*STEP, IGES/);
+});
+
+test("models of different units are announced", async () => {
+  const { page } = opened;
+  for (const [side, unit] of [
+    ["a", 0.001],
+    ["b", 0.0254],
+  ]) {
+    await openFile(side, modelFile(`${side}.json`, { unit, ...planes(0) }));
+  }
+  assert.match(await page.locator("#units-differ").textContent(), /A is in mm and B in in/);
+  await openFile("b", modelFile("b.json", { unit: 0.001, ...planes(0) }));
+  assert.ok(await page.locator("#units-differ").isHidden());
+  assert.equal(await page.locator("#unit").textContent(), "mm");
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

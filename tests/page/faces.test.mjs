@@ -1,0 +1,142 @@
+// The comparison of faces on the page.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { modelFile, row, sphereParts } from "./models.mjs";
+import { open } from "./open.mjs";
+
+let opened;
+
+before(async () => {
+  opened = await open();
+  await opened.page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+async function openPair(a, b) {
+  for (const [side, model] of Object.entries({ a, b })) {
+    await opened.until("done", () =>
+      opened.page.setInputFiles(`#file-${side}`, modelFile(`${side}.json`, model)),
+    );
+  }
+}
+
+/** Faces that are compared in several seconds. */
+const MANY_FACES = 120;
+
+const reaches = (state) => opened.page.locator(`#faces[data-state="${state}"]`).waitFor();
+
+async function compare(tolerance) {
+  await opened.page.locator("#face-tolerance").fill(`${tolerance}`);
+  await opened.page.locator("#compare").click();
+  await reaches("done");
+}
+
+const rows = () =>
+  opened.page.locator("#face-list button").evaluateAll((buttons) =>
+    buttons.map((button) => {
+      const { side, face, state } = button.dataset;
+      return {
+        side,
+        face: Number(face),
+        state,
+        interval: button.querySelector(".interval").textContent,
+      };
+    }),
+  );
+
+/** Waits until the arrow's label has this text and is in the middle of the view. */
+const labelReads = (text) =>
+  opened.page.waitForFunction((text) => {
+    const label = document.getElementById("label");
+    const view = document.getElementById("canvas").getBoundingClientRect();
+    const { x, y, width } = label.getBoundingClientRect();
+    const near = (at, from, size) => Math.abs(at - (from + size / 2)) < 0.3 * size;
+    const centred = near(x, view.x, view.width) && near(y, view.y, view.height);
+    return label.textContent === text && width > 0 && centred;
+  }, text);
+
+test("the two raised ones of five squares are listed, the largest first, and nothing else", async () => {
+  await openPair(row(0, 0, 0, 0, 0), row(0, 0.25, 0, 0.5, 0));
+  await compare(0.01);
+  const { page } = opened;
+  assert.equal(await page.locator("#faces").getAttribute("data-result"), "changed");
+  const listed = await rows();
+  assert.deepEqual(
+    listed.map(({ face, state }) => [face, state]),
+    [
+      [3, "changed"],
+      [3, "changed"],
+      [1, "changed"],
+      [1, "changed"],
+    ],
+  );
+  assert.deepEqual(new Set(listed.map(({ side }) => side)), new Set(["a", "b"]));
+  for (const [index, { interval }] of listed.entries()) {
+    const [lower, upper] = JSON.parse(interval);
+    const raised = index < 2 ? 0.5 : 0.25;
+    assert.ok(lower <= raised && raised <= upper && upper - lower < 0.01 * raised, interval);
+  }
+  const summary = await page.locator("#face-summary").textContent();
+  for (const side of ["A", "B"]) {
+    assert.ok(summary.includes(`${side}: 2 changed, 0 undecided, 3 unchanged`), summary);
+  }
+  await opened.screenshot("faces");
+});
+
+test("a selected face is zoomed to with its own arrow; keys select the next one and none", async () => {
+  const { page } = opened;
+  const buttons = page.locator("#face-list button");
+  await buttons.first().click();
+  assert.equal(await buttons.first().getAttribute("aria-pressed"), "true");
+  await labelReads("0.5000");
+  await opened.screenshot("faces-selected");
+  await page.keyboard.press("End");
+  assert.equal(await buttons.last().getAttribute("aria-pressed"), "true");
+  assert.equal(await buttons.first().getAttribute("aria-pressed"), "false");
+  await labelReads("0.2500");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator('#face-list [aria-pressed="true"]').count(), 0);
+  await page.locator("#label").waitFor({ state: "hidden" });
+  await page.locator("#faces-clear").click();
+  await page.locator("#label").waitFor();
+  assert.equal(await buttons.count(), 0);
+});
+
+test("at a tolerance above the changes every face is unchanged, and a move outdates that", async () => {
+  const { page } = opened;
+  await compare(0.6);
+  assert.equal(await page.locator("#faces").getAttribute("data-result"), "unchanged");
+  assert.equal(await page.locator("#face-list button").count(), 0);
+  await opened.until("done", () => page.locator("#move-x-exact").fill("0.1"));
+  await reaches("outdated");
+  assert.match(await page.locator("#face-summary").textContent(), /A was moved/);
+  await compare(0.05);
+  const { length } = await rows();
+  assert.equal(length, 10, "all ten faces moved by 0.1");
+});
+
+test("a long comparison is cancelled", async () => {
+  const { page } = opened;
+  const { a, b } = sphereParts;
+  const surfaces = Array.from({ length: MANY_FACES }, () => a.surfaces[0]);
+  await page.selectOption("#tolerance", "1e-3");
+  await openPair({ surfaces }, b);
+  await page.locator("#face-tolerance").fill("0.001");
+  await page.locator("#compare").click();
+  // At once, since a click of the browser waits for a frame.
+  await page.locator('#faces[data-state="working"]').evaluate(() => {
+    document.getElementById("compare-cancel").click();
+  });
+  await reaches("cancelled");
+  assert.equal(await page.locator("#face-list button").count(), 0);
+});
+
+test("a tolerance that is not positive is not compared with", async () => {
+  const { page } = opened;
+  await page.locator("#face-tolerance").fill("-1");
+  await page.locator("#compare").click();
+  assert.equal(await page.locator("#faces").getAttribute("data-state"), "cancelled");
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

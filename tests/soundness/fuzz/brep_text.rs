@@ -1,0 +1,17 @@
+//! Any text is either refused or a model whose JSON gives the same JSON again, and whose
+//! report counts its faces.
+
+use nurbs_hausdorff::Model;
+
+pub fn check(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match Model::from_brep(text) {
+        Ok((model, report)) => {
+            assert!(report.surfaces > 0 && report.exact + report.fitted == report.trims);
+            assert!(report.gap.is_finite());
+            let json = model.to_json().unwrap();
+            assert_eq!(Model::from_json(&json).unwrap().to_json().unwrap(), json);
+        }
+        Err(error) => assert!(!error.to_string().is_empty() && !error.code().is_empty()),
+    }
+}

@@ -1,0 +1,51 @@
+// The controls of the view: what is shown of each model, directions, section and handles.
+import { element } from "../common/elements.ts";
+import type { StandardView } from "../scene/camera/standardViews.ts";
+import type { GizmoMode } from "../scene/gizmo.ts";
+import type { Visibility } from "../scene/mesh.ts";
+import type { Section } from "../scene/section.ts";
+import type { Side } from "../worker/protocol.ts";
+
+const select = (id: string) => element(id, HTMLSelectElement);
+const input = (id: string) => element(id, HTMLInputElement);
+
+const shown: Record<Side, HTMLSelectElement> = { a: select("show-a"), b: select("show-b") };
+const direction = select("direction");
+const orthographic = input("orthographic");
+const gizmo = select("gizmo");
+const axis = select("section-axis");
+const [position, flipped] = [input("section-at"), input("section-flip")];
+
+/** What is shown of a model. */
+export const visibility = (side: Side): Visibility => shown[side].value as Visibility;
+
+export const isOrthographic = (): boolean => orthographic.checked;
+
+export const gizmoMode = (): GizmoMode => gizmo.value as GizmoMode;
+
+/** The section plane; undefined without one. */
+export function section(): Section | undefined {
+  if (axis.value === "") return undefined;
+  return {
+    axis: Number(axis.value) as Section["axis"],
+    fraction: position.valueAsNumber,
+    flipped: flipped.checked,
+  };
+}
+
+/** Calls `onView` when the user selects a standard view, and `onChange` on every other change. */
+export function onDisplay(onView: (view: StandardView) => void, onChange: () => void): void {
+  direction.addEventListener("change", () => {
+    if (direction.value !== "") onView(direction.value as StandardView);
+    // The list shows its title again: the user may turn the view away and select the same entry.
+    direction.value = "";
+  });
+  const changed = () => {
+    element("section-controls").hidden = axis.value === "";
+    onChange();
+  };
+  for (const control of [...Object.values(shown), orthographic, gizmo, axis, position, flipped]) {
+    control.addEventListener("input", changed);
+  }
+  changed();
+}

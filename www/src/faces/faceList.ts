@@ -1,0 +1,100 @@
+// The list of changed faces: buttons, of which arrow keys select the next and the previous.
+import { distanceText, intervalText } from "../common/numbers.ts";
+import type { Change } from "./changes.ts";
+
+/** Rows shown; a list of more is not read. */
+const MAX_ROWS = 200;
+
+/** The row that a key selects, from the selected row and the number of rows. */
+const STEPS: Readonly<Record<string, (row: number, rows: number) => number>> = {
+  ArrowDown: (row, rows) => Math.min(row + 1, rows - 1),
+  ArrowUp: (row) => Math.max(row - 1, 0),
+  Home: () => 0,
+  End: (_, rows) => rows - 1,
+};
+
+export class FaceList {
+  readonly #list: HTMLElement;
+  readonly #more: HTMLElement;
+  readonly #select: (change: Change | undefined) => void;
+  #changes: Change[] = [];
+  #selected: number | undefined;
+
+  /** Calls `select` with the face that is selected, and without one when none is. */
+  constructor(list: HTMLElement, more: HTMLElement, select: (change: Change | undefined) => void) {
+    this.#list = list;
+    this.#more = more;
+    this.#select = select;
+    list.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** Shows these faces; `diagonal` is the size that digits refer to. */
+  show(changes: Change[], diagonal: number): void {
+    this.#changes = changes.slice(0, MAX_ROWS);
+    this.#selected = undefined;
+    this.#list.replaceChildren(
+      ...this.#changes.map((change, row) => this.#row(change, row, diagonal)),
+    );
+    const hidden = changes.length - this.#changes.length;
+    this.#more.hidden = hidden === 0;
+    this.#more.textContent = `and ${hidden} more, which the JSON export contains`;
+  }
+
+  /** Selects a row, or with `undefined` none. */
+  select(row: number | undefined): void {
+    this.#selected = row;
+    for (const [index, button] of this.#buttons().entries()) {
+      button.setAttribute("aria-pressed", `${index === row}`);
+    }
+    this.#select(row === undefined ? undefined : this.#changes[row]);
+  }
+
+  #row({ side, difference }: Change, row: number, diagonal: number): HTMLElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.dataset.side = side;
+    button.dataset.face = `${difference.face}`;
+    button.dataset.state = difference.state;
+    button.setAttribute("aria-pressed", "false");
+    const letter = document.createElement("b");
+    letter.className = side;
+    letter.textContent = side.toUpperCase();
+    const { lower, upper } = difference;
+    button.append(
+      letter,
+      part("name", `face ${difference.face}`),
+      part("size", difference.state === "undecided" ? "undecided" : distanceText(lower, diagonal)),
+      part("interval", intervalText(lower, upper, diagonal)),
+    );
+    button.addEventListener("click", () => this.select(this.#selected === row ? undefined : row));
+    const item = document.createElement("li");
+    item.append(button);
+    return item;
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.key === "Escape" && this.#selected !== undefined) {
+      this.select(undefined);
+      event.preventDefault();
+      return;
+    }
+    const step = STEPS[event.key];
+    if (step === undefined || this.#changes.length === 0) return;
+    event.preventDefault();
+    const focused = this.#buttons().indexOf(document.activeElement as HTMLButtonElement);
+    const row = step(focused, this.#changes.length);
+    this.#buttons()[row]?.focus();
+    this.select(row);
+  }
+
+  #buttons(): HTMLButtonElement[] {
+    return [...this.#list.querySelectorAll("button")];
+  }
+}
+
+function part(name: string, text: string): HTMLElement {
+  const node = document.createElement("span");
+  node.className = name;
+  node.textContent = text;
+  return node;
+}

@@ -1,0 +1,122 @@
+// The panel of changed faces: the tolerance, the comparison's progress, counts and list.
+import type { DiffResult } from "nurbs-hausdorff";
+import { element } from "../common/elements.ts";
+import { duration, grouped } from "../common/numbers.ts";
+import { type DiffReply, SIDES } from "../worker/protocol.ts";
+import { type Change, changesOf, countsOf } from "./changes.ts";
+import { FaceList } from "./faceList.ts";
+
+/** The tolerance proposed for new models, as a fraction of the diagonal. */
+const RELATIVE_TOLERANCE = 1e-5;
+
+const section = element("faces");
+const tolerance = element("face-tolerance", HTMLInputElement);
+const compare = element("compare", HTMLButtonElement);
+const progress = element("compare-progress", HTMLProgressElement);
+const cancel = element("compare-cancel", HTMLButtonElement);
+const summary = element("face-summary");
+const clear = element("faces-clear", HTMLButtonElement);
+
+export interface FacesListener {
+  /** The user requests a comparison with this tolerance. */
+  compare: (tolerance: number) => void;
+  cancel: () => void;
+  /** The result to show in the view, or none. */
+  show: (result: DiffResult | undefined) => void;
+  /** The face to show in the view, or none. */
+  select: (change: Change | undefined) => void;
+}
+
+export class FacesPanel {
+  readonly #listener: FacesListener;
+  readonly #list: FaceList;
+  #result: DiffResult | undefined;
+
+  constructor(listener: FacesListener) {
+    this.#listener = listener;
+    this.#list = new FaceList(element("face-list"), element("face-more"), listener.select);
+    compare.addEventListener("click", () => {
+      if (tolerance.reportValidity()) listener.compare(tolerance.valueAsNumber);
+    });
+    tolerance.addEventListener("keydown", ({ key }) => {
+      if (key === "Enter") compare.click();
+    });
+    cancel.addEventListener("click", () => listener.cancel());
+    clear.addEventListener("click", () => this.clear("idle", ""));
+  }
+
+  /** Proposes a tolerance for models of this size: one digit. */
+  propose(diagonal: number): void {
+    if (diagonal > 0) tolerance.value = `${Number((RELATIVE_TOLERANCE * diagonal).toPrecision(1))}`;
+  }
+
+  /** The comparison shown. */
+  get result(): DiffResult | undefined {
+    return this.#result;
+  }
+
+  /** Whether a comparison is shown or in progress. */
+  get active(): boolean {
+    return section.dataset.state === "done" || section.dataset.state === "working";
+  }
+
+  show(reply: DiffReply): void {
+    switch (reply.state) {
+      case "working":
+        this.#setState("working");
+        progress.value = reply.fraction;
+        break;
+      case "done":
+        this.#showResult(reply.result);
+        break;
+      case "cancelled":
+        this.clear("cancelled", "Cancelled.");
+        break;
+      case "failed":
+        this.clear("failed", `${reply.code}: ${reply.message}`);
+        break;
+    }
+  }
+
+  /** Removes the result and shows this text. */
+  clear(state: "idle" | "cancelled" | "failed" | "outdated", text: string): void {
+    this.#setState(state);
+    summary.textContent = text;
+    this.#result = undefined;
+    this.#list.show([], 0);
+    clear.hidden = true;
+    this.#listener.show(undefined);
+  }
+
+  #showResult(result: DiffResult): void {
+    this.#setState("done");
+    this.#result = result;
+    const table = SIDES.map((side) => {
+      const { unchanged, changed, undecided } = countsOf(result[side]);
+      const name = side.toUpperCase();
+      return `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
+    });
+    const verdict = {
+      unchanged: `No face differs by more than ${result.tolerance}.`,
+      changed: `Faces differ by more than ${result.tolerance}:`,
+      undecided: `Undecided at ${result.tolerance}:`,
+    }[result.state];
+    summary.replaceChildren(
+      ...[verdict, ...table, `in ${duration(result.solveSeconds)}`].map((text) => {
+        const line = document.createElement("span");
+        line.textContent = text;
+        return line;
+      }),
+    );
+    section.dataset.result = result.state;
+    clear.hidden = false;
+    this.#list.show(changesOf(result), result.diagonal);
+    this.#listener.show(result);
+  }
+
+  #setState(state: string): void {
+    section.dataset.state = state;
+    delete section.dataset.result;
+    element("compare-work").hidden = state !== "working";
+  }
+}

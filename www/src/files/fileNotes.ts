@@ -1,0 +1,80 @@
+// Below each model, a line about its file: format, unit, faces, and everything
+// that reading it left out or approximated, which unfolds to the details.
+import type { CadReport } from "nurbs-hausdorff/cad";
+import { element } from "../common/elements.ts";
+import { grouped, upperText } from "../common/numbers.ts";
+import { unitName } from "../common/units.ts";
+import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { FORMATS } from "./formats.ts";
+
+/** Skipped faces listed; more are counted. */
+const MAX_SKIPPED = 50;
+
+const notes: Record<Side, HTMLElement> = { a: element("note-a"), b: element("note-b") };
+const mismatch = element("units-differ");
+const units: Sides<number | null> = {};
+
+/** Shows the notes of models that were loaded. */
+export function showFileNotes(models: Sides<DisplayModel>): void {
+  for (const side of SIDES) {
+    const model = models[side];
+    if (model === undefined) continue;
+    const { report } = model;
+    units[side] = report?.unit ?? null;
+    notes[side].replaceChildren(...(report === null ? [] : [note(report)]));
+    notes[side].hidden = report === null;
+  }
+  const { a = null, b = null } = units;
+  const differ = a !== null && b !== null && unitName(a) !== unitName(b);
+  mismatch.hidden = !differ;
+  if (differ) {
+    mismatch.textContent = `A is in ${unitName(a)} and B in ${unitName(b)}: their numbers are compared without scaling.`;
+  }
+}
+
+/** Returns the unit of both models, or undefined where it is unknown or not the same. */
+export function commonUnit(): string | undefined {
+  const { a = null, b = null } = units;
+  if (a === null || b === null || unitName(a) !== unitName(b)) return undefined;
+  return unitName(a);
+}
+
+function note(report: CadReport): HTMLElement {
+  const { kind, surfaces, unit, skipped, fitted } = report;
+  const summary = document.createElement("summary");
+  const faces = `${grouped(surfaces)} ${surfaces === 1 ? "face" : "faces"}`;
+  summary.append(
+    [FORMATS[kind], faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "),
+  );
+  if (skipped.length > 0) summary.append(" · ", strong(`${grouped(skipped.length)} skipped`));
+  if (fitted > 0) summary.append(" · ", strong(`${grouped(fitted)} curves fitted`));
+  const details = document.createElement("details");
+  details.append(summary, list(report));
+  return details;
+}
+
+function list({ trims, exact, fitted, gap, unit, skipped }: CadReport): HTMLElement {
+  const suffix = unit === null ? "" : ` ${unitName(unit)}`;
+  const lines = [
+    `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
+    `edges and faces of the file are up to ${upperText(gap)}${suffix} apart`,
+    ...skipped.slice(0, MAX_SKIPPED).map(({ face, why }) => `${face} skipped: ${why}`),
+  ];
+  const more = skipped.length - MAX_SKIPPED;
+  if (more > 0) lines.push(`and ${grouped(more)} more skipped`);
+  const node = document.createElement("ul");
+  node.append(
+    ...lines.map((text) => {
+      const line = document.createElement("li");
+      line.textContent = text;
+      return line;
+    }),
+  );
+  return node;
+}
+
+function strong(text: string): HTMLElement {
+  const node = document.createElement("b");
+  node.textContent = text;
+  return node;
+}

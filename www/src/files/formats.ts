@@ -1,0 +1,15 @@
+// The formats of files, for the dialogues that choose them.
+import type { CadKind } from "nurbs-hausdorff/cad";
+
+/** The value of `accept`: endings, since browsers know no types of CAD files. */
+export const ACCEPT = ".step,.stp,.iges,.igs,.3dm,.brep,.brp,.FCStd,.json,.gz";
+
+/** The names of the formats. */
+export const FORMATS: Readonly<Record<CadKind, string>> = {
+  step: "STEP",
+  iges: "IGES",
+  "3dm": "Rhino 3DM",
+  brep: "BREP",
+  fcstd: "FreeCAD",
+  json: "JSON",
+};

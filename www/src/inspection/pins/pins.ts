@@ -1,0 +1,94 @@
+// Points of the models with their distances: the one under the pointer, and those pinned.
+import { Vector3 } from "three";
+import { element } from "../../common/elements.ts";
+import { distanceText, signedText } from "../../common/numbers.ts";
+import { commonUnit } from "../../files/fileNotes.ts";
+import type { Viewport } from "../../scene/camera/viewport.ts";
+import type { Probe } from "../../worker/protocol.ts";
+
+const layer = element("pins");
+const hover = element("hover");
+
+interface Pin {
+  probe: Probe;
+  node: HTMLElement;
+}
+
+export class Pins {
+  #pins: Pin[] = [];
+
+  /** Shows the point under the pointer at a place of the view; without one, hides that. */
+  hover(probe?: Probe, diagonal = 0, at: readonly [number, number] = [0, 0]): void {
+    hover.hidden = probe === undefined;
+    if (probe === undefined) return;
+    hover.replaceChildren(...lines(probe, diagonal));
+    hover.style.left = `${at[0]}px`;
+    hover.style.top = `${at[1]}px`;
+  }
+
+  /** Keeps a point until its button or `clear` removes it. */
+  add(probe: Probe, diagonal: number, onChange: () => void): void {
+    const node = document.createElement("div");
+    node.className = "pin";
+    node.setAttribute("role", "note");
+    const remove = document.createElement("button");
+    remove.type = "button";
+    remove.textContent = "×";
+    remove.setAttribute("aria-label", "Remove the pinned point");
+    remove.addEventListener("click", () => {
+      this.#pins = this.#pins.filter((pin) => pin.node !== node);
+      node.remove();
+      onChange();
+    });
+    const text = document.createElement("div");
+    text.append(...lines(probe, diagonal));
+    node.append(text, remove);
+    layer.append(node);
+    this.#pins.push({ probe, node });
+    onChange();
+  }
+
+  clear(): void {
+    this.#pins = [];
+    layer.replaceChildren();
+    this.hover();
+  }
+
+  /** The points pinned. */
+  get probes(): Probe[] {
+    return this.#pins.map(({ probe }) => probe);
+  }
+
+  /** Moves the labels to their points on the screen; `center` is the scene's origin. */
+  update(viewport: Viewport, center: Vector3): void {
+    for (const { probe, node } of this.#pins) {
+      const place = viewport.project(new Vector3(...probe.point).sub(center));
+      node.hidden = place === undefined;
+      node.style.left = `${place?.[0] ?? 0}px`;
+      node.style.top = `${place?.[1] ?? 0}px`;
+    }
+  }
+}
+
+function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, diagonal: number) {
+  const other = side === "a" ? "B" : "A";
+  const unit = commonUnit();
+  const size = Number.isNaN(signed)
+    ? distanceText(distance, diagonal)
+    : signedText(signed, diagonal);
+  const texts = [
+    `${size}${unit === undefined ? "" : ` ${unit}`}`,
+    `${side.toUpperCase()} face ${face} · u ${short(u)} · v ${short(v)}`,
+    `foot on ${other} face ${footFace}: ${foot.map(short).join(", ")}`,
+  ];
+  return texts.map((text) => {
+    const line = document.createElement("span");
+    line.textContent = text;
+    return line;
+  });
+}
+
+/** Significant digits of coordinates and parameters. */
+const DIGITS = 5;
+
+const short = (value: number): string => `${Number(value.toPrecision(DIGITS))}`;

@@ -1,0 +1,181 @@
+// The three-dimensional viewport: camera, light, and drawing on demand.
+import {
+  AmbientLight,
+  type Box3,
+  type Camera,
+  DirectionalLight,
+  HemisphereLight,
+  type Intersection,
+  NeutralToneMapping,
+  type Object3D,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { fitDistance } from "./fit.ts";
+import { STANDARD_VIEWS } from "./standardViews.ts";
+
+const FIELD_OF_VIEW = 32;
+/** The tangent of half the field of view. */
+const TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+/** The clipping planes, in units of the distance from the camera to its target. */
+const NEAR = 1e-3;
+const FAR = 50;
+/** Device pixels per CSS pixel; more cost time without a visible gain. */
+const MAX_PIXEL_RATIO = 2;
+/** Milliseconds after which a drawing no longer waits for its shaders. */
+const MAX_COMPILATION = 3000;
+
+export class Viewport {
+  readonly scene = new Scene();
+  readonly controls: OrbitControls;
+  /** Called before every drawing, after the camera was updated. */
+  onDraw: () => void = () => {};
+  readonly #canvas: HTMLCanvasElement;
+  readonly #renderer: WebGLRenderer;
+  /** The camera that the controls move; the orthographic one follows it. */
+  readonly #perspective = new PerspectiveCamera(FIELD_OF_VIEW);
+  readonly #orthographic = new OrthographicCamera();
+  #camera: PerspectiveCamera | OrthographicCamera = this.#perspective;
+  #drawRequested = false;
+  #compiling = 0;
+
+  /** @throws {Error} without WebGL. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.#canvas = canvas;
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
+    this.#renderer.toneMapping = NeutralToneMapping;
+    this.#renderer.localClippingEnabled = true;
+    // The check waits for the driver's compiler; the shaders are three.js's own.
+    this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
+    this.#perspective.up.set(0, 0, 1);
+    const [key, fill] = [new DirectionalLight(0xffffff, 2.2), new DirectionalLight(0xffffff, 0.7)];
+    key.position.set(0.5, 0.8, 1);
+    fill.position.set(-1, -0.4, 0.6);
+    const sky = new HemisphereLight(0xffffff, 0x8d9399, 1.5);
+    sky.position.set(0, 0, 1);
+    this.#perspective.add(key, fill);
+    this.scene.add(this.#perspective, sky, new AmbientLight(0xffffff, 0.35));
+    this.controls = new OrbitControls(this.#perspective, canvas);
+    this.controls.listenToKeyEvents(canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    new ResizeObserver(() => this.#resize()).observe(canvas);
+  }
+
+  /** The camera that is drawn with. */
+  get camera(): Camera {
+    return this.#camera;
+  }
+
+  set orthographic(orthographic: boolean) {
+    this.#camera = orthographic ? this.#orthographic : this.#perspective;
+    this.draw();
+  }
+
+  /** The size of a pixel at a point of the scene. */
+  pixelAt(point: Vector3): number {
+    const { position } = this.#perspective;
+    const at = this.#camera === this.#perspective ? point : this.controls.target;
+    return (2 * position.distanceTo(at) * TANGENT) / this.#canvas.clientHeight;
+  }
+
+  /** The position of a point of the scene in pixels of the canvas; undefined behind the camera. */
+  project(point: Vector3): [x: number, y: number] | undefined {
+    const { x, y, z } = point.clone().project(this.#camera);
+    const { clientWidth, clientHeight } = this.#canvas;
+    if (Math.abs(z) > 1) return undefined;
+    return [(0.5 + 0.5 * x) * clientWidth, (0.5 - 0.5 * y) * clientHeight];
+  }
+
+  /** Returns what a ray through a point of the window hits, the nearest first. */
+  hits(clientX: number, clientY: number, objects: Object3D[]): Intersection[] {
+    const { left, top, width, height } = this.#canvas.getBoundingClientRect();
+    const at = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.#camera);
+    return ray.intersectObjects(objects, false);
+  }
+
+  /** Shows the whole box from a direction. */
+  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
+    if (box.isEmpty()) return;
+    this.#resize();
+    this.controls.target.copy(box.getCenter(new Vector3()));
+    this.#look(direction, fitDistance(this.#perspective, direction, box));
+  }
+
+  /** Shows a sphere, from the current direction. */
+  approach(center: Vector3, radius: number): void {
+    const { position } = this.#perspective;
+    const direction = position.clone().sub(this.controls.target).normalize();
+    this.controls.target.copy(center);
+    this.#look(direction, radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360));
+  }
+
+  /**
+   * Compiles the shaders of new objects and draws when that is done, so that
+   * the page does not wait for the driver's compiler.
+   */
+  async compile(): Promise<void> {
+    this.#compiling += 1;
+    const compiled = this.#renderer.compileAsync(this.scene, this.#camera);
+    const late = new Promise((resolve) => setTimeout(resolve, MAX_COMPILATION));
+    await Promise.race([compiled, late]);
+    this.#compiling -= 1;
+    this.draw();
+  }
+
+  /** Requests a drawing in the next frame. */
+  draw(): void {
+    if (this.#drawRequested || this.#compiling > 0) return;
+    this.#drawRequested = true;
+    requestAnimationFrame(() => {
+      this.#drawRequested = false;
+      this.render();
+    });
+  }
+
+  /** Draws now, so that the canvas can be read in the same task. */
+  render(): void {
+    this.#updateCameras();
+    this.onDraw();
+    this.#renderer.render(this.scene, this.#camera);
+  }
+
+  #updateCameras(): void {
+    const [eye, flat] = [this.#perspective, this.#orthographic];
+    const distance = eye.position.distanceTo(this.controls.target);
+    eye.near = NEAR * distance;
+    eye.far = FAR * distance;
+    eye.updateProjectionMatrix();
+    eye.updateMatrixWorld();
+    const [height, aspect] = [distance * TANGENT, eye.aspect];
+    flat.position.copy(eye.position);
+    flat.quaternion.copy(eye.quaternion);
+    Object.assign(flat, { left: -height * aspect, right: height * aspect });
+    // An orthographic view has no nearest point: what lies behind the eye is shown too.
+    Object.assign(flat, { top: height, bottom: -height, near: -eye.far, far: eye.far });
+    flat.updateProjectionMatrix();
+    flat.updateMatrixWorld();
+  }
+
+  #look(direction: Vector3, distance: number): void {
+    this.#perspective.position.copy(this.controls.target).addScaledVector(direction, distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#canvas;
+    this.#renderer.setSize(clientWidth, clientHeight, false);
+    this.#perspective.aspect = clientWidth / Math.max(1, clientHeight);
+    this.#perspective.updateProjectionMatrix();
+    this.draw();
+  }
+}

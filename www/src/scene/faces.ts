@@ -1,0 +1,70 @@
+// The faces of one model, coloured by the class of each: one draw call a class.
+import type { Tessellation } from "nurbs-hausdorff";
+import { Box3, BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } from "three";
+import { glass, satin } from "./material.ts";
+
+export type FaceClass = "plain" | "undecided" | "changed";
+
+const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed"];
+
+/** The colour of faces that need no attention, and of faces that the search did not decide. */
+const PLAIN = "#98a3ad";
+const UNDECIDED = "#8a5cc2";
+
+export class FaceColors {
+  readonly mesh: Mesh<BufferGeometry, Material[]>;
+  readonly #source: BufferGeometry;
+  readonly #ranges: Tessellation["surfaces"];
+
+  /** `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
+  constructor(source: BufferGeometry, ranges: Tessellation["surfaces"], color: string) {
+    this.#source = source;
+    this.#ranges = ranges;
+    const geometry = new BufferGeometry();
+    for (const name of ["position", "normal"]) {
+      geometry.setAttribute(name, source.getAttribute(name));
+    }
+    this.mesh = new Mesh(geometry, [glass(PLAIN), satin(UNDECIDED), satin(color)]);
+    this.mesh.visible = false;
+  }
+
+  /** Shows every face in the colour of its class; without classes, nothing. */
+  show(classes: FaceClass[] | undefined): void {
+    this.mesh.visible = classes !== undefined;
+    const source = this.#source.getIndex()?.array;
+    if (classes === undefined || source === undefined) return;
+    const { geometry } = this.mesh;
+    const indices = new Uint32Array(source.length);
+    geometry.clearGroups();
+    let end = 0;
+    for (const [material, name] of CLASSES.entries()) {
+      const begin = end;
+      for (const [face, { firstIndex, indexCount }] of this.#ranges.entries()) {
+        if ((classes[face] ?? "plain") !== name) continue;
+        indices.set(source.subarray(firstIndex, firstIndex + indexCount), end);
+        end += indexCount;
+      }
+      if (end > begin) geometry.addGroup(begin, end - begin, material);
+    }
+    geometry.setIndex(new BufferAttribute(indices, 1));
+  }
+
+  /** The box of one face, in the mesh's coordinates; empty for a face without triangles. */
+  box(face: number): Box3 {
+    const box = new Box3();
+    const range = this.#ranges[face];
+    const indices = this.#source.getIndex();
+    if (range === undefined || indices === null) return box;
+    const positions = this.#source.getAttribute("position");
+    const point = new Vector3();
+    for (let at = range.firstIndex; at < range.firstIndex + range.indexCount; at++) {
+      box.expandByPoint(point.fromBufferAttribute(positions, indices.getX(at)));
+    }
+    return box;
+  }
+
+  /** Frees the geometry; the model's mesh frees all materials. */
+  dispose(): void {
+    this.mesh.geometry.dispose();
+  }
+}

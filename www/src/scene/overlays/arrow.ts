@@ -1,0 +1,107 @@
+// The arrow from a point of one model to the closest point of the other.
+import type { Vector3 as Point } from "nurbs-hausdorff";
+import {
+  ConeGeometry,
+  CylinderGeometry,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import type { Viewport } from "../camera/viewport.ts";
+
+/** Radii in pixels, independent of the zoom: short arrows stay visible and long ones slim. */
+const SHAFT_RADIUS = 2.2;
+const HEAD_RADIUS = 7.5;
+const START_RADIUS = 5;
+const END_RADIUS = 2.6;
+/** The length of the head divided by its radius. */
+const HEAD_ASPECT = 2.6;
+/** The largest fraction of the arrow's length that the head takes. */
+const MAX_HEAD_FRACTION = 0.5;
+const UP = new Vector3(0, 1, 0);
+
+export class Arrow {
+  readonly group = new Group();
+  readonly #from = new Vector3();
+  readonly #to = new Vector3();
+  readonly #middle = new Vector3();
+  readonly #label: HTMLElement;
+  readonly #shaft: Mesh;
+  readonly #head: Mesh;
+  readonly #start: Mesh;
+  readonly #end: Mesh;
+
+  constructor(label: HTMLElement, color: string) {
+    this.#label = label;
+    // Drawn last and without a depth test, so that the models never cover it.
+    const material = new MeshBasicMaterial({
+      color,
+      depthTest: false,
+      transparent: true,
+      toneMapped: false,
+    });
+    this.#shaft = new Mesh(new CylinderGeometry(1, 1, 1, 16), material);
+    this.#head = new Mesh(new ConeGeometry(1, HEAD_ASPECT, 24), material);
+    const ball = new SphereGeometry(1, 24, 16);
+    this.#start = new Mesh(ball, material);
+    this.#end = new Mesh(ball, material);
+    this.group.add(this.#shaft, this.#head, this.#start, this.#end);
+    for (const part of this.group.children) part.renderOrder = 4;
+    this.hide();
+  }
+
+  hide(): void {
+    this.group.visible = false;
+    this.#label.hidden = true;
+  }
+
+  /** Shows the arrow between two points of the models. `center` is the origin of the scene. */
+  show(from: Point, to: Point, text: string, center: Vector3): void {
+    this.#from.set(...from).sub(center);
+    this.#to.set(...to).sub(center);
+    this.#middle.copy(this.#from).lerp(this.#to, 0.5);
+    this.#label.textContent = text;
+    this.group.visible = true;
+  }
+
+  /** The midpoint of the arrow, in scene coordinates. */
+  get middle(): Vector3 {
+    return this.#middle;
+  }
+
+  get length(): number {
+    return this.#from.distanceTo(this.#to);
+  }
+
+  /** Adapts the arrow's thickness to the camera, and moves the label to its midpoint on the screen. */
+  update(viewport: Viewport): void {
+    if (!this.group.visible) return;
+    const place = viewport.project(this.#middle);
+    this.#label.hidden = place === undefined;
+    this.#label.style.left = `${place?.[0] ?? 0}px`;
+    this.#label.style.top = `${place?.[1] ?? 0}px`;
+    this.#size(viewport.pixelAt(this.#middle));
+  }
+
+  #size(pixel: number): void {
+    const { length } = this;
+    const direction = this.#to.clone().sub(this.#from).normalize();
+    const head = Math.min(HEAD_RADIUS * pixel, (MAX_HEAD_FRACTION * length) / HEAD_ASPECT);
+    const shaft = length - HEAD_ASPECT * head;
+    for (const part of [this.#shaft, this.#head]) {
+      part.visible = length > 0;
+      part.quaternion.setFromUnitVectors(UP, direction);
+    }
+    const radius = Math.min(SHAFT_RADIUS * pixel, head / 2);
+    this.#shaft.scale.set(radius, shaft, radius);
+    this.#shaft.position.copy(this.#from).addScaledVector(direction, shaft / 2);
+    this.#head.scale.setScalar(head);
+    this.#head.position.copy(this.#to).addScaledVector(direction, (-HEAD_ASPECT * head) / 2);
+    this.#start.position.copy(this.#from);
+    this.#start.scale.setScalar(START_RADIUS * pixel);
+    this.#end.position.copy(this.#to);
+    this.#end.scale.setScalar(END_RADIUS * pixel);
+  }
+}

@@ -1,0 +1,45 @@
+// Line segments from the samples of A to their closest points, coloured by the deviation.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  LineBasicMaterial,
+  LineSegments,
+  type Texture,
+  type Vector3,
+} from "three";
+import type { FieldDisplay } from "../../worker/field/fieldDisplay.ts";
+import { coordinates } from "./deviation.ts";
+
+export class ProjectionLines {
+  readonly lines: LineSegments;
+
+  /** `map` is the colour scale. */
+  constructor(map: Texture) {
+    this.lines = new LineSegments(
+      new BufferGeometry(),
+      new LineBasicMaterial({ map, transparent: true, opacity: 0.9 }),
+    );
+    this.lines.renderOrder = 3;
+    this.lines.frustumCulled = false;
+    this.hide();
+  }
+
+  hide(): void {
+    this.lines.visible = false;
+  }
+
+  /** Draws the lines of a field. `center` is the scene's origin; deviations are in units of `unit`. */
+  show(field: FieldDisplay, unit: number, center: Vector3): void {
+    this.lines.geometry.dispose();
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(field.lines, 3));
+    const ends = Uint32Array.from(
+      { length: 2 * field.lineSamples.length },
+      (_, end) => field.lineSamples[end >> 1] ?? 0,
+    );
+    geometry.setAttribute("uv", new BufferAttribute(coordinates(field, unit, ends), 2));
+    this.lines.geometry = geometry;
+    this.lines.position.set(...field.lineOrigin).sub(center);
+    this.lines.visible = true;
+  }
+}

@@ -1,0 +1,89 @@
+// Undo and redo of all options and of the position, and the state in the page's address.
+import { element } from "../common/elements.ts";
+import { formState } from "./formState.ts";
+
+/** Milliseconds without a change after which a state is recorded: a drag is one step. */
+const PAUSE = 150;
+/** The largest number of states kept. */
+const MAX_STATES = 200;
+
+const undoButton = element("undo", HTMLButtonElement);
+const redoButton = element("redo", HTMLButtonElement);
+
+export class History {
+  readonly #restore: (state: string) => void;
+  #past: string[] = [];
+  #future: string[] = [];
+  #current: string | undefined;
+  #timer = 0;
+
+  /** Calls `restore` with the state to return to. */
+  constructor(restore: (state: string) => void) {
+    this.#restore = restore;
+    undoButton.addEventListener("click", () => this.#step(this.#past, this.#future));
+    redoButton.addEventListener("click", () => this.#step(this.#future, this.#past));
+    window.addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || isTextField(event.target)) return;
+      const key = event.key.toLowerCase();
+      const redo = key === "y" || (key === "z" && event.shiftKey);
+      if (!redo && key !== "z") return;
+      event.preventDefault();
+      (redo ? redoButton : undoButton).click();
+    });
+    this.#showButtons();
+  }
+
+  /** The state in the page's address, if there is one. */
+  static get linked(): string | undefined {
+    return location.hash.length > 1 ? location.hash.slice(1) : undefined;
+  }
+
+  /** Records the state of the controls, once they rest. */
+  record(): void {
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => this.#record(), PAUSE);
+  }
+
+  /** Forgets all states, because their models cannot be opened again. */
+  reset(): void {
+    this.#past = [];
+    this.#future = [];
+    this.#current = undefined;
+    this.record();
+  }
+
+  #record(): void {
+    const state = formState();
+    if (state === this.#current) return;
+    if (this.#current !== undefined) {
+      this.#past = [...this.#past, this.#current].slice(-MAX_STATES);
+      this.#future = [];
+    }
+    this.#show(state);
+  }
+
+  #step(from: string[], to: string[]): void {
+    clearTimeout(this.#timer);
+    this.#record();
+    const state = from.pop();
+    if (state === undefined || this.#current === undefined) return;
+    to.push(this.#current);
+    this.#show(state);
+    this.#restore(state);
+  }
+
+  #show(state: string): void {
+    this.#current = state;
+    history.replaceState(null, "", state === "" ? location.pathname : `#${state}`);
+    this.#showButtons();
+  }
+
+  #showButtons(): void {
+    undoButton.disabled = this.#past.length === 0;
+    redoButton.disabled = this.#future.length === 0;
+  }
+}
+
+/** Whether the browser's own undo applies. */
+const isTextField = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && target.type === "number";
