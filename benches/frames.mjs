@@ -47,21 +47,28 @@ async function measure(entry, sizes, methods) {
       const sheet = hd.model([{ degree: [DEGREE, DEGREE], counts, knotsU, knotsV, controlPoints }]);
       const times = [];
       let updates = 0;
+      let cpu = globalThis.process?.cpuUsage();
       for (let frame = 0; frame < frames + WARM_UP; frame++) {
         const net = points(counts, 0.1 * frame);
         const started = performance.now();
         sheet.update(0, net);
         const updated = performance.now();
         await hd.distance(sheet, fixed, options);
-        if (frame < WARM_UP) continue;
+        if (frame < WARM_UP) {
+          cpu = globalThis.process?.cpuUsage();
+          continue;
+        }
         times.push(performance.now() - started);
         updates += updated - started;
       }
+      // Of all threads, the compiler's too; unlike the times, other programs add little to it.
+      const used = globalThis.process?.cpuUsage(cpu);
+      const busy = used ? (used.user + used.system) / 1000 / frames : Number.NaN;
       times.sort((a, b) => a - b);
       const mean = times.reduce((sum, time) => sum + time, 0) / frames;
       const rate = 1000 / mean;
       const name = `${counts.join(" x ")}, ${options.method}`;
-      rows.push({ name, rate, median: times[frames >> 1], fastest: times[0], update: updates / frames });
+      rows.push({ name, rate, median: times[frames >> 1], fastest: times[0], update: updates / frames, busy });
       sheet.dispose();
     }
   }
@@ -91,8 +98,9 @@ if (!existsSync(new URL("../dist/index.js", import.meta.url))) {
   process.exit(2);
 }
 const rows = values.chromium ? await inChromium() : await measure("nurbs-hausdorff", sizes, methods);
-console.log("net, method                frames/s   median ms  fastest ms  of which update ms");
-for (const { name, rate, median, fastest, update } of rows) {
-  const columns = [rate, median, fastest, update].map((x) => x.toFixed(2).padStart(11)).join(" ");
+console.log("net, method                frames/s   median ms  fastest ms  of which update ms   CPU ms");
+for (const { name, rate, median, fastest, update, busy } of rows) {
+  const column = (x) => (Number.isNaN(x) ? "-" : x.toFixed(2)).padStart(11);
+  const columns = [rate, median, fastest, update, busy].map(column).join(" ");
   console.log(`${name.padEnd(24)} ${columns}`);
 }

@@ -72,15 +72,17 @@ function scan(positions, indices, origin, reach) {
   return points;
 }
 
-const report = (name, prepare, seconds, points, note) => {
-  const rate = Math.round(points / seconds).toLocaleString("en");
-  console.log(`${name.padEnd(34)} ${prepare.toFixed(2)} s to prepare, ${rate} points/s, ${note}`);
+/** Prints a tool's rates: by the clock, and by the processor's time of all its threads. */
+const report = (name, [seconds, busy], points, note) => {
+  const [rate, perCore] = [seconds, busy].map((time) => Math.round(points / time).toLocaleString("en"));
+  console.log(`${name.padEnd(34)} ${rate} points/s, ${perCore} per second of one core, ${note}`);
 };
 
 const timed = async (work) => {
-  const started = performance.now();
+  const [started, used] = [performance.now(), process.cpuUsage()];
   const result = await work();
-  return [(performance.now() - started) / 1000, result];
+  const { user, system } = process.cpuUsage(used);
+  return [[(performance.now() - started) / 1000, (user + system) / 1e6], result];
 };
 
 const hd = await Hausdorff.create({ backend: "cpu" });
@@ -95,10 +97,11 @@ writeFileSync(`${folder}/positions.f32`, positions);
 writeFileSync(`${folder}/indices.u32`, indices);
 writeFileSync(`${folder}/origin.json`, JSON.stringify(origin));
 
-const [prepare] = await timed(() => hd.closestPoints(model, points.subarray(0, 3)));
-const [seconds, exact] = await timed(() => hd.closestPoints(model, points));
+// The first points pay for the patches' cuts and trees.
+await hd.closestPoints(model, points.subarray(0, 3));
+const [times, exact] = await timed(() => hd.closestPoints(model, points));
 const widest = exact.bounds.reduce((most, bound) => Math.max(most, bound), 0);
-report("this package in Node", prepare, seconds, count, `each within ${widest.toExponential(1)}`);
+report("this package in Node", times, count, `each within ${widest.toExponential(1)}`);
 
 /**
  * How far the distances that others found, of all points or of every so many, are from
@@ -117,25 +120,25 @@ function deviation(distances) {
 
 const native = ask("cargo", ["bench", "--bench", "points", "--", modelFile, `${folder}/points.f64`]);
 if (native !== undefined) {
-  const { prepare, seconds, bound } = JSON.parse(native);
-  report("natively", prepare, seconds, count, `each within ${bound.toExponential(1)}`);
+  const { seconds, busy, bound } = JSON.parse(native);
+  report("natively", [seconds, busy], count, `each within ${bound.toExponential(1)}`);
 }
 
 {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
-  const [prepare, bvh] = await timed(() => new MeshBVH(geometry));
+  const bvh = new MeshBVH(geometry);
   const [point, target] = [new Vector3(), {}];
   const distances = new Float64Array(count);
-  const [seconds] = await timed(() => {
+  const [times] = await timed(() => {
     for (let index = 0; index < count; index++) {
       point.fromArray(points, 3 * index);
       point.set(point.x - origin[0], point.y - origin[1], point.z - origin[2]);
       distances[index] = bvh.closestPointToPoint(point, target).distance;
     }
   });
-  report("three-mesh-bvh, on the mesh", prepare, seconds, count, deviation(distances));
+  report("three-mesh-bvh, on the mesh", times, count, deviation(distances));
 }
 
 const python = process.env.PYTHON ?? inRoot("benches", "peers", ".venv", "bin", "python");
@@ -143,8 +146,8 @@ const script = inRoot("benches", "points.py");
 const run = spawnSync(python, [script, folder, modelFile], { encoding: "utf8", maxBuffer: 1 << 28 });
 if (run.status !== 0) console.log(`Open3D, OpenCASCADE: not measured: ${run.stderr ?? run.error}`);
 for (const line of (run.stdout ?? "").trim().split("\n").filter(Boolean)) {
-  const { name, prepare, seconds, distances } = JSON.parse(line);
+  const { name, seconds, busy, distances } = JSON.parse(line);
   const found = readFileSync(distances);
   const list = new Float64Array(found.buffer, found.byteOffset, found.length / 8);
-  report(name, prepare, seconds, list.length, deviation(list));
+  report(name, [seconds, busy], list.length, deviation(list));
 }

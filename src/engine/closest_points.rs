@@ -12,8 +12,9 @@ use crate::rounding::{VANISHING_LENGTH, gamma};
 use glam::DVec3;
 use serde::Deserialize;
 
-/// The number of points between two checkpoints: some tens of milliseconds of work.
-const POINTS_AT_ONCE: usize = 8192;
+/// The number of points between two checkpoints: some tens of milliseconds of work on
+/// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
+const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
 
 /// The roundings of a distance of two points, relative to it: three differences,
 /// their squares, two sums and a root.
@@ -136,7 +137,7 @@ fn validate(points: &[f64]) -> Result<()> {
     if let Some((index, &found)) = points.iter().enumerate().find(|(_, value)| !is_in_range(**value)) {
         return Err(Error::PointOutOfRange { index: index / 3, found });
     }
-    if points.len() % 3 != 0 {
+    if !points.len().is_multiple_of(3) {
         // The coordinate that is missing.
         return Err(Error::PointOutOfRange { index: points.len() / 3, found: f64::NAN });
     }

@@ -159,7 +159,7 @@ impl PreparedModel {
     /// Those of [`PreparedModel::new`].
     pub fn updated(&self, model: &Model) -> Result<Self> {
         let mut updated = Self::new(model)?;
-        if self.refits == MAX_REFITS || !self.patch_counts().eq(updated.patch_counts()) {
+        if self.refits == MAX_REFITS || self.bezier.grids != updated.bezier.grids {
             return Ok(updated);
         }
         updated.refits = self.refits + 1;

@@ -171,12 +171,15 @@ impl GridTree {
 /// enough to keep all threads busy, and a few milliseconds on one.
 const ITEMS: usize = 1024;
 
+/// For every row or column of cells, the patches that it overlaps and its interval on each.
+type Strips = Vec<Vec<(usize, [f64; 2])>>;
+
 /// A tree that is built in short steps, between which an event loop can run.
 pub(crate) struct GridTreeBuilder<'a> {
     model: &'a BezierModel,
     tree: GridTree,
     /// The intervals of every row and column of cells on the patches, one entry per surface.
-    strips: Vec<[Vec<Vec<(usize, [f64; 2])>>; 2]>,
+    strips: Vec<[Strips; 2]>,
     /// The derivative bounds of the patches so far.
     bounds: Vec<DerivativeBounds>,
     /// The ranges of parts of the cells so far.

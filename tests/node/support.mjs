@@ -58,3 +58,31 @@ export function near(actual, expected, tolerance) {
     `${actual} is not ${expected} ± ${tolerance}`,
   );
 }
+
+/** The longest that the caller's thread was blocked, in ms, while `work` was done. */
+async function longestBlock(work) {
+  let longest = 0;
+  let last = performance.now();
+  const tick = () => {
+    const now = performance.now();
+    longest = Math.max(longest, now - last);
+    last = now;
+  };
+  const timer = setInterval(tick, 1);
+  await work();
+  tick();
+  clearInterval(timer);
+  return longest;
+}
+
+/**
+ * Fails if `work` blocks the caller's thread for longer. Other programs may take the
+ * processor away: the least of some attempts counts.
+ */
+export async function blocksAtMost(milliseconds, work) {
+  let least = Number.POSITIVE_INFINITY;
+  for (let attempt = 0; attempt < 10 && least > milliseconds; attempt++) {
+    least = Math.min(least, await longestBlock(work));
+  }
+  assert.ok(least <= milliseconds, `${least} ms`);
+}

@@ -1,7 +1,7 @@
 // Progress, cancelling, and several distances at once.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { create, near, square, withCode } from "./support.mjs";
+import { blocksAtMost, create, near, square, withCode } from "./support.mjs";
 
 let hd;
 let a;
@@ -88,6 +88,15 @@ test("the event loop turns while work is done", async () => {
   await hd.distance(a, b, { method: "iteration", samples: 512, backend: "cpu" });
   clearInterval(timer);
   assert.ok(turns > 3, `${turns} turns`);
+});
+
+test("method hierarchy gives way while it prepares and while it measures", async () => {
+  // Every grid but the last is prepared anew.
+  let grid = 128;
+  await blocksAtMost(50, () => {
+    grid += 1;
+    return hd.distance(a, b, { method: "hierarchy", grid, backend: "cpu" });
+  });
 });
 
 test("work cancelled before it begins does not begin", async () => {

@@ -2,7 +2,7 @@
 // browser and in Node, and judged by the tools that judge packages.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, existsSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { chromium } from "playwright-core";
@@ -116,6 +116,17 @@ for (const [from, name] of [
     isRight(inNode(`import "./node/src/${name}.js"; ${print};`));
   });
 }
+
+test("the README's lines run in Node as they stand", () => {
+  const readme = readFileSync(join(packed.installed, "README.md"), "utf8");
+  writeFileSync(join(packed.folder, "readme.mjs"), readme.match(/```js\n([\s\S]*?)```/)[1]);
+  const options = { cwd: packed.folder, encoding: "utf8" };
+  const { stdout, stderr } = spawnSync(process.execPath, ["readme.mjs"], options);
+  const [, lower, upper] = stdout.match(/^between (\S+) and (\S+), attained at 1,1,0.25$/m) ?? [
+    stderr,
+  ];
+  assert.ok(Number(lower) <= 0.25 && 0.25 <= Number(upper), stderr);
+});
 
 test("a strict consumer's types are right by both resolutions, without further libraries", () => {
   const folder = join(packed.folder, "consumer");
