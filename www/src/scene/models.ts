@@ -164,7 +164,9 @@ export class Models {
     const box = new Box3();
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
-      if (mesh !== undefined) box.union(new Box3().setFromObject(mesh.target));
+      if (mesh === undefined) continue;
+      mesh.group.updateWorldMatrix(true, true);
+      box.union(new Box3().setFromObject(mesh.target));
     }
     return box;
   }
