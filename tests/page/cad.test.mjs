@@ -58,18 +58,21 @@ test("a file in another format is refused with the formats that are read", async
   assert.match(await error.textContent(), /part\.stl.*STL.*STEP, IGES/);
 });
 
-test("models of different units are announced", async () => {
+test("models of different units are not measured unless B is scaled", async () => {
   const { page } = opened;
-  for (const [side, unit] of [
-    ["a", 0.001],
-    ["b", 0.0254],
-  ]) {
-    await openFile(side, modelFile(`${side}.json`, { unit, ...planes(0) }));
-  }
-  assert.match(await page.locator("#units-differ").textContent(), /A is in mm and B in in/);
+  // 25.4 mm above A is 1 inch.
+  await openFile("a", modelFile("a.json", { unit: 0.001, ...planes(25.4) }));
+  await opened.until("failed", () =>
+    page.setInputFiles("#file-b", modelFile("b.json", { unit: 0.0254, ...planes(0) })),
+  );
+  assert.equal(await page.locator("#error").getAttribute("data-code"), "UNITS_DIFFER");
+  assert.match(await page.locator("#units-text").textContent(), /A is in mm and B in in/);
+  await opened.until("done", () => page.locator("#scale-units").check());
+  const { lower, upper } = await opened.data();
+  assert.ok(Number(lower) <= 25.4 + 1e-12 && 25.4 - 1e-12 <= Number(upper), `${lower} ${upper}`);
+  assert.equal(await page.locator("#unit").textContent(), "mm");
   await openFile("b", modelFile("b.json", { unit: 0.001, ...planes(0) }));
   assert.ok(await page.locator("#units-differ").isHidden());
-  assert.equal(await page.locator("#unit").textContent(), "mm");
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

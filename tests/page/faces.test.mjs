@@ -51,7 +51,7 @@ const labelReads = (text) =>
     const label = document.getElementById("label");
     const view = document.getElementById("canvas").getBoundingClientRect();
     const { x, y, width } = label.getBoundingClientRect();
-    const near = (at, from, size) => Math.abs(at - (from + size / 2)) < 0.3 * size;
+    const near = (at, from, size) => Math.abs(at - (from + size / 2)) < 0.4 * size;
     const centred = near(x, view.x, view.width) && near(y, view.y, view.height);
     return label.textContent === text && width > 0 && centred;
   }, text);

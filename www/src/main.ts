@@ -8,7 +8,7 @@ import { download } from "./export/download.ts";
 import { onExport } from "./export/exportPanel.ts";
 import { exportAs } from "./export/exports.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
-import { showFileNotes } from "./files/fileNotes.ts";
+import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import * as resultPanel from "./results/resultPanel.ts";
@@ -28,7 +28,8 @@ const view = new View(canvas, warnings.showNoWebGl, (move, rotation) => {
 });
 const client = new Client(onReply);
 const faces = new FacesPanel({
-  compare: (tolerance) => client.diff({ tolerance, transform: pose().transform }),
+  compare: (tolerance) =>
+    client.diff({ tolerance, transform: pose().transform, scaleUnits: scalesUnits() }),
   cancel: () => client.cancelDiff(),
   show: (result) => view.showFaces(result),
   select: (change) => view.selectFace(change),
@@ -55,6 +56,11 @@ options.onChange(() => {
   measure();
 });
 position.onPosition(moved);
+onScaleUnits(() => {
+  view.models.scale = unitScale();
+  moved();
+  view.fit();
+});
 onSource((sources, placement) => {
   resultPanel.hideError();
   setLoading(true);
@@ -75,6 +81,7 @@ function measured(): PlainOptions {
   return {
     ...options.distanceOptions(),
     transform: pose().transform,
+    scaleUnits: scalesUnits(),
   };
 }
 
@@ -117,6 +124,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   view.showModels(models);
   showSources(models, placement);
   showFileNotes(models);
+  view.models.scale = unitScale();
   faces.propose(view.models.diagonal);
   position.setPlacement(placement, view.models.diagonal);
   if (pending !== undefined) applyFormState(pending, ["a", "b"]);
@@ -161,12 +169,10 @@ function onReply(reply: Reply): void {
       showLoaded(reply);
       break;
     case "progress":
-      resultPanel.showWorking(
-        reply.fraction,
-        reply.interval,
-        view.models.diagonal,
-        options.distanceOptions().symmetric === true,
-      );
+      resultPanel.showWorking(reply.fraction, reply.interval, view.models.diagonal, {
+        symmetric: options.distanceOptions().symmetric === true,
+        stalled: reply.stalled,
+      });
       break;
     case "measured":
       resultPanel.showResult(reply.result, client.isNewest(reply.run));

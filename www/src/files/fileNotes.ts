@@ -12,6 +12,8 @@ const MAX_SKIPPED = 50;
 
 const notes: Record<Side, HTMLElement> = { a: element("note-a"), b: element("note-b") };
 const mismatch = element("units-differ");
+const mismatchText = element("units-text");
+const scaling = element("scale-units", HTMLInputElement);
 const units: Sides<number | null> = {};
 
 /** Shows the notes of models that were loaded. */
@@ -20,7 +22,7 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
     const model = models[side];
     if (model === undefined) continue;
     const { report } = model;
-    units[side] = report?.unit ?? null;
+    units[side] = model.unit;
     notes[side].replaceChildren(...(report === null ? [] : [note(report)]));
     notes[side].hidden = report === null;
   }
@@ -28,15 +30,28 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
   const differ = a !== null && b !== null && unitName(a) !== unitName(b);
   mismatch.hidden = !differ;
   if (differ) {
-    mismatch.textContent = `A is in ${unitName(a)} and B in ${unitName(b)}: their numbers are compared without scaling.`;
+    mismatchText.textContent = `A is in ${unitName(a)} and B in ${unitName(b)}.`;
   }
 }
 
-/** Returns the unit of both models, or undefined where it is unknown or not the same. */
-export function commonUnit(): string | undefined {
+/** Calls back when the user decides whether B is scaled. */
+export function onScaleUnits(callback: () => void): void {
+  scaling.addEventListener("input", callback);
+}
+
+/** Whether B is scaled to A's unit. */
+export const scalesUnits = (): boolean => scaling.checked;
+
+/** Returns A's units in one of B's, which is 1 unless B is scaled. */
+export function unitScale(): number {
   const { a = null, b = null } = units;
-  if (a === null || b === null || unitName(a) !== unitName(b)) return undefined;
-  return unitName(a);
+  return scaling.checked && a !== null && b !== null ? b / a : 1;
+}
+
+/** Returns the unit of the results, or undefined where it is unknown. */
+export function commonUnit(): string | undefined {
+  const known = units.a ?? units.b ?? null;
+  return known === null ? undefined : unitName(known);
 }
 
 function note(report: CadReport): HTMLElement {

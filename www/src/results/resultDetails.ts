@@ -1,6 +1,13 @@
 // The details of a result, as terms and texts.
 import type { DistanceResult } from "nurbs-hausdorff";
-import { distanceText, duration, grouped, signedText, twoDigits } from "../common/numbers.ts";
+import {
+  distanceText,
+  duration,
+  grouped,
+  signedText,
+  twoDigits,
+  upperText,
+} from "../common/numbers.ts";
 
 export type Detail = [term: string, text: string];
 
@@ -22,7 +29,13 @@ export function detailsOf(result: DistanceResult): Detail[] {
     ...methods(result),
     ["patches", `${grouped(patches.a)} · ${grouped(patches.b)}`],
     ["diagonal", distanceText(diagonal, diagonal)],
+    ...gapOf(result),
   ];
+}
+
+/** How far the files themselves leave the models open, which is not part of the interval. */
+function gapOf({ modelGap }: DistanceResult): Detail[] {
+  return modelGap > 0 ? [["gaps of both files, at most", upperText(modelGap)]] : [];
 }
 
 /** The directed distances of a symmetric result. */

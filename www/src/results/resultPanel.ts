@@ -11,6 +11,7 @@ import { showVerdict } from "./verdict.ts";
 /** The meaning of the interval shown. */
 const SO_FAR = "certified so far";
 /** The two directions are computed in turn, each with an interval of its own. */
+const STALLED = " · narrows slowly, may take long";
 const ONE_DIRECTION = "one direction so far";
 
 const section = element("result");
@@ -34,12 +35,14 @@ export function showWorking(
   fraction: number,
   current: [number, number] | undefined,
   diagonal: number,
-  symmetric: boolean,
+  { symmetric, stalled }: { symmetric: boolean; stalled: boolean },
 ): void {
   section.dataset.state = "working";
   progress.value = fraction;
   if (current === undefined) return;
-  showInterval(current[0], current[1], diagonal, symmetric ? ONE_DIRECTION : SO_FAR);
+  const note = symmetric ? ONE_DIRECTION : SO_FAR;
+  showInterval(current[0], current[1], diagonal, note);
+  if (stalled) width.textContent += STALLED;
 }
 
 /** Shows a result; `last` states that no newer measurement was requested. */

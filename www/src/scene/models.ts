@@ -28,6 +28,19 @@ export class Models {
     this.#map = map;
   }
 
+  /** A's units in one of B's; the scene is in A's. */
+  #scale = 1;
+
+  get scale(): number {
+    return this.#scale;
+  }
+
+  /** Scales B; the pose has to be set again. */
+  set scale(scale: number) {
+    this.#scale = scale;
+    this.#centre();
+  }
+
   /** Adds models to the scene, each in place of the one before. */
   show(models: Sides<DisplayModel>): void {
     for (const side of SIDES) {
@@ -38,8 +51,13 @@ export class Models {
       this.#meshes[side] = mesh;
       this.group.add(mesh.group);
     }
-    const box = (this.#meshes.b ?? this.#meshes.a)?.model.box;
-    if (box !== undefined) boxOf(box).getCenter(this.center);
+    this.#centre();
+  }
+
+  #centre(): void {
+    const { a, b } = this.#meshes;
+    if (b !== undefined) boxOf(b.model.box).getCenter(this.center).multiplyScalar(this.#scale);
+    else if (a !== undefined) boxOf(a.model.box).getCenter(this.center);
   }
 
   /** Shows or hides models and their triangles. */
@@ -126,9 +144,12 @@ export class Models {
 
   /** The larger diagonal of the two models' boxes. */
   get diagonal(): number {
-    const diagonals = Object.values(this.#meshes).map(({ model: { box } }) =>
-      new Vector3(...box.min).distanceTo(new Vector3(...box.max)),
-    );
+    const diagonals = SIDES.map((side) => {
+      const box = this.#meshes[side]?.model.box;
+      if (box === undefined) return 0;
+      const length = new Vector3(...box.min).distanceTo(new Vector3(...box.max));
+      return side === "b" ? this.#scale * length : length;
+    });
     return Math.max(...diagonals, 0);
   }
 
@@ -143,7 +164,9 @@ export class Models {
     const box = new Box3();
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
-      if (mesh !== undefined) box.union(new Box3().setFromObject(mesh.target));
+      if (mesh === undefined) continue;
+      mesh.group.updateWorldMatrix(true, true);
+      box.union(new Box3().setFromObject(mesh.target));
     }
     return box;
   }
@@ -155,7 +178,12 @@ export class Models {
       if (mesh === undefined) continue;
       const origin = new Vector3(...mesh.model.tessellation.origin);
       if (side === "a") mesh.group.matrix.copy(pose.matrix(origin, this.center));
-      else mesh.group.matrix.setPosition(origin.sub(this.center));
+      else {
+        const { scale } = this;
+        mesh.group.matrix
+          .makeScale(scale, scale, scale)
+          .setPosition(origin.multiplyScalar(scale).sub(this.center));
+      }
       mesh.group.matrixWorldNeedsUpdate = true;
     }
   }

@@ -59,8 +59,8 @@ export class Client {
   }
 
   /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */
-  probe(id: number, side: Side, near: Vector3, transform: Transform): void {
-    this.#post({ kind: "probe", id, side, near, transform });
+  probe(id: number, side: Side, near: Vector3, transform: Transform, scale: number): void {
+    this.#post({ kind: "probe", id, side, near, transform, scale });
   }
 
   /** Requests the samples of the last measurement as a table. */

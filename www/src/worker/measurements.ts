@@ -89,8 +89,8 @@ export class Measurements {
       const result = await this.#engine.distance(a, b, {
         ...options,
         signal: abort.signal,
-        onProgress: (fraction, interval) => {
-          this.#reply({ kind: "progress", run, fraction, interval });
+        onProgress: (fraction, interval, stalled = false) => {
+          this.#reply({ kind: "progress", run, fraction, interval, stalled });
           if (this.#waiting === undefined) return;
           if (mayCancel(options, performance.now() - begin, interval)) abort.abort();
         },

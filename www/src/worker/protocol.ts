@@ -41,13 +41,13 @@ export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
   side: Side;
-  face: number;
+  face: string;
   u: number;
   v: number;
   point: Vector3;
   foot: Vector3;
   /** The other model's face. */
-  footFace: number;
+  footFace: string;
   distance: number;
   /** The true distance differs from `distance` by at most this. */
   bound: number;
@@ -61,14 +61,16 @@ export type Request =
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
   | { kind: "cancelDiff" }
-  /** `near` is in the model's own coordinates. */
-  | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform }
+  /** `near` is in the model's own coordinates; `scale` is A's units in one of B's. */
+  | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform; scale: number }
   | { kind: "csv" };
 
 /** What the page needs to draw a model. */
 export interface DisplayModel {
   source: Source;
   surfaceCount: number;
+  /** Metres per unit; null where it is unknown. */
+  unit: number | null;
   /** What reading a file kept, changed and left out; null for a shape. */
   report: CadReport | null;
   box: { min: Vector3; max: Vector3 };
@@ -102,7 +104,13 @@ export type Reply =
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
-  | { kind: "progress"; run: number; fraction: number; interval: [number, number] | undefined }
+  | {
+      kind: "progress";
+      run: number;
+      fraction: number;
+      interval: [number, number] | undefined;
+      stalled: boolean;
+    }
   | {
       kind: "measured";
       run: number;

@@ -3,8 +3,8 @@ import { Hausdorff } from "nurbs-hausdorff";
 import { Differences } from "./differences.ts";
 import { codeOf, messageOf } from "./failure.ts";
 import { csvOf } from "./field/csv.ts";
-import { load } from "./load.ts";
 import { engineState, Measurements } from "./measurements.ts";
+import { load } from "./models/load.ts";
 import { probe } from "./probe.ts";
 import type { Reply, Request } from "./protocol.ts";
 
@@ -70,12 +70,10 @@ async function replace(
 
 async function reportProbe(
   { engine, measurements }: Awaited<typeof ready>,
-  { id, side, near, transform }: Extract<Request, { kind: "probe" }>,
+  { id, ...at }: Extract<Request, { kind: "probe" }>,
 ): Promise<void> {
   // A point that cannot be measured, for example while models are replaced, is not reported.
-  const found = await probe(engine, measurements.models, side, near, transform).catch(
-    () => undefined,
-  );
+  const found = await probe(engine, measurements.models, at).catch(() => undefined);
   reply({ kind: "probed", id, probe: found });
 }
 

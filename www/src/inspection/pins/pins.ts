@@ -78,8 +78,8 @@ function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, di
     : signedText(signed, diagonal);
   const texts = [
     `${size}${unit === undefined ? "" : ` ${unit}`}`,
-    `${side.toUpperCase()} face ${face} · u ${short(u)} · v ${short(v)}`,
-    `foot on ${other} face ${footFace}: ${foot.map(short).join(", ")}`,
+    `${side.toUpperCase()} ${face} · u ${short(u)} · v ${short(v)}`,
+    `foot on ${other} ${footFace}: ${foot.map(short).join(", ")}`,
   ];
   return texts.map((text) => {
     const line = document.createElement("span");

@@ -24,7 +24,7 @@ export class Probing {
       const { left, top } = canvas.getBoundingClientRect();
       const at = [clientX - left, clientY - top] as const;
       this.#newest = { id: this.#newest.id + 1, pin, at };
-      client.probe(this.#newest.id, hit.side, hit.near, transformOf());
+      client.probe(this.#newest.id, hit.side, hit.near, transformOf(), view.models.scale);
     };
     onPointer(canvas, request, () => {
       if (!this.#newest.pin) this.#newest = { ...this.#newest, id: this.#newest.id + 1 };

@@ -55,13 +55,13 @@ export class Viewport {
     // The check waits for the driver's compiler; the shaders are three.js's own.
     this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#perspective.up.set(0, 0, 1);
-    const [key, fill] = [new DirectionalLight(0xffffff, 2.2), new DirectionalLight(0xffffff, 0.7)];
+    const [key, fill] = [new DirectionalLight(0xffffff, 2.6), new DirectionalLight(0xffffff, 0.7)];
     key.position.set(0.5, 0.8, 1);
     fill.position.set(-1, -0.4, 0.6);
-    const sky = new HemisphereLight(0xffffff, 0x8d9399, 1.5);
+    const sky = new HemisphereLight(0xffffff, 0x8d9399, 1.1);
     sky.position.set(0, 0, 1);
     this.#perspective.add(key, fill);
-    this.scene.add(this.#perspective, sky, new AmbientLight(0xffffff, 0.35));
+    this.scene.add(this.#perspective, sky, new AmbientLight(0xffffff, 0.2));
     this.controls = new OrbitControls(this.#perspective, canvas);
     this.controls.listenToKeyEvents(canvas);
     this.controls.addEventListener("change", () => this.draw());

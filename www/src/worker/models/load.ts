@@ -1,8 +1,8 @@
 // Loading of models from shapes and files.
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+import { type DisplayModel, SIDES, type Sides, type Source } from "../protocol.ts";
 import { type FileReader, reader } from "./cadFiles.ts";
 import { outline } from "./outline.ts";
-import { type DisplayModel, SIDES, type Sides, type Source } from "./protocol.ts";
 
 /** Loaded models and what is drawn of them. */
 export interface Loaded {
@@ -34,6 +34,7 @@ export async function load(
       display[side] = {
         source,
         surfaceCount: model.surfaceCount,
+        unit: model.unit,
         report: model.report,
         box: model.boundingBox,
         tessellation,

@@ -1,11 +1,13 @@
 // The outline of a model: the edges of its faces, creases and gaps.
 import type { Tessellation } from "nurbs-hausdorff";
+import { type Edge, smooth } from "./edges.ts";
+import { withoutInner } from "./innerBorders.ts";
 
-/** The cosine of the largest angle between normals across an inner border of a smooth face. */
-const SMOOTH_COSINE = Math.cos((10 * Math.PI) / 180);
-
-/** An edge as its two vertices. */
-type Edge = readonly [from: number, to: number];
+/**
+ * The distance of two triangulations of one border, in diagonals: each is as far
+ * from it as the tessellation's tolerance allows.
+ */
+const BORDER_TOLERANCE = 4e-4;
 
 /**
  * Returns the edges that belong to only one triangle, two vertices per edge.
@@ -15,9 +17,11 @@ type Edge = readonly [from: number, to: number];
  */
 export function outline(tessellation: Tessellation): Uint32Array<ArrayBuffer> {
   const { indices, surfaces } = tessellation;
+  const tolerance = BORDER_TOLERANCE * diagonalOf(tessellation.positions);
   const edges = surfaces.flatMap(({ firstIndex, indexCount }) => {
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
-    return withoutInner(openEdges(tessellation, own), tessellation);
+    const edges = withoutDoubled(openEdges(tessellation, own), tessellation);
+    return withoutInner(edges, tessellation, tolerance);
   });
   return new Uint32Array(edges.flat());
 }
@@ -45,8 +49,8 @@ function openEdges({ positions }: Tessellation, indices: Uint32Array): Edge[] {
   return edges;
 }
 
-/** The edges of one face without those that lie on each other and have the same normals. */
-function withoutInner(edges: Edge[], { positions, normals }: Tessellation): Edge[] {
+/** The edges of one face without those that have the same ends and normals. */
+function withoutDoubled(edges: Edge[], { positions, normals }: Tessellation): Edge[] {
   const place = (vertex: number) => positions.subarray(3 * vertex, 3 * vertex + 3).join(" ");
   const byPlace = new Map<string, Edge>();
   const inner = new Set<Edge>();
@@ -63,12 +67,14 @@ function withoutInner(edges: Edge[], { positions, normals }: Tessellation): Edge
   return [...byPlace.values()].filter((edge) => !inner.has(edge));
 }
 
-/** Returns whether two vertices have nearly the same normal. */
-function smooth(normals: Float32Array, one: number, other: number): boolean {
-  const axes = [0, 1, 2].map(
-    (axis) => (normals[3 * one + axis] ?? 0) * (normals[3 * other + axis] ?? 0),
-  );
-  return axes.reduce((sum, product) => sum + product, 0) >= SMOOTH_COSINE;
+function diagonalOf(positions: Float32Array): number {
+  const [low, high] = [new Array<number>(3).fill(Infinity), new Array<number>(3).fill(-Infinity)];
+  for (const [index, value] of positions.entries()) {
+    const axis = index % 3;
+    low[axis] = Math.min(low[axis] ?? 0, value);
+    high[axis] = Math.max(high[axis] ?? 0, value);
+  }
+  return Math.hypot(...high.map((value, axis) => value - (low[axis] ?? 0)));
 }
 
 /** Returns whether the edge has a positive length; at poles some have none. */
