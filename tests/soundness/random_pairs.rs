@@ -25,11 +25,15 @@ fn intervals_contain_what_brute_force_finds() {
 /// Pairs of the attack's families, of which the example draws thousands.
 const ATTACKS: u64 = 48;
 
+/// The seconds after which a computation counts as endless.
+const MAX_SECONDS: f64 = 60.0;
+
 #[test]
 fn the_attack_finds_no_false_interval() {
     let outcomes: Vec<Outcome> = (1..=ATTACKS).into_par_iter().map(check_attack).collect();
     for outcome in &outcomes {
         assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
     }
     let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
     assert!(4 * refused < ATTACKS, "{refused} refused");
