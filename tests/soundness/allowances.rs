@@ -252,7 +252,14 @@ fn critical_point() {
     };
     let (worst, _) = error(BILINEAR, &on_axis(BILINEAR, &EVALUATED), EVALUATED_AT);
     let others: Vec<_> = random_patches(3001)
-        .map(|(degree, controls, mut random)| error(degree, &controls, [random.f64(), random.f64()]))
+        .map(|(degree, mut controls, mut random)| {
+            // Of any size: an error is proportional to the size, or to its square.
+            let scale = 2.0_f64.powi(random.i32(-10..=10));
+            for control in &mut controls {
+                control.x *= scale;
+            }
+            error(degree, &controls, [random.f64(), random.f64()])
+        })
         .collect();
     // The computed squared distance itself would be no lower bound.
     let exceeded = others.iter().filter(|(_, exceeds)| *exceeds).count();
