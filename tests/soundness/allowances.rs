@@ -114,20 +114,20 @@ fn evaluation() {
         let error = computed - point(degree, &exact_controls(controls), &at.map(exact));
         part(&error, &(exact(UNIT * (8.0 * degrees(degree) + 8.0)) * radius(controls)))
     };
-    let found = on_axis(
-        BILINEAR,
-        &[
-            [0.287_485_235_637_467_03, 0.368_731_533_278_106_2],
-            [-0.114_323_646_182_367_69, 0.126_672_223_903_564_28],
-            [0.951_894_272_324_314, 0.985_512_417_509_756_8],
-            [0.138_118_063_963_987_9, 0.141_959_318_608_808_75],
-        ],
-    );
-    let worst = error(BILINEAR, &found, [0.916_089_678_953_927_9, 0.491_506_479_386_823_3]);
+    let worst = error(BILINEAR, &on_axis(BILINEAR, &EVALUATED), EVALUATED_AT);
     let others = random_patches(1)
         .map(|(degree, controls, mut random)| error(degree, &controls, [random.f64(), random.f64()]));
     assert_met(others.chain([worst]), "evaluation");
 }
+
+/// Found by a search.
+const EVALUATED: [[f64; 2]; 4] = [
+    [0.287_485_235_637_467_03, 0.368_731_533_278_106_2],
+    [-0.114_323_646_182_367_69, 0.126_672_223_903_564_28],
+    [0.951_894_272_324_314, 0.985_512_417_509_756_8],
+    [0.138_118_063_963_987_9, 0.141_959_318_327_837_57],
+];
+const EVALUATED_AT: [f64; 2] = [0.916_089_678_953_927_9, 0.491_506_479_386_823_3];
 
 /// Lemma R6, 16 (p + q) u ρ inside [0, 1]: the piece is that of exactly the interval.
 #[test]
@@ -230,46 +230,99 @@ fn exact_square([p, q]: [usize; 2], controls: &[DVec4]) -> Vec<Exact> {
     sums
 }
 
-/// Section 6.6, about a critical point: at the point itself the bound is at most the
-/// exact squared distance, and it is below the computed one by more than nothing.
+/// Section 6.6, about a critical point: the computed squared distance and its gradient
+/// are within their errors of the exact ones, of which that of the distance is attained
+/// to a tenth. The bound at the point itself is at most the exact squared distance.
 #[test]
 fn critical_point() {
-    let mut exceeded = 0;
-    for (degree, controls, mut random) in random_patches(3001) {
-        let patch = patch(degree, &controls);
-        let at = [random.f64(), random.f64()];
-        let known = CriticalPoint::new(&patch, DVec3::ZERO, at);
-        let bound = SquaredDistance::new(degree, &controls, DVec3::ZERO).lower_bound_about(&known);
-        let point = point(degree, &exact_controls(&controls), &at.map(exact));
+    let error = |degree: [usize; 2], controls: &[DVec4], at: [f64; 2]| {
+        let known = CriticalPoint::new(&patch(degree, controls), DVec3::ZERO, at);
+        let bound = SquaredDistance::new(degree, controls, DVec3::ZERO).lower_bound_about(&known);
+        let (net, exact_at) = (exact_controls(controls), at.map(exact));
+        let point = point(degree, &net, &exact_at);
         let squared = &point * &point;
         assert!(exact(bound) <= squared, "{degree:?}: {bound} at {at:?}");
-        let error = (exact(known.distance_squared) - &squared).abs();
-        assert!(error <= exact(known.distance_error), "{degree:?}: {error}");
-        exceeded += usize::from(exact(known.distance_squared) > squared);
-    }
+        for (axis, derivative) in derivatives(degree, &net, &exact_at).iter().enumerate() {
+            let gradient = exact(2.0) * &point * derivative;
+            let part = part(&(exact(known.gradient[axis]) - gradient), &exact(known.gradient_error[axis]));
+            assert!(part <= 1.0, "{degree:?}: {part} of the gradient's error");
+        }
+        let excess = exact(known.distance_squared) - &squared;
+        (part(&excess, &exact(known.distance_error)), excess.is_positive())
+    };
+    let (worst, _) = error(BILINEAR, &on_axis(BILINEAR, &EVALUATED), EVALUATED_AT);
+    let others: Vec<_> = random_patches(3001)
+        .map(|(degree, mut controls, mut random)| {
+            // Of any size: an error is proportional to the size, or to its square.
+            let scale = 2.0_f64.powi(random.i32(-10..=10));
+            for control in &mut controls {
+                control.x *= scale;
+            }
+            error(degree, &controls, [random.f64(), random.f64()])
+        })
+        .collect();
     // The computed squared distance itself would be no lower bound.
+    let exceeded = others.iter().filter(|(_, exceeds)| *exceeds).count();
     assert!(exceeded > INPUTS / 4, "{exceeded}");
+    assert_met(others.into_iter().map(|(part, _)| part).chain([worst]), "critical point");
 }
 
-/// Lemma R9, u |Δ| of a first difference Δ: a difference as computed alone can be below
-/// the exact one.
+/// The derivatives of the exact point by s and t.
+fn derivatives([p, q]: [usize; 2], controls: &[Exact], [s, t]: &[BigRational; 2]) -> [BigRational; 2] {
+    let along = |line: &[Exact], t: &BigRational| {
+        let differences: Vec<Exact> =
+            line.windows(2).map(|pair| [0, 1].map(|k| &pair[1][k] - &pair[0][k])).collect();
+        let scale = exact((line.len() - 1) as f64);
+        let [x, w] = casteljau(line, t);
+        let [dx, dw] = casteljau(&differences, t).map(|difference| &scale * difference);
+        (dx * &w - &x * dw) / (&w * &w)
+    };
+    let rows: Vec<Exact> = (0..=p).map(|i| casteljau(&controls[i * (q + 1)..][..=q], t)).collect();
+    let columns: Vec<Exact> = (0..=q)
+        .map(|j| {
+            let column: Vec<Exact> = (0..=p).map(|i| controls[i * (q + 1) + j].clone()).collect();
+            casteljau(&column, s)
+        })
+        .collect();
+    [along(&rows, s), along(&columns, t)]
+}
+
+/// Lemma R9, E_n = u m_n + 2 E_(n-1) of the differences of order n, of which m_n is the
+/// largest as computed: a bound without it can be below the exact largest derivative.
 #[test]
 fn differences() {
-    // The exact difference 2 + 2^-52 is half way between 2 and the next number.
-    let worst = [-1.0 - f64::EPSILON, 1.0];
-    let mut parts = Vec::new();
+    const DEGREE: usize = 4;
+    let mut parts = [const { Vec::new() }; 3];
     let mut random = Rng::with_seed(5);
-    let mut inputs = vec![worst];
-    inputs.extend((0..INPUTS).map(|_| [-random.f64(), random.f64()]));
-    for [low, high] in inputs {
-        let controls = on_axis(BILINEAR, &[[low, 1.0], [low, 1.0], [high, 1.0], [high, 1.0]]);
-        let bound = patch(BILINEAR, &controls).derivative_bounds().first[0];
-        let derivative = exact(high) - exact(low);
-        assert!(exact(bound) >= derivative, "{low} {high}");
-        let allowance = exact(UNIT * (high - low));
-        parts.push(part(&(derivative - exact(high - low)), &allowance));
+    for _ in 0..INPUTS {
+        // Nearly linear, so that the higher differences are of the size of rounding.
+        let slope = 2.0 * random.f64() - 1.0;
+        let line: Vec<f64> =
+            (0..=DEGREE).map(|k| slope * k as f64 + 1e-15 * random.f64() + random.f64() / 1e12).collect();
+        let points: Vec<[f64; 2]> = line.iter().flat_map(|&x| [[x, 1.0], [x, 1.0]]).collect();
+        let controls = on_axis([DEGREE, 1], &points);
+        let bounds = patch([DEGREE, 1], &controls).derivative_bounds();
+        let (mut computed, mut exactly) = (line.clone(), line.iter().map(|&x| exact(x)).collect::<Vec<_>>());
+        let (mut allowance, mut factor) = (0.0, 1.0);
+        for (order, bound) in [bounds.first[0], bounds.second[0], bounds.third[0]].into_iter().enumerate() {
+            computed = computed.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            exactly = exactly.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
+            factor *= (DEGREE - order) as f64;
+            let largest = computed.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+            let truth = exactly.iter().map(Signed::abs).max().unwrap();
+            allowance = UNIT * largest + 2.0 * allowance;
+            assert!(exact(bound) >= exact(factor) * &truth, "order {}: {bound}", order + 1);
+            // It is the computed difference with the allowance, and no more.
+            let upper = factor * (largest + allowance) * (1.0 + 1e-11);
+            assert!(bound <= upper, "order {}: {bound} > {upper}", order + 1);
+            for (computed, exactly) in computed.iter().zip(&exactly) {
+                parts[order].push(part(&(exact(*computed) - exactly), &exact(allowance)));
+            }
+        }
     }
-    assert_met(parts.into_iter(), "differences");
+    for (order, parts) in parts.into_iter().enumerate() {
+        assert_met(parts.into_iter(), &format!("differences of order {}", order + 1));
+    }
 }
 
 /// A curve with these knots and control points (x, w), swept along y by 1.

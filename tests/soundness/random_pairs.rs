@@ -1,7 +1,7 @@
 //! Random pairs on which a certified interval could lie; many more are in
 //! `cargo run --release --example honesty`.
 
-use crate::fuzzer::check::{Outcome, check};
+use crate::fuzzer::check::{Outcome, check, check_attack};
 use rayon::prelude::*;
 
 /// Pairs, with two that a coarser brute force once raised alarms on.
@@ -20,4 +20,21 @@ fn intervals_contain_what_brute_force_finds() {
     // Both kinds are tried: intervals as narrow as requested, and those that a budget ended.
     assert!((PAIRS / 4..PAIRS).contains(&converged), "{converged} converged");
     assert!(cells > 0);
+}
+
+/// Pairs of the attack's families, of which the example draws thousands.
+const ATTACKS: u64 = 48;
+
+/// The seconds after which a computation counts as endless.
+const MAX_SECONDS: f64 = 60.0;
+
+#[test]
+fn the_attack_finds_no_false_interval() {
+    let outcomes: Vec<Outcome> = (1..=ATTACKS).into_par_iter().map(check_attack).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
+    }
+    let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
+    assert!(4 * refused < ATTACKS, "{refused} refused");
 }

@@ -1,14 +1,19 @@
 //! The check of one pair.
 
+use super::attacks;
 use super::brute::{Placed, Target};
 use super::pairs::{Pair, pair};
+use super::partners::scale_and_shift;
 use super::sheet::{Sheet, sheets};
 use crate::support::evaluator::point;
 use fastrand::Rng;
 use glam::{DVec2, DVec3};
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel, SurfacePoint};
+use nurbs_hausdorff::engine::{
+    Backend, Details, DistanceResult, Engine, Options, PreparedModel, SurfacePoint,
+};
 use nurbs_hausdorff::progress::NoMonitor;
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{Error, Model, RigidTransform};
+use std::time::Instant;
 
 /// The number of samples along each axis of a surface of A, one at random in each
 /// cell of a grid, as the library's own samples are at dyadic fractions.
@@ -19,6 +24,10 @@ const SAMPLES: usize = 11;
 const CLIMBS: usize = 6;
 const CLIMB_ROUNDS: usize = 24;
 
+/// Samples of method `iteration` and cells of method `hierarchy` along each direction.
+const SAMPLES_OF_ITERATION: usize = 12;
+const GRID_OF_HIERARCHY: usize = 16;
+
 /// The rounding error of coordinates, the transform's included, relative to the
 /// largest one: 16 units of 2^-53.
 const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -28,15 +37,36 @@ const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 const SIZE_ROUNDING: f64 = 1e-14;
 
 /// The outcome of the check of a pair.
+#[derive(Default)]
 pub(crate) struct Outcome {
     pub(crate) converged: bool,
     pub(crate) cells: usize,
+    /// The seconds of the computation, without the check.
+    pub(crate) seconds: f64,
+    /// Whether the engine refused the pair with a coded error.
+    pub(crate) refused: bool,
     pub(crate) violations: Vec<String>,
 }
 
+/// Checks the pair of a seed of the ordinary families.
 pub(crate) fn check(seed: u64) -> Outcome {
-    let pair = pair(seed);
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    check_pair(seed, &pair(seed))
+}
+
+/// Checks the pair of a seed of the attack's families.
+pub(crate) fn check_attack(seed: u64) -> Outcome {
+    attacks::pair(seed)
+        .map_or_else(|| Outcome { refused: true, ..Outcome::default() }, |pair| check_pair(seed, &pair))
+}
+
+thread_local! {
+    /// An engine on the GPU, if there is one: its set-up takes longer than a pair.
+    static GPU: Engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
+    static CPU: Engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+}
+
+fn check_pair(seed: u64, pair: &Pair) -> Outcome {
+    let started = Instant::now();
     let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
     let options = Options {
         // Two points have no diagonal for a relative tolerance.
@@ -46,27 +76,92 @@ pub(crate) fn check(seed: u64) -> Outcome {
         transform: pair.transform,
         symmetric: pair.symmetric,
         limit: pair.limit.map(|limit| limit * diagonal),
+        method: pair.method,
+        samples: SAMPLES_OF_ITERATION,
+        grid: GRID_OF_HIERARCHY,
+        backend: pair.backend,
         ..Options::default()
     };
-    let (a, b) = (PreparedModel::new(&pair.a).unwrap(), PreparedModel::new(&pair.b).unwrap());
-    let measured = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor));
-    let result = measured.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+    let result = match measure(pair, &options) {
+        Ok(result) => result,
+        Err(error) => {
+            let violations =
+                if is_refusal(&error) { Vec::new() } else { vec![format!("seed {seed}: {error}")] };
+            return Outcome { refused: true, violations, ..Outcome::default() };
+        }
+    };
+    let seconds = started.elapsed().as_secs_f64();
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
     let mut violations = Vec::new();
     for (directed, reversed) in directions {
         let Some(directed) = directed else { continue };
         let directed = if reversed { directed } else { result.forward.as_deref().unwrap_or(directed) };
-        let direction = Direction::new(&pair, directed, &options, reversed);
+        let direction = Direction::new(pair, directed, &options, reversed);
         violations.extend(direction.violations(&mut Rng::with_seed(seed)));
     }
     Outcome {
         converged: result.converged,
-        cells: result.certified().unwrap().cells,
+        cells: result.certified().map_or(0, |details| details.cells),
+        seconds,
+        refused: false,
         violations: violations
             .into_iter()
             .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
             .collect(),
     }
+}
+
+/// Measures a pair scaled by its power of two, and returns the result scaled back.
+fn measure(pair: &Pair, options: &Options) -> Result<DistanceResult, Error> {
+    let scale = 2.0_f64.powi(pair.exponent);
+    let mut scaled = [pair.a.clone(), pair.b.clone()];
+    let mut options = options.clone();
+    if pair.exponent != 0 {
+        for model in &mut scaled {
+            let mut surfaces: Vec<_> =
+                model.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect();
+            scale_and_shift(&mut surfaces, scale, [0.0; 3]);
+            *model = Model::from_arrays(None, surfaces)?;
+        }
+        options.limit = options.limit.map(|limit| limit * scale);
+        let offset = pair.transform.offset() * scale;
+        options.transform = RigidTransform::new(pair.transform.rotation(), offset)?;
+        if options.absolute {
+            options.tolerance *= scale;
+        }
+    }
+    let [a, b] = scaled.map(|model| PreparedModel::new(&model).unwrap());
+    let engine = if pair.backend == Backend::Cpu { &CPU } else { &GPU };
+    let mut result = engine.with(|engine| {
+        // `Auto` would not use an adapter in software.
+        options.backend = if engine.has_gpu() { Backend::Gpu } else { Backend::Cpu };
+        pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
+    })?;
+    scale_back(&mut result, scale.recip());
+    Ok(result)
+}
+
+/// Multiplies all lengths of a result that are checked.
+fn scale_back(result: &mut DistanceResult, scale: f64) {
+    for length in [&mut result.diagonal, &mut result.computed, &mut result.lower, &mut result.upper]
+        .into_iter()
+        .chain(&mut result.witness.a.point)
+        .chain(&mut result.witness.b.point)
+    {
+        *length *= scale;
+    }
+    if let Details::Certified(details) = &mut result.details {
+        details.tolerance *= scale;
+        details.min_tolerance *= scale;
+    }
+    for directed in [&mut result.forward, &mut result.reverse].into_iter().flatten() {
+        scale_back(directed, scale);
+    }
+}
+
+/// Whether an error is one by which a pair may be refused.
+fn is_refusal(error: &Error) -> bool {
+    matches!(error.code(), "PAIR_BUDGET_EXCEEDED" | "NUMBER_TOO_LARGE" | "WEIGHT_RATIO_TOO_LARGE")
 }
 
 /// The check of one direction; the models have these poses.
@@ -97,7 +192,7 @@ impl<'a> Direction<'a> {
             poses: [poses[from], poses[to]],
             result,
             witness: [witness[from], witness[to]],
-            truth: pair.truth.map(|both| both[from]),
+            truth: pair.truth.map(|both| both[from]).filter(|truth| !truth.is_nan()),
             limit: options.limit,
             rounding,
         }
@@ -115,7 +210,8 @@ impl<'a> Direction<'a> {
             violations.push(format!("{truth} is not in [{lower}, {upper}]"));
         }
         self.check_witness(&mut violations);
-        let details = self.result.certified().unwrap();
+        self.check_distances(rng, &mut violations);
+        let Some(details) = self.result.certified() else { return violations };
         let wide = upper - lower > details.tolerance + 200.0 * self.rounding;
         if self.result.converged && self.limit.is_none() && wide {
             violations.push(format!("converged, but [{lower}, {upper}] is {} wide", upper - lower));
@@ -127,7 +223,6 @@ impl<'a> Direction<'a> {
             violations
                 .push(format!("within {:?}, [{lower}, {upper}], limit {:?}", details.within, self.limit));
         }
-        self.check_distances(rng, &mut violations);
         violations
     }
 

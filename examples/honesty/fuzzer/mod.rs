@@ -3,6 +3,7 @@
 //! The example `honesty` and the test `soundness` share this folder; both have
 //! `tests/support` at their root.
 
+pub(crate) mod attacks;
 mod brute;
 pub(crate) mod check;
 mod offsets;

@@ -57,7 +57,7 @@ pub(crate) fn offset(rng: &mut Rng) -> Offset {
     }
 }
 
-fn arrays(model: &Model, turn: DQuat, shift: DVec3) -> Vec<SurfaceArrays> {
+pub(crate) fn arrays(model: &Model, turn: DQuat, shift: DVec3) -> Vec<SurfaceArrays> {
     let model = transformed(model, &RigidTransform::new(turn, shift).unwrap()).unwrap();
     model.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect()
 }

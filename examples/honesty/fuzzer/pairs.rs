@@ -6,6 +6,7 @@ use super::refits::{Refit, refit};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
+use nurbs_hausdorff::engine::{Backend, Method};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
 /// The budgets of cells per direction, with which a pair takes milliseconds.
@@ -25,6 +26,11 @@ pub(crate) struct Pair {
     pub(crate) symmetric: bool,
     /// The limit relative to the diagonal.
     pub(crate) limit: Option<f64>,
+    pub(crate) method: Method,
+    pub(crate) backend: Backend,
+    /// The exponent of the power of two by which both models are scaled for the
+    /// computation, and the result is scaled back.
+    pub(crate) exponent: i32,
 }
 
 /// Returns the pair of a seed, deterministically.
@@ -53,8 +59,16 @@ pub(crate) fn pair(seed: u64) -> Pair {
         tolerance: magnitude(rng, -6.0, -2.0),
         max_cells: BUDGETS[rng.usize(0..BUDGETS.len())],
         symmetric: rng.u8(0..4) == 0,
-        limit: (rng.u8(0..8) == 0).then(|| magnitude(rng, -5.0, 0.0)),
+        limit: random_limit(rng),
+        method: Method::Certified,
+        backend: Backend::Cpu,
+        exponent: 0,
     }
+}
+
+/// Returns a limit for one pair in eight.
+pub(crate) fn random_limit(rng: &mut Rng) -> Option<f64> {
+    (rng.u8(0..8) == 0).then(|| magnitude(rng, -5.0, 0.0))
 }
 
 type Models = (&'static str, Vec<SurfaceArrays>, Vec<SurfaceArrays>, Option<[f64; 2]>);

@@ -43,6 +43,16 @@ pub(crate) fn magnitude(rng: &mut Rng, low: f64, high: f64) -> f64 {
 pub(crate) fn surface(rng: &mut Rng, weights: Weights) -> SurfaceArrays {
     let degree = [rng.usize(1..=7), rng.usize(1..=7)];
     let counts = degree.map(|degree| degree + 1 + rng.usize(0..=3));
+    surface_of_degree(rng, weights, degree, counts)
+}
+
+/// Returns a random surface of these degrees and numbers of control points.
+pub(crate) fn surface_of_degree(
+    rng: &mut Rng,
+    weights: Weights,
+    degree: [usize; 2],
+    counts: [usize; 2],
+) -> SurfaceArrays {
     let knots = [0, 1].map(|axis| knots(rng, degree[axis], counts[axis]));
     let (height, noise) = (rng.f64(), rng.f64() * 0.3);
     let shift = direction(rng) * rng.f64();
@@ -96,7 +106,7 @@ fn knots(rng: &mut Rng, degree: usize, count: usize) -> Vec<f64> {
 }
 
 /// Makes a net degenerate: poles, rows of no length, creases, slivers, curves, points.
-fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]]) {
+pub(crate) fn degenerate(rng: &mut Rng, [rows, columns]: [usize; 2], points: &mut [[f64; 4]]) {
     let copy = |points: &mut [[f64; 4]], from: usize, to: usize| {
         let source = points[from];
         points[to][..3].copy_from_slice(&source[..3]);
