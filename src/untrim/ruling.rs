@@ -88,7 +88,7 @@ fn matched(face: &Face, cell: &Cell, left: Curve, right: Curve, height: usize, e
     let degree = left.degree().max(right.degree());
     let (left, right) = (elevated(&left.controls, degree), elevated(&right.controls, degree));
     let difference: Vec<[f64; 2]> = left.iter().zip(&right).map(|(l, r)| [r.x - l.x, l.z]).collect();
-    let Some(crossing) = reversal(&difference, face.tolerances.crossing, MAX_SIGN_DEPTH) else {
+    let Some(crossing) = negative_part(&difference, face.tolerances.crossing) else {
         return Mapped::Halve;
     };
     let (left, right) = (Curve { controls: left }, Curve { controls: right });
@@ -108,7 +108,7 @@ fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curv
     let mut largest = 0.0_f64;
     let mut moved = |curve: Curve, edge: f64, sign: f64| {
         let room: Vec<[f64; 2]> = curve.controls.iter().map(|c| [sign * (c.x - edge * c.z), c.z]).collect();
-        let outside = reversal(&room, face.tolerances.crossing, MAX_SIGN_DEPTH)?;
+        let outside = negative_part(&room, face.tolerances.crossing)?;
         largest = largest.max(outside);
         let shifted = |c: &DVec3| DVec3::new(c.x + sign * outside * c.z, c.y, c.z);
         Some(if outside > 0.0 {
@@ -120,6 +120,13 @@ fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curv
     let (left, right) = (moved(left, low, 1.0)?, moved(right, low, 1.0)?);
     let (left, right) = (moved(left, high, -1.0)?, moved(right, high, -1.0)?);
     Some((left, right, 2.0 * largest))
+}
+
+/// Returns an upper bound on the negative part of a rational function with these Bernstein
+/// coefficients, if it is at most `tolerance`: the sharpest of a few that can be proven.
+fn negative_part(coefficients: &[[f64; 2]], tolerance: f64) -> Option<f64> {
+    let sharp = [V_ROUNDING, tolerance / 256.0, tolerance / 16.0, tolerance];
+    sharp.into_iter().find_map(|bound| reversal(coefficients, bound.min(tolerance), MAX_SIGN_DEPTH))
 }
 
 /// Returns an upper bound on the negative part of a rational function with these
