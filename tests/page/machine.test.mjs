@@ -46,7 +46,7 @@ test("a module that cannot be loaded is reported, and ends the waiting", () =>
     { prepare: (page) => page.route("**/*.wasm", (route) => route.abort()) },
     async ({ page, screenshot }) => {
       await page.locator('#result[data-state="failed"]').waitFor();
-      assert.match(await page.locator("#error").textContent(), /.\(UNEXPECTED\)$/);
+      assert.match(await page.locator("#error").textContent(), /.\(MODULE_FAILED\)$/);
       assert.equal(await page.locator("#interval").textContent(), "failed");
       await screenshot("no-module");
     },

@@ -5,6 +5,9 @@ import { type Edge, smooth } from "./edges.ts";
 /** The largest number of open edges of a face for which borders are searched. */
 const MAX_EDGES = 6000;
 
+/** The part of an edge by which a point may lie beyond its end. */
+const END_TOLERANCE = 1e-3;
+
 /**
  * Returns the open edges of one face without those that lie along another one
  * with the same normals: the pieces on both sides of a border are divided
@@ -47,6 +50,7 @@ function liesAlong(
     length += side * side;
     square += offset * offset;
   }
-  if (along <= 0 || along >= length) return false;
+  // The middle of an edge may be a vertex of the other side, between two of its edges.
+  if (along < -END_TOLERANCE * length || along > (1 + END_TOLERANCE) * length) return false;
   return square - (along * along) / length <= tolerance * tolerance;
 }
