@@ -117,6 +117,8 @@ mod tests {
                     let lower_bound =
                         candidate.map_or(nearby.radius, |candidate| candidate.lower_bound) - moved;
                     assert!(lower_bound <= sampled + 1e-12, "{name}: patch {index}");
+                    let squared = candidate.map(|candidate| nearby.lower_bound_squared(candidate, point));
+                    assert!(squared.unwrap_or(0.0) <= sampled * sampled + 1e-12, "{name}: patch {index}");
                     *(if candidate.is_some() { &mut listed } else { &mut unlisted }) += 1;
                 }
                 assert!(nearby.list.is_sorted_by_key(|candidate| candidate.lower_bound.to_bits()));
