@@ -24,6 +24,7 @@ export type ErrorCode =
   | "RAGGED_NET"
   | "TOO_FEW_CONTROL_POINTS"
   | "DEGREE_OUT_OF_RANGE"
+  | "FACE_NOT_CUT"
   | "EMPTY_MODEL"
   | "JSON_SHAPE"
   | "FILE_TOO_LARGE"
