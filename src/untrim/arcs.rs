@@ -1,7 +1,7 @@
 //! The boundary of a face as arcs of increasing v between snapped ends.
 
 use super::curve::{Curve, divided};
-use super::face::Face;
+use super::face::{Face, V_ROUNDING};
 use super::graph::{self, Graph};
 use super::polynomial::polynomial_pieces;
 use crate::axis::Axis;
@@ -206,6 +206,10 @@ impl Boundary {
             curve = Curve::line(low, high);
         } else {
             anchor(&mut curve, low, high);
+        }
+        if !rises(&curve, V_ROUNDING, MAX_MONOTONE_DEPTH) {
+            // A dip within the tolerance counts as a move by it.
+            self.moved[1] = self.moved[1].max(snap_v);
         }
         if !rises(&curve, snap_v, MAX_MONOTONE_DEPTH) {
             return Err(format!("a curve near ({}, {}) that turns back", from.x, from.y));

@@ -200,6 +200,22 @@ pub(super) fn roots(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
+/// Returns the Bernstein coefficients over the two halves of [0, 1], by averages.
+pub(super) fn halves<T>(coefficients: &[T]) -> [Vec<T>; 2]
+where
+    T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
+{
+    let mut right = coefficients.to_vec();
+    let mut left = vec![coefficients[0]];
+    for remaining in (1..coefficients.len()).rev() {
+        for index in 0..remaining {
+            right[index] = (right[index] + right[index + 1]) * 0.5;
+        }
+        left.push(right[0]);
+    }
+    [left, right]
+}
+
 /// Appends the roots over `interval`, by Descartes' rule of signs and halving.
 fn isolate(coefficients: &[f64], interval: [f64; 2], depth: usize, found: &mut Vec<f64>) {
     let signs = coefficients.iter().filter(|&&value| value != 0.0).map(|value| *value > 0.0);
@@ -227,13 +243,7 @@ fn isolate(coefficients: &[f64], interval: [f64; 2], depth: usize, found: &mut V
         found.push(0.5 * (low + high));
         return;
     }
-    let (mut left, mut right) = (coefficients.to_vec(), coefficients.to_vec());
-    for level in 1..=last {
-        for index in 0..=last - level {
-            right[index] = 0.5 * (right[index] + right[index + 1]);
-        }
-        left[level] = right[0];
-    }
+    let [left, right] = halves(coefficients);
     let middle = 0.5 * (low + high);
     isolate(&left, [low, middle], depth + 1, found);
     isolate(&right, [middle, high], depth + 1, found);

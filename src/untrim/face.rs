@@ -24,6 +24,9 @@ const MAX_MOVE: f64 = 1e-5;
 /// The smallest tolerance in normalised parameters: a few units in the last place of 1.
 const MIN_SNAP: f64 = 8.0 * f64::EPSILON;
 
+/// The rounding of a parameter, in parts of the domain.
+pub(super) const V_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// The tolerances of a face, in normalised parameters except `fit`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tolerances {

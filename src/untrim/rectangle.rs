@@ -30,7 +30,7 @@ pub(super) fn rectangle(face: &Face) -> Option<(ParamBox, [f64; 2])> {
     }
     let area: f64 = curves.iter().map(|curve| 0.5 * curve.start().perp_dot(curve.end())).sum();
     let expected = (high - low).element_product();
-    if !((area - expected).abs() <= AREA_TOLERANCE * expected) {
+    if (area - expected).abs() > AREA_TOLERANCE * expected {
         return None;
     }
     let mut sides = [[0.0; 2]; 2];

@@ -2,11 +2,11 @@
 
 use super::arcs::Side;
 use super::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
-use super::curve::{Curve, divided, elevated, product};
-use super::face::Face;
+use super::curve::{Curve, divided, elevated, halves, product};
+use super::face::{Face, V_ROUNDING};
 use super::graph::Graph;
 use super::sweep::Cell;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The map `φ(s, t) = (1 - s) left(t) + s right(t)` of the unit square onto a cell.
 #[derive(Debug, Clone)]
@@ -30,9 +30,6 @@ pub(super) enum Mapped {
 
 /// The degrees tried for the composition of a graph with a height function, increasing.
 const COMPOSITE_DEGREES: [usize; 9] = [1, 2, 3, 4, 5, 7, 9, 12, 15];
-
-/// The rounding of v, in parts of the domain.
-const V_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
@@ -87,7 +84,7 @@ fn part(curve: &Curve, [low, high]: [f64; 2]) -> Curve {
 fn matched(face: &Face, cell: &Cell, left: Curve, right: Curve, height: usize, error: f64) -> Mapped {
     let degree = left.degree().max(right.degree());
     let (left, right) = (elevated(&left.controls, degree), elevated(&right.controls, degree));
-    let difference: Vec<[f64; 2]> = left.iter().zip(&right).map(|(l, r)| [r.x - l.x, l.z]).collect();
+    let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
     let Some(crossing) = negative_part(&difference, face.tolerances.crossing) else {
         return Mapped::Halve;
     };
@@ -107,7 +104,8 @@ fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curv
     let [low, high] = face.rectangle(cell.rectangle)[0];
     let mut largest = 0.0_f64;
     let mut moved = |curve: Curve, edge: f64, sign: f64| {
-        let room: Vec<[f64; 2]> = curve.controls.iter().map(|c| [sign * (c.x - edge * c.z), c.z]).collect();
+        let room: Vec<DVec2> =
+            curve.controls.iter().map(|c| DVec2::new(sign * (c.x - edge * c.z), c.z)).collect();
         let outside = negative_part(&room, face.tolerances.crossing)?;
         largest = largest.max(outside);
         let shifted = |c: &DVec3| DVec3::new(c.x + sign * outside * c.z, c.y, c.z);
@@ -124,15 +122,15 @@ fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curv
 
 /// Returns an upper bound on the negative part of a rational function with these Bernstein
 /// coefficients, if it is at most `tolerance`: the sharpest of a few that can be proven.
-fn negative_part(coefficients: &[[f64; 2]], tolerance: f64) -> Option<f64> {
+fn negative_part(coefficients: &[DVec2], tolerance: f64) -> Option<f64> {
     let sharp = [V_ROUNDING, tolerance / 256.0, tolerance / 16.0, tolerance];
     sharp.into_iter().find_map(|bound| reversal(coefficients, bound.min(tolerance), MAX_SIGN_DEPTH))
 }
 
 /// Returns an upper bound on the negative part of a rational function with these
 /// Bernstein coefficients of numerator and denominator, if it is at most `tolerance`.
-fn reversal(coefficients: &[[f64; 2]], tolerance: f64, depth: usize) -> Option<f64> {
-    let negative = |&[value, weight]: &[f64; 2]| (-value / weight).max(0.0);
+fn reversal(coefficients: &[DVec2], tolerance: f64, depth: usize) -> Option<f64> {
+    let negative = |c: &DVec2| (-c.x / c.y).max(0.0);
     let bound = coefficients.iter().map(negative).fold(0.0, f64::max);
     if bound <= tolerance {
         return Some(bound);
@@ -141,13 +139,7 @@ fn reversal(coefficients: &[[f64; 2]], tolerance: f64, depth: usize) -> Option<f
     if depth == 0 || ends.iter().map(negative).any(|value| value > tolerance) {
         return None;
     }
-    let (mut low, mut high) = (coefficients.to_vec(), coefficients.to_vec());
-    for level in 1..coefficients.len() {
-        for index in 0..coefficients.len() - level {
-            high[index] = [0, 1].map(|k| 0.5 * (high[index][k] + high[index + 1][k]));
-        }
-        low[level] = high[0];
-    }
+    let [low, high] = halves(coefficients);
     Some(reversal(&low, tolerance, depth - 1)?.max(reversal(&high, tolerance, depth - 1)?))
 }
 
@@ -180,8 +172,7 @@ fn composed(face: &Face, graph: &Graph, height: &Curve) -> Option<(Curve, f64)> 
     let least = height.controls.iter().map(|control| control.z).fold(f64::INFINITY, f64::min);
     let ends = [value(0.0).1, value(1.0).1];
     for own in COMPOSITE_DEGREES {
-        let samples: Vec<f64> =
-            nodes(own + 1).map(|t| value(t)).map(|(homogeneous, u)| homogeneous.z * u).collect();
+        let samples: Vec<f64> = nodes(own + 1).map(value).map(|(homogeneous, u)| homogeneous.z * u).collect();
         let mut x = to_bernstein(&coefficients(&samples), own);
         let weights = [height.controls[0].z, height.controls[degree].z];
         let shifts = [ends[0] * weights[0] - x[0], ends[1] * weights[1] - x[own]];
