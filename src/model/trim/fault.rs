@@ -65,15 +65,13 @@ pub enum TrimFault {
         expected: f64,
     },
     /// A loop encloses no area.
-    #[error(
-        "loop {loop_index}: encloses {found:e} of the square of its length, expected at least {expected:e}"
-    )]
+    #[error("loop {loop_index}: its mean width is {found:e} of the domain, expected at least {expected:e}")]
     LoopNoArea {
         /// The index of the loop.
         loop_index: usize,
-        /// The area over the squared length.
+        /// Twice the area over the length.
         found: f64,
-        /// The smallest ratio allowed.
+        /// The smallest width allowed.
         expected: f64,
     },
     /// Two curves cross each other.

@@ -4,10 +4,10 @@ use super::fault::TrimFault;
 use super::winding::Winding;
 use glam::DVec2;
 
-/// The smallest area of a loop over the square of its length, both in fractions of the
-/// domain. A sliver of width 1e-6 has 2.5e-7; rounding gives a curve and its reverse
-/// less than 1e-13.
-const MIN_AREA: f64 = 1e-12;
+/// The smallest mean width of a loop, twice its area over its length, in fractions of the
+/// domain: 45 units in the last place of a coordinate, whose rounding gives a curve and its
+/// reverse a width of a few.
+const MIN_WIDTH: f64 = 1e-14;
 
 /// The largest number of points of a loop at which the other loops are counted.
 const MAX_POINTS: usize = 4;
@@ -37,14 +37,14 @@ pub(super) fn validate(winding: &Winding) -> Result<(), TrimFault> {
 /// [`TrimFault::LoopNoArea`].
 pub(super) fn turn(winding: &Winding, loop_index: usize) -> Result<i32, TrimFault> {
     let (area, length) = (winding.signed_area(loop_index), winding.length(loop_index));
-    let found = area.abs() / (length * length);
-    if found >= MIN_AREA {
+    let found = 2.0 * area.abs() / length;
+    if found >= MIN_WIDTH {
         return Ok(if area > 0.0 { 1 } else { -1 });
     }
     Err(TrimFault::LoopNoArea {
         loop_index,
         found: if found.is_nan() { 0.0 } else { found },
-        expected: MIN_AREA,
+        expected: MIN_WIDTH,
     })
 }
 

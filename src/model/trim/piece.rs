@@ -77,25 +77,28 @@ impl TrimPiece {
         }
     }
 
-    /// Returns the signed area between the piece and the origin, `½ ∫ u dv - v du`,
+    /// Returns the signed area between the piece and `origin`, `½ ∫ u dv - v du` about it,
     /// by Gauss's rule: exact up to rounding for polynomial pieces, else an estimate.
-    pub(super) fn signed_area(&self) -> f64 {
-        GAUSS.iter().map(|&[t, weight]| weight * self.area_density(t)).sum()
+    pub(super) fn signed_area(&self, origin: DVec2) -> f64 {
+        let moved = self.controls.iter().map(|control| homogeneous(point_of(*control) - origin, control.z));
+        let controls: Vec<DVec3> = moved.collect();
+        GAUSS.iter().map(|&[t, weight]| weight * area_density(&controls, t)).sum()
     }
+}
 
-    fn area_density(&self, t: f64) -> f64 {
-        let order = self.controls.len();
-        let mut controls = self.controls.clone();
-        for level in 1..order - 1 {
-            for index in 0..order - level {
-                controls[index] = (1.0 - t) * controls[index] + t * controls[index + 1];
-            }
+/// Returns the rate at which the area between the origin and a rational Bézier curve grows.
+fn area_density(controls: &[DVec3], t: f64) -> f64 {
+    let order = controls.len();
+    let mut controls = controls.to_vec();
+    for level in 1..order - 1 {
+        for index in 0..order - level {
+            controls[index] = (1.0 - t) * controls[index] + t * controls[index + 1];
         }
-        // u dv - v du of (x / w, y / w) is (x dy - y dx) / w².
-        let value = (1.0 - t) * controls[0] + t * controls[1];
-        let slope = self.degree() as f64 * (controls[1] - controls[0]);
-        0.5 * value.xy().perp_dot(slope.xy()) / (value.z * value.z)
     }
+    // u dv - v du of (x / w, y / w) is (x dy - y dx) / w².
+    let value = (1.0 - t) * controls[0] + t * controls[1];
+    let slope = (order - 1) as f64 * (controls[1] - controls[0]);
+    0.5 * value.xy().perp_dot(slope.xy()) / (value.z * value.z)
 }
 
 /// The nodes and weights on [0, 1] of Gauss's rule of 16 points, exact to degree 31:

@@ -106,7 +106,8 @@ impl Winding {
     /// Returns the signed area of a loop, in fractions of the domain: positive where the
     /// loop turns counterclockwise. An estimate for rational pieces.
     pub(super) fn signed_area(&self, index: usize) -> f64 {
-        self.loops[index].iter().map(|arc| arc.piece.signed_area()).sum()
+        let Some(origin) = self.loops[index].first().map(|arc| arc.ends[0]) else { return 0.0 };
+        self.loops[index].iter().map(|arc| arc.piece.signed_area(origin)).sum()
     }
 
     /// Returns the pieces of a loop in fractions of the domain.
