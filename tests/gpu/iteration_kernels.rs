@@ -216,7 +216,10 @@ fn the_farthest_sample_is_found_wherever_it_is() {
         assert_eq!(result.computed, 0.5, "{raised}");
         let at = [raised / 64, raised % 64].map(|place| place as f64);
         assert_eq!([result.witness.a.u, result.witness.a.v], at);
-        assert_eq!(result.witness.b.point, [at[0], at[1], 0.0]);
+        // The ground is one patch once its knots are removed; its points are rounded by its size.
+        for (found, expected) in result.witness.b.point.into_iter().zip([at[0], at[1], 0.0]) {
+            assert!((found - expected).abs() <= 1e-13, "{found} {expected}");
+        }
     }
 }
 

@@ -90,11 +90,18 @@ impl Rectangle<'_> {
                 pieces.push(Piece { context, chart, origin, orientation, parts: [s, t] });
             }
         }
-        if pieces.iter().any(|piece| !(piece.distance_of_middle() <= threshold)) {
-            return None;
+        let mut by_distance = Vec::with_capacity(count);
+        for piece in pieces {
+            let distance = piece.distance_of_middle();
+            if !(distance <= threshold) {
+                return None;
+            }
+            by_distance.push((distance, piece));
         }
+        // The farthest first: it is the likeliest to exceed the threshold.
+        by_distance.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         let mut largest = 0.0_f64;
-        for piece in &pieces {
+        for (_, piece) in &by_distance {
             let bound = piece.upper_bound()?;
             if !(bound <= threshold) {
                 return None;
