@@ -24,8 +24,12 @@ function short(bound: number, sign: -1 | 1): string {
   return Math.abs(Math.log10(safe)) < 3 ? `${Number(safe.toPrecision(2))}` : safe.toExponential(1);
 }
 
-/** Whether an interval states only an upper bound: it is wider than its lower end is large. */
-const isUpperBound = (lower: number, upper: number): boolean => lower <= upper - lower;
+/**
+ * Whether an interval states only an upper bound: it is wider than its lower end
+ * is large, and its upper end has fewer than two of the digits shown.
+ */
+const isUpperBound = (lower: number, upper: number, diagonal: number): boolean =>
+  lower <= upper - lower && upper < 10 ** (magnitude(diagonal) - RELATIVE_DIGITS + 1);
 
 /**
  * The distance in this interval: `computed`, or where the interval states only
@@ -37,7 +41,9 @@ export function certifiedText(
   diagonal: number,
 ): string {
   if (upper === 0) return "0";
-  return isUpperBound(lower, upper) ? `≤ ${upperText(upper)}` : distanceText(computed, diagonal);
+  return isUpperBound(lower, upper, diagonal)
+    ? `≤ ${upperText(upper)}`
+    : distanceText(computed, diagonal);
 }
 
 /** A signed distance, always with its sign. */
@@ -52,7 +58,7 @@ export function signedText(distance: number, diagonal: number): string {
  * interval shown contains the certified one.
  */
 export function intervalText(lower: number, upper: number, diagonal: number): string {
-  if (isUpperBound(lower, upper)) return `[${short(lower, -1)}, ${short(upper, 1)}]`;
+  if (isUpperBound(lower, upper, diagonal)) return `[${short(lower, -1)}, ${short(upper, 1)}]`;
   const width = upper - lower;
   const available = SIGNIFICANT_DIGITS - 1 - magnitude(Math.max(upper, diagonal));
   const digits = digitsAfterPoint(
