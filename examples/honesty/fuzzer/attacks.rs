@@ -23,8 +23,11 @@ const MAX_EXPONENT: i32 = 332;
 /// One pair in so many is computed on the GPU, as adapters in software are slow.
 const GPU_SHARE: u64 = 32;
 
+/// Draws a pair of a family.
+type Family = fn(&mut Rng) -> Models;
+
 /// The families, and their names in reports.
-const FAMILIES: [(&str, fn(&mut Rng) -> Models); 12] = [
+const FAMILIES: [(&str, Family); 12] = [
     ("near spheres", near_spheres),
     ("parts of spheres", parts_of_spheres),
     ("reparametrized copies", reparametrized),
@@ -82,7 +85,7 @@ pub(crate) fn pair(seed: u64) -> Option<Pair> {
             1 => Method::Hierarchy,
             _ => Method::Certified,
         },
-        backend: if seed.is_multiple_of(GPU_SHARE) { Backend::Auto } else { Backend::Cpu },
+        backend: if seed % GPU_SHARE == 1 { Backend::Auto } else { Backend::Cpu },
         exponent,
     })
 }
@@ -116,9 +119,7 @@ fn reparametrized(rng: &mut Rng) -> Models {
     let weights = weights(rng);
     let degree = [rng.usize(1..=7), rng.usize(1..=7)];
     let mut bezier = surface_of_degree(rng, weights, degree, degree.map(|degree| degree + 1));
-    for axis in 0..2 {
-        bezier.knots[axis] = [0.0, 1.0].map(|end| vec![end; degree[axis] + 1]).concat();
-    }
+    bezier.knots = degree.map(|degree| [0.0, 1.0].map(|end| vec![end; degree + 1]).concat());
     let mut other = bezier.clone();
     let powers = [0, 1].map(|_| rng.i32(-3..=3));
     for (index, point) in other.control_points.iter_mut().enumerate() {
