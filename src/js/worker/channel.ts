@@ -95,9 +95,9 @@ export class Channel {
   #take(reply: Reply): void {
     const pending = this.#pending.get(reply.id);
     if (pending === undefined) return;
-    if ("fraction" in reply) {
+    if ("progress" in reply) {
       try {
-        pending.onProgress?.(reply.fraction, reply.interval);
+        pending.onProgress?.(...reply.progress);
       } catch (thrown) {
         pending.cancel();
         pending.reject(thrown);

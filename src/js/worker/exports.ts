@@ -14,11 +14,17 @@ export type {
   SurfacePoint,
 } from "../result.js";
 export type {
+  BrepText,
   ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
   InterchangeModel,
   InterchangeSurface,
+  ModelArrays,
   Numbers,
   SurfaceArrays,
+  TrimCurveArrays,
 } from "../surface.js";
 export type { Tessellation } from "../tessellation.js";
 export {

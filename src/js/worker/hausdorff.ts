@@ -11,7 +11,14 @@ import type {
   HierarchyResult,
   IterationResult,
 } from "../result.js";
-import { type InterchangeModel, type Numbers, numbers, type SurfaceArrays } from "../surface.js";
+import {
+  type BrepText,
+  type InterchangeModel,
+  type ModelArrays,
+  type Numbers,
+  numbers,
+  type SurfaceArrays,
+} from "../surface.js";
 import { Channel } from "./channel.js";
 import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";
@@ -91,7 +98,9 @@ export class Hausdorff {
    * As the main entry's `model`. Text and typed arrays are sent at once; a large
    * object of plain arrays is copied item by item on the caller's thread.
    */
-  async model(input: readonly SurfaceArrays[] | InterchangeModel | string): Promise<NurbsModel> {
+  async model(
+    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
+  ): Promise<NurbsModel> {
     return this.#newModel("model", input);
   }
 

@@ -1,9 +1,14 @@
 import type { ErrorCode } from "../error.js";
+import type { OnProgress } from "../options.js";
 
 /** What a model's twin on the caller's thread knows of it. */
 export interface ModelFacts {
   name: string | null;
+  unit: number | null;
+  gap: number;
   surfaceCount: number;
+  /** The surfaces' names. */
+  parts: (string | null)[];
   boundingBox: { min: [number, number, number]; max: [number, number, number] };
 }
 
@@ -36,7 +41,7 @@ export interface Failure {
 export type Reply =
   | { id: number; result: unknown; engine: EngineFacts | undefined }
   | { id: number; failure: Failure }
-  | { id: number; fraction: number; interval: [lower: number, upper: number] | undefined };
+  | { id: number; progress: Parameters<OnProgress> };
 
 /** One end of the channel between the two threads. */
 export interface Port {

@@ -53,6 +53,21 @@ export class NurbsModel {
     return this.#facts.name;
   }
 
+  /** Metres per model unit, or null if the model does not state it. */
+  get unit(): number | null {
+    return this.#facts.unit;
+  }
+
+  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  get gap(): number {
+    return this.#facts.gap;
+  }
+
+  /** The name of a surface in its source, or null. */
+  part(surface: number): string | null {
+    return this.#facts.parts[surface] ?? null;
+  }
+
   /** Number of surfaces, at least 1. */
   get surfaceCount(): number {
     return this.#facts.surfaceCount;

@@ -44,7 +44,7 @@ class Server {
     this.#running.set(id, controller);
     const watch: Watch = { signal: controller.signal };
     if (progress) {
-      watch.onProgress = (fraction, interval) => this.#post({ id, fraction, interval }, []);
+      watch.onProgress = (...progress) => this.#post({ id, progress }, []);
     }
     try {
       const result = await this.#methods[method]?.([id, ...args], watch);
@@ -113,8 +113,10 @@ class Server {
   }
 }
 
-function facts({ name, surfaceCount, boundingBox }: NurbsModel): ModelFacts {
-  return { name, surfaceCount, boundingBox };
+function facts(model: NurbsModel): ModelFacts {
+  const { name, unit, gap, surfaceCount, boundingBox } = model;
+  const parts = Array.from({ length: surfaceCount }, (_, surface) => model.part(surface));
+  return { name, unit, gap, surfaceCount, parts, boundingBox };
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */
