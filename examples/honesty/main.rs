@@ -89,6 +89,9 @@ fn main() -> ExitCode {
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if seed.is_multiple_of(2) { check(seed) } else { check_attack(seed) };
+        if outcome.seconds > ENDLESS_SECONDS {
+            println!("seed {seed} takes {:.1} s", outcome.seconds);
+        }
         let mut summary = summary.lock().unwrap();
         summary.add(outcome);
         if summary.pairs.is_multiple_of(REPORT) {
