@@ -72,6 +72,7 @@ impl GridTree {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for more than [`MAX_CELLS`].
+    #[cfg(any(test, feature = "internals"))]
     pub fn new(model: &BezierModel, grid: usize) -> Result<Self> {
         let mut builder = GridTreeBuilder::new(model, grid)?;
         while builder.advance() {}

@@ -35,7 +35,7 @@ fn a_loop_that_is_open_beyond_the_tolerance_is_skipped_and_reported() {
     let plane = text.surface(PLANE);
     let good = text.region(plane, &[rectangle([0.0, 0.0], [1.0, 1.0])]);
     let open = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])[..3].to_vec();
-    let bad = text.region(plane, &[open.clone()]);
+    let bad = text.region(plane, std::slice::from_ref(&open));
     let crossing = text.region(plane, &[polygon(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.5]])]);
     let shell = text.shape("Sh\n", &[plus(bad), plus(good), plus(crossing)]);
     let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
