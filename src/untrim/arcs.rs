@@ -145,6 +145,9 @@ fn rises(curve: &Curve, tolerance: f64, depth: usize) -> bool {
     if high.y - low.y <= tolerance {
         return true;
     }
+    if curve.end().y < curve.start().y - tolerance {
+        return false;
+    }
     depth > 0
         && [[0.0, 0.5], [0.5, 1.0]]
             .iter()

@@ -31,6 +31,11 @@ pub(super) enum Mapped {
 /// The degrees tried for the composition of a graph with a height function, increasing.
 const COMPOSITE_DEGREES: [usize; 9] = [1, 2, 3, 4, 5, 7, 9, 12, 15];
 
+/// The parts of the tolerance of crossings that the crossing of the sides and each of the two
+/// shifts of a side may take.
+const CROSSING_PART: f64 = 0.5;
+const SHIFT_PART: f64 = 0.25;
+
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
 
@@ -85,7 +90,7 @@ fn matched(face: &Face, cell: &Cell, left: Curve, right: Curve, height: usize, e
     let degree = left.degree().max(right.degree());
     let (left, right) = (elevated(&left.controls, degree), elevated(&right.controls, degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
-    let Some(crossing) = negative_part(&difference, face.tolerances.crossing) else {
+    let Some(crossing) = negative_part(&difference, CROSSING_PART * face.tolerances.crossing) else {
         return Mapped::Halve;
     };
     let (left, right) = (Curve { controls: left }, Curve { controls: right });
@@ -106,7 +111,7 @@ fn confined(face: &Face, cell: &Cell, left: Curve, right: Curve) -> Option<(Curv
     let mut moved = |curve: Curve, edge: f64, sign: f64| {
         let room: Vec<DVec2> =
             curve.controls.iter().map(|c| DVec2::new(sign * (c.x - edge * c.z), c.z)).collect();
-        let outside = negative_part(&room, face.tolerances.crossing)?;
+        let outside = negative_part(&room, SHIFT_PART * face.tolerances.crossing)?;
         largest = largest.max(outside);
         let shifted = |c: &DVec3| DVec3::new(c.x + sign * outside * c.z, c.y, c.z);
         Some(if outside > 0.0 {
