@@ -83,6 +83,11 @@ impl Rectangle<'_> {
         if count == 0 || count > MAX_PIECES || (!is_whole && crossings == 0) {
             return None;
         }
+        // As many cells of the size that Lipschitz continuity decides are cheaper.
+        let margin = threshold - self.foot.distance();
+        if count as f64 * margin * margin > context.radius * context.radius {
+            return None;
+        }
         let (chart, origin) = (&chart, self.jet.point);
         let mut pieces = Vec::with_capacity(count);
         for s in &parts_s {
