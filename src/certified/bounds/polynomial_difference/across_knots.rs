@@ -13,6 +13,7 @@ use crate::bezier::Jet;
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
+use crate::rounding::upper_max;
 use glam::{DVec3, Vec4Swizzles};
 
 /// The largest number of pieces of a rectangle along one surface of B.
@@ -111,14 +112,14 @@ impl Rectangle<'_> {
             if !(bound <= threshold) {
                 return None;
             }
-            largest = largest.max(bound);
+            largest = upper_max(largest, bound);
         }
         // Along s over the whole range of t; along t over what is left of s.
         let inner = [parts_s[0].range[0], parts_s[parts_s.len() - 1].range[1]];
         let beyond_s = rest_s.into_iter().map(|range| [range, self.ranges[1]]);
         let beyond_t = rest_t.into_iter().map(|range| [inner, range]);
         for ranges in beyond_s.chain(beyond_t) {
-            largest = largest.max(self.at(ranges).upper_bound(threshold, crossings - 1)?);
+            largest = upper_max(largest, self.at(ranges).upper_bound(threshold, crossings - 1)?);
         }
         Some(largest)
     }
