@@ -308,7 +308,9 @@ fn continues(left: &Span, right: &Span, degree: usize, line: &[DVec4], tolerance
     for k in 0..=degree {
         let difference = longer[degree - k] - shorter[k];
         let growth = (1.0 + 2.0 * ratio).powi(k as i32);
-        if !(difference.xyz().length() <= tolerance * growth) {
+        // False for NaN.
+        let is_equal = difference.xyz().length() <= tolerance * growth;
+        if !is_equal {
             return false;
         }
         for index in (1..=degree - k).rev() {
@@ -396,7 +398,8 @@ impl Pieces<'_> {
             }
             let piece = self.interpolated(&run, line);
             self.include_differences(&run, line, &piece, &mut largest);
-            if !(largest[0].max(largest[1]) <= tolerance) {
+            let is_within = largest[0] <= tolerance && largest[1] <= tolerance;
+            if !is_within {
                 let middle = run.start + run.len() / 2;
                 self.add(run.start..middle, tolerance, differences);
                 self.add(middle..run.end, tolerance, differences);

@@ -79,13 +79,13 @@ impl SeamJumps {
             let mut size = [0.0_f64; 2];
             for index in 0..=along {
                 let (mut before, mut after) = (DVec4::ZERO, DVec4::ZERO);
-                for step in 0..=a {
+                for (step, binomial) in BINOMIAL[a].iter().enumerate().take(a + 1) {
                     let (of_low, of_high) =
                         (control(low, degree - step, index, DVec3::ZERO), control(high, step, index, shift));
                     let sign = if step % 2 == 0 { 1.0 } else { -1.0 };
-                    before += sign * BINOMIAL[a][step] * of_low;
+                    before += sign * binomial * of_low;
                     // Differences of the second patch go the other way.
-                    after += sign * if a % 2 == 0 { 1.0 } else { -1.0 } * BINOMIAL[a][step] * of_high;
+                    after += sign * if a % 2 == 0 { 1.0 } else { -1.0 } * binomial * of_high;
                     let length = |control: &DVec4| control.xyz().length();
                     let moved = scale * (length(&of_high) + of_high.w * shift.length());
                     size[0] = upper_max(size[0], length(&of_low) + moved);

@@ -74,7 +74,9 @@ impl Rectangle<'_> {
         let orientation = Orientation::new(&map);
         let across = orientation.across(&map).abs().max_element();
         let along = orientation.along(&map);
-        if !(across <= MAX_SKEW * along[0].abs().min(along[1].abs())) {
+        // False for NaN, as all conditions here.
+        let is_aligned = across <= MAX_SKEW * along[0].abs().min(along[1].abs());
+        if !is_aligned {
             return None;
         }
         let [(parts_s, rest_s), (parts_t, rest_t)] =
@@ -99,7 +101,8 @@ impl Rectangle<'_> {
         let mut by_distance = Vec::with_capacity(count);
         for piece in pieces {
             let distance = piece.distance_of_middle();
-            if !(distance <= threshold) {
+            let is_near = distance <= threshold;
+            if !is_near {
                 return None;
             }
             by_distance.push((distance, piece));
@@ -109,7 +112,8 @@ impl Rectangle<'_> {
         let mut largest = 0.0_f64;
         for (_, piece) in &by_distance {
             let bound = piece.upper_bound()?;
-            if !(bound <= threshold) {
+            let is_decided = bound <= threshold;
+            if !is_decided {
                 return None;
             }
             largest = upper_max(largest, bound);
@@ -209,7 +213,8 @@ impl Piece<'_> {
         let images = self.by_axes_of_b(self.parts.map(|part| part.image));
         // An axis along which B's patch is followed backwards.
         let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
-        if ascending.iter().any(|[start, end]| !(start < end)) {
+        let is_proper = ascending.iter().all(|[start, end]| start < end);
+        if !is_proper {
             return None;
         }
         let controls = self.orientation.oriented(&patch.restricted(ascending[0], ascending[1]), patch.degree);
