@@ -23,7 +23,7 @@ use super::subdivide::restrict_line;
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
-use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
+use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::ops::Range;
 
@@ -114,7 +114,7 @@ impl Net {
         let points = surface.control_points();
         let position = |&[x, y, z, _]: &[f64; 4]| DVec3::new(x, y, z);
         let center = points.iter().map(position).fold(Aabb::EMPTY, Aabb::with).center();
-        let heaviest = points.iter().fold(0.0, |heaviest: f64, point| heaviest.max(point[3]));
+        let heaviest = points.iter().map(|point| point[3]).fold(0.0, upper_max);
         let scale = power_of_two_below(heaviest).recip();
         let controls: Vec<DVec4> = points
             .iter()
@@ -144,7 +144,7 @@ impl Net {
     fn measure(&mut self) {
         let length = |control: &DVec4| control.xyz().length() / control.w;
         self.radius = self.controls.iter().map(length).fold(self.radius, upper_max);
-        self.lightest = self.controls.iter().fold(self.lightest, |least, control| least.min(control.w));
+        self.lightest = self.controls.iter().map(|control| control.w).fold(self.lightest, lower_min);
     }
 
     /// The largest length of a coordinate vector.
@@ -187,7 +187,7 @@ impl Net {
         }
         self.replace(axis, &spans, &pieces);
         let roundings = gamma(ROUNDINGS_PER_DEGREE * degree as f64 + ROUNDINGS);
-        let heaviest = self.controls.iter().fold(MAX_WEIGHT, |heaviest, control| heaviest.max(control.w));
+        let heaviest = self.controls.iter().map(|control| control.w).fold(MAX_WEIGHT, upper_max);
         self.differences[0] += differences[0] + roundings * heaviest * self.radius;
         // Equal weights stay as they are.
         if self.weight.is_none() {
@@ -308,7 +308,9 @@ fn continues(left: &Span, right: &Span, degree: usize, line: &[DVec4], tolerance
     for k in 0..=degree {
         let difference = longer[degree - k] - shorter[k];
         let growth = (1.0 + 2.0 * ratio).powi(k as i32);
-        if !(difference.xyz().length() <= tolerance * growth) {
+        // False for NaN.
+        let is_equal = difference.xyz().length() <= tolerance * growth;
+        if !is_equal {
             return false;
         }
         for index in (1..=degree - k).rev() {
@@ -396,7 +398,8 @@ impl Pieces<'_> {
             }
             let piece = self.interpolated(&run, line);
             self.include_differences(&run, line, &piece, &mut largest);
-            if !(largest[0].max(largest[1]) <= tolerance) {
+            let is_within = largest[0] <= tolerance && largest[1] <= tolerance;
+            if !is_within {
                 let middle = run.start + run.len() / 2;
                 self.add(run.start..middle, tolerance, differences);
                 self.add(middle..run.end, tolerance, differences);

@@ -79,7 +79,7 @@ impl SeamJumps {
             let mut size = [0.0_f64; 2];
             for index in 0..=along {
                 let (mut before, mut after) = (DVec4::ZERO, DVec4::ZERO);
-                for (step, binomial) in BINOMIAL[a].into_iter().enumerate().take(a + 1) {
+                for (step, binomial) in BINOMIAL[a].iter().enumerate().take(a + 1) {
                     let (of_low, of_high) =
                         (control(low, degree - step, index, DVec3::ZERO), control(high, step, index, shift));
                     let sign = if step % 2 == 0 { 1.0 } else { -1.0 };

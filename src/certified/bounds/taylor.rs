@@ -36,7 +36,8 @@ impl UpperBound for Taylor {
         let difference = facing.difference();
         let mut bound = difference.upper_bound(threshold);
         // NaN is no bound.
-        if !(bound <= threshold)
+        let is_decided = bound <= threshold;
+        if !is_decided
             && difference.is_clamped
             && foot.distance() <= threshold.min(MAX_DISTANCE_IN_RADII * context.radius)
             && let Some(difference) = facing.across_seams()

@@ -28,6 +28,7 @@ use super::Sheets;
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet, Patch, PatchGrid, SeamJumps};
 use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
 use std::ops::RangeInclusive;
 
 /// The largest number of seams that a map may cross on one side. Cells of which the images
@@ -145,7 +146,7 @@ impl<'a> Chart<'a> {
             for n in touched[1].clone() {
                 let bounds = self.third(extent, [m, n], is_local);
                 for (third, bound) in third.iter_mut().zip(bounds) {
-                    *third = crate::rounding::upper_max(*third, bound);
+                    *third = upper_max(*third, bound);
                 }
             }
         }
@@ -163,7 +164,7 @@ impl<'a> Chart<'a> {
         let sum = |lines: RangeInclusive<isize>| -> f64 {
             lines.map(|line| self.jump(axis, line, extent, &touched[axis.other().index()])).sum()
         };
-        sum(range.start() + 1..=0).max(sum(1..=*range.end()))
+        upper_max(sum(range.start() + 1..=0), sum(1..=*range.end()))
     }
 
     /// The term of one seam.
@@ -177,8 +178,7 @@ impl<'a> Chart<'a> {
             let j = self.seam(axis, line, other);
             let first = a * j[1][0] + b * j[0][1];
             let second = a * a * j[2][0] + 2.0 * a * b * j[1][1] + b * b * j[0][2];
-            largest =
-                crate::rounding::upper_max(largest, j[0][0] + omega * first + 0.5 * omega * omega * second);
+            largest = upper_max(largest, j[0][0] + omega * first + 0.5 * omega * omega * second);
         }
         largest
     }

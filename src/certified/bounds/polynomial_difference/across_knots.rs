@@ -13,6 +13,7 @@ use crate::bezier::Jet;
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
+use crate::rounding::upper_max;
 use glam::{DVec3, Vec4Swizzles};
 
 /// The largest number of pieces of a rectangle along one surface of B.
@@ -73,7 +74,9 @@ impl Rectangle<'_> {
         let orientation = Orientation::new(&map);
         let across = orientation.across(&map).abs().max_element();
         let along = orientation.along(&map);
-        if !(across <= MAX_SKEW * along[0].abs().min(along[1].abs())) {
+        // False for NaN, as all conditions here.
+        let is_aligned = across <= MAX_SKEW * along[0].abs().min(along[1].abs());
+        if !is_aligned {
             return None;
         }
         let [(parts_s, rest_s), (parts_t, rest_t)] =
@@ -81,6 +84,11 @@ impl Rectangle<'_> {
         let is_whole = rest_s.is_empty() && rest_t.is_empty();
         let count = parts_s.len() * parts_t.len();
         if count == 0 || count > MAX_PIECES || (!is_whole && crossings == 0) {
+            return None;
+        }
+        // As many cells of the size that Lipschitz continuity decides are cheaper.
+        let margin = threshold - self.foot.distance();
+        if count as f64 * margin * margin > context.radius * context.radius {
             return None;
         }
         let (chart, origin) = (&chart, self.jet.point);
@@ -93,7 +101,8 @@ impl Rectangle<'_> {
         let mut by_distance = Vec::with_capacity(count);
         for piece in pieces {
             let distance = piece.distance_of_middle();
-            if !(distance <= threshold) {
+            let is_near = distance <= threshold;
+            if !is_near {
                 return None;
             }
             by_distance.push((distance, piece));
@@ -103,17 +112,18 @@ impl Rectangle<'_> {
         let mut largest = 0.0_f64;
         for (_, piece) in &by_distance {
             let bound = piece.upper_bound()?;
-            if !(bound <= threshold) {
+            let is_decided = bound <= threshold;
+            if !is_decided {
                 return None;
             }
-            largest = largest.max(bound);
+            largest = upper_max(largest, bound);
         }
         // Along s over the whole range of t; along t over what is left of s.
         let inner = [parts_s[0].range[0], parts_s[parts_s.len() - 1].range[1]];
         let beyond_s = rest_s.into_iter().map(|range| [range, self.ranges[1]]);
         let beyond_t = rest_t.into_iter().map(|range| [inner, range]);
         for ranges in beyond_s.chain(beyond_t) {
-            largest = largest.max(self.at(ranges).upper_bound(threshold, crossings - 1)?);
+            largest = upper_max(largest, self.at(ranges).upper_bound(threshold, crossings - 1)?);
         }
         Some(largest)
     }
@@ -203,7 +213,8 @@ impl Piece<'_> {
         let images = self.by_axes_of_b(self.parts.map(|part| part.image));
         // An axis along which B's patch is followed backwards.
         let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
-        if ascending.iter().any(|[start, end]| !(start < end)) {
+        let is_proper = ascending.iter().all(|[start, end]| start < end);
+        if !is_proper {
             return None;
         }
         let controls = self.orientation.oriented(&patch.restricted(ascending[0], ascending[1]), patch.degree);
