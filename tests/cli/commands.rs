@@ -68,6 +68,7 @@ fn iteration_prints_one_object_with_every_key() {
         "lower",
         "upper",
         "converged",
+        "modelGap",
         "bounds",
         "witness",
         "samples",

@@ -2,8 +2,7 @@
 
 use crate::support::gpu::{engine, measure};
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
-use nurbs_hausdorff::Method;
-use nurbs_hausdorff::{Backend, Model, ModelArrays, Options};
+use nurbs_hausdorff::{Backend, DistanceResult, Method, Model, ModelArrays, Options};
 
 /// A square of side 8 with a hole of radius 3 and an island of radius 1 in it, and one whole.
 fn models() -> [Model; 2] {
@@ -41,7 +40,15 @@ fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
             assert!(reverse.lower <= 1.0 && 1.0 <= reverse.upper, "{method:?} {reverse:?}");
             assert!(result.forward.as_deref().unwrap().lower < 1e-6, "{method:?}");
         }
-        assert!((gpu.computed - cpu.computed).abs() < 1e-4, "{method:?}: {} {}", gpu.computed, cpu.computed);
+        // The witness of `hierarchy` is a pair of middles, of which many are as good; its boxes
+        // on the GPU are rounded outwards.
+        let (numbers, room): (fn(&DistanceResult) -> [f64; 2], f64) = match method {
+            Method::Hierarchy => (|result| [result.lower, result.upper], 2e-4),
+            _ => (|result| [result.computed; 2], 1e-5),
+        };
+        for (gpu, cpu) in numbers(&gpu).into_iter().zip(numbers(&cpu)) {
+            assert!((gpu - cpu).abs() < room * trimmed.bounding_box().diagonal(), "{method:?}: {gpu} {cpu}");
+        }
         for (gpu, cpu) in [(&gpu.forward, &cpu.forward), (&gpu.reverse, &cpu.reverse)] {
             let (gpu, cpu) = (gpu.as_deref().unwrap(), cpu.as_deref().unwrap());
             assert_eq!(gpu.field.len(), cpu.field.len());
