@@ -154,7 +154,6 @@ mod progress;
 #[doc(hidden)]
 pub mod progress;
 #[cfg(not(feature = "internals"))]
-#[allow(dead_code, reason = "the model's preparation calls it once trims are part of models")]
 mod untrim;
 #[cfg(feature = "internals")]
 #[doc(hidden)]

@@ -5,8 +5,11 @@ import { wasmFile } from "../build/wasm.mjs";
 import { inRoot } from "../paths.mjs";
 import { Failure } from "../process.mjs";
 
-/** The largest sizes, in KiB. */
-const budget = { plain: 1024, gzipped: 350 };
+/**
+ * The largest sizes, in KiB. Reading BREP text and cutting trimmed faces take about half
+ * of the module: they are in it so that one fetch serves all models.
+ */
+const budget = { plain: 1536, gzipped: 620 };
 
 export function checkBudget() {
   const bytes = readFileSync(inRoot(wasmFile));
