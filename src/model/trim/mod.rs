@@ -17,6 +17,7 @@ pub use orientation::oriented;
 pub use piece::TrimPiece;
 pub use winding::{RESOLUTION, Winding};
 
+use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
@@ -157,12 +158,29 @@ fn lifted([of_u, of_v]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
     product(of_u, u) + product(of_v, v)
 }
 
+/// Returns the part of the domain that the loops' control points reach, which contains
+/// all curves and whatever their points are moved to.
+fn extent(loops: &[Vec<TrimCurveArrays>], domain: &ParamBox) -> ParamBox {
+    let points = || loops.iter().flatten().flat_map(|curve| &curve.control_points);
+    Axis::BOTH
+        .map(|axis| {
+            let [start, end] = domain[axis];
+            let values = || points().map(|point| point[axis.index()].clamp(start, end));
+            // NaN, which validation refuses later, bounds nothing: the whole domain.
+            let (low, high) =
+                values().fold((end, start), |(low, high), value| (low.min(value), high.max(value)));
+            if low <= high { [low, high] } else { [start, end] }
+        })
+        .into()
+}
+
 /// Returns the loops as pieces that are head to tail in floats, with their gap.
 fn closed_loops(
     surface: &NurbsSurface,
     loops: &[Vec<TrimCurveArrays>],
 ) -> std::result::Result<ClosedLoops, TrimFault> {
-    let (domain, bounds) = (surface.domain(), surface.lipschitz_bounds());
+    let domain = surface.domain();
+    let bounds = surface.lipschitz_bounds(extent(loops, &domain));
     let mut closed = ClosedLoops { loops: Vec::with_capacity(loops.len()), gap: 0.0, rounding: 0.0 };
     if loops.is_empty() {
         return Err(TrimFault::NoLoops);
