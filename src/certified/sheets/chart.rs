@@ -259,7 +259,7 @@ impl<'a> Chart<'a> {
     }
 
     /// The patch that is so many patches away, cyclically.
-    #[cfg(test)]
+    #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(in crate::certified) fn neighbour(&self, offsets: [isize; 2]) -> Patch<'a> {
         self.sheets.bezier.patches.patch(self.patch_at(offsets))
     }
