@@ -19,7 +19,8 @@ pub(super) struct Composed {
     pub(super) deviation: f64,
 }
 
-/// Returns the patch of least degree in t within the tolerance, `None` if there is none.
+/// Returns the patch of least degree in t within the tolerance, `None` where no degree
+/// allowed reaches it.
 ///
 /// For each t the composition along s is a Bézier curve whose homogeneous controls are
 /// blossoms of the surface at the ends of the ruling; they are polynomials in t of a known

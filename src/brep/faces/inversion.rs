@@ -66,7 +66,8 @@ pub(super) fn samples([start, end]: [f64; 2]) -> impl Iterator<Item = f64> + Clo
 }
 
 /// Returns the parameter line through points of a surface of revolution, and the largest
-/// distance of a point from the line's point of equal parameter; `None` if there is none.
+/// distance of a point from the line's point of equal parameter; `None` where the points
+/// do not lie on one parameter line.
 fn parameter_line(
     points: Vec<DVec3>,
     surface: &Surface,

@@ -47,7 +47,7 @@ impl Conic {
         }
     }
 
-    /// Returns the period, or the range that is taken for one where there is none: a
+    /// Returns the period, or for a curve without period the range that stands for it: a
     /// hyperbola reaches e^8 of its axes within 8 of the parameter.
     pub(crate) fn longest_range(self) -> f64 {
         match self {
