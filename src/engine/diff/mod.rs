@@ -69,8 +69,8 @@ impl DiffOptions {
 pub enum FaceState {
     /// Every point of the face is within the tolerance of the other model.
     Unchanged,
-    /// The interval contains the tolerance, and the budget or float64's precision
-    /// allows no narrower one.
+    /// The interval contains the tolerance: the face's distance differs from it by a
+    /// hundredth or less, or the budget or float64's precision ended the search.
     Undecided,
     /// A point of the face is farther than the tolerance from the other model.
     Changed,
