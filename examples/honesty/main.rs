@@ -8,7 +8,9 @@
 //! interval, which must be valid too. An evaluator that shares no code with the
 //! library then checks that
 //!
-//! - no sampled point of A is farther from B than `upper`;
+//! - no sampled point of A is farther from B than `upper`: where no near point of B is found, the
+//!   point is compared with all of B in interval arithmetic, by the code of the example `verify`;
+//!   what is proved farther is a violation, what is proved neither way is counted;
 //! - the witness on A is at least `lower` away from every sampled and refined point
 //!   of B, and is the point of A at its parameters.
 //!
@@ -17,6 +19,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
 mod fuzzer;
+#[path = "../verify/proof/mod.rs"]
+#[allow(dead_code, reason = "the fuzzer compares single points")]
+mod proof;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 
@@ -53,6 +58,7 @@ struct Summary {
     slowest: f64,
     cells: Vec<usize>,
     violations: Vec<String>,
+    undecided: usize,
 }
 
 impl Summary {
@@ -66,15 +72,17 @@ impl Summary {
         for violation in &outcome.violations {
             println!("{violation}");
         }
+        self.undecided += outcome.undecided;
         self.violations.extend(outcome.violations);
     }
 
     fn print(&mut self) {
         self.cells.sort_unstable();
-        let Self { pairs, converged, refused, endless, slowest, cells, violations } = self;
+        let Self { pairs, converged, refused, endless, slowest, cells, violations, undecided } = self;
         println!(
             "{pairs} pairs: {converged} converged, {refused} refused, {} ended by the budget; median {} cells; \
-             slowest {slowest:.1} s, {endless} over {ENDLESS_SECONDS} s; {} violations",
+             slowest {slowest:.1} s, {endless} over {ENDLESS_SECONDS} s; {} violations; {undecided} directions with points that \
+             are proved neither way",
             *pairs - *converged - *refused,
             cells.get(cells.len() / 2).copied().unwrap_or(0),
             violations.len()

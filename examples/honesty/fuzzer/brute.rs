@@ -1,17 +1,10 @@
 //! Upper bounds on distances by dense sampling and local descent.
 //!
-//! Where extreme weights concentrate nearly all of a surface in a millionth of its
-//! domain, no grid finds its near points. Before a point counts as far, the
-//! library's closest point is therefore used as one more start: its parameters are
-//! evaluated independently, its distance is not used.
+//! A near point that is not found proves nothing: extreme weights and knots close together
+//! concentrate nearly all of a surface where no grid looks, and rounded parameters miss it.
 
 use super::sheet::Sheet;
 use glam::{DVec2, DVec3, Vec2Swizzles};
-use nurbs_hausdorff::Model;
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::closest;
-use nurbs_hausdorff::flatness::{Flatness, flatten};
-use std::cell::OnceCell;
 
 /// The number of grid points along each axis of a surface for a first estimate.
 const COARSE_GRID: usize = 17;
@@ -19,16 +12,13 @@ const COARSE_GRID: usize = 17;
 /// The number of descents that start from that grid.
 const STARTS: usize = 6;
 
-/// The numbers of grid points along each axis of a surface for the final check.
+/// The number of grid points along each axis of a surface for the final search.
 /// Descents start from every local minimum of the grid, so that a nearer part of a
 /// surface does not hide another minimum.
-const DENSE_GRIDS: [usize; 2] = [65, 1025];
+const DENSE_GRID: usize = 65;
 
 /// The largest number of descents from such a grid; each is refined by a pattern search.
 const DENSE_STARTS: usize = 64;
-
-/// The width of the library's interval for a hint, relative to the diagonal.
-const HINT_GAP: f64 = 1e-12;
 
 /// The largest number of steps of a descent.
 const MAX_STEPS: usize = 40;
@@ -53,17 +43,13 @@ pub(crate) struct Placed {
 
 /// The model to which distances are computed.
 pub(crate) struct Target<'a> {
-    model: &'a Model,
-    /// The origin of the sheets' coordinates.
-    origin: DVec3,
-    flat: OnceCell<nurbs_hausdorff::closest::Target>,
     sheets: &'a [Sheet],
     coarse: Vec<(usize, DVec2, DVec3)>,
 }
 
 impl<'a> Target<'a> {
-    pub(crate) fn new(model: &'a Model, origin: DVec3, sheets: &'a [Sheet]) -> Self {
-        Self { model, origin, flat: OnceCell::new(), sheets, coarse: cloud(sheets) }
+    pub(crate) fn new(sheets: &'a [Sheet]) -> Self {
+        Self { sheets, coarse: cloud(sheets) }
     }
 
     /// Returns a near point of the target, found from the nearest grid point and `warm`.
@@ -86,40 +72,22 @@ impl<'a> Target<'a> {
         self.sheets.get(counterpart.0).is_some_and(is_near_copy)
             || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
-            || DENSE_GRIDS.iter().any(|&count| self.search(count, point, limit) <= limit)
-            || self.hinted(point) <= limit
-    }
-
-    /// Returns the distance, evaluated independently, of the library's closest point.
-    fn hinted(&self, point: DVec3) -> f64 {
-        let flat = || {
-            let patches = flatten(&extract(self.model).patches, Flatness::Loose).patches;
-            nurbs_hausdorff::closest::Target::new(patches)
-        };
-        let target = self.flat.get_or_init(flat);
-        let diagonal = self.model.bounding_box().diagonal();
-        let gap = HINT_GAP * diagonal.max(f64::MIN_POSITIVE);
-        let Some(found) = closest(target, point + self.origin, gap) else {
-            return f64::INFINITY;
-        };
-        let patch = target.patches.patch(found.patch);
-        let parameters = DVec2::from_array(patch.surface_parameters(found.parameters));
-        self.sheets[patch.surface].point(parameters).distance(point)
+            || self.search(point, limit) <= limit
     }
 
     /// Returns the smallest distance found by a dense search.
     pub(crate) fn least(&self, point: DVec3) -> f64 {
-        self.search(DENSE_GRIDS[0], point, 0.0)
+        self.search(point, 0.0)
     }
 
     /// Descends from every local minimum of a grid until one is within `limit`.
-    fn search(&self, count: usize, point: DVec3, limit: f64) -> f64 {
+    fn search(&self, point: DVec3, limit: f64) -> f64 {
         let mut least = f64::INFINITY;
-        for start in minima(self.sheets, count, point) {
+        for start in minima(self.sheets, DENSE_GRID, point) {
             let descended = self.descend(start, point, limit);
             least = least.min(descended.distance);
             if least > limit {
-                least = least.min(self.pattern_search(descended, count, point, limit).distance);
+                least = least.min(self.pattern_search(descended, point, limit).distance);
             }
             if least <= limit {
                 break;
@@ -190,9 +158,9 @@ impl<'a> Target<'a> {
     /// Runs a pattern search: evaluates a grid around the best point repeatedly, and
     /// halves its spacing when the best point is inside. It is slower than descent,
     /// and robust against kinks and narrow valleys.
-    fn pattern_search(&self, start: Placed, count: usize, target: DVec3, limit: f64) -> Placed {
+    fn pattern_search(&self, start: Placed, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
-        let mut step = sheet.extent() / ((count - 1) as f64 * f64::from(PATTERN_RADIUS));
+        let mut step = sheet.extent() / ((DENSE_GRID - 1) as f64 * f64::from(PATTERN_RADIUS));
         let mut best = start;
         for _ in 0..PATTERN_ROUNDS {
             let center = best.parameters;

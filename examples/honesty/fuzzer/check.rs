@@ -5,6 +5,7 @@ use super::brute::{Placed, Target};
 use super::pairs::{Pair, pair};
 use super::partners::scale_and_shift;
 use super::sheet::{Sheet, sheets};
+use crate::proof::{self, Motion, Witness};
 use crate::support::evaluator::point;
 use fastrand::Rng;
 use glam::{DVec2, DVec3};
@@ -13,7 +14,8 @@ use nurbs_hausdorff::engine::{
 };
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model, RigidTransform};
-use std::time::Instant;
+use std::cell::{Cell, OnceCell};
+use std::time::{Duration, Instant};
 
 /// The number of samples along each axis of a surface of A, one at random in each
 /// cell of a grid, as the library's own samples are at dyadic fractions.
@@ -36,6 +38,11 @@ const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// evaluated relative to an origin near it.
 const SIZE_ROUNDING: f64 = 1e-14;
 
+/// The time after which the proof that a point is farther than `upper` is given up, and the number
+/// of points of a direction that are given up before the others are left out.
+const PROOF_TIME: Duration = Duration::from_secs(5);
+const MAX_UNDECIDED: usize = 3;
+
 /// The outcome of the check of a pair.
 #[derive(Default)]
 pub(crate) struct Outcome {
@@ -46,6 +53,8 @@ pub(crate) struct Outcome {
     /// Whether the engine refused the pair with a coded error.
     pub(crate) refused: bool,
     pub(crate) violations: Vec<String>,
+    /// Directions with points that were neither found within `upper` nor proved farther.
+    pub(crate) undecided: usize,
 }
 
 /// Checks the pair of a seed of the ordinary families.
@@ -93,17 +102,20 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
     let seconds = started.elapsed().as_secs_f64();
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
     let mut violations = Vec::new();
+    let mut undecided = 0;
     for (directed, reversed) in directions {
         let Some(directed) = directed else { continue };
         let directed = if reversed { directed } else { result.forward.as_deref().unwrap_or(directed) };
         let direction = Direction::new(pair, directed, &options, reversed);
         violations.extend(direction.violations(&mut Rng::with_seed(seed)));
+        undecided += usize::from(direction.undecided.get() > 0);
     }
     Outcome {
         converged: result.converged,
         cells: result.certified().map_or(0, |details| details.cells),
         seconds,
         refused: false,
+        undecided,
         violations: violations
             .into_iter()
             .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
@@ -174,6 +186,9 @@ struct Direction<'a> {
     truth: Option<f64>,
     limit: Option<f64>,
     rounding: f64,
+    /// The models for proofs, once one is needed, and the points on which none succeeded.
+    proof: OnceCell<proof::Pair>,
+    undecided: Cell<usize>,
 }
 
 impl<'a> Direction<'a> {
@@ -195,6 +210,8 @@ impl<'a> Direction<'a> {
             truth: pair.truth.map(|both| both[from]).filter(|truth| !truth.is_nan()),
             limit: options.limit,
             rounding,
+            proof: OnceCell::new(),
+            undecided: Cell::new(0),
         }
     }
 
@@ -258,7 +275,7 @@ impl<'a> Direction<'a> {
         let [from_origin, to_origin] = [self.from, self.to].map(|model| model.bounding_box().center());
         let to_sheets = sheets(self.to, to_origin);
         let from_sheets = sheets(self.from, from_origin);
-        let target = Target::new(self.to, to_origin, &to_sheets);
+        let target = Target::new(&to_sheets);
         // The transform from the frame of one model's sheets into that of the other's.
         let shift = self.poses[1].apply_inverse(self.poses[0].apply(from_origin)) - to_origin;
         let turn = self.poses[1].rotation().inverse() * self.poses[0].rotation();
@@ -281,28 +298,49 @@ impl<'a> Direction<'a> {
             .collect();
         found[1..].sort_unstable_by(|a, b| b.2.distance.total_cmp(&a.2.distance));
         let beyond = upper + self.rounding;
-        let mut suspects = 0;
+        let is_beyond = |point: DVec3, at: (usize, DVec2)| {
+            !target.is_within(point, beyond, at) && self.is_proved_beyond(at, beyond)
+        };
         for &(index, parameters, near) in &found {
             let point = into(from_sheets[index].point(parameters));
-            if near.distance > beyond {
-                suspects += 1;
-                if !target.is_within(point, beyond, (index, parameters)) {
-                    violations.push(format!(
-                        "upper {upper}, but a point of A is {} from B ({suspects})",
-                        target.least(point)
-                    ));
-                    return;
-                }
+            if near.distance > beyond && is_beyond(point, (index, parameters)) {
+                violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
+                return;
             }
         }
         for &(index, parameters, near) in found.iter().take(CLIMBS) {
             let sheet = &from_sheets[index];
-            if let Some(point) = climb((index, sheet), parameters, near, &target, &into, beyond) {
+            if let Some(point) = climb((index, sheet), parameters, near, &target, &into, beyond, &is_beyond) {
                 violations.push(format!("upper {upper}, but a point of A is {} from B", target.least(point)));
                 return;
             }
         }
     }
+
+    /// Whether a point of A is proved farther than `limit` from all of B, in interval arithmetic.
+    fn is_proved_beyond(&self, (surface, parameters): (usize, DVec2), limit: f64) -> bool {
+        if self.undecided.get() >= MAX_UNDECIDED {
+            return false;
+        }
+        let prepare = || {
+            let [from, to] = &self.poses;
+            let motion = Motion {
+                rotation: (to.rotation().inverse() * from.rotation()).to_array(),
+                translation: to.apply_inverse(from.offset()).to_array(),
+            };
+            proof::Pair::new(&definition(self.from), &motion, &definition(self.to))
+        };
+        let point = Witness { surface, u: parameters.x, v: parameters.y };
+        let deadline = Instant::now() + PROOF_TIME;
+        let is_farther = self.proof.get_or_init(prepare).is_farther(point, limit, deadline);
+        self.undecided.set(self.undecided.get() + usize::from(is_farther.is_none()));
+        is_farther == Some(true)
+    }
+}
+
+/// The model as the proofs read it: by its definition, without the library.
+fn definition(model: &Model) -> proof::Model {
+    proof::Model::from_json(&model.to_json().unwrap()).unwrap()
 }
 
 /// Returns one random point of the domain in each cell of a grid and on each of its
@@ -335,6 +373,7 @@ fn climb(
     target: &Target<'_>,
     into: &impl Fn(DVec3) -> DVec3,
     beyond: f64,
+    is_beyond: &impl Fn(DVec3, (usize, DVec2)) -> bool,
 ) -> Option<DVec3> {
     let (mut at, mut best) = (start, foot);
     let mut step = sheet.extent() / SAMPLES as f64;
@@ -349,7 +388,7 @@ fn climb(
                     continue;
                 }
                 if near.distance > beyond {
-                    if !target.is_within(point, beyond, (index, parameters)) {
+                    if is_beyond(point, (index, parameters)) {
                         return Some(point);
                     }
                     continue;

@@ -78,25 +78,62 @@ impl Report {
     }
 }
 
+/// Two models in their common frame, for comparisons of single points of A with B.
+pub(crate) struct Pair {
+    frame: Frame,
+    patches: Vec<Patch>,
+    target: Target,
+}
+
+impl Pair {
+    pub(crate) fn new(a: &Model, motion: &Motion, b: &Model) -> Self {
+        let frame = Frame::new(a, motion, b);
+        let patches = bezier::patches(a, &frame, motion);
+        let target = Target::new(bezier::patches(b, &frame, &Motion::IDENTITY));
+        Self { frame, patches, target }
+    }
+
+    /// Whether A's point at these parameters is farther than `limit` from all of B: proved if it is
+    /// said to be, to rounding if it is said not to be, and `None` if neither by the deadline.
+    pub(crate) fn is_farther(&self, point: Witness, limit: f64, deadline: Instant) -> Option<bool> {
+        // On a knot, a point has several patches; each of their points is a point of A.
+        let mut points =
+            self.patches.iter().filter(|patch| patch.surface == point.surface).filter_map(|patch| {
+                let local = patch.local([point.u, point.v])?;
+                Some(patch.net.evaluate(local))
+            });
+        let limit = limit * self.frame.scale;
+        let mut is_open = false;
+        let farther = points.any(|point| match self.target.compare(&point, limit, MAX_PIECES, deadline) {
+            Comparison::Farther => true,
+            Comparison::Nearer(_) => false,
+            Comparison::Open => {
+                is_open = true;
+                false
+            }
+        });
+        if farther || !is_open { Some(farther) } else { None }
+    }
+}
+
 /// Proves `lower - slack <= max over A of the distance to B <= upper + slack`, or the contrary.
 ///
 /// The lower end is proved by the witness, else by any point of A that is far enough; it is refuted
 /// if all of A is proved nearer. The upper end is refuted by a point of A that is proved farther.
 pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settings: &Settings) -> Report {
     let deadline = Instant::now() + settings.time;
-    let frame = Frame::new(a, motion, b);
-    let patches = bezier::patches(a, &frame, motion);
-    let target = Target::new(bezier::patches(b, &frame, &Motion::IDENTITY));
+    let pair = Pair::new(a, motion, b);
+    let Pair { frame, patches, target } = &pair;
     let slack = settings.slack * frame.diagonal;
     let mut report =
         Report { lower: Verdict::NotProved, upper: Verdict::NotProved, notes: Vec::new(), cells: 0 };
-    check_lower(&mut report, &patches, &target, claim.witness, (claim.lower - slack) * frame.scale, deadline);
+    check_lower(&mut report, &pair, claim.witness, claim.lower - slack, deadline);
     if report.lower == Verdict::Refuted && claim.lower <= claim.upper {
         // All of A was proved nearer than lower, hence than upper.
         report.upper = Verdict::Proved;
         return report;
     }
-    let search = upper::prove(&patches, &target, (claim.upper + slack) * frame.scale, deadline);
+    let search = upper::prove(patches, target, (claim.upper + slack) * frame.scale, deadline);
     report.cells += search.cells;
     report.upper = match search.finding {
         Finding::Within => Verdict::Proved,
@@ -109,31 +146,14 @@ pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settin
     report
 }
 
-/// Decides the lower end, `limit` in the frame.
-fn check_lower(
-    report: &mut Report,
-    patches: &[Patch],
-    target: &Target,
-    witness: Witness,
-    limit: f64,
-    deadline: Instant,
-) {
-    if limit < 0.0 {
-        // No distance is below 0.
+/// Decides the lower end.
+fn check_lower(report: &mut Report, pair: &Pair, witness: Witness, limit: f64, deadline: Instant) {
+    // No distance is below 0.
+    if limit < 0.0 || pair.is_farther(witness, limit, deadline) == Some(true) {
         report.lower = Verdict::Proved;
         return;
     }
-    // On a knot, a point has several patches; each of their points is a point of A.
-    let mut points = patches.iter().filter(|patch| patch.surface == witness.surface).filter_map(|patch| {
-        let local = patch.local([witness.u, witness.v])?;
-        Some(patch.net.evaluate(local))
-    });
-    let farther = |point| matches!(target.compare(&point, limit, MAX_PIECES, deadline), Comparison::Farther);
-    if points.any(farther) {
-        report.lower = Verdict::Proved;
-        return;
-    }
-    let search = upper::prove(patches, target, limit, deadline);
+    let search = upper::prove(&pair.patches, &pair.target, limit * pair.frame.scale, deadline);
     report.cells += search.cells;
     report.lower = match search.finding {
         Finding::Open => Verdict::NotProved,

@@ -259,9 +259,31 @@ impl<'a> Chart<'a> {
     }
 
     /// The patch that is so many patches away, cyclically.
-    #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(in crate::certified) fn neighbour(&self, offsets: [isize; 2]) -> Patch<'a> {
         self.sheets.bezier.patches.patch(self.patch_at(offsets))
+    }
+
+    /// The lines at the ends of the patches that cover a range of parameters along
+    /// an axis, or the part of it in which the surface lies.
+    pub(in crate::certified) fn lines_between(
+        &self,
+        axis: Axis,
+        [low, high]: [f64; 2],
+    ) -> RangeInclusive<isize> {
+        let (mut first, mut last) = (0_isize, 1_isize);
+        while low < self.line(axis, first) - MARGIN && self.is_joined(axis, first) {
+            first -= 1;
+        }
+        while high > self.line(axis, last) + MARGIN && self.is_joined(axis, last) {
+            last += 1;
+        }
+        first..=last
+    }
+
+    /// Whether a line lies inside the surface, or where its two ends join.
+    fn is_joined(&self, axis: Axis, line: isize) -> bool {
+        let count = self.grid.breaks[axis].len() as isize - 1;
+        (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
     }
 
     /// The index of the patch that is so many patches away, cyclically.

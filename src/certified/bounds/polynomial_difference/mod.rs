@@ -13,6 +13,7 @@
 //! positive. Up to rounding that is exact where the distance is the same
 //! everywhere: zero where A and B are the same polynomials or rational functions.
 
+mod across_knots;
 mod aligned_map;
 mod net;
 
@@ -36,7 +37,9 @@ impl UpperBound for PolynomialDifference {
         if foot.distance_squared > threshold * threshold {
             return None;
         }
-        let map = AlignedMap::new(context)?;
+        let Some(map) = AlignedMap::new(context) else {
+            return across_knots::upper_bound(context, threshold);
+        };
         if map.is_beyond(context, threshold) {
             return None;
         }

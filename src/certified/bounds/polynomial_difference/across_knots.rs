@@ -1,0 +1,232 @@
+//! The polynomial difference over several patches of B.
+//!
+//! A map may be another one on every piece of a cell, as it need not be
+//! continuous: the pieces only have to cover the cell. So where the image of a
+//! cell runs over knot lines of B, the cell is cut along them, and each piece is
+//! compared with the patch that it is mapped to.
+
+use super::super::CellContext;
+use super::aligned_map::Orientation;
+use super::net::Net;
+use crate::axis::Axis;
+use crate::bezier::Jet;
+use crate::certified::nearest::Foot;
+use crate::certified::reparametrization::Reparametrization;
+use crate::certified::sheets::Chart;
+use crate::rounding::upper_max;
+use glam::{DVec3, Vec4Swizzles};
+
+/// The largest number of pieces of a rectangle along one surface of B.
+const MAX_PIECES: usize = 256;
+
+/// The largest component of a map across B's parameter lines, relative to the one
+/// along them, that is left out.
+const MAX_SKEW: f64 = 0.05;
+
+/// Distance of the centre's foot, in radii of the cell, up to which the bound is
+/// tried: it is for near copies and offsets by little.
+const MAX_DISTANCE_IN_RADII: f64 = 0.5;
+
+/// The part of a range below which a range beyond an end of a surface is left to
+/// the surface: the map's rounding.
+const SLIVER: f64 = 1e-9;
+
+/// How often a part of a cell that is mapped beyond an end of one surface of B may be
+/// mapped to another one: twice along either axis.
+const MAX_SURFACES_CROSSED: usize = 4;
+
+/// A part of a range of A's parameter, and the patch of B, by its offset, and the
+/// range of its parameter that the part is mapped to.
+struct Part {
+    range: [f64; 2],
+    offset: isize,
+    image: [f64; 2],
+}
+
+/// The bound by maps along the parameter lines of B's surfaces; `None` where there are no
+/// such maps or a point of a piece is farther from its image than the threshold.
+pub(super) fn upper_bound(context: &CellContext<'_>, threshold: f64) -> Option<f64> {
+    let foot = context.foot();
+    if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
+        return None;
+    }
+    let rectangle = Rectangle { context, ranges: context.cell.ranges(), jet: context.jet, foot };
+    rectangle.upper_bound(threshold, MAX_SURFACES_CROSSED)
+}
+
+/// A rectangle of the cell with a foot of its centre.
+struct Rectangle<'a> {
+    context: &'a CellContext<'a>,
+    ranges: [[f64; 2]; 2],
+    /// A's moved jet at the centre.
+    jet: Jet,
+    foot: Foot,
+}
+
+impl Rectangle<'_> {
+    fn upper_bound(&self, threshold: f64, crossings: usize) -> Option<f64> {
+        let context = self.context;
+        let chart = Chart::new(context.pair.b.sheets?, self.foot.patch, self.foot.parameters);
+        let jet = chart.jet();
+        let [h, k] = self.ranges.map(|[start, end]| 0.5 * (end - start));
+        let tangents = [h * self.jet.s, k * self.jet.t];
+        let map = Reparametrization::linearized(&jet, jet.point - self.jet.point, tangents, [false; 2])?;
+        let orientation = Orientation::new(&map);
+        let across = orientation.across(&map).abs().max_element();
+        let along = orientation.along(&map);
+        // False for NaN, as all conditions here.
+        let is_aligned = across <= MAX_SKEW * along[0].abs().min(along[1].abs());
+        if !is_aligned {
+            return None;
+        }
+        let [(parts_s, rest_s), (parts_t, rest_t)] =
+            Axis::BOTH.map(|axis| self.parts(&chart, &orientation, along[axis.index()], axis));
+        let is_whole = rest_s.is_empty() && rest_t.is_empty();
+        let count = parts_s.len() * parts_t.len();
+        if count == 0 || count > MAX_PIECES || (!is_whole && crossings == 0) {
+            return None;
+        }
+        // As many cells of the size that Lipschitz continuity decides are cheaper.
+        let margin = threshold - self.foot.distance();
+        if count as f64 * margin * margin > context.radius * context.radius {
+            return None;
+        }
+        let (chart, origin) = (&chart, self.jet.point);
+        let mut pieces = Vec::with_capacity(count);
+        for s in &parts_s {
+            for t in &parts_t {
+                pieces.push(Piece { context, chart, origin, orientation, parts: [s, t] });
+            }
+        }
+        let mut by_distance = Vec::with_capacity(count);
+        for piece in pieces {
+            let distance = piece.distance_of_middle();
+            let is_near = distance <= threshold;
+            if !is_near {
+                return None;
+            }
+            by_distance.push((distance, piece));
+        }
+        // The farthest first: it is the likeliest to exceed the threshold.
+        by_distance.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let mut largest = 0.0_f64;
+        for (_, piece) in &by_distance {
+            let bound = piece.upper_bound()?;
+            let is_decided = bound <= threshold;
+            if !is_decided {
+                return None;
+            }
+            largest = upper_max(largest, bound);
+        }
+        // Along s over the whole range of t; along t over what is left of s.
+        let inner = [parts_s[0].range[0], parts_s[parts_s.len() - 1].range[1]];
+        let beyond_s = rest_s.into_iter().map(|range| [range, self.ranges[1]]);
+        let beyond_t = rest_t.into_iter().map(|range| [inner, range]);
+        for ranges in beyond_s.chain(beyond_t) {
+            largest = upper_max(largest, self.at(ranges).upper_bound(threshold, crossings - 1)?);
+        }
+        Some(largest)
+    }
+
+    /// Another rectangle of the cell, with the nearest foot.
+    fn at(&self, ranges: [[f64; 2]; 2]) -> Self {
+        let Self { context, foot, .. } = self;
+        let center = ranges.map(|[start, end]| 0.5 * (start + end));
+        let jet = context.pair.jet_of_a(context.cell.patch, center);
+        let start = Foot::start(foot.patch, foot.parameters);
+        Self { context, ranges, jet, foot: context.nearest.nearest(jet.point, start, 0.0) }
+    }
+
+    /// The parts of the range along an axis of A that are mapped to patches of the
+    /// surface, and the ranges that are mapped beyond its ends.
+    fn parts(
+        &self,
+        chart: &Chart<'_>,
+        orientation: &Orientation,
+        along: f64,
+        axis: Axis,
+    ) -> (Vec<Part>, Vec<[f64; 2]>) {
+        let on_b = if orientation.swapped { axis.other() } else { axis };
+        let foot = chart.parameters[on_b];
+        let [start, end] = self.ranges[axis.index()];
+        let (center, half) = (0.5 * (start + end), 0.5 * (end - start));
+        let reached = chart.lines_between(on_b, [foot - along.abs(), foot + along.abs()]);
+        let (first, last) = (*reached.start(), *reached.end());
+        let at = |line: isize| {
+            let parameter = center + half * (chart.line(on_b, line) - foot) / along;
+            let is_end = (parameter - start).abs().min((parameter - end).abs()) <= SLIVER * half;
+            if is_end { if parameter < center { start } else { end } } else { parameter.clamp(start, end) }
+        };
+        let count = last - first;
+        let mut parts = Vec::with_capacity(count as usize);
+        // In the order of A's parameter.
+        let forwards = along > 0.0;
+        let (lower, upper) = if forwards { (at(first), at(last)) } else { (at(last), at(first)) };
+        let mut low = lower;
+        for step in 0..count {
+            let offset = if forwards { first + step } else { last - step - 1 };
+            let next = if forwards { offset + 1 } else { offset };
+            let high = if step + 1 == count { upper } else { at(next).clamp(low, upper) };
+            if high > low {
+                let image = [low, high].map(|parameter| {
+                    let on_chart = foot + along * ((parameter - center) / half);
+                    ((on_chart - chart.line(on_b, offset)) / chart.width(on_b, offset)).clamp(0.0, 1.0)
+                });
+                parts.push(Part { range: [low, high], offset, image });
+            }
+            low = high;
+        }
+        let rest = [[start, lower], [upper, end]].into_iter().filter(|[low, high]| low < high);
+        (parts, rest.collect())
+    }
+}
+
+/// A piece of the cell.
+struct Piece<'a> {
+    context: &'a CellContext<'a>,
+    chart: &'a Chart<'a>,
+    /// The point that both nets are taken relative to.
+    origin: DVec3,
+    orientation: Orientation,
+    parts: [&'a Part; 2],
+}
+
+impl Piece<'_> {
+    /// The pair for B's axes, from that for A's.
+    fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
+        if self.orientation.swapped { [t, s] } else { [s, t] }
+    }
+
+    /// The distance of the piece's middle from its image.
+    fn distance_of_middle(&self) -> f64 {
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let from = self.parts.map(|part| middle(part.range));
+        let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
+        let patch = self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)));
+        self.context.pair.point_of_a(self.context.cell.patch, from).distance(patch.point(to))
+    }
+
+    /// An upper bound on the distance of the piece's points from their images.
+    fn upper_bound(&self) -> Option<f64> {
+        let (context, pair) = (self.context, self.context.pair);
+        let patch = self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)));
+        let images = self.by_axes_of_b(self.parts.map(|part| part.image));
+        // An axis along which B's patch is followed backwards.
+        let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
+        let is_proper = ascending.iter().all(|[start, end]| start < end);
+        if !is_proper {
+            return None;
+        }
+        let controls = self.orientation.oriented(&patch.restricted(ascending[0], ascending[1]), patch.degree);
+        let degree = self.by_axes_of_b(patch.degree);
+        let origin = self.origin;
+        let y = Net::new(degree, &controls, origin - patch.center, 1.0);
+        let [s, t] = self.parts.map(|part| part.range);
+        let mut controls = context.patch.restricted(s, t);
+        for control in &mut controls {
+            *control = pair.transform.rotate(control.xyz()).extend(control.w);
+        }
+        let center = pair.transform.apply(context.patch.center);
+        Net::new(context.patch.degree, &controls, origin - center, 1.0).max_difference(&y)
+    }
+}
