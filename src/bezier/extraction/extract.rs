@@ -1,7 +1,7 @@
 //! Bézier extraction: one patch per non-empty rectangle of knots.
 
-use super::{MAX_ORDER, Patch, PatchSet, PointError};
 use crate::axis::Axis;
+use crate::bezier::{MAX_ORDER, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
 use crate::parallel::map_ranges;
@@ -123,7 +123,7 @@ pub(crate) fn power_of_two_below(number: f64) -> f64 {
 }
 
 /// Returns the grid point nearest to the middle of the points' box.
-pub(super) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
+pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
     let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
     snapped(middle, grid)
 }

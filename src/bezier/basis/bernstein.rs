@@ -7,7 +7,7 @@ pub const MAX_ORDER: usize = MAX_DEGREE + 1;
 
 /// The values and the first two derivatives of all Bernstein polynomials of one
 /// degree below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
-pub(super) type Basis<const N: usize> = [[f64; N]; 3];
+pub(in crate::bezier) type Basis<const N: usize> = [[f64; N]; 3];
 
 /// Evaluates the basis of a degree of at least 1 at `t` in [0, 1].
 ///
@@ -16,7 +16,7 @@ pub(super) type Basis<const N: usize> = [[f64; N]; 3];
 /// polynomials of lower degree (Farin, *Curves and Surfaces for CAGD*, section
 /// 5.3). O(degree²), unrolled where the degree is a constant.
 #[inline(always)]
-pub(super) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
+pub(in crate::bezier) fn fill<const N: usize>(basis: &mut Basis<N>, degree: usize, t: f64) {
     let scale = degree as f64;
     let mut values = [0.0; N];
     values[0] = 1.0;

@@ -1,7 +1,7 @@
 //! Upper bounds on the jumps of derivatives across the common edge of two patches.
 
-use super::{DerivativeBounds, Patch};
 use crate::axis::Axis;
+use crate::bezier::{DerivativeBounds, Patch};
 use crate::rounding::{gamma, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 

@@ -1,7 +1,7 @@
 //! Upper bounds on a patch's derivatives over parts of its domain.
 
-use super::{DerivativeBounds, Patch, PatchSet, center_grid};
 use crate::axis::Axis;
+use crate::bezier::{DerivativeBounds, Patch, PatchSet, center_grid};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::Vec4Swizzles;

@@ -1,6 +1,6 @@
 //! The power form of a patch, in parameters about its middle.
 
-use super::{MAX_ORDER, Patch};
+use crate::bezier::{MAX_ORDER, Patch};
 use glam::DVec4;
 
 impl Patch<'_> {

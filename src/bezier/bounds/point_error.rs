@@ -22,7 +22,7 @@ impl PointError {
     /// Makes the bounds hold for a patch of these degrees, too. `radius` is the
     /// largest distance from its centre of the control points of its NURBS surface,
     /// `center` the centre's distance from the origin.
-    pub(super) fn include(&mut self, [p, q]: [usize; 2], radius: f64, center: f64) {
+    pub(in crate::bezier) fn include(&mut self, [p, q]: [usize; 2], radius: f64, center: f64) {
         let (degrees, largest) = ((p + q) as f64, p.max(q) as f64);
         // R3: 12(p + q) + 8; R5: 8(p + q) + 8, and the rounding of the centre's addition.
         let uncut = gamma(20.0 * degrees + 16.0) * radius + gamma(2.0) * center;
@@ -34,7 +34,7 @@ impl PointError {
     }
 
     /// Makes the bounds hold where `other` holds, too.
-    pub(super) fn include_all(&mut self, other: &Self) {
+    pub(in crate::bezier) fn include_all(&mut self, other: &Self) {
         self.uncut = self.uncut.max(other.uncut);
         self.recentring = self.recentring.max(other.recentring);
         self.halving = self.halving.max(other.halving);

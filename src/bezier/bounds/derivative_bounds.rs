@@ -1,6 +1,6 @@
 //! Upper bounds on a patch's derivatives from its control net.
 
-use super::Patch;
+use crate::bezier::Patch;
 use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec4, Vec4Swizzles};
 
@@ -20,7 +20,7 @@ pub struct DerivativeBounds {
 
 impl DerivativeBounds {
     /// Makes these bounds hold also where `other` holds; the radius stays.
-    pub(super) fn enclose(&mut self, other: &Self) {
+    pub(in crate::bezier) fn enclose(&mut self, other: &Self) {
         let pairs = [
             (&mut self.first[..], &other.first[..]),
             (&mut self.second[..], &other.second[..]),
@@ -35,7 +35,7 @@ impl DerivativeBounds {
 
     /// Returns the bounds by other parameters, of which an interval of length 1
     /// of these parameters spans h and k.
-    pub(super) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
+    pub(in crate::bezier) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
         for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {
             let order = bounds.len() - 1;
             for (index, bound) in bounds.iter_mut().enumerate() {
@@ -79,7 +79,7 @@ impl Patch<'_> {
     /// whose homogeneous controls differ from these by at most `error`, in space
     /// and in weight: a difference of order n then differs from this net's by at
     /// most `2^n error`. The bounds are infinite where a weight may be 0.
-    pub(super) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
+    pub(in crate::bezier) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
         let least = |weight: f64| (weight - error[1]).max(0.0);
         let weight = self.controls.iter().map(|control| least(control.w)).fold(f64::INFINITY, lower_min);
         let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
@@ -110,7 +110,7 @@ impl Patch<'_> {
     }
 
     /// Returns the largest length and the largest weight of the homogeneous controls.
-    pub(super) fn largest_controls(&self) -> [f64; 2] {
+    pub(in crate::bezier) fn largest_controls(&self) -> [f64; 2] {
         let mut largest = [0.0_f64; 2];
         for control in self.controls {
             let sizes = [control.xyz().length(), control.w];

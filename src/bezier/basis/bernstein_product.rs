@@ -1,6 +1,6 @@
 //! Products and squares of polynomials in Bernstein form.
 
-use super::MAX_ORDER;
+use crate::bezier::MAX_ORDER;
 use crate::rounding::{lower_min, upper_max};
 use glam::{DVec4, Vec4Swizzles};
 use std::sync::OnceLock;

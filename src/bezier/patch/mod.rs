@@ -1,5 +1,11 @@
 //! One Bézier patch, and the storage of many.
 
+pub(in crate::bezier) mod evaluate;
+pub(in crate::bezier) mod subdivide;
+
+pub use evaluate::Jet;
+pub(crate) use evaluate::normal;
+
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;

@@ -1,8 +1,8 @@
 //! First derivatives of many patches on one grid of parameters.
 
-use super::bernstein::{Basis, fill};
-use super::evaluate::contract;
-use super::{MAX_ORDER, Patch};
+use crate::bezier::basis::bernstein::{Basis, fill};
+use crate::bezier::patch::evaluate::contract;
+use crate::bezier::{MAX_ORDER, Patch};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The Bernstein polynomials in s and t at N parameters each.

@@ -17,10 +17,10 @@
 //! differences are measured. The removal of knots with a measured error is that
 //! of L. Piegl and W. Tiller, *The NURBS Book*, section 5.4.
 
-use super::bernstein::MAX_ORDER;
-use super::extract::{Span, power_of_two_below, spans};
-use super::subdivide::restrict_line;
 use crate::axis::Axis;
+use crate::bezier::basis::bernstein::MAX_ORDER;
+use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
+use crate::bezier::patch::subdivide::restrict_line;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
@@ -465,8 +465,8 @@ impl Pieces<'_> {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::extract;
     use super::*;
+    use crate::bezier::extract;
     use crate::shapes::operations::{elevate_degree, insert_knot, refit_model};
     use crate::shapes::{shape, wavy_sheet};
 

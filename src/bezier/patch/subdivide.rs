@@ -1,9 +1,9 @@
 //! Halves and rectangular pieces of a patch.
 
-use super::extract::center_of;
-use super::patch::relative;
-use super::{MAX_ORDER, Patch, PatchSet};
 use crate::axis::Axis;
+use crate::bezier::extraction::extract::center_of;
+use crate::bezier::patch::relative;
+use crate::bezier::{MAX_ORDER, Patch, PatchSet};
 use glam::{DVec3, DVec4};
 
 impl Patch<'_> {
@@ -62,7 +62,7 @@ impl Patch<'_> {
 /// relative error of at most three roundings and the piece is that of exactly
 /// [start, end] (lemma R6 of docs/method.md). `1 - start / end` of the rounded
 /// quotient would move an end, and leave a gap between neighbouring pieces.
-pub(super) fn restrict_line(
+pub(in crate::bezier) fn restrict_line(
     controls: &mut [DVec4],
     first: usize,
     stride: usize,

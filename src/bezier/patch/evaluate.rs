@@ -1,8 +1,8 @@
 //! Evaluation of points and derivatives of a patch.
 
-use super::MAX_ORDER;
-use super::Patch;
-use super::bernstein::{Basis, fill};
+use crate::bezier::MAX_ORDER;
+use crate::bezier::Patch;
+use crate::bezier::basis::bernstein::{Basis, fill};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A point of a surface with its first and second derivatives by (s, t).
@@ -177,6 +177,6 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
 
 /// Returns the sum of the controls times the basis values.
 #[inline(always)]
-pub(super) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
+pub(in crate::bezier) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
 }

@@ -1,6 +1,6 @@
 //! Boxes aligned with a patch's own directions.
 
-use super::Patch;
+use crate::bezier::Patch;
 use glam::{DVec3, Vec4Swizzles};
 
 /// A box around a patch along three orthogonal axes. For a nearly flat patch it
@@ -63,7 +63,7 @@ fn coordinates(axes: &[DVec3; 3], vector: DVec3) -> DVec3 {
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
-    use super::OrientedBox;
+    use crate::bezier::OrientedBox;
     use crate::bezier::{Patch, extract};
     use crate::param_box::ParamBox;
     use crate::shapes::shape;
