@@ -1,7 +1,7 @@
 //! Random pairs on which a certified interval could lie; many more are in
 //! `cargo run --release --example honesty`.
 
-use crate::fuzzer::check::{Outcome, check, check_attack};
+use crate::fuzzer::check::{Outcome, check, check_attack, check_trimmed};
 use rayon::prelude::*;
 
 /// Pairs, with two that a coarser brute force once raised alarms on.
@@ -44,4 +44,21 @@ fn the_attack_finds_no_false_interval() {
     }
     let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
     assert!(4 * refused < ATTACKS, "{refused} refused");
+}
+
+/// Pairs with trimmed faces.
+const TRIMMED: u64 = 40;
+
+#[test]
+fn trimmed_faces_are_measured_as_they_are() {
+    let outcomes: Vec<Outcome> = (1..=TRIMMED).into_par_iter().map(check_trimmed).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
+    }
+    let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
+    assert!(4 * refused < TRIMMED, "{refused} refused");
+    // A point that is proved neither way is rare: the brute force finds near points, or the proof ends.
+    let undecided: usize = outcomes.iter().map(|outcome| outcome.undecided).sum();
+    assert!(undecided <= 2, "{undecided} undecided");
 }
