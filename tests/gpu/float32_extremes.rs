@@ -94,6 +94,41 @@ fn models_of_any_size_are_measured() {
 }
 
 #[test]
+fn a_point_and_models_of_very_different_sizes_are_measured() {
+    let Some(engine) = engine("a_point_and_models_of_very_different_sizes_are_measured") else { return };
+    let [square, plane] = tilted_square();
+    let point = |size: f64| scaled(&mapped(&plane, |[_, _, _, w]| [2.0, 1.0, 0.5, w]), size);
+    // From the square's corner (-1, -1, 0.1), and from (-2, -2, 0) of the plane.
+    let [to_point, to_dot] = [13.16_f64.sqrt(), 8.0_f64.sqrt()];
+    for exponent in [-58, -30, -24, -15, -6, 0, 6, 15, 24, 30] {
+        let size = 10_f64.powi(exponent);
+        for method in [Method::Iteration, Method::Hierarchy, Method::Certified] {
+            let options = Options { method, samples: 16, grid: 16, ..iteration() };
+            for backend in [Backend::Gpu, Backend::Cpu] {
+                let name = format!("{method:?}, {backend:?}, size 1e{exponent}");
+                let result = on(&engine, backend, &scaled(&square, size), &point(size), &options);
+                assert_contains(&result, to_point * size, &name);
+                // A plane of size 1 against one of this size.
+                let (dot, large) = (scaled(&plane, size.min(1.0 / size)), plane.clone());
+                let distance = if exponent == 0 { 0.0 } else { to_dot };
+                let result = on(&engine, backend, &large, &dot, &options);
+                assert_contains(&result, distance * (1.0 - size.min(1.0 / size)), &name);
+            }
+        }
+    }
+}
+
+/// The bounds are finite and contain the distance.
+fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
+    let DistanceResult { lower, upper, .. } = *result;
+    let rounding = 1e-12 * truth;
+    assert!(
+        lower <= truth + rounding && truth - rounding <= upper && upper.is_finite(),
+        "{name}: {truth:e} not in [{lower:e}, {upper:e}]"
+    );
+}
+
+#[test]
 fn weights_of_any_scale_are_the_same_surface() {
     // The points do not change when all weights are multiplied by a number.
     // More samples than float64 alone would put right.
