@@ -14,7 +14,7 @@
 //! - the witness on A is at least `lower` away from every sampled and refined point
 //!   of B, and is the point of A at its parameters.
 //!
-//! Progress is printed every 250 pairs, violations at once. The exit status is 1 if any
+//! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
@@ -45,7 +45,9 @@ struct Arguments {
 /// The pairs after which progress is printed.
 const REPORT: usize = 250;
 
-/// The seconds over which a computation counts as one that does not end.
+/// The seconds over which a computation is printed, and over which it counts as one that
+/// does not end.
+const SLOW_SECONDS: f64 = 10.0;
 const ENDLESS_SECONDS: f64 = 60.0;
 
 /// What the pairs so far gave.
@@ -97,8 +99,8 @@ fn main() -> ExitCode {
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if seed.is_multiple_of(2) { check(seed) } else { check_attack(seed) };
-        if outcome.seconds > ENDLESS_SECONDS {
-            println!("seed {seed} takes {:.1} s", outcome.seconds);
+        if outcome.seconds > SLOW_SECONDS {
+            println!("seed {seed} takes {:.1} s, {} cells", outcome.seconds, outcome.cells);
         }
         let mut summary = summary.lock().unwrap();
         summary.add(outcome);
