@@ -20,7 +20,7 @@
 //! point of B's faces is found, B's parts are left out of the proof that lie outside the loops by
 //! these counts.
 //!
-//! Progress is printed every 250 pairs, violations at once. The exit status is 1 if any
+//! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
@@ -54,7 +54,9 @@ struct Arguments {
 /// The pairs after which progress is printed.
 const REPORT: usize = 250;
 
-/// The seconds over which a computation counts as one that does not end.
+/// The seconds over which a computation is printed, and over which it counts as one that
+/// does not end.
+const SLOW_SECONDS: f64 = 10.0;
 const ENDLESS_SECONDS: f64 = 60.0;
 
 /// What the pairs so far gave.
@@ -110,8 +112,8 @@ fn main() -> ExitCode {
             (false, true) => check(seed),
             (false, false) => check_attack(seed),
         };
-        if outcome.seconds > ENDLESS_SECONDS {
-            println!("seed {seed} takes {:.1} s", outcome.seconds);
+        if outcome.seconds > SLOW_SECONDS {
+            println!("seed {seed} takes {:.1} s, {} cells", outcome.seconds, outcome.cells);
         }
         let mut summary = summary.lock().unwrap();
         summary.add(outcome);

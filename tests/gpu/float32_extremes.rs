@@ -129,6 +129,30 @@ fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
 }
 
 #[test]
+fn a_point_has_a_distance_to_models_of_any_size() {
+    let Some(engine) = engine("a_point_has_a_distance_to_models_of_any_size") else { return };
+    let [square, target] = tilted_square();
+    let height = 0.125;
+    let point = mapped(&square, |[_, _, _, w]| [0.25, 0.5, height, w]);
+    for method in [Method::Hierarchy, Method::Iteration] {
+        for exponent in [-90, -46, -30, 0, 30, 90] {
+            let size = 10_f64.powi(exponent);
+            let [a, b] = [&point, &target].map(|model| scaled(model, size));
+            let DistanceResult { lower, upper, .. } =
+                on(&engine, Backend::Gpu, &a, &b, &Options { method, grid: 16, ..iteration() });
+            let [lower, upper] = [lower / size, upper / size];
+            let name = format!("{method:?}, size 1e{exponent}: [{lower}, {upper}]");
+            // The diagonal of a cell, 4 wide in 16 cells.
+            let cell = 2_f64.sqrt() * 0.25;
+            assert!(
+                lower <= height + FLOAT32 && height - FLOAT32 <= upper && upper <= height + cell,
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
 fn weights_of_any_scale_are_the_same_surface() {
     // The points do not change when all weights are multiplied by a number.
     // More samples than float64 alone would put right.

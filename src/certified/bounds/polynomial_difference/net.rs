@@ -126,3 +126,33 @@ impl Net {
         self.controls.iter().all(|control| control.w > 0.0)
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::certified::rounding::UNIT_ROUNDOFF;
+
+    /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
+    /// bound is the rounding alone.
+    #[test]
+    fn the_bound_of_equal_nets_is_their_rounding() {
+        let controls = [[-1.0, -2.0], [-1.0, 2.0], [1.0, -2.0], [1.0, 2.0]];
+        // One weight is larger, as polynomial nets are compared without products.
+        let weights = [1.0, 1.0, 1.0, 2.0];
+        let controls: Vec<DVec4> =
+            controls.iter().zip(weights).map(|([x, y], w)| DVec4::new(w * x, w * y, 0.0, w)).collect();
+        let radius = 5.0_f64.sqrt();
+        for (shift, growth, [p, q]) in [(0.0, 1.0, [1, 1]), (0.0, 1.5, [1, 1]), (8.0, 1.0, [1, 1])] {
+            let shift = DVec3::new(0.0, 0.0, shift);
+            let net = || Net::new([p, q], controls.clone(), shift, growth);
+            let found = net().max_difference(&net(), f64::INFINITY).unwrap();
+            let spread = if growth > 1.0 { 2.0 * growth } else { 1.0 };
+            let restriction = (16.0 * (p + q) as f64 * spread + 8.0) * radius + 4.0 * shift.length();
+            let products = (p + 1) as f64 * (q + 1) as f64 + 16.0;
+            let lengths = radius.hypot(shift.length());
+            let lemma = 2.0 * UNIT_ROUNDOFF * (products * lengths + restriction);
+            assert!(lemma <= found && found <= 1.02 * lemma, "{found:e} and {lemma:e}, shift {shift}");
+        }
+    }
+}
