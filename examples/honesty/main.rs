@@ -34,6 +34,7 @@ mod support;
 use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_trimmed};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -57,12 +58,16 @@ const REPORT: usize = 250;
 /// The seconds over which a computation counts as one that does not end.
 const ENDLESS_SECONDS: f64 = 60.0;
 
+/// The seconds from which on a pair is named.
+const SLOW_SECONDS: f64 = 20.0;
+
 /// What the pairs so far gave.
 #[derive(Default)]
 struct Summary {
     pairs: usize,
     converged: usize,
-    refused: usize,
+    /// The numbers of refusals by their codes.
+    refused: BTreeMap<&'static str, usize>,
     endless: usize,
     slowest: f64,
     cells: Vec<usize>,
@@ -74,7 +79,9 @@ impl Summary {
     fn add(&mut self, outcome: Outcome) {
         self.pairs += 1;
         self.converged += usize::from(outcome.converged);
-        self.refused += usize::from(outcome.refused);
+        if let Some(code) = outcome.refusal {
+            *self.refused.entry(code).or_default() += 1;
+        }
         self.endless += usize::from(outcome.seconds > ENDLESS_SECONDS);
         self.slowest = self.slowest.max(outcome.seconds);
         self.cells.push(outcome.cells);
@@ -89,10 +96,10 @@ impl Summary {
         self.cells.sort_unstable();
         let Self { pairs, converged, refused, endless, slowest, cells, violations, undecided } = self;
         println!(
-            "{pairs} pairs: {converged} converged, {refused} refused, {} ended by the budget; median {} cells; \
+            "{pairs} pairs: {converged} converged, refused {refused:?}, {} ended by the budget; median {} cells; \
              slowest {slowest:.1} s, {endless} over {ENDLESS_SECONDS} s; {} violations; {undecided} directions with points that \
              are proved neither way",
-            *pairs - *converged - *refused,
+            *pairs - *converged - refused.values().sum::<usize>(),
             cells.get(cells.len() / 2).copied().unwrap_or(0),
             violations.len()
         );
@@ -110,7 +117,7 @@ fn main() -> ExitCode {
             (false, true) => check(seed),
             (false, false) => check_attack(seed),
         };
-        if outcome.seconds > ENDLESS_SECONDS {
+        if outcome.seconds > SLOW_SECONDS {
             println!("seed {seed} takes {:.1} s", outcome.seconds);
         }
         let mut summary = summary.lock().unwrap();
