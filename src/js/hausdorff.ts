@@ -1,23 +1,24 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { fromBrepText, isBrepText } from "./brep-text.js";
-import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
-import type { DiffOptions, DiffResult } from "./diff.js";
+
 import { HausdorffError, translated, translating } from "./error.js";
 import { load, type ModuleSource, requireLoaded } from "./load.js";
-import { NurbsModel } from "./model.js";
+import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import {
   type Backend,
   type DistanceOptions,
   type OnProgress,
   split,
   type Transform,
-} from "./options.js";
+} from "./measure/options.js";
 import type {
   CertifiedResult,
   DistanceResult,
   HierarchyResult,
   IterationResult,
-} from "./result.js";
+} from "./measure/result.js";
+import { fromBrepText, isBrepText } from "./model/brep-text.js";
+import { NurbsModel } from "./model/model.js";
 import {
   type BrepText,
   type InterchangeModel,
@@ -26,7 +27,7 @@ import {
   numbers,
   prepare,
   type SurfaceArrays,
-} from "./surface.js";
+} from "./model/surface.js";
 import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */

@@ -1,11 +1,17 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
-export type { ClosestPointOptions, ClosestPoints } from "./closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./diff.js";
+
 export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
 export type { ModuleSource } from "./load.js";
-export { NurbsModel } from "./model.js";
-export type { Backend, DistanceOptions, OnProgress, Transform, Vector3 } from "./options.js";
+export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
+export type {
+  Backend,
+  DistanceOptions,
+  OnProgress,
+  Transform,
+  Vector3,
+} from "./measure/options.js";
 export type {
   CertifiedResult,
   DistanceResult,
@@ -14,7 +20,8 @@ export type {
   IterationResult,
   Statistics,
   SurfacePoint,
-} from "./result.js";
+} from "./measure/result.js";
+export { NurbsModel } from "./model/model.js";
 export type {
   BrepText,
   ControlPoint,
@@ -27,5 +34,5 @@ export type {
   Numbers,
   SurfaceArrays,
   TrimCurveArrays,
-} from "./surface.js";
-export type { Tessellation } from "./tessellation.js";
+} from "./model/surface.js";
+export type { Tessellation } from "./model/tessellation.js";

@@ -1,9 +1,15 @@
-export type { ClosestPoints } from "../closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../diff.js";
 export { type ErrorCode, HausdorffError } from "../error.js";
 export type { ShapeInfo } from "../hausdorff.js";
 export type { ModuleSource } from "../load.js";
-export type { Backend, DistanceOptions, OnProgress, Transform, Vector3 } from "../options.js";
+export type { ClosestPoints } from "../measure/closest.js";
+export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../measure/diff.js";
+export type {
+  Backend,
+  DistanceOptions,
+  OnProgress,
+  Transform,
+  Vector3,
+} from "../measure/options.js";
 export type {
   CertifiedResult,
   DistanceResult,
@@ -12,7 +18,7 @@ export type {
   IterationResult,
   Statistics,
   SurfacePoint,
-} from "../result.js";
+} from "../measure/result.js";
 export type {
   BrepText,
   ControlPoint,
@@ -25,8 +31,8 @@ export type {
   Numbers,
   SurfaceArrays,
   TrimCurveArrays,
-} from "../surface.js";
-export type { Tessellation } from "../tessellation.js";
+} from "../model/surface.js";
+export type { Tessellation } from "../model/tessellation.js";
 export {
   Hausdorff,
   type WorkerClosestPointOptions,

@@ -1,16 +1,17 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import type { ClosestPointOptions, ClosestPoints } from "../closest.js";
-import type { DiffOptions, DiffResult } from "../diff.js";
+
 import { HausdorffError } from "../error.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
-import { type DistanceOptions, split } from "../options.js";
+import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
+import type { DiffOptions, DiffResult } from "../measure/diff.js";
+import { type DistanceOptions, split } from "../measure/options.js";
 import type {
   CertifiedResult,
   DistanceResult,
   HierarchyResult,
   IterationResult,
-} from "../result.js";
+} from "../measure/result.js";
 import {
   type BrepText,
   type InterchangeModel,
@@ -18,7 +19,7 @@ import {
   type Numbers,
   numbers,
   type SurfaceArrays,
-} from "../surface.js";
+} from "../model/surface.js";
 import { Channel } from "./channel.js";
 import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";

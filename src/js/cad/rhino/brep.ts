@@ -1,5 +1,5 @@
 import { type ChunkReader, damaged } from "./chunks.js";
-import { type Curve, curve } from "./curve.js";
+import { type Curve, curve } from "./curves/curve.js";
 
 /** A trimming curve of an ON_Brep. */
 export interface BrepTrim {
