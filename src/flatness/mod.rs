@@ -167,8 +167,7 @@ impl Rule<'_> {
 
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let grid = center_grid(patches.bounding_box().diagonal());
-    let mut flat = FlatPatches::default();
-    for part in map_ranges(patches.len(), |range| {
+    let parts = map_ranges(patches.len(), |range| {
         let mut part = FlatPatches::default();
         let mut subdivision: Option<Subdivision> = None;
         for index in range {
@@ -186,7 +185,13 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
             subdivision = Some(of_degree);
         }
         part
-    }) {
+    });
+    let mut flat = FlatPatches::default();
+    flat.patches.reserve(
+        parts.iter().map(|part| part.patches.len()).sum(),
+        parts.iter().map(|part| part.patches.control_count()).sum(),
+    );
+    for part in parts {
         flat.patches.append(&part.patches);
         flat.extensions.extend(part.extensions);
         flat.places.extend(part.places);

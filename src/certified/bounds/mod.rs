@@ -26,6 +26,7 @@ pub use quadratic::Quadratic;
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
 use polynomial_difference::PolynomialDifference;
+pub(super) use polynomial_difference::block;
 use same_net::SameNet;
 use sphere::InSphere;
 use taylor::Taylor;

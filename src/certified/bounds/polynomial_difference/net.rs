@@ -18,6 +18,22 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// what rounding makes of equal weights.
 const MAX_WEIGHT_SPREAD: f64 = 1e-12;
 
+/// Roundings of a coefficient by one elevation of the degree.
+const ELEVATION_ROUNDINGS: usize = 3;
+
+/// Control `index` of the representation of degree `degree` of a polynomial, given its
+/// controls for the degree below.
+fn raised(degree: usize, index: usize, below: impl Fn(usize) -> DVec3) -> DVec3 {
+    if index == 0 {
+        return below(0);
+    }
+    if index == degree {
+        return below(degree - 1);
+    }
+    let degree = degree as f64;
+    (index as f64 / degree) * below(index - 1) + ((degree - index as f64) / degree) * below(index)
+}
+
 /// The difference of the functions of two nets.
 struct Difference {
     degree: [usize; 2],
@@ -69,11 +85,17 @@ impl Net {
     /// An upper bound on the distance between points of equal parameters, by
     /// lemma R11: the bound by the coefficients' lengths where that is at most the
     /// threshold, else the closer one by those of the squared length. `None` where a weight
-    /// is not positive or a number overflows.
+    /// is not positive or a number overflows, and where corners are farther than the threshold.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
         let Difference { degree, quotient, product_terms, error } = self.difference(other);
         let length = |control: &DVec4| control.xyz().length() / control.w;
         let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        // Coefficients at the corners are distances.
+        let [last_row, last_column] = [degree[0] * (degree[1] + 1), degree[1]];
+        let corners = [0, last_column, last_row, last_row + last_column];
+        if corners.iter().any(|&corner| length(&quotient[corner]) > threshold) {
+            return None;
+        }
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding =
             of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
@@ -97,13 +119,14 @@ impl Net {
     fn difference(&self, other: &Self) -> Difference {
         let ([p, q], [m, n]) = (self.degree, other.degree);
         let are_polynomial = [self, other].iter().all(|net| net.weight_spread <= MAX_WEIGHT_SPREAD);
-        if are_polynomial && self.degree == other.degree {
-            let pairs = self.controls.iter().zip(&other.controls);
-            let point = |control: &DVec4| control.xyz() / control.w;
+        if are_polynomial {
+            let degree = [p.max(m), q.max(n)];
+            let (x, y) = (self.elevated(degree), other.elevated(degree));
+            let steps = (degree[0] - p.min(m)) + (degree[1] - q.min(n));
             return Difference {
-                degree: self.degree,
-                quotient: pairs.map(|(x, y)| (point(x) - point(y)).extend(1.0)).collect(),
-                product_terms: 1,
+                degree,
+                quotient: x.iter().zip(&y).map(|(x, y)| (x - y).extend(1.0)).collect(),
+                product_terms: 1 + ELEVATION_ROUNDINGS * steps,
                 error: 2.0 * (self.weight_spread * self.radius + other.weight_spread * other.radius),
             };
         }
@@ -120,6 +143,32 @@ impl Net {
         }
         unscale(degree, &mut quotient);
         Difference { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
+    }
+
+    /// The control points of a polynomial in a representation of these degrees, which are not
+    /// lower than its own.
+    fn elevated(&self, [rows, columns]: [usize; 2]) -> Vec<DVec3> {
+        let [mut p, mut q] = self.degree;
+        let mut points: Vec<DVec3> = self.controls.iter().map(|control| control.xyz() / control.w).collect();
+        while q < columns {
+            q += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for row in points.chunks_exact(q) {
+                raised_points.extend((0..=q).map(|j| raised(q, j, |j| row[j])));
+            }
+            points = raised_points;
+        }
+        while p < rows {
+            p += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for i in 0..=p {
+                for j in 0..=q {
+                    raised_points.push(raised(p, i, |i| points[i * (q + 1) + j]));
+                }
+            }
+            points = raised_points;
+        }
+        points
     }
 
     fn is_positive(&self) -> bool {
