@@ -6,7 +6,7 @@
 //! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
 //! bad input. Models are moved by `--rotate` and `--translate` as by the command.
 
-#[path = "../../src/bin/nurbs-hausdorff/motion.rs"]
+#[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
 mod proof;
 

@@ -72,13 +72,6 @@ pub(crate) fn normalizing_power(number: f64) -> f64 {
     if number > 0.0 { power_of_two_below(number.max(f64::MIN_POSITIVE)).recip() } else { 1.0 }
 }
 
-/// The factor from the scale of a model of this radius to another scale. It is 0 for a model
-/// that is one point: its coordinates are 0 in any scale, and its own, which is 1, can be so far
-/// from the other that the quotient exceeds float32.
-pub(crate) fn rescale(scale: f64, own: f64, radius: f64) -> f64 {
-    if radius > 0.0 { scale / own } else { 0.0 }
-}
-
 /// The least float32 that is `value` or more.
 pub(crate) fn round_up(value: f64) -> f32 {
     let nearest = value as f32;

@@ -240,12 +240,15 @@ test("if the patches of B cannot be counted, methods that project on all of them
   }
 });
 
-test("a broken file is reported with its error code, and can be replaced", async () => {
+test("a file of no known format is reported with the formats read, and can be replaced", async () => {
   const good = modelFile("good.json", planes(0));
   await choose(page, { files: [file("broken.json", "not JSON"), good], positions: "5" });
   await page.locator("#run").click();
-  await page.locator('#error[data-code="JSON_SHAPE"]').waitFor();
-  assert.match(await page.locator("#error").textContent(), /^JSON_SHAPE: broken.json: /);
+  await page.locator('#error[data-code="FORMAT_UNSUPPORTED"]').waitFor();
+  assert.match(
+    await page.locator("#error").textContent(),
+    /^FORMAT_UNSUPPORTED: broken\.json: .*read are STEP, IGES.* and interchange JSON/,
+  );
   await page.setInputFiles("#file-a", good);
   await run(page);
   assert.ok(await page.locator("#error").isHidden());

@@ -117,7 +117,7 @@ test("a clicked point is pinned with its distance, face and parameters, and remo
   await openPlanes([0], [0.25]);
   await page.selectOption("#show-b", "hidden");
   await page.selectOption("#direction", "top");
-  await page.waitForTimeout(500);
+  // At once: the shaders of the new models may still be compiled, and nothing of them drawn.
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await page.mouse.click(x + 0.5 * width, y + 0.55 * height);
   const pin = page.locator(".pin");

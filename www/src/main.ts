@@ -87,7 +87,7 @@ function measured(): PlainOptions {
 
 function moved(): void {
   resultPanel.hideError();
-  view.pins.clear();
+  probing.clear();
   if (faces.active) {
     client.cancelDiff();
     faces.clear("outdated", "A was moved: compare again.");
@@ -120,7 +120,7 @@ function measure(): void {
 
 function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
   faces.clear("idle", "");
-  view.pins.clear();
+  probing.clear();
   view.showModels(models);
   showSources(models, placement);
   showFileNotes(models);

@@ -8,7 +8,7 @@ pub(crate) mod layouts;
 pub(crate) use grid_tree::GpuGridTree;
 
 use super::Gpu;
-use super::float32::{UNKNOWN_DISTANCE, motion_error, normalizing_power, rescale, round, round_up};
+use super::float32::{UNKNOWN_DISTANCE, motion_error, normalizing_power, round, round_up};
 use super::kernel::{Kernel, WORKGROUP_SIZE};
 use super::submission::{Dispatch, Extent, Submission};
 use crate::error::Result;
@@ -93,7 +93,7 @@ impl GpuHierarchy {
         let scale = normalizing_power(largest);
         let margin = round_up(scale * (placement.coordinate_error + motion_error(largest)));
         let boxes_params = |tree: &GpuGridTree, transform: &RigidTransform, offset: DVec3| {
-            let rescale = rescale(scale, tree.scale, tree.radius);
+            let rescale = scale / tree.scale;
             let column = |axis: DVec3| round((rescale * transform.rotate(axis)).extend(0.0));
             BoxesParams {
                 rotation_x: column(DVec3::X),

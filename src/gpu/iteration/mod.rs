@@ -10,7 +10,7 @@ pub(crate) use sampling::GpuSampling;
 pub(crate) use target::{GpuTarget, TargetGroup};
 
 use super::Gpu;
-use super::float32::{UNKNOWN_DISTANCE, motion_error, rescale, round, round_down};
+use super::float32::{UNKNOWN_DISTANCE, motion_error, round, round_down};
 use super::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
 use super::submission::{Dispatch, Extent, Submission};
 use crate::error::Result;
@@ -196,7 +196,7 @@ impl GpuIteration {
 
     /// The motion from A's frame and scale on the GPU into B's.
     fn sample_params(&self, group: &SampleGroup) -> SampleParams {
-        let rescale = rescale(self.target.scale, self.sampling.scale, self.sampling.radius);
+        let rescale = self.target.scale / self.sampling.scale;
         let column = |axis: DVec3| round((rescale * self.transform.rotate(axis)).extend(0.0));
         SampleParams {
             rotation_x: column(DVec3::X),

@@ -111,7 +111,7 @@ impl Rectangle<'_> {
         by_distance.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         let mut largest = 0.0_f64;
         for (_, piece) in &by_distance {
-            let bound = piece.upper_bound()?;
+            let bound = piece.upper_bound(threshold)?;
             let is_decided = bound <= threshold;
             if !is_decided {
                 return None;
@@ -207,7 +207,7 @@ impl Piece<'_> {
     }
 
     /// An upper bound on the distance of the piece's points from their images.
-    fn upper_bound(&self) -> Option<f64> {
+    fn upper_bound(&self, threshold: f64) -> Option<f64> {
         let (context, pair) = (self.context, self.context.pair);
         let patch = self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)));
         let images = self.by_axes_of_b(self.parts.map(|part| part.image));
@@ -220,13 +220,13 @@ impl Piece<'_> {
         let controls = self.orientation.oriented(&patch.restricted(ascending[0], ascending[1]), patch.degree);
         let degree = self.by_axes_of_b(patch.degree);
         let origin = self.origin;
-        let y = Net::new(degree, &controls, origin - patch.center, 1.0);
+        let y = Net::new(degree, controls, origin - patch.center, 1.0);
         let [s, t] = self.parts.map(|part| part.range);
         let mut controls = context.patch.restricted(s, t);
         for control in &mut controls {
             *control = pair.transform.rotate(control.xyz()).extend(control.w);
         }
         let center = pair.transform.apply(context.patch.center);
-        Net::new(context.patch.degree, &controls, origin - center, 1.0).max_difference(&y)
+        Net::new(context.patch.degree, controls, origin - center, 1.0).max_difference(&y, threshold)
     }
 }

@@ -1,6 +1,6 @@
 //! The difference of two patches as a rational function.
 
-use crate::bezier::{power_of_two_below, relative, scaled, squares, unscale};
+use crate::bezier::{power_of_two_below, scaled, squares, unscale};
 use crate::certified::rounding::gamma;
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -11,41 +11,103 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 const PRODUCT_ROUNDINGS: f64 = 16.0;
 const SQUARE_ROUNDINGS: f64 = 19.0;
 
+/// Roundings of the length of a coefficient of `X v - Y w` over that of `w v`.
+const LENGTH_ROUNDINGS: f64 = 8.0;
+
+/// The largest spread of weights at which a net is taken as one of a polynomial: some times
+/// what rounding makes of equal weights.
+const MAX_WEIGHT_SPREAD: f64 = 1e-12;
+
+/// The difference of the functions of two nets.
+struct Difference {
+    degree: [usize; 2],
+    /// Its homogeneous coefficients: `X v - Y w` and `w v`, or the differences of points and 1.
+    quotient: Vec<DVec4>,
+    /// The number of products that a coefficient sums.
+    product_terms: usize,
+    /// What it may be off by, besides rounding.
+    error: f64,
+}
+
 /// A homogeneous control net, t fastest.
 pub(super) struct Net {
     degree: [usize; 2],
     controls: Vec<DVec4>,
+    /// How far, relative to the smallest weight, the weights are from each other.
+    weight_spread: f64,
+    /// The largest distance of a control point from the origin.
+    radius: f64,
     /// The rounding error of its points: restriction and change of origin.
     point_error: f64,
 }
 
 impl Net {
-    /// Takes a restricted net relative to another point. The weights are scaled
+    /// Takes a restriction of a patch relative to another point. The weights are scaled
     /// by a power of two, which is exact, so that the largest is about 1.
     ///
     /// `growth` bounds the sum of the absolute coefficients of a restriction
     /// beyond [0, 1], 1 inside (lemma R6).
-    pub(super) fn new(degree: [usize; 2], controls: &[DVec4], shift: DVec3, growth: f64) -> Self {
+    pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, growth: f64) -> Self {
         let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
         let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
-        let controls: Vec<DVec4> = controls.iter().map(|&control| scale * control).collect();
-        let (mut radius, mut lightest) = (0.0_f64, f64::INFINITY);
-        for control in &controls {
-            radius = upper_max(radius, control.xyz().length() / control.w);
+        let (mut before, mut after, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        for control in &mut controls {
+            *control *= scale;
             lightest = lightest.min(control.w);
+            let inverse = control.w.recip();
+            before = upper_max(before, control.xyz().length() * inverse);
+            *control = (control.xyz() - control.w * shift).extend(control.w);
+            after = upper_max(after, control.xyz().length() * inverse);
         }
         let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
         let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
-        let point_error = gamma(restriction * radius + 4.0 * shift.length());
-        Self { degree, controls: relative(&controls, shift), point_error }
+        let point_error = gamma(restriction * before + 4.0 * shift.length());
+        let weight_spread = (scale * heaviest - lightest) / lightest;
+        Self { degree, controls, weight_spread, radius: after, point_error }
     }
 
     /// An upper bound on the distance between points of equal parameters, by
-    /// lemma R11; `None` where a weight is not positive or a number overflows.
-    pub(super) fn max_difference(&self, other: &Self) -> Option<f64> {
+    /// lemma R11: the bound by the coefficients' lengths where that is at most the
+    /// threshold, else the closer one by those of the squared length. `None` where a weight
+    /// is not positive or a number overflows.
+    pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
+        let Difference { degree, quotient, product_terms, error } = self.difference(other);
+        let length = |control: &DVec4| control.xyz().length() / control.w;
+        let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
+        let rounding =
+            of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
+        let by_lengths = (1.0 + of_products) * (1.0 + gamma(LENGTH_ROUNDINGS)) * longest + rounding;
+        let is_decided = by_lengths <= threshold;
+        let bound = if is_decided {
+            by_lengths
+        } else {
+            let largest = squares(degree, &quotient)
+                .into_iter()
+                .map(|(length_squared, weight_squared)| length_squared / weight_squared)
+                .fold(0.0, upper_max);
+            let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
+            let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
+            let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
+            (1.0 + of_products) * under_root.sqrt() + rounding
+        };
+        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
+    }
+
+    fn difference(&self, other: &Self) -> Difference {
         let ([p, q], [m, n]) = (self.degree, other.degree);
+        let are_polynomial = [self, other].iter().all(|net| net.weight_spread <= MAX_WEIGHT_SPREAD);
+        if are_polynomial && self.degree == other.degree {
+            let pairs = self.controls.iter().zip(&other.controls);
+            let point = |control: &DVec4| control.xyz() / control.w;
+            return Difference {
+                degree: self.degree,
+                quotient: pairs.map(|(x, y)| (point(x) - point(y)).extend(1.0)).collect(),
+                product_terms: 1,
+                error: 2.0 * (self.weight_spread * self.radius + other.weight_spread * other.radius),
+            };
+        }
         let (degree, columns) = ([p + m, q + n], q + n + 1);
-        // `X v - Y w` and `w v`.
         let mut quotient = vec![DVec4::ZERO; (p + m + 1) * columns];
         let (of_x, of_y) = (scaled(self.degree, &self.controls), scaled(other.degree, &other.controls));
         for (a, x) in of_x.iter().enumerate() {
@@ -57,27 +119,7 @@ impl Net {
             }
         }
         unscale(degree, &mut quotient);
-        let length = |control: &DVec4| control.xyz().length() / control.w;
-        let longest = quotient.iter().map(length).fold(0.0, upper_max);
-        let largest = squares(degree, &quotient)
-            .into_iter()
-            .map(|(length_squared, weight_squared)| length_squared / weight_squared)
-            .fold(0.0, upper_max);
-        let product_terms = ((p.min(m) + 1) * (q.min(n) + 1)) as f64;
-        let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
-        let of_products = gamma(product_terms + PRODUCT_ROUNDINGS);
-        let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
-        let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
-        let bound = (1.0 + of_products) * under_root.sqrt()
-            + of_products * (self.radius() + other.radius())
-            + self.point_error
-            + other.point_error;
-        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
-    }
-
-    /// The largest distance of a control point from the origin.
-    fn radius(&self) -> f64 {
-        self.controls.iter().map(|control| control.xyz().length() / control.w).fold(0.0, upper_max)
+        Difference { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
     }
 
     fn is_positive(&self) -> bool {
@@ -92,22 +134,26 @@ mod tests {
     use crate::certified::rounding::UNIT_ROUNDOFF;
 
     /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
-    /// bound is the rounding alone.
+    /// bound is the rounding alone. With equal weights a coefficient is one difference,
+    /// else the sum of four products.
     #[test]
     fn the_bound_of_equal_nets_is_their_rounding() {
-        let controls = [[-1.0, -2.0], [-1.0, 2.0], [1.0, -2.0], [1.0, 2.0]];
-        let controls = controls.map(|[x, y]| DVec4::new(x, y, 0.0, 1.0));
         let radius = 5.0_f64.sqrt();
-        for (shift, growth, [p, q]) in [(0.0, 1.0, [1, 1]), (0.0, 1.5, [1, 1]), (8.0, 1.0, [1, 1])] {
-            let shift = DVec3::new(0.0, 0.0, shift);
-            let net = || Net::new([p, q], &controls, shift, growth);
-            let found = net().max_difference(&net()).unwrap();
-            let spread = if growth > 1.0 { growth } else { 1.0 };
-            let restriction = (16.0 * (p + q) as f64 * spread + 8.0) * radius + 4.0 * shift.length();
-            let products = (p + 1) as f64 * (q + 1) as f64 + 16.0;
-            let lengths = radius.hypot(shift.length());
-            let lemma = 2.0 * UNIT_ROUNDOFF * (products * lengths + restriction);
-            assert!(lemma <= found && found <= 1.02 * lemma, "{found:e} and {lemma:e}, shift {shift}");
+        for (ratio, terms) in [(1.0, 1.0), (2.0, 4.0)] {
+            let corners = [[-1.0, -2.0, 1.0], [-1.0, 2.0, ratio], [1.0, -2.0, 1.0], [1.0, 2.0, ratio]];
+            let controls = corners.map(|[x, y, w]| DVec4::new(w * x, w * y, 0.0, w)).to_vec();
+            for (shift, growth) in [(0.0, 1.0), (0.0, 1.5), (8.0, 1.0)] {
+                let shift = DVec3::new(0.0, 0.0, shift);
+                let net = || Net::new([1, 1], controls.clone(), shift, growth);
+                let spread = if growth > 1.0 { growth * ratio } else { 1.0 };
+                let restriction = (16.0 * 2.0 * spread + 8.0) * radius + 4.0 * shift.length();
+                let lemma =
+                    2.0 * UNIT_ROUNDOFF * ((terms + 16.0) * radius.hypot(shift.length()) + restriction);
+                for threshold in [0.0, 1.0] {
+                    let found = net().max_difference(&net(), threshold).unwrap();
+                    assert!(lemma <= found && found <= 1.02 * lemma, "{found:e}, {lemma:e}, shift {shift}");
+                }
+            }
         }
     }
 }

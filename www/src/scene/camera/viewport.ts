@@ -93,8 +93,14 @@ export class Viewport {
     return [(0.5 + 0.5 * x) * clientWidth, (0.5 - 0.5 * y) * clientHeight];
   }
 
-  /** Returns what a ray through a point of the window hits, the nearest first. */
+  /**
+   * Returns what a ray through a point of the window hits, the nearest first,
+   * with the camera and the objects where the next drawing shows them: while
+   * shaders are compiled, the last drawing may be of other models.
+   */
   hits(clientX: number, clientY: number, objects: Object3D[]): Intersection[] {
+    this.#updateCameras();
+    this.scene.updateMatrixWorld();
     const { left, top, width, height } = this.#canvas.getBoundingClientRect();
     const at = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
     const ray = new Raycaster();

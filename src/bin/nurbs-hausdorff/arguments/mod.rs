@@ -1,8 +1,13 @@
 //! The arguments.
 
-use crate::motion::{Rotation, Translation};
+pub(crate) mod motion;
+#[cfg(test)]
+mod table;
+pub(crate) mod usage;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! Parses the arguments and prints their errors.
 
 use crate::FAILED;
-use crate::args::Arguments;
+use crate::arguments::Arguments;
 use clap::Parser;
 use std::process::ExitCode;
 

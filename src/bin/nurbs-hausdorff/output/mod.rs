@@ -1,5 +1,8 @@
 //! Writes the result.
 
+pub(crate) mod progress;
+pub(crate) mod report;
+
 use crate::failure::Failure;
 use nurbs_hausdorff::Error;
 use serde::Serialize;

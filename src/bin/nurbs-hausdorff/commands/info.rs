@@ -1,8 +1,8 @@
 //! The command `info`.
 
-use crate::args::InfoArguments;
+use crate::arguments::InfoArguments;
 use crate::failure::Failure;
-use crate::files::read;
+use crate::input::read;
 use crate::output::{print, print_json};
 use nurbs_hausdorff::ModelInfo;
 use std::fmt::Write;

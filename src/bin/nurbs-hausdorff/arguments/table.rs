@@ -1,15 +1,15 @@
 //! The table of commands and options that the package's command line in Node reads, so
 //! that both command lines have one definition: [`Arguments`].
 
-use crate::args::Arguments;
-use crate::motion::{Rotation, Translation};
+use crate::arguments::Arguments;
+use crate::arguments::motion::{Rotation, Translation};
 use clap::{Arg, ArgAction, Command, CommandFactory};
 use serde_json::{Map, Value, json};
 use std::any::TypeId;
 use std::path::PathBuf;
 
 /// The committed table.
-const TABLE: &str = include_str!("../../js/cli/options.json");
+const TABLE: &str = include_str!("../../../js/cli/options.json");
 /// Its file, and the variable of the environment that has it written anew.
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/js/cli/options.json");
 const UPDATE: &str = "UPDATE_OPTIONS_TABLE";

@@ -1,8 +1,8 @@
 //! The command `convert`.
 
-use crate::args::ConvertArguments;
+use crate::arguments::ConvertArguments;
 use crate::failure::Failure;
-use crate::files::{CadReport, read_with_report};
+use crate::input::{CadReport, read_with_report};
 use crate::output::{print, print_json};
 use std::fmt::Write;
 

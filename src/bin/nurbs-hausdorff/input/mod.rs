@@ -1,7 +1,8 @@
 //! Reads models.
 
+mod format;
+
 use crate::failure::Failure;
-use crate::format;
 use nurbs_hausdorff::{Error, Model, ReadReport, Result};
 use serde::Serialize;
 use std::fs::File;

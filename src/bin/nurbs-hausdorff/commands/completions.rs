@@ -1,6 +1,6 @@
 //! The command `completions`.
 
-use crate::args::Arguments;
+use crate::arguments::Arguments;
 use crate::failure::Failure;
 use crate::output::print;
 use clap::CommandFactory;

@@ -1,10 +1,10 @@
 //! The command `diff`.
 
-use crate::args::DiffArguments;
+use crate::arguments::DiffArguments;
 use crate::failure::Failure;
-use crate::files::read;
+use crate::input::read;
+use crate::output::progress::Bar;
 use crate::output::{print, print_json};
-use crate::progress::Bar;
 use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState, PreparedModel};
 use std::fmt::{Result, Write};
 

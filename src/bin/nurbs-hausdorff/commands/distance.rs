@@ -1,11 +1,11 @@
 //! The command `distance`.
 
-use crate::args::DistanceArguments;
+use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
-use crate::files::read;
+use crate::input::read;
+use crate::output::progress::Bar;
+use crate::output::report;
 use crate::output::{print, print_json};
-use crate::progress::Bar;
-use crate::report;
 use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method, PreparedModel};
 
 /// Exit statuses with `--limit`.
