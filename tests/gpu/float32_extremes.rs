@@ -128,26 +128,22 @@ fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
     );
 }
 
+/// Where weights are so far apart that float32 bounds the error of no point, the bounds of the
+/// boxes remain.
 #[test]
-fn a_point_has_a_distance_to_models_of_any_size() {
-    let Some(engine) = engine("a_point_has_a_distance_to_models_of_any_size") else { return };
-    let [square, target] = tilted_square();
-    let height = 0.125;
-    let point = mapped(&square, |[_, _, _, w]| [0.25, 0.5, height, w]);
-    for method in [Method::Hierarchy, Method::Iteration] {
-        for exponent in [-90, -46, -30, 0, 30, 90] {
-            let size = 10_f64.powi(exponent);
-            let [a, b] = [&point, &target].map(|model| scaled(model, size));
-            let DistanceResult { lower, upper, .. } =
-                on(&engine, Backend::Gpu, &a, &b, &Options { method, grid: 16, ..iteration() });
-            let [lower, upper] = [lower / size, upper / size];
-            let name = format!("{method:?}, size 1e{exponent}: [{lower}, {upper}]");
-            // The diagonal of a cell, 4 wide in 16 cells.
-            let cell = 2_f64.sqrt() * 0.25;
-            assert!(
-                lower <= height + FLOAT32 && height - FLOAT32 <= upper && upper <= height + cell,
-                "{name}"
-            );
+fn weights_far_apart_leave_the_bound_of_the_boxes() {
+    let Some(engine) = engine("weights_far_apart_leave_the_bound_of_the_boxes") else { return };
+    let [square, plane] = tilted_square();
+    // From the corner (1, -1, 0.5) to (-2, 2, 0), the farthest of the boxes.
+    let farthest = 18.25_f64.sqrt();
+    for method in [Method::Iteration, Method::Hierarchy] {
+        for ratio in [1e12, 1e20] {
+            let heavy = |model| mapped(model, |[x, y, z, w]| [x, y, z, if x > y { ratio * w } else { w }]);
+            let options = Options { method, samples: 4, grid: 4, ..iteration() };
+            let result = on(&engine, Backend::Gpu, &heavy(&square), &heavy(&plane), &options);
+            let name = format!("{method:?}, weights 1 to {ratio:e}");
+            assert_contains(&result, 0.5, &name);
+            assert!(result.upper <= farthest * (1.0 + FLOAT32), "{name}: {}", result.upper);
         }
     }
 }
