@@ -43,7 +43,7 @@ const FOOT_PART: f64 = 0.25;
 const MAX_ASCENTS: usize = 8;
 
 /// The number of patches of A from which on they are searched by blocks where A is near B.
-const MIN_BLOCK_PATCHES: usize = 256;
+const MIN_BLOCK_PATCHES: usize = 16;
 
 /// The largest number of patches of A of which the sizes are compared with the threshold.
 const MAX_SIZES: usize = 64;
