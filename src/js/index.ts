@@ -1,38 +1,4 @@
 // The package `nurbs-hausdorff`: certified Hausdorff distances of NURBS models.
-
-export { type ErrorCode, HausdorffError } from "./error.js";
 export { type CreateOptions, Hausdorff, type ShapeInfo } from "./hausdorff.js";
-export type { ModuleSource } from "./load.js";
-export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
-export type {
-  Backend,
-  DistanceOptions,
-  OnProgress,
-  Transform,
-  Vector3,
-} from "./measure/options.js";
-export type {
-  CertifiedResult,
-  DistanceResult,
-  Field,
-  HierarchyResult,
-  IterationResult,
-  Statistics,
-  SurfacePoint,
-} from "./measure/result.js";
 export { NurbsModel } from "./model/model.js";
-export type {
-  BrepText,
-  ControlPoint,
-  InstanceArrays,
-  InterchangeCurve,
-  InterchangeInstance,
-  InterchangeModel,
-  InterchangeSurface,
-  ModelArrays,
-  Numbers,
-  SurfaceArrays,
-  TrimCurveArrays,
-} from "./model/surface.js";
-export type { Tessellation } from "./model/tessellation.js";
+export * from "./types.js";

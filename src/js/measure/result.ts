@@ -146,5 +146,12 @@ export interface HierarchyResult extends Common {
   reverse?: HierarchyResult;
 }
 
+/** The result of each method. */
+export interface Results {
+  certified: CertifiedResult;
+  iteration: IterationResult;
+  hierarchy: HierarchyResult;
+}
+
 /** A distance, by the method that it names. */
-export type DistanceResult = CertifiedResult | IterationResult | HierarchyResult;
+export type DistanceResult = Results[keyof Results];

@@ -1,38 +1,5 @@
-export { type ErrorCode, HausdorffError } from "../error.js";
-export type { ShapeInfo } from "../hausdorff.js";
-export type { ModuleSource } from "../load.js";
-export type { ClosestPoints } from "../measure/closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../measure/diff.js";
-export type {
-  Backend,
-  DistanceOptions,
-  OnProgress,
-  Transform,
-  Vector3,
-} from "../measure/options.js";
-export type {
-  CertifiedResult,
-  DistanceResult,
-  Field,
-  HierarchyResult,
-  IterationResult,
-  Statistics,
-  SurfacePoint,
-} from "../measure/result.js";
-export type {
-  BrepText,
-  ControlPoint,
-  InstanceArrays,
-  InterchangeCurve,
-  InterchangeInstance,
-  InterchangeModel,
-  InterchangeSurface,
-  ModelArrays,
-  Numbers,
-  SurfaceArrays,
-  TrimCurveArrays,
-} from "../model/surface.js";
-export type { Tessellation } from "../model/tessellation.js";
+export type { CreateOptions, ShapeInfo } from "../hausdorff.js";
+export * from "../types.js";
 export {
   Hausdorff,
   type WorkerClosestPointOptions,

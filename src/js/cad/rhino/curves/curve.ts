@@ -114,12 +114,12 @@ function line(from: number[], to: number[], domain: [number, number]): Curve {
 function lineCurve(data: ChunkReader): Curve {
   data.version();
   const [from, to, domain] = [data.doubles(3), data.doubles(3), interval(data)];
-  const dimension = data.int();
+  const dimension = data.int32();
   return line(from.slice(0, dimension), to.slice(0, dimension), domain);
 }
 
 function interval(data: ChunkReader): [number, number] {
-  const [start, end] = [data.double(), data.double()];
+  const [start, end] = [data.float64(), data.float64()];
   if (!(start < end)) throw damaged(`a curve has the domain [${start}, ${end}]`);
   return [start, end];
 }
@@ -128,7 +128,7 @@ function polylineCurve(data: ChunkReader): Curve {
   data.version();
   const points = Array.from({ length: data.count(24) }, () => data.doubles(3));
   const parameters = data.doubleList();
-  const dimension = data.int();
+  const dimension = data.int32();
   if (points.length < 2 || parameters.length !== points.length) {
     throw damaged(`a polyline has ${points.length} points and ${parameters.length} parameters`);
   }
@@ -143,7 +143,7 @@ function polylineCurve(data: ChunkReader): Curve {
 
 function polyCurve(data: ChunkReader, depth: number): Curve {
   data.version();
-  const count = data.int();
+  const count = data.int32();
   data.skip(2 * 4 + 6 * 8);
   const ends = data.doubleList();
   if (ends.length !== count + 1) throw damaged("a polycurve lacks parameters");
@@ -176,12 +176,12 @@ function arcCurve(data: ChunkReader): Curve {
   const [centre, x, y] = [data.doubles(3), data.doubles(3), data.doubles(3)];
   // The plane's normal and equation.
   data.skip(3 * 8 + 4 * 8);
-  const radius = data.double();
+  const radius = data.float64();
   // Three points of the circle, of older versions.
   data.skip(9 * 8);
   const [from, to] = interval(data);
   const domain = interval(data);
-  const dimension = data.int();
+  const dimension = data.int32();
   const count = Math.ceil((to - from) / MAX_ARC_ANGLE - 1e-12);
   const at = (angle: number, scale = 1) =>
     centre
