@@ -20,7 +20,7 @@
 //! point of B's faces is found, B's parts are left out of the proof that lie outside the loops by
 //! these counts.
 //!
-//! Progress is printed every 250 pairs, violations at once. The exit status is 1 if any
+//! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
@@ -34,6 +34,7 @@ mod support;
 use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_trimmed};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -54,7 +55,9 @@ struct Arguments {
 /// The pairs after which progress is printed.
 const REPORT: usize = 250;
 
-/// The seconds over which a computation counts as one that does not end.
+/// The seconds over which a computation is printed, and over which it counts as one that
+/// does not end.
+const SLOW_SECONDS: f64 = 10.0;
 const ENDLESS_SECONDS: f64 = 60.0;
 
 /// What the pairs so far gave.
@@ -62,7 +65,8 @@ const ENDLESS_SECONDS: f64 = 60.0;
 struct Summary {
     pairs: usize,
     converged: usize,
-    refused: usize,
+    /// The numbers of refusals by their codes.
+    refused: BTreeMap<&'static str, usize>,
     endless: usize,
     slowest: f64,
     cells: Vec<usize>,
@@ -74,7 +78,9 @@ impl Summary {
     fn add(&mut self, outcome: Outcome) {
         self.pairs += 1;
         self.converged += usize::from(outcome.converged);
-        self.refused += usize::from(outcome.refused);
+        if let Some(code) = outcome.refusal {
+            *self.refused.entry(code).or_default() += 1;
+        }
         self.endless += usize::from(outcome.seconds > ENDLESS_SECONDS);
         self.slowest = self.slowest.max(outcome.seconds);
         self.cells.push(outcome.cells);
@@ -89,10 +95,10 @@ impl Summary {
         self.cells.sort_unstable();
         let Self { pairs, converged, refused, endless, slowest, cells, violations, undecided } = self;
         println!(
-            "{pairs} pairs: {converged} converged, {refused} refused, {} ended by the budget; median {} cells; \
+            "{pairs} pairs: {converged} converged, refused {refused:?}, {} ended by the budget; median {} cells; \
              slowest {slowest:.1} s, {endless} over {ENDLESS_SECONDS} s; {} violations; {undecided} directions with points that \
              are proved neither way",
-            *pairs - *converged - *refused,
+            *pairs - *converged - refused.values().sum::<usize>(),
             cells.get(cells.len() / 2).copied().unwrap_or(0),
             violations.len()
         );
@@ -110,8 +116,8 @@ fn main() -> ExitCode {
             (false, true) => check(seed),
             (false, false) => check_attack(seed),
         };
-        if outcome.seconds > ENDLESS_SECONDS {
-            println!("seed {seed} takes {:.1} s", outcome.seconds);
+        if outcome.seconds > SLOW_SECONDS {
+            println!("seed {seed} takes {:.1} s, {} cells", outcome.seconds, outcome.cells);
         }
         let mut summary = summary.lock().unwrap();
         summary.add(outcome);

@@ -128,6 +128,26 @@ fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
     );
 }
 
+/// Where weights are so far apart that float32 bounds the error of no point, the bounds of the
+/// boxes remain.
+#[test]
+fn weights_far_apart_leave_the_bound_of_the_boxes() {
+    let Some(engine) = engine("weights_far_apart_leave_the_bound_of_the_boxes") else { return };
+    let [square, plane] = tilted_square();
+    // From the corner (1, -1, 0.5) to (-2, 2, 0), the farthest of the boxes.
+    let farthest = 18.25_f64.sqrt();
+    for method in [Method::Iteration, Method::Hierarchy] {
+        for ratio in [1e12, 1e20] {
+            let heavy = |model| mapped(model, |[x, y, z, w]| [x, y, z, if x > y { ratio * w } else { w }]);
+            let options = Options { method, samples: 4, grid: 4, ..iteration() };
+            let result = on(&engine, Backend::Gpu, &heavy(&square), &heavy(&plane), &options);
+            let name = format!("{method:?}, weights 1 to {ratio:e}");
+            assert_contains(&result, 0.5, &name);
+            assert!(result.upper <= farthest * (1.0 + FLOAT32), "{name}: {}", result.upper);
+        }
+    }
+}
+
 #[test]
 fn weights_of_any_scale_are_the_same_surface() {
     // The points do not change when all weights are multiplied by a number.

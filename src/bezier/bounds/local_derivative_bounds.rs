@@ -175,13 +175,19 @@ impl Patch<'_> {
         let mut centered = PatchSet::default();
         centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
         let centered = centered.patch(0);
-        let growth = growth(self.degree[0], s) * growth(self.degree[1], t);
-        let [space, weight] = self.largest_controls().map(|largest| growth * largest);
-        let shifted = space + weight * (centered.center - self.center).length();
-        let restriction = gamma(ROUNDINGS_PER_DEGREE * (self.degree[0] + self.degree[1]) as f64);
-        let error = [restriction * space + gamma(CENTRING_ROUNDINGS) * shifted, restriction * weight];
+        let shift = (centered.center - self.center).length();
+        let error = restriction_error(self.degree, [s, t], self.largest_controls(), shift);
         centered.derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
     }
+}
+
+/// Returns bounds on the errors, in space and weight, of controls restricted to a box and
+/// moved to a centre at distance `shift`, of controls of these largest sizes (lemma R6).
+fn restriction_error([p, q]: [usize; 2], [s, t]: [[f64; 2]; 2], largest: [f64; 2], shift: f64) -> [f64; 2] {
+    let growth = growth(p, s) * growth(q, t);
+    let [space, weight] = largest.map(|largest| growth * largest);
+    let restriction = gamma(ROUNDINGS_PER_DEGREE * (p + q) as f64);
+    [restriction * space + gamma(CENTRING_ROUNDINGS) * (space + weight * shift), restriction * weight]
 }
 
 /// Returns a bound on the growth of controls, and of their errors, in a restriction
@@ -193,4 +199,39 @@ fn growth(degree: usize, [start, end]: [f64; 2]) -> f64 {
         _ => BEYOND_ONE_EDGE,
     };
     per_degree.powi(degree as i32)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::rounding::UNIT_ROUNDOFF;
+
+    /// Lemma R6: 8 (p + q) roundings of controls that grow beyond each edge, in both
+    /// directions at once too, and 2 of the change of centre.
+    #[test]
+    fn errors_of_a_restriction_grow_beyond_the_edges() {
+        let [inside, one, both] = [[0.25, 0.5], [-0.125, 0.5], [-0.125, 1.125]];
+        let factor = |[low, high]: [f64; 2]| match (low < 0.0, high > 1.0) {
+            (false, false) => 1.0_f64,
+            (true, true) => 1.25 * 11.0 / 9.0,
+            _ => 1.25,
+        };
+        let ([space, weight], shift) = ([3.0, 2.0], 0.5);
+        for s in [inside, one, both] {
+            for t in [inside, one, both] {
+                let (p, q) = (3, 2);
+                let growth = factor(s).powi(p) * factor(t).powi(q);
+                let restriction = 8.0 * f64::from(p + q);
+                let lemma = [
+                    growth * (restriction * space + 2.0 * (space + weight * shift)),
+                    growth * restriction * weight,
+                ];
+                let found = restriction_error([p as usize, q as usize], [s, t], [space, weight], shift);
+                for (found, lemma) in found.into_iter().zip(lemma) {
+                    let part = found / (UNIT_ROUNDOFF * lemma);
+                    assert!((1.0..=1.02).contains(&part), "{part} over {s:?} × {t:?}");
+                }
+            }
+        }
+    }
 }

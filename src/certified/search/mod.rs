@@ -257,15 +257,16 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Bounds the next chunk of nodes or more; `Some` when nothing is left to do.
-    pub(crate) fn advance(&mut self) -> Option<Stop> {
+    /// Bounds the next chunk of nodes or more, at most `max_cells` > 0; `Some` when nothing
+    /// is left to do.
+    pub(crate) fn advance(&mut self, max_cells: usize) -> Option<Stop> {
         if is_few(self.frontier.len()) {
-            return self.advance_once();
+            return self.advance_once(max_cells);
         }
-        let end = self.work.cells + CHUNK;
+        let (end, last) = (self.work.cells + CHUNK.min(max_cells), self.work.cells.saturating_add(max_cells));
         together(|| {
             loop {
-                let stop = self.advance_once();
+                let stop = self.advance_once(last - self.work.cells);
                 if stop.is_some() || self.work.cells >= end {
                     return stop;
                 }
@@ -281,8 +282,8 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Bounds the waiting nodes, at most a chunk.
-    pub(crate) fn advance_once(&mut self) -> Option<Stop> {
+    /// Bounds the waiting nodes, at most a chunk and at most `max_cells` > 0.
+    pub(crate) fn advance_once(&mut self, max_cells: usize) -> Option<Stop> {
         if self.goal.limit.is_some_and(|limit| self.incumbent.lower_bound() > limit) {
             return Some(Stop::Converged);
         }
@@ -292,7 +293,7 @@ impl<'a> BranchAndBound<'a> {
         // What a kernel could not bound it cannot bound in parts either, and it would
         // lose their feet: they stay in float64.
         let float64_only = self.frontier.has_float64_only();
-        let nodes = self.frontier.next(CHUNK);
+        let nodes = self.frontier.next(CHUNK.min(max_cells));
         self.update_shortlist(&nodes[0]);
         let threshold = self.prune_threshold();
         let evaluations = map_short(nodes.len(), |index| {

@@ -135,3 +135,92 @@ pub(crate) fn scaled(coefficient: DVec4, weight_scale: f64, scale: f64) -> DVec4
 fn falling(i: usize, a: usize) -> f64 {
     (0..a).map(|k| i as f64 - k as f64).product()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::param_box::ParamBox;
+    use glam::DVec3;
+
+    /// The recursion of [`Float32Error::new`] written out, for a patch on which every
+    /// term counts.
+    #[test]
+    fn every_order_has_the_terms_of_the_lemma() {
+        const U: f64 = UNIT_ROUNDOFF;
+        for degree in [[3, 2], [2, 4]] {
+            let [p, q] = degree.map(|degree| degree as f64);
+            let random = &mut fastrand::Rng::with_seed(3);
+            let controls: Vec<DVec4> = (0..(degree[0] + 1) * (degree[1] + 1))
+                .map(|_| {
+                    let w = 1.0 + random.f64();
+                    (w * DVec3::new(random.f64(), random.f64(), random.f64())).extend(w)
+                })
+                .collect();
+            let (center, domain) = (DVec3::ZERO, ParamBox::UNIT);
+            let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: true };
+            let (lightest, monomials) = (
+                controls.iter().fold(f64::INFINITY, |least, control| least.min(control.w)),
+                patch.monomials(),
+            );
+            // Of the largest weight, which is in [1, 2), the power of two is 1.
+            let sum = |size: fn(&DVec4) -> f64, a: u32, b: u32| -> f64 {
+                let factor = |i: u32, a: u32| [1, i, i * i.saturating_sub(1)][a as usize];
+                let columns = degree[1] + 1;
+                let term = |(index, c): (usize, &DVec4)| {
+                    f64::from(factor((index / columns) as u32, a) * factor((index % columns) as u32, b))
+                        * size(c)
+                };
+                monomials.iter().enumerate().map(term).sum()
+            };
+            let space = |a, b| sum(|c| c.xyz().length(), a, b);
+            let weight = |a, b| sum(|c| c.w.abs(), a, b);
+            let roundings =
+                |a: u32, b: u32| U * (2.0 * f64::from(a + 1) * p + 2.0 * f64::from(b + 1) * q + 3.0);
+            let omega = |a, b| roundings(a, b) * weight(a, b);
+            let w = lightest - omega(0, 0);
+            // The error of one order: the sizes of its terms, and the errors of those.
+            let order = |a, b, size: f64, errors: f64| {
+                let exact = size / lightest;
+                let numerator = roundings(a, b) * space(a, b) + errors + 9.0 * U * size;
+                (exact, numerator / w + exact * (omega(0, 0) / w + 4.0 * U))
+            };
+            let size = |[i, j]: [u32; 2], (exact, error): (f64, f64)| weight(i, j) * (exact + error);
+            let errors = |[i, j]: [u32; 2], (exact, error): (f64, f64)| {
+                omega(i, j) * exact + (weight(i, j) + omega(i, j)) * error
+            };
+            let x = order(0, 0, space(0, 0), 0.0);
+            let s = order(1, 0, space(1, 0) + size([1, 0], x), errors([1, 0], x));
+            let t = order(0, 1, space(0, 1) + size([0, 1], x), errors([0, 1], x));
+            let ss = order(
+                2,
+                0,
+                space(2, 0) + 2.0 * size([1, 0], s) + size([2, 0], x),
+                2.0 * errors([1, 0], s) + errors([2, 0], x),
+            );
+            let st = order(
+                1,
+                1,
+                space(1, 1) + size([1, 0], t) + size([0, 1], s) + size([1, 1], x),
+                errors([1, 0], t) + errors([0, 1], s) + errors([1, 1], x),
+            );
+            let tt = order(
+                0,
+                2,
+                space(0, 2) + 2.0 * size([0, 1], t) + size([0, 2], x),
+                2.0 * errors([0, 1], t) + errors([0, 2], x),
+            );
+            let found = Float32Error::new(&patch, 1.0);
+            let pairs = [
+                (found.value, x),
+                (found.first[0], s),
+                (found.first[1], t),
+                (found.second[0], ss),
+                (found.second[1], st),
+                (found.second[2], tt),
+            ];
+            for (index, (found, (_, lemma))) in pairs.into_iter().enumerate() {
+                assert!((found / lemma - 1.0).abs() <= 1e-5, "{index}: {found:e} and {lemma:e}");
+            }
+        }
+    }
+}

@@ -139,6 +139,7 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
         let result = measure(&one, &larger, &options, &mut NoMonitor);
         assert!(!result.converged);
         assert_eq!(details(&result).stop, stop);
+        assert!(options.max_cells.is_none_or(|most| details(&result).cells <= most), "{result:?}");
         assert!(result.lower <= 0.1 + ROUNDING && 0.1 - ROUNDING <= result.upper);
         assert!(result.upper.is_finite());
     }

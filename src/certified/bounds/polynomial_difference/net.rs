@@ -181,6 +181,7 @@ impl Net {
 mod tests {
     use super::*;
     use crate::bezier::Patch;
+    use crate::certified::rounding::UNIT_ROUNDOFF;
     use crate::param_box::ParamBox;
 
     /// Both forms, elevated polynomials and products, bound the difference at random points and
@@ -229,6 +230,30 @@ mod tests {
                 let moved = of(&x, DVec3::ZERO).max_difference(&of(&x, shift), threshold);
                 assert!(moved.is_none_or(|bound| (5.0..5.0 + 1e-11).contains(&bound)), "{moved:?}");
                 assert_eq!(moved.is_none(), threshold < 5.0);
+            }
+        }
+    }
+
+    /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
+    /// bound is the rounding alone. With equal weights a coefficient is one difference,
+    /// else the sum of four products.
+    #[test]
+    fn the_bound_of_equal_nets_is_their_rounding() {
+        let radius = 5.0_f64.sqrt();
+        for (ratio, terms) in [(1.0, 1.0), (2.0, 4.0)] {
+            let corners = [[-1.0, -2.0, 1.0], [-1.0, 2.0, ratio], [1.0, -2.0, 1.0], [1.0, 2.0, ratio]];
+            let controls = corners.map(|[x, y, w]| DVec4::new(w * x, w * y, 0.0, w)).to_vec();
+            for (shift, growth) in [(0.0, 1.0), (0.0, 1.5), (8.0, 1.0)] {
+                let shift = DVec3::new(0.0, 0.0, shift);
+                let net = || Net::new([1, 1], controls.clone(), shift, growth);
+                let spread = if growth > 1.0 { growth * ratio } else { 1.0 };
+                let restriction = (16.0 * 2.0 * spread + 8.0) * radius + 4.0 * shift.length();
+                let lemma =
+                    2.0 * UNIT_ROUNDOFF * ((terms + 16.0) * radius.hypot(shift.length()) + restriction);
+                for threshold in [0.0, 1.0] {
+                    let found = net().max_difference(&net(), threshold).unwrap();
+                    assert!(lemma <= found && found <= 1.02 * lemma, "{found:e}, {lemma:e}, shift {shift}");
+                }
             }
         }
     }
