@@ -18,6 +18,10 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// what rounding makes of equal weights.
 const MAX_WEIGHT_SPREAD: f64 = 1e-12;
 
+/// The largest coefficient, relative to the threshold, at which the squares of lengths are
+/// tried: they bring little more than a turn of the difference over the piece.
+const MAX_EXCESS: f64 = 2.0;
+
 /// Roundings of a coefficient by one elevation of the degree.
 const ELEVATION_ROUNDINGS: usize = 3;
 
@@ -85,7 +89,7 @@ impl Net {
     /// An upper bound on the distance between points of equal parameters, by
     /// lemma R11: the bound by the coefficients' lengths where that is at most the
     /// threshold, else the closer one by those of the squared length. `None` where a weight
-    /// is not positive or a number overflows, and where corners are farther than the threshold.
+    /// is not positive or a number overflows, and where the threshold is out of reach.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
         let Difference { degree, quotient, product_terms, error } = self.difference(other);
         let length = |control: &DVec4| control.xyz().length() / control.w;
@@ -103,6 +107,8 @@ impl Net {
         let is_decided = by_lengths <= threshold;
         let bound = if is_decided {
             by_lengths
+        } else if longest > MAX_EXCESS * threshold {
+            return None;
         } else {
             let largest = squares(degree, &quotient)
                 .into_iter()
