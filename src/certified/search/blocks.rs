@@ -21,8 +21,8 @@ pub(super) struct Split {
     pub(super) children: Vec<Domain>,
 }
 
-/// The sheets of A if it is to be searched by blocks: if two of its patches together are mostly
-/// larger than the threshold, so that no bound of first order prunes them.
+/// The sheets of A if it is to be searched by blocks: if the median size of two of its patches
+/// together exceeds the threshold, so that no bound of first order prunes them.
 pub(super) fn by_blocks<'a>(a: &Operand<'a>, threshold: f64) -> Option<Sheets<'a>> {
     let (sheets, patches) = (a.sheets?, a.patches());
     if patches.len() < MIN_BLOCK_PATCHES {

@@ -70,20 +70,20 @@ impl Net {
     pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, growth: f64) -> Self {
         let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
         let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
-        let (mut before, mut after, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        let (mut about_center, mut radius, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
         for control in &mut controls {
             *control *= scale;
             lightest = lightest.min(control.w);
             let inverse = control.w.recip();
-            before = upper_max(before, control.xyz().length() * inverse);
+            about_center = upper_max(about_center, control.xyz().length() * inverse);
             *control = (control.xyz() - control.w * shift).extend(control.w);
-            after = upper_max(after, control.xyz().length() * inverse);
+            radius = upper_max(radius, control.xyz().length() * inverse);
         }
         let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
         let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
-        let point_error = gamma(restriction * before + 4.0 * shift.length());
+        let point_error = gamma(restriction * about_center + 4.0 * shift.length());
         let weight_spread = (scale * heaviest - lightest) / lightest;
-        Self { degree, controls, weight_spread, radius: after, point_error }
+        Self { degree, controls, weight_spread, radius, point_error }
     }
 
     /// An upper bound on the distance between points of equal parameters, by
