@@ -10,6 +10,9 @@ mod attained;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod attained_across_seams;
 mod bilinear;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod blocks_attained;
 mod boxes;
 mod cell_context;
 mod convex_combination;

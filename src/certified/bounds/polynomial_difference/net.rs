@@ -180,7 +180,59 @@ impl Net {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::bezier::Patch;
     use crate::certified::rounding::UNIT_ROUNDOFF;
+    use crate::param_box::ParamBox;
+
+    /// Both forms, elevated polynomials and products, bound the difference at random points and
+    /// are attained where one net is the other one moved.
+    #[test]
+    fn differences_of_nets_of_any_degrees_are_bounded() {
+        let random = &mut fastrand::Rng::with_seed(5);
+        for case in 0..300 {
+            let is_rational = case % 3 == 0;
+            let mut net = || {
+                let degree = [random.usize(1..6), random.usize(1..6)];
+                let count = (degree[0] + 1) * (degree[1] + 1);
+                let mut number = || random.f64() - 0.5;
+                let controls: Vec<DVec4> = (0..count)
+                    .map(|_| {
+                        let weight = if is_rational { 1.0 + number() } else { 1.5 };
+                        weight * DVec4::new(number(), number(), number(), 1.0)
+                    })
+                    .collect();
+                (degree, controls)
+            };
+            let [x, y] = [net(), net()];
+            let of = |(degree, controls): &([usize; 2], Vec<DVec4>), shift: DVec3| {
+                Net::new(*degree, controls.clone(), shift, 1.0)
+            };
+            let patch = |(degree, controls): &'_ ([usize; 2], Vec<DVec4>)| {
+                let (degree, controls) = (*degree, controls.clone());
+                move |place: [f64; 2]| {
+                    let domain = ParamBox::UNIT;
+                    let center = DVec3::ZERO;
+                    Patch { surface: 0, degree, domain, center, controls: &controls, rational: true }
+                        .point(place)
+                }
+            };
+            let [on_x, on_y] = [patch(&x), patch(&y)];
+            let bounds = [f64::INFINITY, 1e-3]
+                .map(|threshold| of(&x, DVec3::ZERO).max_difference(&of(&y, DVec3::ZERO), threshold));
+            let largest = bounds.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            for _ in 0..50 {
+                let place = [random.f64(), random.f64()];
+                let distance = on_x(place).distance(on_y(place));
+                assert!(distance <= largest, "{distance} {largest}");
+            }
+            let shift = DVec3::new(3.0, 0.0, 4.0);
+            for threshold in [5.1, 5.0 * (1.0 - 1e-6)] {
+                let moved = of(&x, DVec3::ZERO).max_difference(&of(&x, shift), threshold);
+                assert!(moved.is_none_or(|bound| (5.0..5.0 + 1e-11).contains(&bound)), "{moved:?}");
+                assert_eq!(moved.is_none(), threshold < 5.0);
+            }
+        }
+    }
 
     /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
     /// bound is the rounding alone. With equal weights a coefficient is one difference,
