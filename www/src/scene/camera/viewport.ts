@@ -17,6 +17,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { nextTask } from "../../common/nextTask.ts";
 import { fitDistance } from "./fit.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
 
@@ -28,6 +29,7 @@ const NEAR = 1e-3;
 const FAR = 50;
 /** Device pixels per CSS pixel; more cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
+const CONTEXT = { antialias: true, alpha: true } as const;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
 
@@ -45,10 +47,25 @@ export class Viewport {
   #drawRequested = false;
   #compiling = 0;
 
-  /** @throws {Error} without WebGL. */
-  constructor(canvas: HTMLCanvasElement) {
+  /**
+   * Opens a viewport in some short tasks: the context, the renderer's state.
+   *
+   * @throws {Error} without WebGL.
+   */
+  static async open(canvas: HTMLCanvasElement): Promise<Viewport> {
+    // three.js' types name the first version of WebGL, whose interface the second has.
+    const context = canvas.getContext("webgl2", CONTEXT) as WebGLRenderingContext | null;
+    await nextTask();
+    // Without a context three.js throws the reason.
+    const given = context === null ? {} : { context };
+    const renderer = new WebGLRenderer({ canvas, ...given, ...CONTEXT });
+    await nextTask();
+    return new Viewport(canvas, renderer);
+  }
+
+  private constructor(canvas: HTMLCanvasElement, renderer: WebGLRenderer) {
     this.#canvas = canvas;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer = renderer;
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.localClippingEnabled = true;
