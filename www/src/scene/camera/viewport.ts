@@ -44,6 +44,7 @@ export class Viewport {
   readonly #perspective = new PerspectiveCamera(FIELD_OF_VIEW);
   readonly #orthographic = new OrthographicCamera();
   #camera: PerspectiveCamera | OrthographicCamera = this.#perspective;
+  #sized = false;
   #drawRequested = false;
   #compiling = 0;
 
@@ -128,7 +129,8 @@ export class Viewport {
   /** Shows the whole box from a direction. */
   fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
     if (box.isEmpty()) return;
-    this.#resize();
+    // Later sizes are observed: reading one here would lay out the page at once.
+    if (!this.#sized) this.#resize();
     this.controls.target.copy(box.getCenter(new Vector3()));
     this.#look(direction, fitDistance(this.#perspective, direction, box));
   }
@@ -195,6 +197,7 @@ export class Viewport {
   }
 
   #resize(): void {
+    this.#sized = true;
     const { clientWidth, clientHeight } = this.#canvas;
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.#perspective.aspect = clientWidth / Math.max(1, clientHeight);
