@@ -8,7 +8,7 @@ export default defineConfig({
   build: {
     target: "es2022",
     chunkSizeWarningLimit: 900,
-    rolldownOptions: { input: [page("index.html"), page("experiments.html")] },
+    rolldownOptions: { input: ["index.html", "experiments.html", "deforming.html"].map(page) },
   },
   worker: { format: "es" },
   // These packages load their wasm modules relative to their own files, and the

@@ -34,6 +34,7 @@ mod support;
 use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_trimmed};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -64,7 +65,8 @@ const ENDLESS_SECONDS: f64 = 60.0;
 struct Summary {
     pairs: usize,
     converged: usize,
-    refused: usize,
+    /// The numbers of refusals by their codes.
+    refused: BTreeMap<&'static str, usize>,
     endless: usize,
     slowest: f64,
     cells: Vec<usize>,
@@ -76,7 +78,9 @@ impl Summary {
     fn add(&mut self, outcome: Outcome) {
         self.pairs += 1;
         self.converged += usize::from(outcome.converged);
-        self.refused += usize::from(outcome.refused);
+        if let Some(code) = outcome.refusal {
+            *self.refused.entry(code).or_default() += 1;
+        }
         self.endless += usize::from(outcome.seconds > ENDLESS_SECONDS);
         self.slowest = self.slowest.max(outcome.seconds);
         self.cells.push(outcome.cells);
@@ -91,10 +95,10 @@ impl Summary {
         self.cells.sort_unstable();
         let Self { pairs, converged, refused, endless, slowest, cells, violations, undecided } = self;
         println!(
-            "{pairs} pairs: {converged} converged, {refused} refused, {} ended by the budget; median {} cells; \
+            "{pairs} pairs: {converged} converged, refused {refused:?}, {} ended by the budget; median {} cells; \
              slowest {slowest:.1} s, {endless} over {ENDLESS_SECONDS} s; {} violations; {undecided} directions with points that \
              are proved neither way",
-            *pairs - *converged - *refused,
+            *pairs - *converged - refused.values().sum::<usize>(),
             cells.get(cells.len() / 2).copied().unwrap_or(0),
             violations.len()
         );

@@ -8,6 +8,7 @@
 
 #[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
+#[allow(dead_code, reason = "the fuzzer compares with parts of models")]
 mod proof;
 
 use clap::Parser;

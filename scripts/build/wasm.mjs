@@ -1,5 +1,5 @@
 // The crate as a wasm module with its JavaScript glue, in dist/wasm.
-import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -18,9 +18,11 @@ const rustFlags = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(
 export const wasmFile = `${out}/nurbs_hausdorff_bg.wasm`;
 
 export async function buildWasm() {
+  // The TypeScript in src/js is no part of the module.
+  const rust = readdirSync(inRoot("src")).filter((name) => name !== "js");
   const sources = digest(
     [
-      ...["Cargo.toml", "Cargo.lock", ".cargo", "src", "shaders"],
+      ...["Cargo.toml", "Cargo.lock", ".cargo", "shaders", ...rust.map((name) => `src/${name}`)],
       ...["package-lock.json", "scripts/build"],
     ],
     [toolsFolder()],

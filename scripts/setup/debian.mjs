@@ -31,6 +31,15 @@ export const browser = [
   },
 ];
 
+/** The second browser of the page's tests. */
+export const firefox = [
+  {
+    packages: ["firefox-esr"],
+    what: "Firefox",
+    present: () => which("firefox") ?? which("firefox-esr"),
+  },
+];
+
 /** Returns the fields of /etc/os-release. */
 export function distribution() {
   try {

@@ -1,5 +1,6 @@
 // The set-up of a fresh machine, one line per step.
-import { browser, compiler, debian } from "./debian.mjs";
+import { Failure } from "../process.mjs";
+import { browser, compiler, debian, firefox } from "./debian.mjs";
 import { lavapipe } from "./lavapipe.mjs";
 import { packages } from "./packages.mjs";
 import { rust } from "./rust.mjs";
@@ -17,6 +18,16 @@ async function step(name, action) {
   }
 }
 
+/** Installs programs without which only the tests that need them are skipped. */
+async function optional(needs) {
+  try {
+    return await debian(needs);
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    return `its tests are skipped: ${error.message}`;
+  }
+}
+
 /** Sets up everything that building and serving the page need. */
 export async function setUpForPage() {
   await step("system packages", () => debian(compiler));
@@ -28,6 +39,7 @@ export async function setUpForPage() {
 /** Sets up everything that the tests need. */
 export async function setUpForTests() {
   await step("system packages", () => debian([...compiler, ...browser]));
+  await step("Firefox", () => optional(firefox));
   await step("lavapipe", lavapipe);
   await step("Rust target and components", () => rust("target", "components"));
   await step("npm packages", packages);

@@ -17,7 +17,7 @@ const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) })
 
 function nodeTests(folder, env) {
   const files = existsSync(inRoot(folder))
-    ? readdirSync(inRoot(folder)).filter((name) => /\.test\.m?js$/.test(name))
+    ? readdirSync(inRoot(folder), { recursive: true }).filter((name) => /\.test\.m?js$/.test(name))
     : [];
   if (files.length === 0) throw new Failure(`there is no *.test.mjs in ${folder}`);
   const paths = files.sort().map((name) => `${folder}/${name}`);

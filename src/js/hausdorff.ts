@@ -1,23 +1,14 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { fromBrepText, isBrepText } from "./brep-text.js";
-import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
-import type { DiffOptions, DiffResult } from "./diff.js";
+
 import { HausdorffError, translated, translating } from "./error.js";
 import { load, type ModuleSource, requireLoaded } from "./load.js";
-import { NurbsModel } from "./model.js";
-import {
-  type Backend,
-  type DistanceOptions,
-  type OnProgress,
-  split,
-  type Transform,
-} from "./options.js";
-import type {
-  CertifiedResult,
-  DistanceResult,
-  HierarchyResult,
-  IterationResult,
-} from "./result.js";
+import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+import type { DiffOptions, DiffResult } from "./measure/diff.js";
+import type { DistanceEngine } from "./measure/engine.js";
+import { type Backend, type DistanceOptions, split } from "./measure/options.js";
+import type { Results } from "./measure/result.js";
+import { fromBrepText, isBrepText } from "./model/brep-text.js";
+import { NurbsModel } from "./model/model.js";
 import {
   type BrepText,
   type InterchangeModel,
@@ -26,8 +17,8 @@ import {
   numbers,
   prepare,
   type SurfaceArrays,
-} from "./surface.js";
-import { Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
+} from "./model/surface.js";
+import { Call, Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
 export interface CreateOptions {
@@ -52,7 +43,7 @@ export interface ShapeInfo {
  * Measures Hausdorff distances on one GPU device, or on the CPU. Models are
  * not tied to the one that made them.
  */
-export class Hausdorff {
+export class Hausdorff implements DistanceEngine<NurbsModel> {
   #engine: Engine | undefined;
   // Settled when no distance is being computed.
   #turn: Promise<unknown> = Promise.resolve();
@@ -76,17 +67,14 @@ export class Hausdorff {
     }
   }
 
-  /** Where distances are computed unless their options say otherwise. */
   get backend(): "gpu" | "cpu" {
     return this.#open().hasGpu ? "gpu" : "cpu";
   }
 
-  /** The GPU's name, if there is a GPU and the platform reports it. */
   get adapter(): string | null {
     return this.#open().adapter ?? null;
   }
 
-  /** The reason why there is no GPU, if one was looked for. */
   get notice(): string | null {
     return this.#open().notice ?? null;
   }
@@ -126,63 +114,20 @@ export class Hausdorff {
     return shapes() as ShapeInfo[];
   }
 
-  /**
-   * The directed distance from `a`, moved by `transform`, to `b`: the largest
-   * distance from a point of `a` to `b`. With `symmetric`, the larger of both
-   * directions. Distances requested at once are computed in turn.
-   *
-   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
-   * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
-   * `UNITS_DIFFER`, unless `scaleUnits` is set;
-   * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
-   * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
-   */
-  distance(
+  async distance<Method extends keyof Results = "certified">(
     a: NurbsModel,
     b: NurbsModel,
-    options?: DistanceOptions & { method?: "certified" },
-  ): Promise<CertifiedResult>;
-  distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions & { method: "iteration" },
-  ): Promise<IterationResult>;
-  distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions & { method: "hierarchy" },
-  ): Promise<HierarchyResult>;
-  distance(a: NurbsModel, b: NurbsModel, options?: DistanceOptions): Promise<DistanceResult>;
-  async distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions = {},
-  ): Promise<DistanceResult> {
+    options: DistanceOptions & { method?: Method } = {},
+  ): Promise<Results[Method]> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
-    return this.#inTurn(options, (engine, ...rest) => engine.distance(...models, ...rest));
+    return this.#inTurn(options, (engine, call) => engine.distance(...models, call));
   }
 
-  /**
-   * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`
-   * with `a`, by method `certified` on the CPU: which faces changed by more than the
-   * tolerance, how far and where.
-   *
-   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
-   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
-   */
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
-    return this.#inTurn(options, (engine, ...rest) => engine.diff(...models, ...rest));
+    return this.#inTurn(options, (engine, call) => engine.diff(...models, call));
   }
 
-  /**
-   * The closest points of `model` to `points` (x, y, z each, such as the vertices of
-   * a mesh or a scan), moved by `transform`: distances, feet and a bound for each.
-   * Points that follow each other should be near each other.
-   *
-   * @throws {HausdorffError} `POINT_OUT_OF_RANGE`, with the index of the point;
-   * `CANCELLED`, `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
-   */
   async closestPoints(
     model: NurbsModel,
     points: Numbers,
@@ -190,19 +135,20 @@ export class Hausdorff {
   ): Promise<ClosestPoints> {
     const surfaces = prepared(model, "model");
     const coordinates = numbers(points, "points");
-    return this.#inTurn(options, (engine, ...rest) =>
-      engine.closestPoints(surfaces, coordinates, ...rest),
+    return this.#inTurn(options, (engine, call) =>
+      engine.closestPoints(surfaces, coordinates, call),
     );
   }
 
   /** Runs a method of the engine when no other is running. */
   async #inTurn<Result>(
     options: DistanceOptions | DiffOptions | ClosestPointOptions,
-    run: (engine: Engine, ...rest: TurnArguments) => Promise<unknown>,
+    run: (engine: Engine, call: Call) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const result = run(engine, plain, transform, signal, onProgress, this.#turn) as Promise<Result>;
+    const call = new Call(plain, transform, signal, onProgress, this.#turn);
+    const result = run(engine, call) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
       return await result;
@@ -228,15 +174,6 @@ export class Hausdorff {
     return this.#engine;
   }
 }
-
-/** The last arguments of every method of the engine that takes its turn. */
-type TurnArguments = [
-  plain: object,
-  transform: Transform | undefined,
-  signal: AbortSignal | undefined,
-  onProgress: OnProgress | undefined,
-  turn: Promise<unknown>,
-];
 
 function prepared(model: NurbsModel, name: string): PreparedModel {
   if (!(model instanceof NurbsModel)) {

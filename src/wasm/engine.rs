@@ -1,16 +1,13 @@
 //! The class that computes distances.
 
+use super::call::Call;
 use super::convert;
 use super::model::PreparedModel;
-use super::progress::JsMonitor;
 use crate::engine;
-use crate::error::Error;
-use crate::progress::Monitor;
-use js_sys::{Function, Promise};
+use js_sys::Promise;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::{JsFuture, future_to_promise};
-use web_sys::AbortSignal;
+use wasm_bindgen_futures::future_to_promise;
 
 /// One device. The promises that it returns own what they need, so that
 /// engine and models may be disposed of while they run.
@@ -41,82 +38,27 @@ impl Engine {
         self.0.notice()
     }
 
-    /// Begins when `turn` is settled. Resolves to the result as a plain object;
-    /// rejects with `{code, message}`, or with what `on_progress` threw.
-    pub fn distance(
-        &self,
-        a: &PreparedModel,
-        b: &PreparedModel,
-        options: &JsValue,
-        transform: &JsValue,
-        signal: Option<AbortSignal>,
-        on_progress: Option<Function>,
-        turn: Promise,
-    ) -> Promise {
-        let engine = Rc::clone(&self.0);
-        let (a, b) = (a.inner(), b.inner());
-        let options = convert::options(options, transform);
-        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
-            convert::result(&engine.distance(&a, &b, &options?, monitor).await?)
-        })
+    /// The distance from `a` to `b`.
+    pub fn distance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::options);
+        call.run(async move |monitor| convert::result(&engine.distance(&a, &b, &options?, monitor).await?))
     }
 
-    /// As `distance`, for the comparison of all faces.
-    pub fn diff(
-        &self,
-        a: &PreparedModel,
-        b: &PreparedModel,
-        options: &JsValue,
-        transform: &JsValue,
-        signal: Option<AbortSignal>,
-        on_progress: Option<Function>,
-        turn: Promise,
-    ) -> Promise {
-        let engine = Rc::clone(&self.0);
-        let (a, b) = (a.inner(), b.inner());
-        let options = convert::diff_options(options, transform);
-        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
-            convert::to_object(&engine.diff(&a, &b, &options?, monitor).await?)
-        })
+    /// The comparison of all faces of two models.
+    pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::diff_options);
+        call.run(async move |monitor| convert::to_object(&engine.diff(&a, &b, &options?, monitor).await?))
     }
 
-    /// As `distance`, for the closest points of a model to `points`, x, y, z each.
+    /// The closest points of a model to `points`, x, y, z each.
     #[wasm_bindgen(js_name = closestPoints)]
-    pub fn closest_points(
-        &self,
-        model: &PreparedModel,
-        points: Vec<f64>,
-        options: &JsValue,
-        transform: &JsValue,
-        signal: Option<AbortSignal>,
-        on_progress: Option<Function>,
-        turn: Promise,
-    ) -> Promise {
-        let engine = Rc::clone(&self.0);
-        let model = model.inner();
-        let options = convert::closest_point_options(options, transform);
-        in_turn(turn, JsMonitor::new(signal, on_progress), async move |monitor| {
+    pub fn closest_points(&self, model: &PreparedModel, points: Vec<f64>, call: Call) -> Promise {
+        let (engine, model) = (Rc::clone(&self.0), model.inner());
+        let options = call.options(convert::closest_point_options);
+        call.run(async move |monitor| {
             convert::closest_points(&engine.closest_points(&model, &points, &options?, monitor).await?)
         })
     }
-}
-
-/// Does `work` when `turn` is settled, unless the monitor cancels it before.
-fn in_turn(
-    turn: Promise,
-    mut monitor: JsMonitor,
-    work: impl AsyncFnOnce(&mut JsMonitor) -> Result<JsValue, JsValue> + 'static,
-) -> Promise {
-    future_to_promise(async move {
-        // The turn comes however the previous work ended.
-        let _ = JsFuture::from(turn).await;
-        if monitor.cancelled() {
-            return Err(Error::Cancelled.into());
-        }
-        let result = work(&mut monitor).await;
-        match monitor.into_thrown() {
-            Some(thrown) => Err(thrown),
-            None => result,
-        }
-    })
 }

@@ -2,6 +2,7 @@
 //! `src/js`, is built on these classes and hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
+mod call;
 mod convert;
 mod engine;
 mod model;

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
-import { modelFile, row } from "./models.mjs";
-import { open } from "./open.mjs";
+import { modelFile, row } from "./support/models.mjs";
+import { open } from "./support/open.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 

@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { drag } from "./drag.mjs";
-import { modelFile, sharedFile, sphereParts } from "./models.mjs";
-import { open } from "./open.mjs";
+import { drag } from "./support/drag.mjs";
+import { modelFile, sharedFile, sphereParts } from "./support/models.mjs";
+import { open } from "./support/open.mjs";
 
 let opened;
 

@@ -1,7 +1,7 @@
 // Machines without WebGPU, without WebGL, or with a failing GPU.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { open } from "./open.mjs";
+import { open } from "./support/open.mjs";
 
 async function on(machine, run) {
   const opened = await open(machine);

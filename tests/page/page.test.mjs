@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { modelFile, planes, sphereParts } from "./models.mjs";
-import { open } from "./open.mjs";
+import { modelFile, planes, sphereParts } from "./support/models.mjs";
+import { open } from "./support/open.mjs";
 
 const numbers = (text) => text.split(" ").map(Number);
 

@@ -42,7 +42,7 @@ fn the_attack_finds_no_false_interval() {
         assert_eq!(outcome.undecided, 0, "a point neither found within `upper` nor proved farther");
         assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
     }
-    let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
+    let refused = outcomes.iter().filter(|outcome| outcome.refusal.is_some()).count() as u64;
     assert!(4 * refused < ATTACKS, "{refused} refused");
 }
 
@@ -56,7 +56,7 @@ fn trimmed_faces_are_measured_as_they_are() {
         assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
         assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
     }
-    let refused = outcomes.iter().filter(|outcome| outcome.refused).count() as u64;
+    let refused = outcomes.iter().filter(|outcome| outcome.refusal.is_some()).count() as u64;
     assert!(4 * refused < TRIMMED, "{refused} refused");
     // A point that is proved neither way is rare: the brute force finds near points, or the proof ends.
     let undecided: usize = outcomes.iter().map(|outcome| outcome.undecided).sum();

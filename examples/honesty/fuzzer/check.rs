@@ -49,6 +49,9 @@ const NEAR_LOOPS: [f64; 2] = [-10.0, -1.0];
 const PROOF_TIME: Duration = Duration::from_secs(5);
 const MAX_UNDECIDED: usize = 3;
 
+/// The refusal of a pair of which no valid model was drawn.
+const NOT_DRAWN: &str = "NOT_DRAWN";
+
 /// The outcome of the check of a pair.
 #[derive(Default)]
 pub(crate) struct Outcome {
@@ -56,8 +59,8 @@ pub(crate) struct Outcome {
     pub(crate) cells: usize,
     /// The seconds of the computation, without the check.
     pub(crate) seconds: f64,
-    /// Whether the engine refused the pair with a coded error.
-    pub(crate) refused: bool,
+    /// The code of the error by which the library refused the pair.
+    pub(crate) refusal: Option<&'static str>,
     pub(crate) violations: Vec<String>,
     /// Directions with points that were neither found within `upper` nor proved farther.
     pub(crate) undecided: usize,
@@ -70,14 +73,16 @@ pub(crate) fn check(seed: u64) -> Outcome {
 
 /// Checks the pair of a seed of the attack's families.
 pub(crate) fn check_attack(seed: u64) -> Outcome {
-    attacks::pair(seed)
-        .map_or_else(|| Outcome { refused: true, ..Outcome::default() }, |pair| check_pair(seed, &pair))
+    attacks::pair(seed).map_or_else(
+        || Outcome { refusal: Some(NOT_DRAWN), ..Outcome::default() },
+        |pair| check_pair(seed, &pair),
+    )
 }
 
 /// Checks the pair of a seed of trimmed models.
 pub(crate) fn check_trimmed(seed: u64) -> Outcome {
     trims::pair(seed).map_or_else(
-        || Outcome { refused: true, ..Outcome::default() },
+        || Outcome { refusal: Some(NOT_DRAWN), ..Outcome::default() },
         |pair| {
             let mut outcome = check_pair(seed, &pair);
             for (name, model) in [("A", &pair.a), ("B", &pair.b)] {
@@ -117,7 +122,7 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
         Err(error) => {
             let violations =
                 if is_refusal(&error) { Vec::new() } else { vec![format!("seed {seed}: {error}")] };
-            return Outcome { refused: true, violations, ..Outcome::default() };
+            return Outcome { refusal: Some(error.code()), violations, ..Outcome::default() };
         }
     };
     let seconds = started.elapsed().as_secs_f64();
@@ -135,7 +140,7 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
         converged: result.converged,
         cells: result.certified().map_or(0, |details| details.cells),
         seconds,
-        refused: false,
+        refusal: None,
         undecided,
         violations: violations
             .into_iter()

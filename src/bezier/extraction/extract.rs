@@ -144,7 +144,9 @@ impl BezierModel {
             weight_scale: power_of_two_below(largest_weight).recip(),
             grid,
         };
-        for (patches, point_error) in map_ranges(in_u.len() * in_v.len(), |range| extraction.patches(range)) {
+        let count = in_u.len() * in_v.len();
+        self.patches.reserve(count, count * (degree[0] + 1) * (degree[1] + 1));
+        for (patches, point_error) in map_ranges(count, |range| extraction.patches(range)) {
             self.patches.append(&patches);
             self.point_error.include_all(&point_error);
         }
@@ -170,6 +172,7 @@ impl Extraction<'_> {
         let degree = surface.degree();
         let (rows, columns) = (degree[0] + 1, degree[1] + 1);
         let mut patches = PatchSet::default();
+        patches.reserve(range.len(), range.len() * rows * columns);
         let mut point_error = PointError::default();
         let mut net = vec![DVec4::ZERO; rows * columns];
         let mut partial = vec![DVec4::ZERO; rows * columns];

@@ -23,6 +23,7 @@ use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
 use crate::bezier::patch::subdivide::restrict_line;
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::parallel::map;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::ops::Range;
@@ -60,8 +61,9 @@ pub(crate) struct Reduced {
 /// O(control points p²) for surfaces with removable knots; for most others two
 /// lines of control points are examined.
 pub(crate) fn without_removable_knots(model: &Model) -> Option<Reduced> {
+    let surfaces = model.surfaces();
     let reduced: Vec<Option<(NurbsSurface, f64)>> =
-        model.surfaces().iter().enumerate().map(|(index, surface)| reduced_surface(index, surface)).collect();
+        map(surfaces.len(), |index| reduced_surface(index, &surfaces[index]));
     if reduced.iter().all(Option::is_none) {
         return None;
     }

@@ -10,6 +10,7 @@ use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::sync::Arc;
 
 /// One rational Bézier patch, borrowed from its set.
 ///
@@ -79,11 +80,12 @@ struct Entry {
     center: DVec3,
 }
 
-/// A list of patches of any mixture of degrees, with all controls in one array.
+/// A list of patches of any mixture of degrees, with all controls in one array. Copies
+/// share their memory until one is changed.
 #[derive(Debug, Clone, Default)]
 pub struct PatchSet {
-    entries: Vec<Entry>,
-    controls: Vec<DVec4>,
+    entries: Arc<Vec<Entry>>,
+    controls: Arc<Vec<DVec4>>,
 }
 
 impl PatchSet {
@@ -123,7 +125,7 @@ impl PatchSet {
 
     /// Appends a copy of `patch`.
     pub fn push(&mut self, patch: Patch<'_>) {
-        self.entries.push(Entry {
+        Arc::make_mut(&mut self.entries).push(Entry {
             surface: patch.surface as u32,
             degree: patch.degree.map(|degree| degree as u8),
             rational: patch.rational,
@@ -131,15 +133,26 @@ impl PatchSet {
             domain: patch.domain,
             center: patch.center,
         });
-        self.controls.extend_from_slice(patch.controls);
+        Arc::make_mut(&mut self.controls).extend_from_slice(patch.controls);
+    }
+
+    /// Makes room for so many more patches and controls.
+    pub(crate) fn reserve(&mut self, patches: usize, controls: usize) {
+        Arc::make_mut(&mut self.entries).reserve(patches);
+        Arc::make_mut(&mut self.controls).reserve(controls);
+    }
+
+    /// Returns the number of control points of all patches.
+    pub(crate) fn control_count(&self) -> usize {
+        self.controls.len()
     }
 
     /// Appends all patches of `other`.
     pub fn append(&mut self, other: &Self) {
         let offset = self.controls.len();
         let moved = |entry: &Entry| Entry { first: entry.first + offset, ..entry.clone() };
-        self.entries.extend(other.entries.iter().map(moved));
-        self.controls.extend_from_slice(&other.controls);
+        Arc::make_mut(&mut self.entries).extend(other.entries.iter().map(moved));
+        Arc::make_mut(&mut self.controls).extend_from_slice(&other.controls);
     }
 
     /// Returns the box of all patches. O(controls).

@@ -1,5 +1,5 @@
 // `nurbs-hausdorff/adapters`: geometry of other libraries as what `hd.model` takes.
-export type { BrepText, InterchangeModel } from "../surface.js";
+export type { BrepText, InterchangeModel } from "../model/surface.js";
 export { fromOcct } from "./occt.js";
 export { fromRhino, type RhinoGeometry } from "./rhino.js";
 export { fromThree, type ThreeNurbsSurface } from "./three.js";

@@ -1,5 +1,5 @@
 import { HausdorffError } from "../error.js";
-import type { BrepText } from "../surface.js";
+import type { BrepText } from "../model/surface.js";
 
 /** A file of the module's in-memory file system. */
 const FILE = "/nurbs-hausdorff.brep";

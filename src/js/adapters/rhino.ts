@@ -2,7 +2,7 @@ import { brepFaces } from "../cad/rhino/faces.js";
 import { nurbsForm, nurbsOf } from "../cad/rhino/surface.js";
 import type { RhinoBrep, RhinoExtrusion, RhinoSurface } from "../cad/rhino/types.js";
 import { HausdorffError } from "../error.js";
-import type { InterchangeModel } from "../surface.js";
+import type { InterchangeModel } from "../model/surface.js";
 
 /** A `Brep`, `Extrusion`, `BrepFace` or `Surface` of rhino3dm. */
 export type RhinoGeometry = object;

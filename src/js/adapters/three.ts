@@ -1,5 +1,5 @@
 import { HausdorffError } from "../error.js";
-import type { ControlPoint, InterchangeModel } from "../surface.js";
+import type { ControlPoint, InterchangeModel } from "../model/surface.js";
 
 /** The parts of three's `NURBSSurface` that are used. */
 export interface ThreeNurbsSurface {

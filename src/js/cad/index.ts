@@ -1,6 +1,6 @@
 // `nurbs-hausdorff/cad`: reads CAD files. Nothing of a format is loaded before a file of it comes.
 export type { CadKind } from "./kind.js";
 export type { CadOptions } from "./options.js";
-export type { PeerLoader } from "./peers.js";
+export type { PeerLoader } from "./peers/peers.js";
 export { convertCad, readCad } from "./read.js";
 export type { CadReport, SkippedFace } from "./report.js";

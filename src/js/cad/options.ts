@@ -1,4 +1,4 @@
-import type { PeerLoader } from "./peers.js";
+import type { PeerLoader } from "./peers/peers.js";
 
 /** Options of `readCad` and `convertCad`. */
 export interface CadOptions {

@@ -1,13 +1,13 @@
 import { HausdorffError, translating } from "../error.js";
 import { requireLoaded } from "../load.js";
-import { NurbsModel } from "../model.js";
+import { NurbsModel } from "../model/model.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
-import { brepInterchange, prepareBrep } from "./brep.js";
-import { facesInterchange, prepareFaces } from "./faces.js";
-import { inflate } from "./inflate.js";
-import { prepareInterchange, rewritten } from "./json.js";
+import { inflate } from "./archive/inflate.js";
 import { isGzip, kindByContent } from "./kind.js";
 import type { CadOptions } from "./options.js";
+import { brepInterchange, prepareBrep } from "./prepare/brep.js";
+import { facesInterchange, prepareFaces } from "./prepare/faces.js";
+import { prepareInterchange, rewritten } from "./prepare/json.js";
 import type { CadReport } from "./report.js";
 import { type Translation, translation } from "./translation.js";
 

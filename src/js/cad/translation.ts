@@ -1,10 +1,10 @@
-import type { BrepFile } from "./brep.js";
-import { documentModel } from "./document.js";
-import type { FacesFile } from "./faces.js";
-import { documentShapes } from "./fcstd.js";
+import { documentModel } from "./freecad/document.js";
+import { documentShapes } from "./freecad/fcstd.js";
 import type { CadKind } from "./kind.js";
-import { declaredFaces, translated } from "./occt.js";
 import type { CadOptions } from "./options.js";
+import { declaredFaces, translated } from "./peers/occt.js";
+import type { BrepFile } from "./prepare/brep.js";
+import type { FacesFile } from "./prepare/faces.js";
 import { readRhino } from "./rhino/index.js";
 
 /** A file as BREP text, as the faces of a reader here, or as interchange JSON. */

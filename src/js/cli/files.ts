@@ -2,7 +2,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
-import type { NurbsModel } from "../model.js";
+import type { NurbsModel } from "../model/model.js";
 
 /** An error in a model's file, with the file's path. */
 export class FileError extends Error {

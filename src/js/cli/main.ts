@@ -3,15 +3,15 @@
 import { readFileSync } from "node:fs";
 import { HausdorffError } from "../error.js";
 import { Hausdorff } from "../hausdorff.js";
-import type { Backend } from "../options.js";
-import { type Invocation, parseArguments } from "./arguments.js";
-import { convert } from "./convert.js";
-import { diff } from "./diff.js";
-import { distance } from "./distance.js";
-import { help } from "./help.js";
-import { info } from "./info.js";
-import { print } from "./output.js";
-import { table } from "./table.js";
+import type { Backend } from "../measure/options.js";
+import { type Invocation, parseArguments } from "./arguments/arguments.js";
+import { help } from "./arguments/help.js";
+import { table } from "./arguments/table.js";
+import { convert } from "./commands/convert.js";
+import { diff } from "./commands/diff.js";
+import { distance } from "./commands/distance.js";
+import { info } from "./commands/info.js";
+import { print } from "./output/output.js";
 
 /** Exit status of bad arguments, bad input or a failed machine. */
 const FAILED = 2;

@@ -1,5 +1,5 @@
 import { HausdorffError } from "../error.js";
-import type { OnProgress } from "../options.js";
+import type { OnProgress } from "../measure/options.js";
 import type { EngineFacts, Failure, Listener, Port, Reply } from "./messages.js";
 
 /** What a call passes on besides its arguments. */

@@ -1,16 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import type { ClosestPointOptions, ClosestPoints } from "../closest.js";
-import type { DiffOptions, DiffResult } from "../diff.js";
+
 import { HausdorffError } from "../error.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
-import { type DistanceOptions, split } from "../options.js";
-import type {
-  CertifiedResult,
-  DistanceResult,
-  HierarchyResult,
-  IterationResult,
-} from "../result.js";
+import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
+import type { DiffOptions, DiffResult } from "../measure/diff.js";
+import type { DistanceEngine } from "../measure/engine.js";
+import { type DistanceOptions, split } from "../measure/options.js";
+import type { Results } from "../measure/result.js";
 import {
   type BrepText,
   type InterchangeModel,
@@ -18,7 +15,7 @@ import {
   type Numbers,
   numbers,
   type SurfaceArrays,
-} from "../surface.js";
+} from "../model/surface.js";
 import { Channel } from "./channel.js";
 import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";
@@ -55,7 +52,7 @@ export function connectBy(platform: Connect): void {
  * The class `Hausdorff` of the main entry, of which all work is done in a worker:
  * the caller's thread only sends and receives. Results' arrays are transferred.
  */
-export class Hausdorff {
+export class Hausdorff implements DistanceEngine<NurbsModel> {
   readonly #channel: Channel;
 
   private constructor(channel: Channel) {
@@ -79,17 +76,14 @@ export class Hausdorff {
     return new Hausdorff(channel);
   }
 
-  /** Where distances are computed unless their options say otherwise. */
   get backend(): "gpu" | "cpu" {
     return this.#facts.backend;
   }
 
-  /** The GPU's name, if there is a GPU and the platform reports it. */
   get adapter(): string | null {
     return this.#facts.adapter;
   }
 
-  /** The reason why there is no GPU, if one was looked for. */
   get notice(): string | null {
     return this.#facts.notice;
   }
@@ -115,41 +109,18 @@ export class Hausdorff {
     return result as ShapeInfo[];
   }
 
-  /** As the main entry's `distance`. */
-  distance(
+  async distance<Method extends keyof Results = "certified">(
     a: NurbsModel,
     b: NurbsModel,
-    options?: DistanceOptions & { method?: "certified" },
-  ): Promise<CertifiedResult>;
-  distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions & { method: "iteration" },
-  ): Promise<IterationResult>;
-  distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions & { method: "hierarchy" },
-  ): Promise<HierarchyResult>;
-  distance(a: NurbsModel, b: NurbsModel, options?: DistanceOptions): Promise<DistanceResult>;
-  async distance(
-    a: NurbsModel,
-    b: NurbsModel,
-    options: DistanceOptions = {},
-  ): Promise<DistanceResult> {
-    return (await this.#measure(
-      "distance",
-      [this.#id(a, "a"), this.#id(b, "b")],
-      options,
-    )) as never;
+    options: DistanceOptions & { method?: Method } = {},
+  ): Promise<Results[Method]> {
+    return this.#measure("distance", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
-  /** As the main entry's `diff`. */
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
-    return (await this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options)) as never;
+    return this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
-  /** As the main entry's `closestPoints`. */
   async closestPoints(
     model: NurbsModel,
     points: Numbers,
@@ -160,7 +131,7 @@ export class Hausdorff {
     const typed = points instanceof Float32Array ? points : numbers(points, "points");
     // What was converted is nobody else's.
     const given = typed !== points || transfer === true ? [typed.buffer as ArrayBuffer] : [];
-    return (await this.#measure("closestPoints", [id, typed], rest, given)) as never;
+    return this.#measure("closestPoints", [id, typed], rest, given);
   }
 
   /** Ends the worker once the calls that it has received are answered. */
@@ -187,12 +158,12 @@ export class Hausdorff {
     return NurbsModel.of(this.#channel, id, facts as ModelFacts);
   }
 
-  async #measure(
+  async #measure<Result>(
     method: string,
     args: unknown[],
     options: DistanceOptions | DiffOptions | ClosestPointOptions,
     transfer: ArrayBuffer[] = [],
-  ): Promise<unknown> {
+  ): Promise<Result> {
     const { plain, transform, signal, onProgress } = split(options);
     const sent = transform === undefined ? plain : { ...plain, transform };
     const [result] = await this.#channel.call(method, [...args, sent], {
@@ -200,7 +171,7 @@ export class Hausdorff {
       onProgress,
       transfer,
     });
-    return result;
+    return result as Result;
   }
 }
 

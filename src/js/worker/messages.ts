@@ -1,5 +1,5 @@
 import type { ErrorCode } from "../error.js";
-import type { OnProgress } from "../options.js";
+import type { OnProgress } from "../measure/options.js";
 
 /** What a model's twin on the caller's thread knows of it. */
 export interface ModelFacts {

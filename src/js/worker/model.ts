@@ -1,8 +1,8 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { HausdorffError } from "../error.js";
-import type { Vector3 } from "../options.js";
-import type { Numbers } from "../surface.js";
-import type { Tessellation } from "../tessellation.js";
+import type { Vector3 } from "../measure/options.js";
+import type { Numbers } from "../model/surface.js";
+import type { Tessellation } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
 import type { ModelFacts } from "./messages.js";
 

@@ -1,7 +1,7 @@
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
-import type { NurbsModel } from "../model.js";
-import type { OnProgress } from "../options.js";
+import type { OnProgress } from "../measure/options.js";
+import type { NurbsModel } from "../model/model.js";
 import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;

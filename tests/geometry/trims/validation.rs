@@ -173,6 +173,39 @@ fn loops_without_area_crossing_loops_and_wrong_nesting_are_refused() {
     refused("TRIM_WRONG_NESTING", &["loop 1"], beside);
 }
 
+/// The radius of the outer circle of [`poked`].
+const OUTER: f64 = 1.5;
+
+/// A disc with a round hole that comes out of its edge by `depth`, in the direction of `angle`,
+/// and with arcs that begin anywhere.
+fn poked(inner: f64, depth: f64, angle: f64) -> Vec<Vec<TrimCurveArrays>> {
+    let offset = OUTER - inner + depth;
+    let hole = circle([2.0 + offset * f64::cos(angle), 2.0 + offset * f64::sin(angle)], inner);
+    vec![circle([2.0, 2.0], OUTER), reversed(hole)]
+}
+
+/// The angle of such a crossing is about the square root of the depth, so that chords of the
+/// curves need not cross.
+#[test]
+fn a_hole_that_comes_out_of_the_outer_loop_is_refused_however_little() {
+    let random = &mut fastrand::Rng::with_seed(3);
+    // The domain is 4 wide, so that overlaps up to 4e-6 are accepted.
+    for depth in [1e-1, 1e-2, 1e-3, 1e-4, 2e-5] {
+        for _ in 0..20 {
+            let (inner, angle) = (OUTER * (0.1 + 0.8 * random.f64()), 6.3 * random.f64());
+            let error = trim(poked(inner, depth, angle)).unwrap_err();
+            assert_eq!(error.code(), "TRIM_LOOPS_CROSS", "{inner} {depth} {angle}: {error}");
+            assert!(error.to_string().contains("surface 3, loop"), "{error}");
+        }
+    }
+    for depth in [1e-6, 1e-7, 0.0, -1e-9] {
+        for _ in 0..20 {
+            let (inner, angle) = (OUTER * (0.1 + 0.8 * random.f64()), 6.3 * random.f64());
+            assert!(trim(poked(inner, depth, angle)).is_ok(), "{inner} {depth} {angle}");
+        }
+    }
+}
+
 #[test]
 fn loops_may_touch_each_other_themselves_and_the_edge() {
     let touching = vec![circle([2.0, 2.0], 1.5), reversed(circle([2.5, 2.0], 1.0))];

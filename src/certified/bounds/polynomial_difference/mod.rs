@@ -15,7 +15,12 @@
 
 mod across_knots;
 mod aligned_map;
+mod block;
+mod knot_line_map;
 mod net;
+mod piece;
+
+pub(in crate::certified) use block::block;
 
 use super::{CellContext, UpperBound};
 use aligned_map::AlignedMap;

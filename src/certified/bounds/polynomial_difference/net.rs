@@ -18,6 +18,22 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// what rounding makes of equal weights.
 const MAX_WEIGHT_SPREAD: f64 = 1e-12;
 
+/// Roundings of a coefficient by one elevation of the degree.
+const ELEVATION_ROUNDINGS: usize = 3;
+
+/// Control `index` of the representation of degree `degree` of a polynomial, given its
+/// controls for the degree below.
+fn raised(degree: usize, index: usize, below: impl Fn(usize) -> DVec3) -> DVec3 {
+    if index == 0 {
+        return below(0);
+    }
+    if index == degree {
+        return below(degree - 1);
+    }
+    let degree = degree as f64;
+    (index as f64 / degree) * below(index - 1) + ((degree - index as f64) / degree) * below(index)
+}
+
 /// The difference of the functions of two nets.
 struct Difference {
     degree: [usize; 2],
@@ -69,11 +85,17 @@ impl Net {
     /// An upper bound on the distance between points of equal parameters, by
     /// lemma R11: the bound by the coefficients' lengths where that is at most the
     /// threshold, else the closer one by those of the squared length. `None` where a weight
-    /// is not positive or a number overflows.
+    /// is not positive or a number overflows, and where corners are farther than the threshold.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
         let Difference { degree, quotient, product_terms, error } = self.difference(other);
         let length = |control: &DVec4| control.xyz().length() / control.w;
         let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        // Coefficients at the corners are distances.
+        let [last_row, last_column] = [degree[0] * (degree[1] + 1), degree[1]];
+        let corners = [0, last_column, last_row, last_row + last_column];
+        if corners.iter().any(|&corner| length(&quotient[corner]) > threshold) {
+            return None;
+        }
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding =
             of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
@@ -97,13 +119,14 @@ impl Net {
     fn difference(&self, other: &Self) -> Difference {
         let ([p, q], [m, n]) = (self.degree, other.degree);
         let are_polynomial = [self, other].iter().all(|net| net.weight_spread <= MAX_WEIGHT_SPREAD);
-        if are_polynomial && self.degree == other.degree {
-            let pairs = self.controls.iter().zip(&other.controls);
-            let point = |control: &DVec4| control.xyz() / control.w;
+        if are_polynomial {
+            let degree = [p.max(m), q.max(n)];
+            let (x, y) = (self.elevated(degree), other.elevated(degree));
+            let steps = (degree[0] - p.min(m)) + (degree[1] - q.min(n));
             return Difference {
-                degree: self.degree,
-                quotient: pairs.map(|(x, y)| (point(x) - point(y)).extend(1.0)).collect(),
-                product_terms: 1,
+                degree,
+                quotient: x.iter().zip(&y).map(|(x, y)| (x - y).extend(1.0)).collect(),
+                product_terms: 1 + ELEVATION_ROUNDINGS * steps,
                 error: 2.0 * (self.weight_spread * self.radius + other.weight_spread * other.radius),
             };
         }
@@ -122,6 +145,32 @@ impl Net {
         Difference { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
     }
 
+    /// The control points of a polynomial in a representation of these degrees, which are not
+    /// lower than its own.
+    fn elevated(&self, [rows, columns]: [usize; 2]) -> Vec<DVec3> {
+        let [mut p, mut q] = self.degree;
+        let mut points: Vec<DVec3> = self.controls.iter().map(|control| control.xyz() / control.w).collect();
+        while q < columns {
+            q += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for row in points.chunks_exact(q) {
+                raised_points.extend((0..=q).map(|j| raised(q, j, |j| row[j])));
+            }
+            points = raised_points;
+        }
+        while p < rows {
+            p += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for i in 0..=p {
+                for j in 0..=q {
+                    raised_points.push(raised(p, i, |i| points[i * (q + 1) + j]));
+                }
+            }
+            points = raised_points;
+        }
+        points
+    }
+
     fn is_positive(&self) -> bool {
         self.controls.iter().all(|control| control.w > 0.0)
     }
@@ -131,7 +180,59 @@ impl Net {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::bezier::Patch;
     use crate::certified::rounding::UNIT_ROUNDOFF;
+    use crate::param_box::ParamBox;
+
+    /// Both forms, elevated polynomials and products, bound the difference at random points and
+    /// are attained where one net is the other one moved.
+    #[test]
+    fn differences_of_nets_of_any_degrees_are_bounded() {
+        let random = &mut fastrand::Rng::with_seed(5);
+        for case in 0..300 {
+            let is_rational = case % 3 == 0;
+            let mut net = || {
+                let degree = [random.usize(1..6), random.usize(1..6)];
+                let count = (degree[0] + 1) * (degree[1] + 1);
+                let mut number = || random.f64() - 0.5;
+                let controls: Vec<DVec4> = (0..count)
+                    .map(|_| {
+                        let weight = if is_rational { 1.0 + number() } else { 1.5 };
+                        weight * DVec4::new(number(), number(), number(), 1.0)
+                    })
+                    .collect();
+                (degree, controls)
+            };
+            let [x, y] = [net(), net()];
+            let of = |(degree, controls): &([usize; 2], Vec<DVec4>), shift: DVec3| {
+                Net::new(*degree, controls.clone(), shift, 1.0)
+            };
+            let patch = |(degree, controls): &'_ ([usize; 2], Vec<DVec4>)| {
+                let (degree, controls) = (*degree, controls.clone());
+                move |place: [f64; 2]| {
+                    let domain = ParamBox::UNIT;
+                    let center = DVec3::ZERO;
+                    Patch { surface: 0, degree, domain, center, controls: &controls, rational: true }
+                        .point(place)
+                }
+            };
+            let [on_x, on_y] = [patch(&x), patch(&y)];
+            let bounds = [f64::INFINITY, 1e-3]
+                .map(|threshold| of(&x, DVec3::ZERO).max_difference(&of(&y, DVec3::ZERO), threshold));
+            let largest = bounds.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            for _ in 0..50 {
+                let place = [random.f64(), random.f64()];
+                let distance = on_x(place).distance(on_y(place));
+                assert!(distance <= largest, "{distance} {largest}");
+            }
+            let shift = DVec3::new(3.0, 0.0, 4.0);
+            for threshold in [5.1, 5.0 * (1.0 - 1e-6)] {
+                let moved = of(&x, DVec3::ZERO).max_difference(&of(&x, shift), threshold);
+                assert!(moved.is_none_or(|bound| (5.0..5.0 + 1e-11).contains(&bound)), "{moved:?}");
+                assert_eq!(moved.is_none(), threshold < 5.0);
+            }
+        }
+    }
 
     /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
     /// bound is the rounding alone. With equal weights a coefficient is one difference,

@@ -1,5 +1,5 @@
 import { type ChunkReader, damaged } from "./chunks.js";
-import { type Curve, curve } from "./curve.js";
+import { type Curve, curve } from "./curves/curve.js";
 
 /** A trimming curve of an ON_Brep. */
 export interface BrepTrim {
@@ -80,7 +80,7 @@ export function brepTopology(archive: ChunkReader): BrepTopology {
 
 function objects<T>(chunk: ChunkReader, read: (chunk: ChunkReader) => T): T[] {
   return records(chunk, 4, () => {
-    if (chunk.int() === 0) throw damaged("a curve or a surface is missing");
+    if (chunk.int32() === 0) throw damaged("a curve or a surface is missing");
     return read(chunk);
   });
 }
@@ -93,7 +93,7 @@ function edgeTolerance(chunk: ChunkReader): number {
   // Index, curve, direction, domain, vertices.
   chunk.skip(3 * 4 + 2 * 8 + 2 * 4);
   chunk.intList();
-  const tolerance = chunk.double();
+  const tolerance = chunk.float64();
   // The domain as an edge.
   chunk.skip(2 * 8);
   return tolerance;
@@ -101,25 +101,25 @@ function edgeTolerance(chunk: ChunkReader): number {
 
 function trim(chunk: ChunkReader): BrepTrim {
   const [, curve = -1] = chunk.ints(2);
-  const domain: [number, number] = [chunk.double(), chunk.double()];
+  const domain: [number, number] = [chunk.float64(), chunk.float64()];
   // Edge, two vertices, direction on the edge, type, isoparametric side, loop.
   const [edge = -1] = chunk.ints(7);
   // Tolerances, domain as a trim.
   chunk.skip(2 * 8 + 2 * 8);
-  const reversed = chunk.byte() === 1;
+  const reversed = chunk.uint8() === 1;
   chunk.skip(7 + 24 + TRIM_REST);
   return { curve, domain, reversed, edge };
 }
 
 function loop(chunk: ChunkReader): BrepLoop {
-  chunk.int();
+  chunk.int32();
   const trims = chunk.intList();
   const [type = 0] = chunk.ints(2);
   return { trims, type };
 }
 
 function face(chunk: ChunkReader): BrepFace {
-  chunk.int();
+  chunk.int32();
   const loops = chunk.intList();
   const [surface = -1, reversed = 0] = chunk.ints(3);
   return { loops, surface, reversed: reversed !== 0 };

@@ -1,4 +1,5 @@
 import { HausdorffError } from "../../error.js";
+import { BinaryReader } from "../archive/binary-reader.js";
 
 /** Type codes of openNURBS' archive chunks. */
 const CLASS = 0x00027ffa;
@@ -6,8 +7,6 @@ const CLASS_UUID = 0x0002fffb;
 const CLASS_DATA = 0x0002fffc;
 const ANONYMOUS = 0x40008000;
 
-/** Bytes of a chunk's head: type code and 64-bit length. */
-const HEAD_LENGTH = 12;
 const UUID_LENGTH = 16;
 
 /** An object of an openNURBS archive: the class's UUID and the reader of its data. */
@@ -17,15 +16,9 @@ export interface ArchiveObject {
 }
 
 /** Reads openNURBS' little-endian archive format from one chunk. */
-export class ChunkReader {
-  readonly #view: DataView;
-  #at: number;
-  readonly #end: number;
-
-  constructor(view: DataView, start = 0, end = view.byteLength) {
-    this.#view = view;
-    this.#at = start;
-    this.#end = end;
+export class ChunkReader extends BinaryReader {
+  constructor(view: DataView) {
+    super(view, damaged);
   }
 
   /** The reader of base64 text, as `CommonObject.encode().data` has it. */
@@ -35,37 +28,21 @@ export class ChunkReader {
     return new ChunkReader(new DataView(bytes.buffer));
   }
 
-  byte(): number {
-    return this.#view.getUint8(this.#take(1));
-  }
-
-  int(): number {
-    return this.#view.getInt32(this.#take(4), true);
-  }
-
-  double(): number {
-    return this.#view.getFloat64(this.#take(8), true);
-  }
-
-  skip(bytes: number): void {
-    this.#take(bytes);
-  }
-
   /** A number of items that take at least `bytes` each. */
   count(bytes: number): number {
-    const count = this.int();
-    if (count < 0 || count * bytes > this.#end - this.#at) {
+    const count = this.int32();
+    if (count < 0 || count * bytes > this.left) {
       throw damaged(`a list of ${count} items does not fit its chunk`);
     }
     return count;
   }
 
   doubles(count: number): number[] {
-    return Array.from({ length: count }, () => this.double());
+    return Array.from({ length: count }, () => this.float64());
   }
 
   ints(count: number): number[] {
-    return Array.from({ length: count }, () => this.int());
+    return Array.from({ length: count }, () => this.int32());
   }
 
   /** A list of numbers with its length before it. */
@@ -90,7 +67,7 @@ export class ChunkReader {
    * @throws {HausdorffError} `CAD_UNREADABLE`.
    */
   version(major = 1): number {
-    const version = this.byte();
+    const version = this.uint8();
     if (version >> 4 !== major) {
       throw damaged(`a chunk has the version ${version >> 4}, expected ${major}`);
     }
@@ -104,35 +81,19 @@ export class ChunkReader {
   }
 
   #chunk(expected: number): ChunkReader {
-    const start = this.#take(HEAD_LENGTH);
-    const code = this.#view.getUint32(start, true);
+    const code = this.uint32();
     if (code !== expected) {
       throw damaged(`a chunk has the type ${code.toString(16)}, expected ${expected.toString(16)}`);
     }
-    const length = Number(this.#view.getBigInt64(start + 4, true));
-    if (!(length >= 0)) throw damaged(`a chunk has the length ${length}`);
-    const content = this.#take(length);
-    return new ChunkReader(this.#view, content, content + length);
+    return new ChunkReader(this.part(this.int64()));
   }
 
   /** As text, the first three groups being little-endian numbers. */
   #uuid(): string {
-    const start = this.#take(UUID_LENGTH);
+    const bytes = this.bytes(UUID_LENGTH);
     const order = [3, 2, 1, 0, 5, 4, 7, 6, 8, 9, 10, 11, 12, 13, 14, 15];
-    const hex = order.map((at) =>
-      this.#view
-        .getUint8(start + at)
-        .toString(16)
-        .padStart(2, "0"),
-    );
+    const hex = order.map((at) => (bytes[at] ?? 0).toString(16).padStart(2, "0"));
     return hex.join("").toUpperCase();
-  }
-
-  #take(bytes: number): number {
-    const start = this.#at;
-    if (start + bytes > this.#end) throw damaged("a chunk ends early");
-    this.#at = start + bytes;
-    return start;
   }
 }
 

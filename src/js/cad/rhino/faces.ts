@@ -1,5 +1,5 @@
 import { HausdorffError } from "../../error.js";
-import type { InterchangeCurve, InterchangeSurface } from "../../surface.js";
+import type { InterchangeCurve, InterchangeSurface } from "../../model/surface.js";
 import type { SkippedFace } from "../report.js";
 import {
   type BrepFace,
@@ -9,9 +9,9 @@ import {
   brepTopology,
 } from "./brep.js";
 import { ChunkReader } from "./chunks.js";
-import { part, pointAt, reversed } from "./curve-operations.js";
-import { type MappedCurve, mappedCurve } from "./mapped-curve.js";
-import { domain, type ParameterMaps, parameterMaps } from "./parameter-map.js";
+import { part, pointAt, reversed } from "./curves/curve-operations.js";
+import { type MappedCurve, mappedCurve } from "./curves/mapped-curve.js";
+import { domain, type ParameterMaps, parameterMaps } from "./curves/parameter-map.js";
 import { nurbsForm, nurbsOf } from "./surface.js";
 import type { RhinoBrep, RhinoNurbsSurface, RhinoSurface } from "./types.js";
 

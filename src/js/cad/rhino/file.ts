@@ -1,5 +1,9 @@
 import { HausdorffError } from "../../error.js";
-import type { InterchangeInstance, InterchangeModel, InterchangeSurface } from "../../surface.js";
+import type {
+  InterchangeInstance,
+  InterchangeModel,
+  InterchangeSurface,
+} from "../../model/surface.js";
 import type { CadReport, SkippedFace } from "../report.js";
 import { brepFaces, type RhinoFaces } from "./faces.js";
 import { nurbsForm, nurbsOf } from "./surface.js";

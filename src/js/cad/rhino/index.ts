@@ -1,5 +1,5 @@
-import type { InterchangeModel } from "../../surface.js";
-import { type Peer, type PeerLoader, start } from "../peers.js";
+import type { InterchangeModel } from "../../model/surface.js";
+import { type Peer, type PeerLoader, start } from "../peers/peers.js";
 import type { CadReport } from "../report.js";
 import { rhinoModel } from "./file.js";
 import type { Rhino } from "./types.js";

@@ -1,6 +1,6 @@
 import { HausdorffError } from "../../error.js";
-import type { ControlPoint, InterchangeSurface } from "../../surface.js";
-import { withEndKnots } from "./curve.js";
+import type { ControlPoint, InterchangeSurface } from "../../model/surface.js";
+import { withEndKnots } from "./curves/curve.js";
 import type { RhinoNurbsSurface, RhinoSurface } from "./types.js";
 
 /**

@@ -1,5 +1,6 @@
 // All panels, with common colours and a common cursor.
 import { element } from "../../common/elements.ts";
+import { pageColor } from "../../common/pageColor.ts";
 import type { Curve } from "../sweep/sweepPoint.ts";
 import { panels } from "./panels.ts";
 import { type Colors, Plot } from "./plot.ts";
@@ -51,15 +52,6 @@ export class Plots {
   }
 }
 
-/** Returns the style sheet's colours in the current scheme, as a canvas does not follow the scheme. */
 function pageColors(method: Colors["method"]): Colors {
-  const color = (name: string) => {
-    const probe = document.createElement("i");
-    probe.style.color = `var(--${name})`;
-    document.body.append(probe);
-    const value = getComputedStyle(probe).color;
-    probe.remove();
-    return value;
-  };
-  return { ink: color("ink"), grid: color("line"), method };
+  return { ink: pageColor("ink"), grid: pageColor("line"), method };
 }

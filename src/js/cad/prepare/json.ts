@@ -1,0 +1,22 @@
+import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
+import type { CadReport } from "../report.js";
+import type { ModuleReport } from "./brep.js";
+
+/**
+ * The model of interchange JSON, which is read without a change or not at all.
+ * @internal
+ */
+export function prepareInterchange(text: string): { prepared: PreparedModel; report: CadReport } {
+  const prepared = PreparedModel.fromJson(text);
+  return { prepared, report: exact(prepared.report as ModuleReport) };
+}
+
+/** Interchange JSON, validated and written anew by the module. */
+export function rewritten(text: string): { json: string; report: CadReport } {
+  const { json, report } = PreparedModel.jsonToJson(text) as { json: string; report: ModuleReport };
+  return { json, report: exact(report) };
+}
+
+function exact(report: ModuleReport): CadReport {
+  return { ...report, kind: "json", unit: report.unit ?? null, skipped: [] };
+}

@@ -1,0 +1,66 @@
+import type { Hausdorff } from "../../hausdorff.js";
+import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
+import type { Backend } from "../../measure/options.js";
+import type { Invocation } from "../arguments/arguments.js";
+import { readModel } from "../files.js";
+import { full } from "../output/numbers.js";
+import { print, printJson } from "../output/output.js";
+import { Progress } from "../output/progress.js";
+import { libraryOptions } from "./library-options.js";
+
+/** The largest number of faces of one model and state that the table lists; JSON has all. */
+const MAX_LISTED = 100;
+
+const STATUSES: Readonly<Record<FaceState, number>> = { unchanged: 0, changed: 1, undecided: 3 };
+
+/** Compares the models face by face, prints the differences and returns the exit status. */
+export async function diff(
+  values: Invocation["values"],
+  create: (backend: Backend) => Promise<Hausdorff>,
+): Promise<number> {
+  using hd = await create("cpu");
+  using a = await readModel(String(values.get("a")));
+  using b = await readModel(String(values.get("b")));
+  const progress = new Progress();
+  const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
+  const result = await hd.diff(a, b, options).finally(() => progress.end());
+  if (values.has("json")) printJson(result);
+  else print(text(result));
+  return STATUSES[result.state];
+}
+
+function text(result: DiffResult): string {
+  const models = [
+    ["A", result.a, "a"],
+    ["B", result.b, "b"],
+  ] as const;
+  const lines = [`models     ${result.state} at a tolerance of ${full(result.tolerance)}`];
+  for (const [name, faces] of models) {
+    const [unchanged, changed, undecided] = (["unchanged", "changed", "undecided"] as const).map(
+      (state) => faces.filter((face) => face.state === state).length,
+    );
+    lines.push(
+      `faces of ${name} ${unchanged} unchanged, ${changed} changed, ${undecided} undecided`,
+    );
+  }
+  for (const state of ["changed", "undecided"] as const) {
+    for (const [name, faces, side] of models) {
+      const listed = largestFirst(faces.filter((face) => face.state === state));
+      lines.push(
+        ...listed.slice(0, MAX_LISTED).map(({ face, lower, upper, witness }) => {
+          const place = witness[side].point.map(full).join(" ");
+          return `${state.padEnd(10)} ${name} face ${face}: [${full(lower)}, ${full(upper)}] at ${place}`;
+        }),
+      );
+      const more = listed.length - MAX_LISTED;
+      if (more > 0) lines.push(`           and ${more} more faces of ${name}`);
+    }
+  }
+  const { prepareSeconds, solveSeconds } = result;
+  lines.push(`seconds    ${prepareSeconds.toFixed(3)} prepare, ${solveSeconds.toFixed(3)} solve`);
+  return `${lines.join("\n")}\n`;
+}
+
+function largestFirst(faces: FaceDifference[]): FaceDifference[] {
+  return faces.sort((one, other) => other.lower - one.lower);
+}

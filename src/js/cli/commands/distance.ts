@@ -1,0 +1,52 @@
+import type { Hausdorff } from "../../hausdorff.js";
+import type { Backend, DistanceOptions } from "../../measure/options.js";
+import type { DistanceResult } from "../../measure/result.js";
+import type { Invocation } from "../arguments/arguments.js";
+import { readModel } from "../files.js";
+import { print, printJson } from "../output/output.js";
+import { Progress } from "../output/progress.js";
+import { text } from "../output/report.js";
+import { libraryOptions } from "./library-options.js";
+
+/** Exit statuses with `--limit`. */
+const WITHIN = 0;
+const BEYOND = 1;
+const UNDECIDED = 3;
+
+type Values = Invocation["values"];
+
+/** Computes and prints the distance, and returns the exit status. */
+export async function distance(
+  values: Values,
+  create: (backend: Backend) => Promise<Hausdorff>,
+): Promise<number> {
+  const options: DistanceOptions = libraryOptions(values);
+  // Method certified usually ends in float64 before a GPU could be initialised.
+  const staged = (options.method ?? "certified") !== "certified" || options.field === true;
+  const backend = options.backend ?? "auto";
+  using hd = await create(staged || backend === "gpu" ? backend : "cpu");
+  using a = await readModel(String(values.get("a")));
+  using b = await readModel(String(values.get("b")));
+  const progress = new Progress();
+  const onProgress = progress.report;
+  const result = await hd.distance(a, b, { ...options, onProgress }).finally(() => progress.end());
+  if (values.has("json")) printJson(withoutField(result));
+  else print(text(result));
+  const { limit } = options;
+  return limit === undefined ? WITHIN : verdict(result, limit);
+}
+
+/** The result without its samples, which the native command does not print either. */
+function withoutField({ field: _, forward, reverse, ...rest }: DistanceResult): object {
+  return {
+    ...rest,
+    ...(forward ? { forward: withoutField(forward) } : {}),
+    ...(reverse ? { reverse: withoutField(reverse) } : {}),
+  };
+}
+
+/** The exit status that follows from the interval and the limit, for all methods. */
+function verdict({ lower, upper }: DistanceResult, limit: number): number {
+  if (upper <= limit) return WITHIN;
+  return lower > limit ? BEYOND : UNDECIDED;
+}

@@ -1,0 +1,62 @@
+import type { Numbers } from "../model/surface.js";
+import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
+import type { DiffOptions, DiffResult } from "./diff.js";
+import type { DistanceOptions } from "./options.js";
+import type { Results } from "./result.js";
+
+/**
+ * The measurements of both classes `Hausdorff`: that of the main entry, and
+ * that of `nurbs-hausdorff/worker`, whose models are of type `Model`.
+ */
+export interface DistanceEngine<Model> {
+  /** Where distances are computed unless their options say otherwise. */
+  readonly backend: "gpu" | "cpu";
+
+  /** The GPU's name, if there is a GPU and the platform reports it. */
+  readonly adapter: string | null;
+
+  /** The reason why there is no GPU, if one was looked for. */
+  readonly notice: string | null;
+
+  /**
+   * The directed distance from `a`, moved by `transform`, to `b`: the largest
+   * distance from a point of `a` to `b`. With `symmetric`, the larger of both
+   * directions. Distances requested at once are computed in turn. The method
+   * that the options name decides the result's type.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its
+   * cause; `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`;
+   * `UNITS_DIFFER`, unless `scaleUnits` is set;
+   * `DEVICE_LOST` and `NO_ADAPTER` with backend `gpu` only; `GPU_FAILED`;
+   * `PAIR_BUDGET_EXCEEDED` with method `hierarchy` only.
+   */
+  distance<Method extends keyof Results = "certified">(
+    a: Model,
+    b: Model,
+    options?: DistanceOptions & { method?: Method },
+  ): Promise<Results[Method]>;
+
+  /**
+   * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`
+   * with `a`, by method `certified` on the CPU: which faces changed by more than the
+   * tolerance, how far and where.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  diff(a: Model, b: Model, options?: DiffOptions): Promise<DiffResult>;
+
+  /**
+   * The closest points of `model` to `points` (x, y, z each, such as the vertices of
+   * a mesh or a scan), moved by `transform`: distances, feet and a bound for each.
+   * Points that follow each other should be near each other.
+   *
+   * @throws {HausdorffError} `POINT_OUT_OF_RANGE`, with the index of the point;
+   * `CANCELLED`, `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
+   */
+  closestPoints(
+    model: Model,
+    points: Numbers,
+    options?: ClosestPointOptions,
+  ): Promise<ClosestPoints>;
+}

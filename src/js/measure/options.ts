@@ -1,0 +1,125 @@
+import { HausdorffError } from "../error.js";
+
+/** The processor to compute on: `auto` is the GPU if there is one, else the CPU. */
+export type Backend = "auto" | "gpu" | "cpu";
+
+export type Vector3 = [x: number, y: number, z: number];
+
+/** A rotation about the origin, then a translation. */
+export interface Transform {
+  translation?: readonly [x: number, y: number, z: number];
+  /** A unit quaternion. */
+  rotation?: readonly [x: number, y: number, z: number, w: number];
+}
+
+/**
+ * Options of `Hausdorff.distance`. Those from `samples` to `stepTolerance` are
+ * for method `iteration` and the `field`; their defaults are the 2012 paper's.
+ */
+export interface DistanceOptions {
+  /**
+   * The method that computes the distance: `certified` (default), the 2012
+   * paper's `iteration` or the 2011 paper's `hierarchy`.
+   */
+  method?: "certified" | "iteration" | "hierarchy";
+  /**
+   * `certified`: the requested width of the interval; default 1e-6. `hierarchy`
+   * only reports whether its interval is as narrow.
+   */
+  tolerance?: number;
+  /** Whether `tolerance` is in model units; else (default) it is relative to the larger diagonal. */
+  absolute?: boolean;
+  /** `certified`: only decide whether the distance is at most this; see `within` of the result. */
+  limit?: number;
+  /** `certified`: seconds per direction after which the interval reached is the result. */
+  maxSeconds?: number;
+  /** `certified`: cells per direction after which the interval reached is the result. */
+  maxCells?: number;
+  /** Samples along each direction of every surface, 2 to 1024; default 64. */
+  samples?: number;
+  /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
+  sampling?: "uniform" | "arc-length";
+  /** The flatness to which the other model's patches are cut; default `loose`, normals within 45°. */
+  flatness?: "none" | "loose" | "tight" | "curvature";
+  /** The step of the projection: damped Newton (default) or the paper's tangent-plane step. */
+  projection?: "newton" | "tangent-plane";
+  /** The patches on which a sample is projected: those near enough (default), or all as in the paper. */
+  culling?: "tree" | "none";
+  /** Largest number of steps on one patch, 1 to 300; default 5. */
+  iterations?: number;
+  /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
+  stepTolerance?: number;
+  /**
+   * `hierarchy`: cells along each direction of every surface, 2 to 1024
+   * provided that a model has at most 2^22 cells; default 64.
+   */
+  grid?: number;
+  /** `hierarchy`: MiB for pairs of boxes, 1 to 256; default 256. */
+  memoryBudget?: number;
+  /** Whether the distance from B to A is computed too; default no. */
+  symmetric?: boolean;
+  /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
+  /** Moves A before it is measured, without an upload. */
+  transform?: Transform;
+  /** The processor for this distance; default `auto`. */
+  backend?: Backend;
+  /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
+  field?: boolean;
+  /**
+   * Cancels the work: distances that have not begun and all methods but
+   * `certified` then reject with code `CANCELLED`; `certified` resolves to the
+   * interval reached, with `stop` `cancelled`.
+   */
+  signal?: AbortSignal;
+  /**
+   * Called with the fraction of the work done, rising to 1, and by all methods
+   * but `iteration` with the interval reached, by `certified` also with whether
+   * the search has stalled. An error that it throws cancels
+   * the work.
+   */
+  onProgress?: OnProgress;
+}
+
+/**
+ * The type of `onProgress`. `stalled` is true while a search by method
+ * `certified` gains nothing: its interval has not halved over ten times the
+ * cells that it took to the last halving, so that it may take much longer than
+ * so far, and a budget or the signal may have to end it.
+ */
+export type OnProgress = (
+  fraction: number,
+  interval?: [lower: number, upper: number],
+  stalled?: boolean,
+) => void;
+
+/** @internal */
+export interface SplitOptions {
+  plain: object;
+  transform: Transform | undefined;
+  signal: AbortSignal | undefined;
+  onProgress: OnProgress | undefined;
+}
+
+/**
+ * The options that are plain data and the transform, which the module checks,
+ * and those that are objects of JavaScript.
+ * @internal
+ */
+export function split(options: DistanceOptions): SplitOptions {
+  if (typeof options !== "object" || options === null) {
+    throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
+  }
+  const { transform, signal, onProgress, ...plain } = options;
+  if (signal !== undefined && typeof signal?.aborted !== "boolean") {
+    throw invalid("signal is not an AbortSignal");
+  }
+  if (onProgress !== undefined && typeof onProgress !== "function") {
+    throw invalid(`onProgress is ${typeof onProgress}, expected a function`);
+  }
+  return { plain, transform, signal, onProgress };
+}
+
+function invalid(message: string): HausdorffError {
+  return new HausdorffError("OPTION_INVALID", message);
+}

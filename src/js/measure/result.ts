@@ -1,0 +1,157 @@
+import type { Vector3 } from "./options.js";
+
+/** A point of a model. */
+export interface SurfacePoint {
+  /** Index of the surface. */
+  surface: number;
+  /** The surface's name in its source, if it has one. */
+  part?: string;
+  /** Its parameters there. */
+  u: number;
+  v: number;
+  point: Vector3;
+}
+
+/** All samples of one surface, or of a piece of a trimmed one, v fastest. */
+export interface Field {
+  /** Index of the surface in the sampled model. */
+  surface: number;
+  /** Numbers of samples along u and v. */
+  counts: [number, number];
+  /** x, y, z of every sample, after the transform. */
+  points: Float64Array<ArrayBuffer>;
+  /** x, y, z of every sample's nearest point on the other model. */
+  feet: Float64Array<ArrayBuffer>;
+  /** Their distances. */
+  distances: Float64Array<ArrayBuffer>;
+  /** The distances, negative behind the other model's normal there; NaN where it has none. */
+  signed: Float64Array<ArrayBuffer>;
+  /** The area that each sample stands for. */
+  areas: Float64Array<ArrayBuffer>;
+  /** The ends of the projections: 0 converged, 1 iteration limit, 2 on an edge. */
+  statuses: Uint8Array<ArrayBuffer>;
+}
+
+/** Statistics of the deviation over the area of the sampled model: estimates. */
+export interface Statistics {
+  estimate: true;
+  area: number;
+  mean: number;
+  rms: number;
+  signedMean: number;
+  median: number;
+  percentile95: number;
+  percentile99: number;
+}
+
+/**
+ * The results of all methods. Guarantee: `lower <= true distance <= upper`,
+ * whether the method converged or not.
+ */
+interface Common {
+  backend: "gpu" | "cpu";
+  /** The GPU's name; browsers do not report it. */
+  adapter: string | null;
+  /** The larger diagonal of the two models' boxes. */
+  diagonal: number;
+  /** Metres per unit of every length, if a model states its unit. */
+  unit?: number;
+  /**
+   * The sum of both models' gaps: how far their sources may be from what was measured. It
+   * stands beside the interval and is not part of it.
+   */
+  modelGap: number;
+  /** The distance of the witness, which the method takes for the farthest point. */
+  computed: number;
+  lower: number;
+  upper: number;
+  /** Where the distance is attained; `a` after the transform. */
+  witness: { a: SurfacePoint; b: SurfacePoint };
+  /** Numbers of Bézier patches after cutting. */
+  patches: { a: number; b: number };
+  seconds: { prepare: number; compile: number; solve: number };
+  /**
+   * The reason why the CPU was used although the options allow the GPU, and that
+   * a relative tolerance is 0 where both models are single points.
+   */
+  notice?: string;
+  /** With `field`, where there is an area. */
+  statistics?: Statistics;
+  /** With `field`: one entry a surface of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
+  field?: Field[];
+}
+
+/** A distance by method `certified`. */
+export interface CertifiedResult extends Common {
+  method: "certified";
+  /** Whether the interval is as narrow as requested, or the limit is decided. */
+  converged: boolean;
+  /** The requested width of the interval, in model units. */
+  tolerance: number;
+  /**
+   * The least tolerance, in model units, that the rounding of these coordinates
+   * allows: a search for a smaller one stops with `precision` at about this width.
+   */
+  minTolerance: number;
+  /** Number of cells bounded. */
+  cells: number;
+  /** Number of those bounded in float64 on the CPU. */
+  cpuCells: number;
+  /** Halvings from the whole model to the smallest cell. */
+  levels: number;
+  /** Why the search ended. */
+  stop: "converged" | "cells" | "time" | "precision" | "cancelled";
+  /** With `limit`: whether the distance is at most the limit, absent if that was not decided. */
+  within?: boolean;
+  /** With `symmetric`: from A to B. The result itself is the larger's. */
+  forward?: CertifiedResult;
+  /** With `symmetric`: from B to A; its witness is still named by a and b. */
+  reverse?: CertifiedResult;
+}
+
+/** A distance by method `iteration`. */
+export interface IterationResult extends Common {
+  method: "iteration";
+  /** Whether `computed` is the largest distance of all samples up to rounding. */
+  converged: boolean;
+  /**
+   * The paper's bounds K_A and K_B (the latter null where it does not apply),
+   * and a rigorous bound on what a point between the samples can add.
+   */
+  bounds: { kA: number; kARigorous: number; kB: number | null };
+  /** Number of samples. */
+  samples: number;
+  /** Numbers of samples by the end of their projection. */
+  statuses: { converged: number; iterationLimit: number; onEdge: number };
+  /** With `symmetric`: from A to B. The result itself is the larger's. */
+  forward?: IterationResult;
+  /** With `symmetric`: from B to A; its witness is still named by a and b. */
+  reverse?: IterationResult;
+}
+
+/** A distance by method `hierarchy`. */
+export interface HierarchyResult extends Common {
+  method: "hierarchy";
+  /** Whether the interval, whose width follows from the grid, is as narrow as `tolerance`. */
+  converged: boolean;
+  /** Cells along each direction of every surface. */
+  grid: number;
+  /** Levels of boxes, from the whole models to the cells. */
+  levels: number;
+  /** On every level, the pairs of boxes left after culling. */
+  pairs: number[];
+  /** With `symmetric`: from A to B. The result itself is the larger's, its pairs those of both. */
+  forward?: HierarchyResult;
+  /** With `symmetric`: from B to A; its witness is still named by a and b. */
+  reverse?: HierarchyResult;
+}
+
+/** The result of each method. */
+export interface Results {
+  certified: CertifiedResult;
+  iteration: IterationResult;
+  hierarchy: HierarchyResult;
+}
+
+/** A distance, by the method that it names. */
+export type DistanceResult = Results[keyof Results];

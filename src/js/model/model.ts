@@ -1,0 +1,124 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+import type { CadReport } from "../cad/report.js";
+import { HausdorffError, translating } from "../error.js";
+import type { Vector3 } from "../measure/options.js";
+import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
+import { controlPoints, type Numbers } from "./surface.js";
+import type { Tessellation } from "./tessellation.js";
+
+/** The largest index that the module's 32 bits take. */
+const MAX_SURFACE = 2 ** 32 - 1;
+
+/**
+ * One or more NURBS surfaces, measured as one set of points; made by
+ * `Hausdorff.model`, `Hausdorff.shape` and `readCad`.
+ *
+ * It holds memory outside of JavaScript's: dispose of it, or declare it with
+ * `using`, when done. Else that memory is freed some time after the object.
+ */
+export class NurbsModel {
+  #prepared: PreparedModel | undefined;
+
+  /** What reading its CAD file kept, approximated and left out; null for other models. */
+  readonly report: CadReport | null;
+
+  private constructor(prepared: PreparedModel, report: CadReport | null) {
+    this.#prepared = prepared;
+    this.report = report;
+  }
+
+  /** @internal */
+  static of(prepared: PreparedModel, report: CadReport | null = null): NurbsModel {
+    return new NurbsModel(prepared, report);
+  }
+
+  /**
+   * The module's model.
+   * @internal
+   */
+  get prepared(): PreparedModel {
+    if (this.#prepared === undefined) {
+      throw new HausdorffError("DISPOSED", "the model was disposed of");
+    }
+    return this.#prepared;
+  }
+
+  /** The name in the model's JSON, or the shape's. */
+  get name(): string | null {
+    return this.prepared.name ?? null;
+  }
+
+  /** Metres per model unit, or null if the model does not state it. */
+  get unit(): number | null {
+    return this.prepared.unit ?? null;
+  }
+
+  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  get gap(): number {
+    return this.prepared.gap;
+  }
+
+  /** The name of a surface in its source, or null. */
+  part(surface: number): string | null {
+    return this.prepared.part(surface) ?? null;
+  }
+
+  /** Number of surfaces, trimmed or whole, at least 1; with instances, of those they place. */
+  get surfaceCount(): number {
+    return this.prepared.surfaceCount;
+  }
+
+  /** The box of all control points of what is measured, which contains the model. */
+  get boundingBox(): { min: Vector3; max: Vector3 } {
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.prepared.boundingBox;
+    return { min: [a, b, c], max: [d, e, f] };
+  }
+
+  /**
+   * Triangles that deviate from the model by at most `tolerance` (in model
+   * units; by default 2e-4 of the model's diagonal), provided that about a
+   * million of them suffice.
+   *
+   * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless `tolerance` is
+   * positive and finite.
+   */
+  tessellate({ tolerance }: { tolerance?: number } = {}): Tessellation {
+    const prepared = this.prepared;
+    if (tolerance !== undefined && typeof tolerance !== "number") {
+      throw new HausdorffError(
+        "OPTION_INVALID",
+        `tolerance is ${typeof tolerance}, expected a number`,
+      );
+    }
+    return translating(() => prepared.tessellate(tolerance) as Tessellation);
+  }
+
+  /**
+   * Gives a surface other control points, as many as it has, on the same knots: a
+   * deforming surface, frame after frame. Faster than a new model, as its cuts and
+   * trees are kept. Distances that are being computed still measure the old surface.
+   *
+   * @param surface its index
+   * @param points x, y, z, w each, v fastest; with `homogeneous`, x, y, z multiplied by w
+   * @throws {HausdorffError} as `Hausdorff.model`; `OPTION_OUT_OF_RANGE` for an index
+   * that the model does not have. The model is then unchanged.
+   */
+  update(surface: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
+    const prepared = this.prepared;
+    if (!Number.isInteger(surface) || surface < 0 || surface > MAX_SURFACE) {
+      throw new HausdorffError("ARGUMENT_INVALID", `surface is ${surface}, expected an index`);
+    }
+    const changed = controlPoints(points, homogeneous, "");
+    translating(() => prepared.update(surface, changed));
+  }
+
+  /** Frees its memory; distances that use it still end well. */
+  dispose(): void {
+    this.#prepared?.free();
+    this.#prepared = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+}

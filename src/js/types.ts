@@ -1,0 +1,37 @@
+// The types and the error class that the package's entries share.
+export { type ErrorCode, HausdorffError } from "./error.js";
+export type { ModuleSource } from "./load.js";
+export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
+export type { DistanceEngine } from "./measure/engine.js";
+export type {
+  Backend,
+  DistanceOptions,
+  OnProgress,
+  Transform,
+  Vector3,
+} from "./measure/options.js";
+export type {
+  CertifiedResult,
+  DistanceResult,
+  Field,
+  HierarchyResult,
+  IterationResult,
+  Results,
+  Statistics,
+  SurfacePoint,
+} from "./measure/result.js";
+export type {
+  BrepText,
+  ControlPoint,
+  InstanceArrays,
+  InterchangeCurve,
+  InterchangeInstance,
+  InterchangeModel,
+  InterchangeSurface,
+  ModelArrays,
+  Numbers,
+  SurfaceArrays,
+  TrimCurveArrays,
+} from "./model/surface.js";
+export type { Tessellation } from "./model/tessellation.js";

@@ -1,0 +1,86 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { create, square, withCode } from "../support.mjs";
+
+let hd;
+let a;
+before(async () => {
+  hd = await create({ backend: "cpu" });
+  a = hd.model([square()]);
+});
+after(() => {
+  a.dispose();
+  hd.dispose();
+});
+
+const refusals = [
+  ["OPTION_OUT_OF_RANGE", { samples: 1 }, /samples is 1, expected 2 to 1024/],
+  ["OPTION_OUT_OF_RANGE", { samples: 1025 }],
+  ["OPTION_OUT_OF_RANGE", { iterations: 0 }],
+  ["OPTION_OUT_OF_RANGE", { iterations: 1001 }],
+  ["OPTION_OUT_OF_RANGE", { stepTolerance: 0 }],
+  ["OPTION_OUT_OF_RANGE", { stepTolerance: Number.NaN }],
+  ["OPTION_OUT_OF_RANGE", { tolerance: -1 }],
+  ["OPTION_OUT_OF_RANGE", { grid: 1 }, /grid is 1, expected 2 to 1024/],
+  ["OPTION_OUT_OF_RANGE", { memoryBudget: 0 }, /1 to 256 MiB/],
+  ["OPTION_INVALID", { samples: 2.5 }, /samples: .*`2.5`, expected usize/],
+  ["OPTION_INVALID", { samples: -1 }, /samples: .*`-1.0`, expected usize/],
+  ["OPTION_INVALID", { samples: "64" }, /samples: .*string "64", expected usize/],
+  ["OPTION_INVALID", { samples: null }, /samples: /],
+  ["OPTION_INVALID", { sample: 64 }, /unknown field `sample`, expected one of .*`samples`/],
+  ["OPTION_INVALID", { method: "guess" }, /method: unknown variant `guess`, .*`certified`/],
+  ["OPTION_INVALID", { flatness: "flat" }, /flatness: .*`curvature`/],
+  ["OPTION_INVALID", { sampling: 1 }, /sampling: /],
+  ["OPTION_INVALID", { projection: {} }],
+  ["OPTION_INVALID", { culling: true }],
+  ["OPTION_INVALID", { symmetric: "yes" }, /symmetric: .*"yes", expected a boolean/],
+  ["OPTION_INVALID", { backend: "tpu" }, /backend: .*`tpu`.*`auto`/],
+  ["OPTION_INVALID", { field: 1 }, /field: .*expected a boolean/],
+  ["OPTION_INVALID", { limit: "1" }, /limit: .*expected f64/],
+  ["OPTION_INVALID", { maxSeconds: [] }, /maxSeconds: /],
+  ["OPTION_INVALID", { max_seconds: 1 }, /`max_seconds`/],
+  ["OPTION_INVALID", { signal: {} }],
+  ["OPTION_INVALID", { signal: null }],
+  ["OPTION_INVALID", { onProgress: 1 }],
+  ["OPTION_INVALID", { transform: 1 }, /transform: found .*expected an object/],
+  ["OPTION_INVALID", { transform: { translate: [0, 0, 0] } }, /translate/],
+  ["OPTION_INVALID", { transform: null }, /transform: found null, expected an object/],
+  ["OPTION_INVALID", { transform: { translation: [0, 0] } }, /transform: translation.*3 numbers/],
+  [
+    "OPTION_INVALID",
+    { transform: { rotation: [0, 0, 0, 1, 0] } },
+    /transform: rotation.*4 numbers/,
+  ],
+  ["OPTION_INVALID", { transform: { rotation: [0, 0, 0, "1"] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { rotation: [0, 0, 0, 2] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { translation: [0, 0, Infinity] } }],
+  ["TRANSFORM_NOT_RIGID", { transform: { translation: [0, 0, 2e100] } }],
+];
+
+for (const [code, options, message] of refusals) {
+  test(`${code}: ${Object.keys(options)} ${JSON.stringify(Object.values(options))}`, async () => {
+    await assert.rejects(hd.distance(a, a, options), withCode(code, message));
+  });
+}
+
+test("options that are no object are refused", async () => {
+  for (const options of [null, 1, "fast"]) {
+    await assert.rejects(hd.distance(a, a, options), withCode("OPTION_INVALID"));
+  }
+});
+
+test("undefined options have their defaults", async () => {
+  const { samples } = await hd.distance(a, a, {
+    method: "iteration",
+    samples: undefined,
+    transform: undefined,
+    signal: undefined,
+    onProgress: undefined,
+  });
+  assert.equal(samples, 64 * 64);
+});
+
+test("what is no model is refused", async () => {
+  await assert.rejects(hd.distance(a, {}), withCode("ARGUMENT_INVALID", /b is not a NurbsModel/));
+  await assert.rejects(hd.distance(undefined, a), withCode("ARGUMENT_INVALID", /a is not/));
+});

@@ -1,0 +1,84 @@
+// The page in Firefox: every method on the CPU where there is no WebGPU, and files.
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { which } from "../../scripts/process.mjs";
+import { openFirefox } from "./support/firefox.mjs";
+import { planes } from "./support/models.mjs";
+
+const executable = which("firefox") ?? which("firefox-esr");
+const skip = executable === undefined && "Firefox is not installed";
+
+let opened;
+
+before(async () => {
+  if (!skip) opened = await openFirefox(executable);
+});
+
+after(() => opened?.close());
+
+/** Waits until the panel of results reaches this state after `change`, a function of the page. */
+async function done(change, ...args) {
+  await opened.evaluate(() => {
+    document.getElementById("result").dataset.state = "awaited";
+  });
+  await opened.evaluate(change, ...args);
+  await opened.until(() => document.getElementById("result").dataset.state === "done");
+}
+
+const result = () => opened.evaluate(() => ({ ...document.getElementById("result").dataset }));
+
+/** Selects an entry by its value or text, as a user does. */
+function select(id, entry) {
+  const list = document.getElementById(id);
+  const option = [...list.options].find(({ value, text }) => value === entry || text === entry);
+  list.value = option.value;
+  for (const type of ["input", "change"]) list.dispatchEvent(new Event(type, { bubbles: true }));
+}
+
+test("Firefox measures the first preset", { skip }, async () => {
+  await opened.until(() => document.getElementById("result").dataset.state === "done");
+  const { lower, upper } = await result();
+  assert.ok(0 < Number(lower) && Number(lower) <= Number(upper), `${lower} ${upper}`);
+  assert.ok(await opened.evaluate(() => document.getElementById("error").hidden));
+});
+
+test("Firefox measures concentric spheres by every method", { skip }, async () => {
+  await done(select, "preset", "Concentric spheres");
+  for (const method of ["certified", "iteration", "hierarchy"]) {
+    await done(select, "method", method);
+    const { lower, upper } = await result();
+    const rounding = 1e-12;
+    assert.ok(Number(lower) <= 0.2 + rounding && 0.2 - rounding <= Number(upper), method);
+    const facts = await opened.evaluate(() => document.getElementById("facts").textContent);
+    const webgpu = await opened.evaluate(
+      async () => (await navigator.gpu?.requestAdapter()) ?? null,
+    );
+    if (webgpu === null) assert.match(facts, /on the CPU/, method);
+  }
+});
+
+test("Firefox opens a file", { skip }, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "page-"));
+  try {
+    for (const [side, height] of [
+      ["a", 0],
+      ["b", 0.25],
+    ]) {
+      const file = join(folder, `${side}.json`);
+      writeFileSync(file, JSON.stringify(planes(height)));
+      await opened.evaluate(() => {
+        document.getElementById("result").dataset.state = "awaited";
+      });
+      await opened.setFile(`#file-${side}`, file);
+      await opened.until(() => document.getElementById("result").dataset.state === "done");
+    }
+    await done(select, "method", "certified");
+    const { lower, upper } = await result();
+    assert.ok(Number(lower) <= 0.25 && 0.25 <= Number(upper), `${lower} ${upper}`);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});

@@ -1,0 +1,79 @@
+// Models as files for the page, and files of the shared models.
+import { existsSync, readFileSync } from "node:fs";
+
+/** A square of side 2 at this height, with its normal upwards. */
+const square = (height) => ({
+  degree: [1, 1],
+  knots_u: [0, 0, 1, 1],
+  knots_v: [0, 0, 1, 1],
+  ctrl: [-1, 1].map((x) => [-1, 1].map((y) => [x, y, height, 1])),
+});
+
+/** A model of one square at each height. */
+export const planes = (...heights) => ({ surfaces: heights.map(square) });
+
+/** A model of squares of side 2 in a row along x, each at its height; none overlaps another. */
+export const row = (...heights) => ({
+  surfaces: heights.map((height, index) => {
+    const { ctrl, ...rest } = square(height);
+    const moved = ctrl.map((column) => column.map(([x, ...others]) => [x + 3 * index, ...others]));
+    return { ...rest, ctrl: moved };
+  }),
+});
+
+/** x, y and weight of the control points of a circular arc, `quarters` quarter turns from an angle (The NURBS Book, section 7.5). */
+const arc = (from, quarters) =>
+  Array.from({ length: 2 * quarters + 1 }, (_, eighth) => {
+    const [angle, corner] = [from + (eighth * Math.PI) / 4, eighth % 2 === 1];
+    const [size, weight] = corner ? [Math.SQRT2, Math.SQRT1_2] : [1, 1];
+    return [size * Math.cos(angle), size * Math.sin(angle), weight];
+  });
+
+const knots = (quarters) => {
+  const inner = Array.from({ length: 2 * (quarters - 1) }, (_, index) => 1 + Math.floor(index / 2));
+  return [0, 0, 0, ...inner, quarters, quarters, quarters];
+};
+
+/** A small rotation about an axis other than the sphere's own. */
+function turned([x, y, z]) {
+  const [cos, sin] = [Math.cos(0.2), Math.sin(0.2)];
+  const [a, b] = [cos * x - sin * y, sin * x + cos * y];
+  return [a, cos * b - sin * z, sin * b + cos * z];
+}
+
+/** A part of a sphere: quarter turns from an angle in longitude, and from an angle in latitude. */
+function spherePart(radius, [round, rounds], [along, alongs], turn) {
+  const ctrl = arc(round, rounds).map(([x, y, weight]) =>
+    arc(along, alongs).map(([out, up, weightAlong]) => {
+      const point = [radius * out * x, radius * out * y, radius * up];
+      return [...turn(point), weight * weightAlong];
+    }),
+  );
+  const surface = { degree: [2, 2], knots_u: knots(rounds), knots_v: knots(alongs), ctrl };
+  return { surfaces: [surface] };
+}
+
+/**
+ * A rotated quarter of a sphere of radius 2, and three quarters of a concentric
+ * sphere of radius 2.2. All points of the first are at the distance 0.2 from
+ * the second, which only ever smaller cells can certify: minutes at 1e-9.
+ */
+export const sphereParts = {
+  a: spherePart(2, [0.75 * Math.PI, 1], [-0.25 * Math.PI, 1], turned),
+  b: spherePart(2.2, [0, 3], [-0.5 * Math.PI, 2], (point) => point),
+};
+
+/** A file with this text, for Playwright's file inputs. */
+export const file = (name, text) => ({
+  name,
+  mimeType: "application/json",
+  buffer: Buffer.from(text),
+});
+
+export const modelFile = (name, model) => file(name, JSON.stringify(model));
+
+/** A file of ../shared/models, or undefined if it does not exist. */
+export function sharedFile(name) {
+  const path = new URL(`../../../../shared/models/${name}`, import.meta.url);
+  return existsSync(path) ? file(name, readFileSync(path)) : undefined;
+}

@@ -1,0 +1,62 @@
+// Serves the built page and opens it in headless Chromium.
+import { mkdirSync } from "node:fs";
+import { chromium } from "playwright-core";
+import { preview } from "vite";
+import { launchOptions } from "../../../scripts/test/browser.mjs";
+
+/** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
+const TIMEOUT = 60_000;
+
+const screenshots = "tests/screenshots";
+
+/**
+ * Opens the page. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
+ * `path` selects another page than the main one, and `prepare` receives the
+ * page before it is loaded.
+ */
+export async function open({
+  webgpu = true,
+  webgl = true,
+  size = { width: 1280, height: 800 },
+  path = "",
+  prepare = async () => {},
+} = {}) {
+  const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
+  const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
+  if (!webgl) args.push("--disable-3d-apis");
+  const browser = await chromium.launch({ ...launchOptions, args });
+  const page = await browser.newPage({ viewport: size });
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.setDefaultTimeout(TIMEOUT);
+  await prepare(page);
+  await page.goto(new URL(path, server.resolvedUrls.local[0]).href);
+  return {
+    page,
+    errors,
+    data: () => page.locator("#result").evaluate(({ dataset }) => ({ ...dataset })),
+    /** Waits until the panel of results reaches a state after `change`. */
+    async until(state, change = async () => {}) {
+      await page.locator("#result").evaluate(({ dataset }) => {
+        dataset.state = "awaited";
+      });
+      await change();
+      await page.locator(`#result[data-state="${state}"]`).waitFor();
+    },
+    /** Returns the terms and texts of a list in the panel of results. */
+    async texts(list) {
+      const terms = await page.locator(`${list} dt`).allTextContents();
+      const texts = await page.locator(`${list} dd`).allTextContents();
+      return Object.fromEntries(terms.map((term, index) => [term, texts[index]]));
+    },
+    async screenshot(name) {
+      mkdirSync(screenshots, { recursive: true });
+      await page.waitForTimeout(500);
+      await page.screenshot({ path: `${screenshots}/${name}.png` });
+    },
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
