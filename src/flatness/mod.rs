@@ -190,8 +190,7 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
         }
         part
     });
-    let mut flat = FlatPatches::default();
-    flat.patches = with_whole_patches(patches, &parts);
+    let mut flat = FlatPatches { patches: with_whole_patches(patches, &parts), ..FlatPatches::default() };
     for part in parts {
         flat.extensions.extend(part.extensions);
         flat.places.extend(part.places);
@@ -203,7 +202,7 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
 /// Returns the pieces of all parts, which have those of patches that were cut, and
 /// the patches that were not, in order. Patches of which none was cut are shared.
 fn with_whole_patches(patches: &PatchSet, parts: &[FlatPatches]) -> PatchSet {
-    if parts.iter().all(|part| part.patches.len() == 0) {
+    if parts.iter().all(|part| part.patches.is_empty()) {
         return patches.clone();
     }
     let controls = parts.iter().map(|part| part.patches.control_count()).sum::<usize>();
