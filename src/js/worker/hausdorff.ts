@@ -39,13 +39,17 @@ export interface WorkerClosestPointOptions extends ClosestPointOptions {
 export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
 let connect: Connect;
+let connectsReaders = false;
 
 /**
- * Sets how workers are started on this platform.
+ * Sets how workers are started on this platform. Where a program imports both
+ * entries, those with the readers of files are started, whichever was set last.
  * @internal
  */
-export function connectBy(platform: Connect): void {
+export function connectBy(platform: Connect, { readers = false } = {}): void {
+  if (connectsReaders && !readers) return;
   connect = platform;
+  connectsReaders = readers;
 }
 
 /**

@@ -3,7 +3,10 @@ import { connectBy } from "../hausdorff.js";
 import { browser } from "../platform/browser.js";
 
 // Bundlers recognise this expression, and bundle the file that it names.
-connectBy(browser(() => new Worker(new URL("./thread.js", import.meta.url), { type: "module" })));
+connectBy(
+  browser(() => new Worker(new URL("./thread.js", import.meta.url), { type: "module" })),
+  { readers: true },
+);
 
 export * from "../exports.js";
 export { readCad, type WorkerCadOptions } from "./read.js";
