@@ -3,7 +3,7 @@
 //! `cargo bench --bench offsets [-- NAME]`: pairs whose names contain NAME.
 //! Prints a Markdown table of solve times and cells, in float64 and, where
 //! there is an adapter, with the kernels. The pairs are those of
-//! `tests/methods/certified.rs`, at the default tolerance.
+//! `tests/methods/certified/limits_and_reports.rs`, at the default tolerance.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 

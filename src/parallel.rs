@@ -28,6 +28,24 @@ pub(crate) fn map_short<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync 
     map(count, work)
 }
 
+/// Runs two pieces of work, at a time if both are `large`.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn join(large: bool, first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
+    if large {
+        rayon::join(first, second);
+    } else {
+        first();
+        second();
+    }
+}
+
+/// Runs two pieces of work.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn join(_large: bool, first: impl FnOnce(), second: impl FnOnce()) {
+    first();
+    second();
+}
+
 /// Runs `work`, which calls [`map`] several times, on a thread of the pool: from
 /// outside the pool, every call would wait for a thread to wake.
 #[cfg(not(target_arch = "wasm32"))]

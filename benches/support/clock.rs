@@ -23,6 +23,14 @@ impl Stopwatch {
             _ => self.wall.elapsed().as_secs_f64(),
         }
     }
+
+    /// Returns the seconds that all threads ran; wall-clock seconds where these are not known.
+    pub(crate) fn cpu_seconds(&self) -> f64 {
+        match (self.spent, spent()) {
+            (Some(start), Some(now)) => now - start,
+            _ => self.wall.elapsed().as_secs_f64(),
+        }
+    }
 }
 
 fn cpus() -> f64 {

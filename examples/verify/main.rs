@@ -6,8 +6,9 @@
 //! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
 //! bad input. Models are moved by `--rotate` and `--translate` as by the command.
 
-#[path = "../../src/bin/nurbs-hausdorff/motion.rs"]
+#[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
+#[allow(dead_code, reason = "the fuzzer compares with parts of models")]
 mod proof;
 
 use clap::Parser;

@@ -1,5 +1,5 @@
 // Points and derivatives of subpatches in the power form in (σ, τ), by Horner's
-// rule. CPU twin: `Patch::jet` of `src/bezier/evaluate.rs`. The host generates
+// rule. CPU twin: `Patch::jet` of `src/bezier/patch/evaluate.rs`. The host generates
 // the degrees P and Q.
 
 const ROWS: u32 = P + 1u;

@@ -1,5 +1,5 @@
 // A point of a surface with its first and second derivatives. CPU twin: `Jet`
-// of `src/bezier/evaluate.rs`.
+// of `src/bezier/patch/evaluate.rs`.
 
 struct Jet {
     point: vec3<f32>,

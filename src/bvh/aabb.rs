@@ -1,5 +1,6 @@
 //! Axis-aligned bounding boxes.
 
+use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// An axis-aligned box, given by two opposite corners.
@@ -61,6 +62,16 @@ impl Aabb {
     #[must_use]
     pub fn min_distance_squared(&self, point: DVec3) -> f64 {
         (self.min - point).max(point - self.max).max(DVec3::ZERO).length_squared()
+    }
+
+    /// Returns the largest distance between a point of this box, after an affine map, and
+    /// one of `other`: that of a corner, as a convex function attains its maximum over a
+    /// box at a corner.
+    #[must_use]
+    pub fn max_distance(&self, map: impl Fn(DVec3) -> DVec3, other: &Self) -> f64 {
+        let ends = [self.min, self.max];
+        let corner = |index: usize| DVec3::new(ends[index & 1].x, ends[index >> 1 & 1].y, ends[index >> 2].z);
+        (0..8).map(|index| other.max_distance_squared(map(corner(index)))).fold(0.0, upper_max).sqrt()
     }
 
     /// Returns the squared distance from `point` to the farthest corner of the box.

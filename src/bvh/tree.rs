@@ -1,6 +1,7 @@
 //! The bounding volume hierarchy.
 
 use super::Aabb;
+use crate::parallel::join;
 use glam::DVec3;
 
 /// A node of a [`Bvh`]: an inner node has two children, a leaf one primitive.
@@ -39,15 +40,18 @@ impl Bvh {
     /// may avoid it. O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
-        let mut tree =
-            Self { nodes: Vec::with_capacity(2 * boxes.len()), order: (0..boxes.len() as u32).collect() };
+        let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+        let unset = Node { aabb: Aabb::EMPTY, right_child: 0, first_leaf: 0 };
+        let mut nodes = vec![unset; (2 * boxes.len()).saturating_sub(1)];
         if !boxes.is_empty() {
-            let mut order = std::mem::take(&mut tree.order);
             let centers: Vec<DVec3> = boxes.iter().map(Aabb::center).collect();
-            tree.build(boxes, &centers, &mut order, 0);
-            tree.order = order;
+            build(
+                boxes,
+                &centers,
+                Subtree { nodes: &mut nodes, first_node: 0, order: &mut order, first_leaf: 0 },
+            );
         }
-        tree
+        Self { nodes, order }
     }
 
     /// Returns the same tree over primitives that have moved: its boxes are those of
@@ -67,27 +71,6 @@ impl Bvh {
             };
         }
         tree
-    }
-
-    /// Appends the subtree over the primitives `order`, which begin at `first_leaf`.
-    fn build(&mut self, boxes: &[Aabb], centers: &[DVec3], order: &mut [u32], first_leaf: u32) {
-        let box_at = |index: &u32| boxes[*index as usize];
-        let aabb = order.iter().fold(Aabb::EMPTY, |aabb, index| aabb.union(box_at(index)));
-        let node = self.nodes.len();
-        self.nodes.push(Node { aabb, right_child: 0, first_leaf });
-        if order.len() == 1 {
-            return;
-        }
-        let around = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.with(centers[index as usize]));
-        let axis = longest_axis(around.extent());
-        let middle = order.len() / 2;
-        order.select_nth_unstable_by(middle, |&a, &b| {
-            centers[a as usize][axis].total_cmp(&centers[b as usize][axis])
-        });
-        let (left, right) = order.split_at_mut(middle);
-        self.build(boxes, centers, left, first_leaf);
-        self.nodes[node].right_child = self.nodes.len() as u32;
-        self.build(boxes, centers, right, first_leaf + middle as u32);
     }
 
     /// Returns the nodes, root first; without primitives there are none.
@@ -127,6 +110,50 @@ impl Bvh {
         }
         leaves
     }
+}
+
+/// A part of a tree to be built: `2 n - 1` nodes over n primitives.
+struct Subtree<'a> {
+    nodes: &'a mut [Node],
+    /// The position of the first of them in the tree.
+    first_node: usize,
+    /// The primitives.
+    order: &'a mut [u32],
+    /// The position of the first of them in [`Bvh::order`].
+    first_leaf: u32,
+}
+
+/// The number of primitives from which on the two halves of a tree are built at a time.
+const MIN_PARALLEL: usize = 2048;
+
+/// Fills in a tree over at least one primitive.
+fn build(boxes: &[Aabb], centers: &[DVec3], subtree: Subtree<'_>) {
+    let Subtree { nodes, first_node, order, first_leaf } = subtree;
+    let Some((root, below)) = nodes.split_first_mut() else { return };
+    let aabb = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.union(boxes[index as usize]));
+    *root = Node { aabb, right_child: 0, first_leaf };
+    if order.len() == 1 {
+        return;
+    }
+    let around = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.with(centers[index as usize]));
+    let axis = longest_axis(around.extent());
+    let middle = order.len() / 2;
+    order.select_nth_unstable_by(middle, |&a, &b| {
+        centers[a as usize][axis].total_cmp(&centers[b as usize][axis])
+    });
+    let is_large = order.len() >= MIN_PARALLEL;
+    let (left_order, right_order) = order.split_at_mut(middle);
+    let (left_nodes, right_nodes) = below.split_at_mut(2 * middle - 1);
+    let right_child = first_node + 2 * middle;
+    root.right_child = right_child as u32;
+    let left = Subtree { nodes: left_nodes, first_node: first_node + 1, order: left_order, first_leaf };
+    let right = Subtree {
+        nodes: right_nodes,
+        first_node: right_child,
+        order: right_order,
+        first_leaf: first_leaf + middle as u32,
+    };
+    join(is_large, || build(boxes, centers, left), || build(boxes, centers, right));
 }
 
 /// Returns the index of the largest coordinate, the first of equals.

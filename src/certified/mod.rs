@@ -14,6 +14,7 @@
 //! it. `docs/method.md` has the proofs.
 
 mod ascent;
+mod block;
 mod bounds;
 mod cell;
 mod generatrix;
@@ -25,6 +26,7 @@ mod rounding;
 mod search;
 mod sheets;
 
+pub(crate) use block::Block;
 pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;

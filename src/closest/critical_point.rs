@@ -71,3 +71,50 @@ impl CriticalPoint {
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::param_box::ParamBox;
+    use crate::rounding::UNIT_ROUNDOFF;
+
+    /// Lemmas R5 and R7 and section 6.6 of docs/method.md, with every term of about the
+    /// same size as the others in one of the cases: a plane patch of degrees (2, 1), half
+    /// sides `size` and weights that double along s, seen from `height` over its middle.
+    #[test]
+    fn errors_are_those_of_the_lemmas() {
+        for (size, height, away) in [(1.0, 1.0, 0.0), (8.0, 0.125, 0.0), (0.25, 4.0, 0.0), (0.5, 0.25, 100.0)]
+        {
+            let mut controls = Vec::new();
+            for (x, w) in [(-1.0, 1.0), (0.0, 2.0), (1.0, 4.0)] {
+                for y in [-1.0, 1.0] {
+                    controls.push((w * size * DVec3::new(x, y, 0.0)).extend(w));
+                }
+            }
+            let center = DVec3::new(away, 0.0, 0.0);
+            let domain = ParamBox::UNIT;
+            let patch =
+                Patch { surface: 0, degree: [2, 1], domain, center, controls: &controls, rational: true };
+            let target = center + DVec3::new(0.0, 0.0, height);
+            let parameters = [0.25, 0.75];
+            let found = CriticalPoint::new(&patch, target, parameters);
+            let jet = patch.jet(parameters);
+            let (radius, length) = (size * 2.0_f64.sqrt(), (jet.point - target).length());
+            let of_point = 32.0 * radius + away + target.length() + jet.point.length();
+            let of_derivatives = [2.0, 1.0].map(|degree| 78.0 * 4.0 * degree * 4.0 * radius);
+            let lemma = |axis: usize| {
+                let derivative = [jet.s, jet.t][axis].length();
+                2.0 * (of_point * derivative + length * of_derivatives[axis]) + 24.0 * length * derivative
+            };
+            let cases = [
+                (found.distance_error, 2.0 * of_point * length + 10.0 * length * length),
+                (found.gradient_error[0], lemma(0)),
+                (found.gradient_error[1], lemma(1)),
+            ];
+            for (found, lemma) in cases {
+                let part = found / (UNIT_ROUNDOFF * lemma);
+                assert!((0.999..=1.02).contains(&part), "{part} of the lemma, size {size}, height {height}");
+            }
+        }
+    }
+}

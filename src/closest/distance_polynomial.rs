@@ -135,6 +135,43 @@ impl SquaredDistance {
 mod tests {
     use super::*;
 
+    /// A patch that is one point at distance 1, of degrees (2, 2) and weights 1, 2 and 4
+    /// along s: `P = |Y|² - w²` and its derivatives are 0, so that the bound is 1 less the
+    /// allowances of docs/method.md, section 6.6.
+    #[test]
+    fn the_bound_about_a_point_subtracts_every_allowance() {
+        let mut controls = Vec::new();
+        for w in [1.0, 2.0, 4.0] {
+            controls.extend([(w * DVec3::X).extend(w); 3]);
+        }
+        let form = SquaredDistance::new([2, 2], &controls, DVec3::ZERO);
+        // 3 products of (2/2 + 1)(2 + 1) = 6, and the largest coefficient of w² is 16.
+        let (unit, heaviest) = (gamma(2.0 * 6.0 + 21.0), 16.0);
+        let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
+        let lost = |known: &CriticalPoint| 1.0 - form.lower_bound_about(known);
+        // Coefficients are off by r = unit (16 + 16): P itself by r, its second derivatives
+        // by 4 · 3 · 4 r each, half of which counts, and the mixed one by 4 · 4 · 4 r.
+        let rounding = unit * (heaviest + heaviest);
+        let lemma = (1.0 + 24.0 + 24.0 + 64.0) * rounding;
+        assert!((lost(&known) / lemma - 1.0).abs() <= 1e-3, "{:e} and {lemma:e}", lost(&known));
+        // Weights 1, 2, 4 squared have the coefficients 1, 2, 4, 8, 16: ∇w² is at most 4 · 8.
+        let error = 2.0_f64.powi(-12);
+        let cases = [
+            (CriticalPoint { distance_error: error, ..known }, error * (heaviest + 32.0)),
+            (CriticalPoint { gradient_error: [error, 0.0], ..known }, error * heaviest),
+            (CriticalPoint { gradient_error: [0.0, error], ..known }, error * heaviest),
+            (CriticalPoint { gradient: [error, 0.0], ..known }, 0.5 * error * heaviest),
+            (CriticalPoint { gradient: [0.0, -error], ..known }, 0.5 * error * heaviest),
+        ];
+        for (known, lemma) in cases {
+            assert!((lost(&known) / lemma - 1.0).abs() <= 1e-6, "{} and {lemma}: {known:?}", lost(&known));
+        }
+        // Where w is constant, ∇w² is the rounding of its differences alone.
+        let constant = SquaredDistance::new([2, 2], &[DVec3::X.extend(1.0); 9], DVec3::ZERO);
+        let change = constant.denominator_change(1.0) / (2.0 * 4.0 * 2.0 * unit);
+        assert!((0.999..=1.1).contains(&change), "{change}");
+    }
+
     /// A plane patch 1e70 wide, one unit below the target, with weights so large
     /// that the squared numerators overflow: the distance is 1 nevertheless.
     #[test]

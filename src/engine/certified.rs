@@ -35,12 +35,15 @@ pub(super) async fn certified(
     let first = search.interval();
     let mut gains = Gains::new(first);
     let needed = options.backend == Backend::Gpu;
+    // Validation rules out 0.
+    let max_cells = options.max_cells.unwrap_or(usize::MAX).max(1);
     let mut kernels = Kernels { gpu, needed, driver: None, failure: None, slowest: f64::INFINITY };
     let stop = loop {
-        if let Some(stop) = kernels.advance(&mut search).await? {
+        let cells_left = max_cells - search.work().cells;
+        if let Some(stop) = kernels.advance(&mut search, cells_left).await? {
             break stop;
         }
-        if options.max_cells.is_some_and(|most| search.work().cells >= most) {
+        if search.work().cells >= max_cells {
             break Stop::Cells;
         }
         if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
@@ -125,13 +128,14 @@ struct Kernels<'a> {
 impl Kernels<'_> {
     /// Bounds the next cells, on the GPU where they are many; `Some` when there
     /// is nothing left to do. Where float32 is not exact enough, float64 does
-    /// the rest.
-    async fn advance(&mut self, search: &mut BranchAndBound<'_>) -> Result<Option<Stop>> {
+    /// the rest. At most `max_cells`, unless the GPU bounds them: a batch of its own
+    /// size.
+    async fn advance(&mut self, search: &mut BranchAndBound<'_>, max_cells: usize) -> Result<Option<Stop>> {
         let (started, before) = (Instant::now(), search.work().cells);
         let worth = if self.driver.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
         let many = search.waiting() >= worth && !search.has_undecided();
         let Some(gpu) = self.gpu.filter(|_| many) else {
-            let stop = search.advance();
+            let stop = search.advance(max_cells);
             if search.work().cells > before {
                 self.slowest = started.elapsed().as_secs_f64() / (search.work().cells - before) as f64;
             }

@@ -27,6 +27,12 @@ const MIN_UNCUT_PATCHES: usize = 1000;
 /// looks at few of them, and a start on a smaller piece saves less than cutting takes.
 const LARGE_MODEL_HALVINGS: u32 = 2;
 
+/// The largest ratio of the reach of a pair, from the farther end of one model to that of the
+/// other, to the smaller model's radius up to which kernels measure it. Their coordinates are in
+/// units of a model's radius: squares of more than 2^64 overflow float32, of less than 2^-63 lose
+/// digits, and a single point has no radius.
+const MAX_FLOAT32_REACH: f64 = (1_u64 << 30) as f64;
+
 /// The two models of one direction; the transform maps `from` into the frame of `to`.
 pub(super) struct Direction<'a> {
     pub(super) from: &'a PreparedModel,
@@ -100,6 +106,14 @@ impl Direction<'_> {
     /// Returns the sum of both models' gaps.
     pub(super) fn model_gap(&self) -> f64 {
         self.from.gap() + self.to.gap()
+    }
+
+    /// Returns whether float32 holds the lengths of both models in units of either one's size.
+    pub(super) fn is_in_float32_range(&self) -> bool {
+        let [from, to] = [self.from, self.to].map(PreparedModel::bounding_box);
+        let [a, b] = [from, to].map(|aabb| 0.5 * aabb.diagonal());
+        let reach = self.transform.apply(from.center()).distance(to.center()) + a + b;
+        [a, b].into_iter().all(|radius| reach <= MAX_FLOAT32_REACH * radius)
     }
 
     /// Returns the larger diagonal of the two models' boxes.

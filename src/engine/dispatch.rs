@@ -17,6 +17,10 @@ const MAX_LOSSES: u32 = 2;
 const NO_DIAGONAL: &str = "both models are single points, so that a tolerance relative to their diagonal is 0: the \
 interval is as narrow as float64 allows; an absolute tolerance can be reached";
 
+/// The notice about a pair that the kernels do not measure.
+const BEYOND_FLOAT32: &str = "one model is a point, or far smaller than the other or than their distance, beyond what \
+float32 holds; computed on the CPU";
+
 /// Computes distances on one GPU, or on the CPU.
 #[derive(Debug)]
 pub struct Engine {
@@ -133,22 +137,27 @@ impl Engine {
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
+        let in_range = direction.is_in_float32_range();
         loop {
-            let gpu = self.gpu_for(options.backend)?;
+            let device = self.gpu_for(options.backend)?;
+            let gpu = device.as_ref().filter(|_| in_range);
             let run = match method {
                 Method::Certified => {
                     // A software adapter is about as fast as float64, which needs no set-up.
                     let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
-                    direction.certified(gpu.as_ref().filter(helps), options, progress).await
+                    direction.certified(gpu.filter(helps), options, progress).await
                 }
-                Method::Iteration => direction.iteration(gpu.as_ref(), options, progress).await,
-                Method::Hierarchy => direction.hierarchy(gpu.as_ref(), options, progress).await,
+                Method::Iteration => direction.iteration(gpu, options, progress).await,
+                Method::Hierarchy => direction.hierarchy(gpu, options, progress).await,
             };
             match run {
                 Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
                 Ok(mut run) => {
-                    if method != Method::Certified && gpu.is_none() && options.backend != Backend::Cpu {
+                    if method != Method::Certified && device.is_none() && options.backend != Backend::Cpu {
                         run.notice = self.notice();
+                    }
+                    if method != Method::Certified && device.is_some() && !in_range {
+                        run.add_notice(BEYOND_FLOAT32);
                     }
                     let relative = method != Method::Iteration && !options.absolute;
                     if relative && run.diagonal == 0.0 {

@@ -90,6 +90,10 @@ impl Place {
         Self { patch: patch as u32, low: [0.0; 2], width: [1.0; 2] }
     }
 
+    fn is_whole(&self) -> bool {
+        self.width == [1.0; 2]
+    }
+
     /// The halves along an axis.
     fn halves(&self, axis: Axis) -> [Self; 2] {
         let mut halves = [*self; 2];
@@ -167,8 +171,7 @@ impl Rule<'_> {
 
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let grid = center_grid(patches.bounding_box().diagonal());
-    let mut flat = FlatPatches::default();
-    for part in map_ranges(patches.len(), |range| {
+    let parts = map_ranges(patches.len(), |range| {
         let mut part = FlatPatches::default();
         let mut subdivision: Option<Subdivision> = None;
         for index in range {
@@ -186,13 +189,38 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
             subdivision = Some(of_degree);
         }
         part
-    }) {
-        flat.patches.append(&part.patches);
+    });
+    let mut flat = FlatPatches::default();
+    flat.patches = with_whole_patches(patches, &parts);
+    for part in parts {
         flat.extensions.extend(part.extensions);
         flat.places.extend(part.places);
         flat.cuts.append(&part.cuts);
     }
     flat
+}
+
+/// Returns the pieces of all parts, which have those of patches that were cut, and
+/// the patches that were not, in order. Patches of which none was cut are shared.
+fn with_whole_patches(patches: &PatchSet, parts: &[FlatPatches]) -> PatchSet {
+    if parts.iter().all(|part| part.patches.len() == 0) {
+        return patches.clone();
+    }
+    let controls = parts.iter().map(|part| part.patches.control_count()).sum::<usize>();
+    let mut all = PatchSet::default();
+    all.reserve(parts.iter().map(|part| part.places.len()).sum(), controls + patches.control_count());
+    for part in parts {
+        let mut next = 0;
+        for place in &part.places {
+            if place.is_whole() {
+                all.push(patches.patch(place.patch as usize));
+            } else {
+                all.push(part.patches.patch(next));
+                next += 1;
+            }
+        }
+    }
+    all
 }
 
 /// The subdivision of patches of one pair of degrees.
@@ -236,9 +264,7 @@ impl<'a> Subdivision<'a> {
         let split_axis = self.split_axis(&patch, halvings);
         flat.cuts.axes.push(split_axis);
         let Some(axis) = split_axis else {
-            if place.width == [1.0; 2] {
-                flat.patches.push(patch);
-            } else {
+            if !place.is_whole() {
                 flat.patches.push_centered(patch, self.grid);
             }
             flat.extensions.push(extension(patch.degree, cuts));

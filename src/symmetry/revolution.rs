@@ -5,6 +5,7 @@ use super::axis::RotationAxis;
 use super::winding_number::winding;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, length_bounds};
+use crate::parallel::map;
 use crate::rounding::{gamma, upper_max};
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
@@ -47,7 +48,7 @@ pub(crate) fn revolutions(model: &BezierModel) -> Vec<Option<Revolution>> {
     let detect = |grid: &PatchGrid| {
         Axis::BOTH.into_iter().find_map(|round| Strips { patches: &model.patches, grid, round }.revolution())
     };
-    model.grids.iter().map(detect).collect()
+    map(model.grids.len(), |index| detect(&model.grids[index]))
 }
 
 /// The patches of a surface in strips along `round`, the parameter that may rotate the profile.

@@ -5,16 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
-mod attained_bounds;
-mod bezier_patches;
-mod bvh;
-mod closest_point;
-mod local_derivative_bounds;
-mod model_properties;
-mod model_validation;
-mod newton_and_tangent_plane;
-mod shape_operations;
-mod shapes;
-mod tessellation;
-mod trim_validation;
-mod untrim;
+mod bezier;
+mod closest;
+mod models;
+mod trims;

@@ -94,6 +94,61 @@ fn models_of_any_size_are_measured() {
 }
 
 #[test]
+fn a_point_and_models_of_very_different_sizes_are_measured() {
+    let Some(engine) = engine("a_point_and_models_of_very_different_sizes_are_measured") else { return };
+    let [square, plane] = tilted_square();
+    let point = |size: f64| scaled(&mapped(&plane, |[_, _, _, w]| [2.0, 1.0, 0.5, w]), size);
+    // From the square's corner (-1, -1, 0.1), and from (-2, -2, 0) of the plane.
+    let [to_point, to_dot] = [13.16_f64.sqrt(), 8.0_f64.sqrt()];
+    for exponent in [-58, -30, -24, -15, -6, 0, 6, 15, 24, 30] {
+        let size = 10_f64.powi(exponent);
+        for method in [Method::Iteration, Method::Hierarchy, Method::Certified] {
+            let options = Options { method, samples: 16, grid: 16, ..iteration() };
+            for backend in [Backend::Gpu, Backend::Cpu] {
+                let name = format!("{method:?}, {backend:?}, size 1e{exponent}");
+                let result = on(&engine, backend, &scaled(&square, size), &point(size), &options);
+                assert_contains(&result, to_point * size, &name);
+                // A plane of size 1 against one of this size.
+                let (dot, large) = (scaled(&plane, size.min(1.0 / size)), plane.clone());
+                let distance = if exponent == 0 { 0.0 } else { to_dot };
+                let result = on(&engine, backend, &large, &dot, &options);
+                assert_contains(&result, distance * (1.0 - size.min(1.0 / size)), &name);
+            }
+        }
+    }
+}
+
+/// The bounds are finite and contain the distance.
+fn assert_contains(result: &DistanceResult, truth: f64, name: &str) {
+    let DistanceResult { lower, upper, .. } = *result;
+    let rounding = 1e-12 * truth;
+    assert!(
+        lower <= truth + rounding && truth - rounding <= upper && upper.is_finite(),
+        "{name}: {truth:e} not in [{lower:e}, {upper:e}]"
+    );
+}
+
+/// Where weights are so far apart that float32 bounds the error of no point, the bounds of the
+/// boxes remain.
+#[test]
+fn weights_far_apart_leave_the_bound_of_the_boxes() {
+    let Some(engine) = engine("weights_far_apart_leave_the_bound_of_the_boxes") else { return };
+    let [square, plane] = tilted_square();
+    // From the corner (1, -1, 0.5) to (-2, 2, 0), the farthest of the boxes.
+    let farthest = 18.25_f64.sqrt();
+    for method in [Method::Iteration, Method::Hierarchy] {
+        for ratio in [1e12, 1e20] {
+            let heavy = |model| mapped(model, |[x, y, z, w]| [x, y, z, if x > y { ratio * w } else { w }]);
+            let options = Options { method, samples: 4, grid: 4, ..iteration() };
+            let result = on(&engine, Backend::Gpu, &heavy(&square), &heavy(&plane), &options);
+            let name = format!("{method:?}, weights 1 to {ratio:e}");
+            assert_contains(&result, 0.5, &name);
+            assert!(result.upper <= farthest * (1.0 + FLOAT32), "{name}: {}", result.upper);
+        }
+    }
+}
+
+#[test]
 fn weights_of_any_scale_are_the_same_surface() {
     // The points do not change when all weights are multiplied by a number.
     // More samples than float64 alone would put right.

@@ -5,17 +5,8 @@
 #[path = "../support/mod.rs"]
 mod support;
 
-mod bisector_maxima;
 mod certified;
-mod closest_points;
-mod copies_and_offsets;
-mod diff;
-mod field;
-mod hierarchy_accuracy;
-mod hierarchy_boxes;
-mod iteration_accuracy;
-mod iteration_sampling;
-mod revolution_and_spheres;
-mod scales;
+mod hierarchy;
+mod iteration;
+mod queries;
 mod trimmed;
-mod update;

@@ -13,10 +13,14 @@ const FOLDERS: [&str; 6] =
 
 /// Folds that may drop NaN: the file, a part of the line, and the reason.
 const ALLOWED: &[(&str, &str, &str)] = &[
-    ("bezier/extract.rs", "largest.max(point[3])", "weights of a valid surface are numbers"),
-    ("bezier/extract.rs", "radius.max(local.length())", "coordinates of a valid surface are numbers"),
-    ("bezier/oriented_box.rs", "low.min(coordinates)", "vectors, of finite coordinates"),
-    ("bezier/point_error.rs", "self.", "formed from finite radii and centres"),
+    ("bezier/extraction/extract.rs", "largest.max(point[3])", "weights of a valid surface are numbers"),
+    (
+        "bezier/extraction/extract.rs",
+        "radius.max(local.length())",
+        "coordinates of a valid surface are numbers",
+    ),
+    ("bezier/bounds/oriented_box.rs", "low.min(coordinates)", "vectors, of finite coordinates"),
+    ("bezier/bounds/point_error.rs", "self.", "formed from finite radii and centres"),
     ("certified/bounds/bilinear.rs", "foot.parameters[axis]", "parameters of feet are in [0, 1]"),
     (
         "certified/bounds/bilinear.rs",

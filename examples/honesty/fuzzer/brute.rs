@@ -4,6 +4,7 @@
 //! concentrate nearly all of a surface where no grid looks, and rounded parameters miss it.
 
 use super::sheet::Sheet;
+use super::trims::Rim;
 use glam::{DVec2, DVec3, Vec2Swizzles};
 
 /// The number of grid points along each axis of a surface for a first estimate.
@@ -27,6 +28,9 @@ const MAX_STEPS: usize = 40;
 const DAMPING: f64 = 1e-3;
 const MAX_DAMPING: f64 = 1e12;
 
+/// The rounding of the parameters of a point of a loop, relative to them.
+pub(crate) const RIM_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// The rounds of the pattern search, limit from the grid's spacing to rounding.
 const PATTERN_ROUNDS: usize = 48;
 
@@ -39,12 +43,21 @@ pub(crate) struct Placed {
     pub(crate) sheet: usize,
     pub(crate) parameters: DVec2,
     pub(crate) distance: f64,
+    /// Where the point is on a loop of its face, if it was found there.
+    rim: Option<Rim>,
+}
+
+/// No point.
+const NOWHERE: Placed = Placed { sheet: 0, parameters: DVec2::ZERO, distance: f64::INFINITY, rim: None };
+
+fn nearer(a: Placed, b: Placed) -> Placed {
+    if b.distance < a.distance { b } else { a }
 }
 
 /// The model to which distances are computed.
 pub(crate) struct Target<'a> {
     sheets: &'a [Sheet],
-    coarse: Vec<(usize, DVec2, DVec3)>,
+    coarse: Vec<CloudPoint>,
 }
 
 impl<'a> Target<'a> {
@@ -65,31 +78,45 @@ impl<'a> Target<'a> {
         let squared = limit * limit;
         let is_near_copy = |sheet: &Sheet| {
             let grid_parameters = [counterpart.1, counterpart.1.yx()];
-            grid_parameters
-                .iter()
-                .any(|&parameters| sheet.point(sheet.clamp(parameters)).distance_squared(point) <= squared)
+            grid_parameters.iter().any(|&parameters| {
+                sheet.contains(sheet.clamp(parameters))
+                    && sheet.point(sheet.clamp(parameters)).distance_squared(point) <= squared
+            })
         };
         self.sheets.get(counterpart.0).is_some_and(is_near_copy)
-            || self.coarse.iter().any(|(_, _, at)| at.distance_squared(point) <= squared)
+            || self.coarse.iter().any(|sample| sample.point.distance_squared(point) <= squared)
             || self.descend_all(nearest(&self.coarse, point, STARTS), point, limit).distance <= limit
-            || self.search(point, limit) <= limit
+            || self.search(point, limit).distance <= limit
     }
 
-    /// Returns the smallest distance found by a dense search.
-    pub(crate) fn least(&self, point: DVec3) -> f64 {
+    /// Returns a bound on what the rounding of its parameters moves a point of a loop by.
+    pub(crate) fn rim_error(&self, placed: &Placed) -> f64 {
+        if placed.rim.is_none() {
+            return 0.0;
+        }
+        let sheet = &self.sheets[placed.sheet];
+        let at = sheet.point(placed.parameters);
+        let error = RIM_ROUNDING * placed.parameters.abs();
+        let signs = [-1.0, 1.0].into_iter().flat_map(|u| [-1.0, 1.0].map(|v| DVec2::new(u, v)));
+        let moved = signs.map(|sign| sheet.point(sheet.clamp(placed.parameters + sign * error)).distance(at));
+        moved.fold(0.0, f64::max)
+    }
+
+    /// Returns the nearest point found by a dense search.
+    pub(crate) fn least(&self, point: DVec3) -> Placed {
         self.search(point, 0.0)
     }
 
     /// Descends from every local minimum of a grid until one is within `limit`.
-    fn search(&self, point: DVec3, limit: f64) -> f64 {
-        let mut least = f64::INFINITY;
+    fn search(&self, point: DVec3, limit: f64) -> Placed {
+        let mut least = NOWHERE;
         for start in minima(self.sheets, DENSE_GRID, point) {
             let descended = self.descend(start, point, limit);
-            least = least.min(descended.distance);
-            if least > limit {
-                least = least.min(self.pattern_search(descended, point, limit).distance);
+            least = nearer(least, descended);
+            if least.distance > limit {
+                least = nearer(least, self.pattern_search(descended, point, limit));
             }
-            if least <= limit {
+            if least.distance <= limit {
                 break;
             }
         }
@@ -97,12 +124,9 @@ impl<'a> Target<'a> {
     }
 
     fn descend_all(&self, starts: impl IntoIterator<Item = Placed>, point: DVec3, limit: f64) -> Placed {
-        let mut best = Placed { sheet: 0, parameters: DVec2::ZERO, distance: f64::INFINITY };
+        let mut best = NOWHERE;
         for start in starts {
-            let found = self.descend(start, point, limit);
-            if found.distance < best.distance {
-                best = found;
-            }
+            best = nearer(best, self.descend(start, point, limit));
             if best.distance <= limit {
                 break;
             }
@@ -110,9 +134,16 @@ impl<'a> Target<'a> {
         best
     }
 
-    /// Runs the Levenberg–Marquardt method within the domain.
+    /// Runs the Levenberg–Marquardt method within the domain, or along the loop that the start is
+    /// on; the start is the result where it leaves the face.
     fn descend(&self, start: Placed, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
+        if let (Some(rim), Some(region)) = (start.rim, &sheet.region) {
+            let rim = region.slide(rim, |parameters| sheet.point(parameters).distance(target));
+            let parameters = region.at(rim);
+            let distance = sheet.point(parameters).distance(target);
+            return Placed { parameters, distance, rim: Some(rim), ..start };
+        }
         let mut at = start.parameters;
         let mut tangents = sheet.tangents(at);
         let mut best = tangents.point.distance(target);
@@ -152,7 +183,10 @@ impl<'a> Target<'a> {
                 damping *= 10.0;
             }
         }
-        Placed { sheet: start.sheet, parameters: at, distance: best }
+        if at != start.parameters && !sheet.contains(at) {
+            return start;
+        }
+        Placed { parameters: at, distance: best, ..start }
     }
 
     /// Runs a pattern search: evaluates a grid around the best point repeatedly, and
@@ -160,6 +194,9 @@ impl<'a> Target<'a> {
     /// and robust against kinks and narrow valleys.
     fn pattern_search(&self, start: Placed, target: DVec3, limit: f64) -> Placed {
         let sheet = &self.sheets[start.sheet];
+        if start.rim.is_some() {
+            return start;
+        }
         let mut step = sheet.extent() / ((DENSE_GRID - 1) as f64 * f64::from(PATTERN_RADIUS));
         let mut best = start;
         for _ in 0..PATTERN_ROUNDS {
@@ -169,7 +206,7 @@ impl<'a> Target<'a> {
                 for j in -PATTERN_RADIUS..=PATTERN_RADIUS {
                     let parameters = sheet.clamp(center + step * DVec2::new(f64::from(i), f64::from(j)));
                     let distance = sheet.point(parameters).distance(target);
-                    if distance < best.distance {
+                    if distance < best.distance && sheet.contains(parameters) {
                         best = Placed { parameters, distance, ..best };
                         at_rim = i.abs() == PATTERN_RADIUS || j.abs() == PATTERN_RADIUS;
                     }
@@ -186,12 +223,29 @@ impl<'a> Target<'a> {
     }
 }
 
-/// Returns grid points of every surface.
-fn cloud(sheets: &[Sheet]) -> Vec<(usize, DVec2, DVec3)> {
+/// A point of a face.
+struct CloudPoint {
+    sheet: usize,
+    parameters: DVec2,
+    point: DVec3,
+    rim: Option<Rim>,
+}
+
+/// Returns grid points and points of the loops of every face.
+fn cloud(sheets: &[Sheet]) -> Vec<CloudPoint> {
     let of_sheet = |(index, sheet): (usize, &Sheet)| {
-        grid_parameters(sheet, COARSE_GRID)
-            .map(|parameters| (index, parameters, sheet.point(parameters)))
-            .collect::<Vec<_>>()
+        let place = move |parameters: DVec2, rim: Option<Rim>| CloudPoint {
+            sheet: index,
+            parameters,
+            point: sheet.point(parameters),
+            rim,
+        };
+        let inside = grid_parameters(sheet, COARSE_GRID).filter(|&parameters| sheet.contains(parameters));
+        let mut points: Vec<CloudPoint> = inside.map(|parameters| place(parameters, None)).collect();
+        if let Some(region) = &sheet.region {
+            points.extend(region.rims().map(|rim| place(region.at(rim), Some(rim))));
+        }
+        points
     };
     sheets.iter().enumerate().flat_map(of_sheet).collect()
 }
@@ -202,34 +256,52 @@ fn grid_parameters(sheet: &Sheet, count: usize) -> impl Iterator<Item = DVec2> {
     (0..count * count).map(move |at| sheet.at([fraction(at / count), fraction(at % count)]))
 }
 
-/// Returns the local minima of the distance on the grids, nearest first.
+/// Returns the local minima of the distance on the grids and on the loops, nearest first.
 fn minima(sheets: &[Sheet], count: usize, target: DVec3) -> Vec<Placed> {
     let mut minima = Vec::new();
     for (index, sheet) in sheets.iter().enumerate() {
+        let place = |parameters: DVec2, rim: Option<Rim>| Placed {
+            sheet: index,
+            parameters,
+            distance: sheet.point(parameters).distance(target),
+            rim,
+        };
+        let outside = |parameters: DVec2| Placed { distance: f64::INFINITY, ..place(parameters, None) };
         let all: Vec<Placed> = grid_parameters(sheet, count)
-            .map(|parameters| Placed {
-                sheet: index,
-                parameters,
-                distance: sheet.point(parameters).distance(target),
-            })
+            .map(
+                |parameters| {
+                    if sheet.contains(parameters) { place(parameters, None) } else { outside(parameters) }
+                },
+            )
             .collect();
         let around = |at: usize| at.saturating_sub(1)..(at + 2).min(count);
         minima.extend((0..count * count).filter_map(|at| {
             let mut others = around(at / count).flat_map(|i| around(at % count).map(move |j| i * count + j));
-            others.all(|other| all[at].distance <= all[other].distance).then_some(all[at])
+            let least = others.all(|other| all[at].distance <= all[other].distance);
+            (least && all[at].distance.is_finite()).then_some(all[at])
         }));
+        if let Some(region) = &sheet.region {
+            let rims: Vec<Placed> = region.rims().map(|rim| place(region.at(rim), Some(rim))).collect();
+            minima.extend((0..rims.len()).filter_map(|at| {
+                let [before, after] = [at + rims.len() - 1, at + 1].map(|k| rims[k % rims.len()].distance);
+                (rims[at].distance <= before && rims[at].distance <= after).then_some(rims[at])
+            }));
+        }
     }
     minima.sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance));
     minima.truncate(DENSE_STARTS);
     minima
 }
 
-/// Returns the nearest `starts` grid points, nearest first.
-fn nearest(cloud: &[(usize, DVec2, DVec3)], target: DVec3, starts: usize) -> Vec<Placed> {
-    let mut all: Vec<Placed> = cloud
-        .iter()
-        .map(|&(sheet, parameters, point)| Placed { sheet, parameters, distance: point.distance(target) })
-        .collect();
+/// Returns the nearest `starts` points of a cloud, nearest first.
+fn nearest(cloud: &[CloudPoint], target: DVec3, starts: usize) -> Vec<Placed> {
+    let place = |&CloudPoint { sheet, parameters, point, rim }: &CloudPoint| Placed {
+        sheet,
+        parameters,
+        distance: point.distance(target),
+        rim,
+    };
+    let mut all: Vec<Placed> = cloud.iter().map(place).collect();
     let count = starts.min(all.len());
     all.select_nth_unstable_by(count - 1, |a, b| a.distance.total_cmp(&b.distance));
     all.truncate(count);

@@ -12,3 +12,4 @@ mod partners;
 mod refits;
 mod sheet;
 mod surfaces;
+mod trims;

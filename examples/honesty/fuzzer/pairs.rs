@@ -10,7 +10,7 @@ use nurbs_hausdorff::engine::{Backend, Method};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
 /// The budgets of cells per direction, with which a pair takes milliseconds.
-const BUDGETS: [usize; 5] = [1, 2000, 8000, 8000, 16000];
+pub(crate) const BUDGETS: [usize; 5] = [1, 2000, 8000, 8000, 16000];
 
 /// A pair with the options of its computation.
 pub(crate) struct Pair {

@@ -3,8 +3,9 @@
 //! algorithm A2.2), and first derivatives by the quotient rule. The library extracts
 //! Bézier patches instead.
 
+use super::trims::Region;
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
-use nurbs_hausdorff::{Axis, Model, NurbsSurface, ParamBox};
+use nurbs_hausdorff::{Axis, Face, Model, ParamBox};
 
 /// The number of basis functions of degree 15, and one more for derivatives.
 const CAPACITY: usize = 17;
@@ -17,6 +18,8 @@ pub(crate) struct Sheet {
     columns: usize,
     net: Vec<DVec4>,
     pub(crate) domain: ParamBox,
+    /// The trimmed region, if it is not the whole domain.
+    pub(crate) region: Option<Region>,
 }
 
 /// A point with its first derivatives by u and v.
@@ -32,13 +35,15 @@ struct Basis {
     derivatives: [f64; CAPACITY],
 }
 
-/// Returns the surfaces of a model relative to `origin`.
+/// Returns the faces of a model relative to `origin`.
 pub(crate) fn sheets(model: &Model, origin: DVec3) -> Vec<Sheet> {
-    model.surfaces().iter().map(|surface| Sheet::new(surface, origin)).collect()
+    model.faces().map(|face| Sheet::new(&face, origin)).collect()
 }
 
 impl Sheet {
-    fn new(surface: &NurbsSurface, origin: DVec3) -> Self {
+    fn new(face: &Face<'_>, origin: DVec3) -> Self {
+        let surface = face.surface();
+        let loops = face.to_arrays().trim;
         let homogeneous = |&[x, y, z, w]: &[f64; 4]| (w * (DVec3::new(x, y, z) - origin)).extend(w);
         Self {
             degree: surface.degree(),
@@ -46,12 +51,18 @@ impl Sheet {
             columns: surface.counts()[1],
             net: surface.control_points().iter().map(homogeneous).collect(),
             domain: surface.domain(),
+            region: loops.map(|loops| Region::new(&loops, surface.domain())),
         }
     }
 
     /// Returns the parameters at fractions of the domain in [0, 1]².
     pub(crate) fn at(&self, fractions: [f64; 2]) -> DVec2 {
         self.domain.at(fractions).into()
+    }
+
+    /// Returns whether the face contains the surface's point, and not nearly on a loop.
+    pub(crate) fn contains(&self, parameters: DVec2) -> bool {
+        self.region.as_ref().is_none_or(|region| region.contains(parameters))
     }
 
     pub(crate) fn clamp(&self, parameters: DVec2) -> DVec2 {

@@ -21,6 +21,7 @@ pub(crate) use upper::Witness;
 use bezier::Patch;
 use frame::Frame;
 use std::time::{Duration, Instant};
+pub(crate) use target::Side;
 use target::{Comparison, Target};
 use upper::Finding;
 
@@ -96,23 +97,57 @@ impl Pair {
     /// Whether A's point at these parameters is farther than `limit` from all of B: proved if it is
     /// said to be, to rounding if it is said not to be, and `None` if neither by the deadline.
     pub(crate) fn is_farther(&self, point: Witness, limit: f64, deadline: Instant) -> Option<bool> {
+        let Witness { surface, u, v } = point;
         // On a knot, a point has several patches; each of their points is a point of A.
-        let mut points =
-            self.patches.iter().filter(|patch| patch.surface == point.surface).filter_map(|patch| {
-                let local = patch.local([point.u, point.v])?;
-                Some(patch.net.evaluate(local))
-            });
-        let limit = limit * self.frame.scale;
+        let mut verdicts = self.verdicts(surface, [[u, v]; 2], limit, deadline, &|_, _| Side::Inside);
         let mut is_open = false;
-        let farther = points.any(|point| match self.target.compare(&point, limit, MAX_PIECES, deadline) {
-            Comparison::Farther => true,
-            Comparison::Nearer(_) => false,
-            Comparison::Open => {
-                is_open = true;
-                false
-            }
+        let farther = verdicts.any(|verdict| {
+            is_open |= verdict.is_none();
+            verdict == Some(true)
         });
         if farther || !is_open { Some(farther) } else { None }
+    }
+
+    /// Whether every point of A at parameters in the box `[low, high]` is farther than `limit` from
+    /// the part of B that is not outside by `side`; as [`Self::is_farther`].
+    pub(crate) fn is_farther_from_part(
+        &self,
+        surface: usize,
+        parameters: [[f64; 2]; 2],
+        limit: f64,
+        deadline: Instant,
+        side: &dyn Fn(usize, [[f64; 2]; 2]) -> Side,
+    ) -> Option<bool> {
+        let mut all = Some(true);
+        for verdict in self.verdicts(surface, parameters, limit, deadline, side) {
+            match verdict {
+                Some(true) => {}
+                Some(false) => return Some(false),
+                None => all = None,
+            }
+        }
+        all
+    }
+
+    /// The comparison of every patch of A that a box of parameters touches.
+    fn verdicts<'a>(
+        &'a self,
+        surface: usize,
+        parameters: [[f64; 2]; 2],
+        limit: f64,
+        deadline: Instant,
+        side: &'a dyn Fn(usize, [[f64; 2]; 2]) -> Side,
+    ) -> impl Iterator<Item = Option<bool>> + 'a {
+        let limit = limit * self.frame.scale;
+        let patches = self.patches.iter().filter(move |patch| patch.surface == surface);
+        patches.filter_map(move |patch| {
+            let point = patch.net.evaluate(patch.local(parameters)?);
+            Some(match self.target.compare_part(&point, limit, MAX_PIECES, deadline, side) {
+                Comparison::Farther => Some(true),
+                Comparison::Nearer(_) => Some(false),
+                Comparison::Open => None,
+            })
+        })
     }
 }
 

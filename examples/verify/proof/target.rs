@@ -25,6 +25,15 @@ pub(crate) enum Comparison {
     Open,
 }
 
+/// Where a box of parameters is, compared with a trimmed region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Inside,
+    Outside,
+    /// Neither, or not known.
+    Open,
+}
+
 /// A part of a patch of B, over `ranges` of its parameters.
 struct Piece {
     patch: usize,
@@ -50,8 +59,25 @@ impl Target {
         max_pieces: usize,
         deadline: Instant,
     ) -> Comparison {
+        self.compare_part(point, limit, max_pieces, deadline, &|_, _| Side::Inside)
+    }
+
+    /// As [`Self::compare`], with the part of B of the parameters that are not outside. `side`
+    /// returns the side of all parameters in a box of a surface.
+    pub(crate) fn compare_part(
+        &self,
+        point: &Vector,
+        limit: f64,
+        max_pieces: usize,
+        deadline: Instant,
+        side: &dyn Fn(usize, [[f64; 2]; 2]) -> Side,
+    ) -> Comparison {
         let at = middle(point);
-        if let Some(&foot) = self.finder.nearest(at, 1).first().filter(|foot| foot.distance <= limit) {
+        let is_near = |foot: &Foot| {
+            let ranges = foot.at.map(|parameter| [parameter; 2]);
+            foot.distance <= limit && self.side(foot.patch, ranges, side) == Side::Inside
+        };
+        if let Some(&foot) = self.finder.nearest(at, 1).first().filter(|foot| is_near(foot)) {
             return Comparison::Nearer(foot);
         }
         let whole =
@@ -59,12 +85,14 @@ impl Target {
         let mut pieces: Vec<Piece> = self.finder.tree().within(point, limit).into_iter().map(whole).collect();
         let mut count = pieces.len();
         while let Some(piece) = pieces.pop() {
-            if lower_bound(point, &piece.net) > limit {
+            if lower_bound(point, &piece.net) > limit
+                || self.side(piece.patch, piece.ranges, side) == Side::Outside
+            {
                 continue;
             }
             let center = piece.ranges.map(|[start, end]| 0.5 * (start + end));
             let foot = self.finder.project(piece.patch, at, center);
-            if foot.distance <= limit {
+            if is_near(&foot) {
                 return Comparison::Nearer(foot);
             }
             count += 2;
@@ -74,6 +102,13 @@ impl Target {
             pieces.extend(piece.halves());
         }
         Comparison::Farther
+    }
+
+    /// The side of the surface's parameters over `ranges` of a patch's own, to a few roundings.
+    fn side(&self, patch: usize, ranges: [[f64; 2]; 2], side: &dyn Fn(usize, [[f64; 2]; 2]) -> Side) -> Side {
+        let patch = &self.patches[patch];
+        let corners = [0, 1].map(|end| patch.parameters(ranges.map(|range| range[end])));
+        side(patch.surface, corners)
     }
 }
 

@@ -1,28 +1,18 @@
 //! The command line of `nurbs-hausdorff`.
 
-mod args;
-mod completions;
-mod convert;
-mod diff;
-mod distance;
+mod arguments;
+mod commands;
 mod failure;
-mod files;
-mod format;
-mod info;
-mod motion;
+mod input;
 mod output;
-mod progress;
-mod report;
-#[cfg(test)]
-mod table;
-mod usage;
 
 /// Exit status of bad arguments, bad input or a failed machine.
 const FAILED: u8 = 2;
 
 fn main() -> std::process::ExitCode {
-    use args::Command;
-    let arguments = match usage::arguments() {
+    use arguments::Command;
+    use commands::{completions, convert, diff, distance, info};
+    let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
     };

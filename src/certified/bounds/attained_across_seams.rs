@@ -14,16 +14,16 @@ use crate::model::{Model, RigidTransform, SurfaceArrays};
 use glam::DVec3;
 
 /// A model as the search uses it.
-struct Surfaces {
+pub(super) struct Surfaces {
     bezier: BezierModel,
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
-    places: Vec<Place>,
+    pub(super) places: Vec<Place>,
     cache: SheetCache,
 }
 
 impl Surfaces {
-    fn new(surfaces: Vec<SurfaceArrays>, flatness: Flatness) -> Self {
+    pub(super) fn new(surfaces: Vec<SurfaceArrays>, flatness: Flatness) -> Self {
         let bezier = extract(&Model::from_arrays(None, surfaces).unwrap());
         let flat = flatten(&bezier.patches, flatness);
         Self {
@@ -35,11 +35,11 @@ impl Surfaces {
         }
     }
 
-    fn sheets(&self) -> Sheets<'_> {
+    pub(super) fn sheets(&self) -> Sheets<'_> {
         Sheets { bezier: &self.bezier, places: &self.places, cache: &self.cache }
     }
 
-    fn operand(&self) -> Operand<'_> {
+    pub(super) fn operand(&self) -> Operand<'_> {
         Operand::new(&self.target, &self.bounds).with_sheets(self.sheets())
     }
 }
@@ -60,7 +60,7 @@ fn evaluate(
 }
 
 /// The knots 0 and 1, each degree + 1 times, and the given ones between.
-fn clamped(degree: usize, inner: &[f64]) -> Vec<f64> {
+pub(super) fn clamped(degree: usize, inner: &[f64]) -> Vec<f64> {
     let ends = |knot: f64| std::iter::repeat_n(knot, degree + 1);
     ends(0.0).chain(inner.iter().copied()).chain(ends(1.0)).collect()
 }
@@ -194,7 +194,7 @@ fn the_difference_runs_over_several_surfaces() {
 }
 
 /// A bicubic surface that is closed along u, of uniform knots, with random control points.
-fn closed(seed: u64, rational: bool) -> SurfaceArrays {
+pub(super) fn closed(seed: u64, rational: bool) -> SurfaceArrays {
     let (around, along) = (7, 6);
     let mut points = Vec::new();
     for i in 0..around + 3 {

@@ -3,7 +3,6 @@
 use super::super::nearest::{Foot, NearestPoint, Query, Sample};
 use super::super::{Cell, Pair};
 use super::{same_net, sphere};
-use glam::DVec3;
 
 /// An upper bound on the directed distance, before anything is searched: by
 /// the models' boxes, or by the bounds on whole patches where they cover A.
@@ -29,17 +28,11 @@ fn over_whole_patches(pair: &Pair<'_>) -> f64 {
     largest
 }
 
-/// The largest distance between points of the two models' boxes. A convex
-/// function attains its maximum over A's box at a corner.
+/// The largest distance between points of the two models' boxes.
 fn between_boxes(pair: &Pair<'_>) -> f64 {
     let [a, b] = [&pair.a, &pair.b].map(|operand| operand.target.tree.nodes().first());
     let (Some(a), Some(b)) = (a, b) else { return 0.0 };
-    let corner = |index: usize| {
-        let ends = [a.aabb.min, a.aabb.max];
-        DVec3::new(ends[index & 1].x, ends[index >> 1 & 1].y, ends[index >> 2].z)
-    };
-    let squared = |index| b.aabb.max_distance_squared(pair.transform.apply(corner(index)));
-    (0..8).map(squared).fold(0.0, f64::max).sqrt()
+    a.aabb.max_distance(|point| pair.transform.apply(point), &b.aabb)
 }
 
 /// A bound on all patches below a node of A's tree, by the triangle inequality

@@ -91,17 +91,34 @@ fn linearized(context: &CellContext<'_>, point: DVec3) -> AffineFunction {
     linearized_distance_squared(&context.jet, point, half.map(|half| -half), half)
 }
 
+/// An upper bound on `(|Q| + R)² - |Q|²`, where the coefficients of `|Q|²` are at most
+/// `largest` and each is off by `error` (lemma R8).
+fn increase(largest: f64, error: f64, remainder: f64) -> f64 {
+    error + remainder * (2.0 * (largest + error).sqrt() + remainder)
+}
+
 /// The root of the largest coefficient of the combination of `(|Q| + R)²`.
 fn upper_bound(terms: &[Term<'_>], remainder: impl Fn(&Difference<'_>) -> f64) -> f64 {
     let mut combination = [[0.0_f64; 5]; 5];
     for (squares, weight, difference) in terms {
         let remainder = remainder(difference);
-        let error = coefficient_error(&difference.quadratic);
-        let length = (max_coefficient(squares) + error).sqrt();
-        let increase = error + remainder * (2.0 * length + remainder);
+        let increase =
+            increase(max_coefficient(squares), coefficient_error(&difference.quadratic), remainder);
         for (sum, square) in combination.iter_mut().flatten().zip(squares.iter().flatten()) {
             *sum += weight * (square + increase);
         }
     }
     max_coefficient(&combination).sqrt()
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::increase;
+
+    #[test]
+    fn the_increase_is_that_of_the_square() {
+        // (1.1 + 0.5)² - 1 with 1.1² = 1 + 0.21.
+        assert!((increase(1.0, 0.21, 0.5) - 1.56).abs() <= 1e-15);
+        assert_eq!(increase(4.0, 0.0, 1.0), 5.0);
+    }
 }

@@ -10,6 +10,9 @@ mod attained;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod attained_across_seams;
 mod bilinear;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod blocks_attained;
 mod boxes;
 mod cell_context;
 mod convex_combination;
@@ -26,6 +29,7 @@ pub use quadratic::Quadratic;
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
 use polynomial_difference::PolynomialDifference;
+pub(super) use polynomial_difference::block;
 use same_net::SameNet;
 use sphere::InSphere;
 use taylor::Taylor;

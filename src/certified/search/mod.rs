@@ -13,7 +13,7 @@ use super::ascent::{ascend_across, starting_points};
 use super::bounds::{self, CellContext};
 use super::nearest::{Feet, Foot, NearestPoint, Query, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
-use super::{Cell, Pair};
+use super::{Block, Cell, Pair, Sheets};
 use crate::bezier::Patch;
 use crate::closest::closest_above;
 use crate::parallel::{is_few, map_short, together};
@@ -41,6 +41,12 @@ const FOOT_PART: f64 = 0.25;
 
 /// The farthest samples of a chunk from which an ascent starts.
 const MAX_ASCENTS: usize = 8;
+
+/// The number of patches of A from which on they are searched by blocks where A is near B.
+const MIN_BLOCK_PATCHES: usize = 16;
+
+/// The largest number of patches of A of which the sizes are compared with the threshold.
+const MAX_SIZES: usize = 64;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -98,6 +104,8 @@ pub(crate) struct BranchAndBound<'a> {
     goal: Goal,
     frontier: Frontier,
     incumbent: Incumbent,
+    /// The sheets of A if it is searched by blocks of patches.
+    blocks: Option<Sheets<'a>>,
     /// Whether a cell was too small to branch.
     exhausted: bool,
     work: Work,
@@ -124,6 +132,16 @@ struct Evaluation {
     upper: f64,
     foot: Foot,
     farthest: Sample,
+    /// For a block, what it is split into.
+    split: Option<Split>,
+}
+
+/// The parts of a block.
+struct Split {
+    /// An upper bound on what is decided of it.
+    decided: f64,
+    /// What is not decided.
+    children: Vec<Domain>,
 }
 
 impl<'a> BranchAndBound<'a> {
@@ -142,10 +160,12 @@ impl<'a> BranchAndBound<'a> {
             goal: Goal { tolerance: reachable, limit, rounding, slack, lost },
             frontier: Frontier::new(root),
             incumbent: Incumbent::default(),
+            blocks: None,
             exhausted: false,
             work: Work::default(),
         };
         search.find_first_incumbent();
+        search.blocks = search.pair.a.sheets.filter(|_| search.is_near_copy());
         search
     }
 
@@ -237,15 +257,16 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Bounds the next chunk of nodes or more; `Some` when nothing is left to do.
-    pub(crate) fn advance(&mut self) -> Option<Stop> {
+    /// Bounds the next chunk of nodes or more, at most `max_cells` > 0; `Some` when nothing
+    /// is left to do.
+    pub(crate) fn advance(&mut self, max_cells: usize) -> Option<Stop> {
         if is_few(self.frontier.len()) {
-            return self.advance_once();
+            return self.advance_once(max_cells);
         }
-        let end = self.work.cells + CHUNK;
+        let (end, last) = (self.work.cells + CHUNK.min(max_cells), self.work.cells.saturating_add(max_cells));
         together(|| {
             loop {
-                let stop = self.advance_once();
+                let stop = self.advance_once(last - self.work.cells);
                 if stop.is_some() || self.work.cells >= end {
                     return stop;
                 }
@@ -261,8 +282,8 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Bounds the waiting nodes, at most a chunk.
-    pub(crate) fn advance_once(&mut self) -> Option<Stop> {
+    /// Bounds the waiting nodes, at most a chunk and at most `max_cells` > 0.
+    pub(crate) fn advance_once(&mut self, max_cells: usize) -> Option<Stop> {
         if self.goal.limit.is_some_and(|limit| self.incumbent.lower_bound() > limit) {
             return Some(Stop::Converged);
         }
@@ -272,7 +293,7 @@ impl<'a> BranchAndBound<'a> {
         // What a kernel could not bound it cannot bound in parts either, and it would
         // lose their feet: they stay in float64.
         let float64_only = self.frontier.has_float64_only();
-        let nodes = self.frontier.next(CHUNK);
+        let nodes = self.frontier.next(CHUNK.min(max_cells));
         self.update_shortlist(&nodes[0]);
         let threshold = self.prune_threshold();
         let evaluations = map_short(nodes.len(), |index| {
@@ -290,11 +311,17 @@ impl<'a> BranchAndBound<'a> {
             self.work.levels = self.work.levels.max(node.level);
             self.work.cells += 1;
             let node = SearchNode { upper: evaluation.upper, ..*node };
-            if node.upper <= threshold {
+            if let Some(split) = &evaluation.split {
+                self.incumbent.prune(node.upper.min(split.decided));
+                node.push_children(split.children.iter().copied(), evaluation.foot, &mut children);
+            } else if node.upper <= threshold {
                 self.incumbent.prune(node.upper);
             } else if is_too_small(&node) {
                 self.exhausted = true;
                 self.incumbent.prune(node.upper);
+            } else if let (Domain::BvhNode(0), Some(sheets)) = (&node.domain, self.blocks) {
+                let blocks = Block::all(sheets).flat_map(|block| domains(sheets, block));
+                node.push_children(blocks, evaluation.foot, &mut children);
             } else {
                 node.branch(&self.pair.a, evaluation.foot, &mut children);
             }
@@ -309,16 +336,50 @@ impl<'a> BranchAndBound<'a> {
 
     /// The least upper bound found for a node; the first that is at most the threshold.
     fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
+        let mut split = None;
         let (upper, foot, farthest) = match &node.domain {
             Domain::BvhNode(index) => {
                 let (upper, sample) =
                     bounds::bvh_node(&self.pair, &self.nearest, *index, &node.foot, threshold);
                 (upper, sample.foot, sample)
             }
+            Domain::Block(block) => {
+                let (parts, sample) = self.split_block(block, node, threshold);
+                split = Some(parts);
+                (node.upper, sample.foot, sample)
+            }
             Domain::Cell(cell) => self.evaluate_cell(cell, node, threshold),
         };
         // NaN bounds nothing.
-        Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest }
+        Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest, split }
+    }
+
+    /// Bounds the patches of a block; returns what is left of it with a point of it.
+    fn split_block(&self, block: &Block, node: &SearchNode, threshold: f64) -> (Split, Sample) {
+        let Some(sheets) = self.blocks else {
+            // There are no blocks without sheets; nothing is known of one.
+            let sample = Sample { patch: 0, parameters: [0.5; 2], foot: node.foot };
+            return (Split { decided: node.upper, children: Vec::new() }, sample);
+        };
+        let bound = bounds::block(&self.pair, sheets, &self.nearest, block, &node.foot, threshold);
+        let children = block.children(&bound.undecided).into_iter().flat_map(|block| domains(sheets, block));
+        (Split { decided: bound.decided, children: children.collect() }, bound.sample)
+    }
+
+    /// Whether A's patches are larger than the threshold, so that no bound of first order
+    /// prunes several of them together.
+    fn is_near_copy(&self) -> bool {
+        let patches = self.pair.a.patches();
+        if patches.len() < MIN_BLOCK_PATCHES {
+            return false;
+        }
+        let step = patches.len().div_ceil(MAX_SIZES);
+        let mut sizes: Vec<f64> = (0..patches.len())
+            .step_by(step)
+            .map(|index| 0.5 * patches.patch(index).bounding_box().diagonal())
+            .collect();
+        sizes.sort_by(f64::total_cmp);
+        sizes[sizes.len() / 2] > self.prune_threshold()
     }
 
     fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
@@ -430,6 +491,15 @@ impl<'a> BranchAndBound<'a> {
             _ => self.nearest.reset_queries(),
         }
     }
+}
+
+/// A block, or the flat patches that a single patch was cut into.
+fn domains(sheets: Sheets<'_>, block: Block) -> Vec<Domain> {
+    if !block.is_single() {
+        return vec![Domain::Block(block)];
+    }
+    let index = sheets.index(block.surface, [block.rows[0], block.columns[0]]);
+    sheets.flat_patches(index).map(|patch| Domain::Cell(Cell::whole(patch))).collect()
 }
 
 fn is_too_small(node: &SearchNode) -> bool {

@@ -1,13 +1,15 @@
 //! The nodes of the search tree.
 
 use super::super::nearest::Foot;
-use super::super::{Cell, Operand};
+use super::super::{Block, Cell, Operand};
 
 /// The part of A that a node covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Domain {
     /// All patches below a node of A's tree.
     BvhNode(u32),
+    /// A rectangle of the patches of a surface.
+    Block(Block),
     /// A rectangle of a patch.
     Cell(Cell),
 }
@@ -30,6 +32,22 @@ impl SearchNode {
         Self { domain: Domain::BvhNode(0), upper, foot: Foot::start(0, [0.5; 2]), level: 0 }
     }
 
+    /// Appends nodes for these parts of this one, given its own foot.
+    pub(super) fn push_children(
+        &self,
+        domains: impl Iterator<Item = Domain>,
+        foot: Foot,
+        children: &mut Vec<Self>,
+    ) {
+        let foot = Foot::start(foot.patch, foot.parameters);
+        children.extend(domains.map(|domain| Self {
+            domain,
+            foot,
+            upper: self.upper,
+            level: self.level + 1,
+        }));
+    }
+
     /// Appends the children of this node, given its own foot.
     pub(crate) fn branch(&self, a: &Operand<'_>, foot: Foot, children: &mut Vec<Self>) {
         let mut push = |domain, foot| {
@@ -47,6 +65,8 @@ impl SearchNode {
                     push(Domain::BvhNode(node.right_child), Foot::start(foot.patch, foot.parameters));
                 }
             }
+            // Blocks are branched where they are bounded.
+            Domain::Block(_) => {}
             Domain::Cell(cell) => {
                 for child in cell.split(a.patch_bounds(cell.patch).first) {
                     push(Domain::Cell(child), foot);

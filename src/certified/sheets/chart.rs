@@ -280,8 +280,21 @@ impl<'a> Chart<'a> {
         first..=last
     }
 
+    /// The patch along an axis, by its offset, that contains a parameter, and the parameter
+    /// of that patch; the nearest of the surface beyond its ends. O(patches between).
+    pub(in crate::certified) fn locate(&self, axis: Axis, parameter: f64) -> (isize, f64) {
+        let lines = self.lines_between(axis, [parameter, parameter]);
+        let offset = if parameter < 0.0 { *lines.start() } else { *lines.end() - 1 };
+        (offset, ((parameter - self.line(axis, offset)) / self.width(axis, offset)).clamp(0.0, 1.0))
+    }
+
+    /// The parameter of the chart for one of a patch, given by its offset.
+    pub(in crate::certified) fn parameter(&self, axis: Axis, offset: isize, local: f64) -> f64 {
+        self.line(axis, offset) + self.width(axis, offset) * local
+    }
+
     /// Whether a line lies inside the surface, or where its two ends join.
-    fn is_joined(&self, axis: Axis, line: isize) -> bool {
+    pub(in crate::certified) fn is_joined(&self, axis: Axis, line: isize) -> bool {
         let count = self.grid.breaks[axis].len() as isize - 1;
         (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
     }

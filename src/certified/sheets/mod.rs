@@ -9,6 +9,7 @@ use crate::axis::Axis;
 use crate::bezier::{BezierModel, LocalDerivativeBounds, SeamJumps};
 use crate::flatness::Place;
 use crate::param_box::ParamBox;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// What the sheets of a model have, each computed at its first use.
@@ -29,6 +30,18 @@ pub(crate) struct Sheets<'a> {
 }
 
 impl<'a> Sheets<'a> {
+    /// The index of a patch as extracted, by its surface, row and column.
+    pub(super) fn index(&self, surface: u32, [row, column]: [u32; 2]) -> usize {
+        let grid = &self.bezier.grids[surface as usize];
+        grid.first + row as usize * grid.counts()[1] + column as usize
+    }
+
+    /// The flat patches that a patch as extracted was cut into. O(log patches).
+    pub(super) fn flat_patches(&self, index: usize) -> Range<u32> {
+        let at = |index: usize| self.places.partition_point(|place| (place.patch as usize) < index) as u32;
+        at(index)..at(index + 1)
+    }
+
     /// Derivative bounds of a patch as extracted.
     fn bounds(&self, patch: usize) -> &'a LocalDerivativeBounds {
         let count = self.bezier.patches.len();

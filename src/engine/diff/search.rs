@@ -182,11 +182,11 @@ impl<'a> Side<'a> {
     }
 }
 
-/// Bounds about `cells` more cells; returns whether the search has ended.
+/// Bounds at most `cells` more cells; returns whether the search has ended.
 fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
     let end = search.work().cells + cells;
     while search.work().cells < end {
-        if search.advance_once().is_some() {
+        if search.advance_once(end - search.work().cells).is_some() {
             return true;
         }
     }

@@ -72,6 +72,7 @@ impl Direction<'_> {
             trees: [&a.tree, &b.tree],
             transform,
             diagonal: self.diagonal(),
+            box_bound: self.box_bound(),
         };
         let result = pair.run(stages, options, progress).await?;
         Ok(DirectedRun {
@@ -89,6 +90,14 @@ impl Direction<'_> {
                 ..seconds
             },
         })
+    }
+
+    /// Returns an upper bound on the distance between any points of the two models, and so
+    /// on the directed distance (lemma of docs/method.md, section 9): that of their boxes.
+    /// It is finite for every pair, as float32 bounds are not.
+    pub(super) fn box_bound(&self) -> f64 {
+        let [a, b] = [self.from, self.to].map(PreparedModel::control_box);
+        a.max_distance(|point| self.transform.apply(point), &b) + 2.0 * self.box_error()
     }
 
     /// Returns an upper bound on the error of every side of a box of either model, and
@@ -109,6 +118,8 @@ struct TreePair<'a> {
     trees: [&'a GridTree; 2],
     transform: RigidTransform,
     diagonal: f64,
+    /// [`Direction::box_bound`].
+    box_bound: f64,
 }
 
 impl TreePair<'_> {
@@ -127,7 +138,7 @@ impl TreePair<'_> {
         let max_pairs = (options.memory_budget << 20) / PAIR_BYTES / PAIR_LISTS;
         let levels = backend.levels();
         let mut pairs = vec![1];
-        let (mut lower, mut upper) = (0.0_f64, f64::INFINITY);
+        let (mut lower, mut upper) = (0.0_f64, self.box_bound);
         for level in 1..=levels {
             progress.section((level - 1) as f64 / levels as f64, 1.0 / levels as f64);
             progress.checkpoint(0.0).await?;

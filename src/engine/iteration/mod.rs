@@ -75,6 +75,7 @@ impl Direction<'_> {
             target: &target,
             transform: self.transform,
             diagonal,
+            box_bound: self.box_bound(),
             options,
         };
         let result = sampled.run(&mut backend, progress).await?.ok_or(Error::EmptyModel)?;
@@ -105,6 +106,8 @@ pub(super) struct SampledDirection<'a> {
     pub(super) target: &'a PreparedTarget,
     pub(super) transform: RigidTransform,
     pub(super) diagonal: f64,
+    /// [`Direction::box_bound`].
+    pub(super) box_bound: f64,
     pub(super) options: &'a Options,
 }
 
@@ -265,7 +268,8 @@ impl SampledDirection<'_> {
         DirectedResult {
             computed: farthest.distance,
             lower: (farthest.lower.min(farthest.distance) - rounding).max(0.0),
-            upper: largest + rounding,
+            // `min` replaces NaN, of a float32 error without bound, by the other bound.
+            upper: self.box_bound.min(largest + rounding),
             converged,
             from: self.sample_point(farthest.sample, farthest.point),
             to: self.to.pieces().surface_point(

@@ -135,3 +135,102 @@ pub(crate) fn scaled(coefficient: DVec4, weight_scale: f64, scale: f64) -> DVec4
 fn falling(i: usize, a: usize) -> f64 {
     (0..a).map(|k| i as f64 - k as f64).product()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::param_box::ParamBox;
+    use glam::DVec3;
+
+    /// The recursion of [`Float32Error::new`] written out, for patches on which every term
+    /// counts: of low degrees that of float32, of high ones the change of basis in float64.
+    #[test]
+    fn every_order_has_the_terms_of_the_lemma() {
+        const U: f64 = UNIT_ROUNDOFF;
+        const SCALE: f64 = 4.0;
+        for degree in [[3, 2], [2, 4], [15, 14]] {
+            let [p, q] = degree.map(|degree| degree as f64);
+            let random = &mut fastrand::Rng::with_seed(3);
+            // Noise as small as float32's digits keeps high monomials small.
+            let mut noise = || if p < 9.0 { random.f64() } else { 1e-6 * random.f64() };
+            let mut controls = Vec::new();
+            for i in 0..=degree[0] {
+                for j in 0..=degree[1] {
+                    let w = 1.0 + 0.25 * i as f64 / p + 0.25 * noise();
+                    let point = DVec3::new(0.5 + noise(), j as f64 / q, noise());
+                    controls.push(DVec4::from((w * point, w)));
+                }
+            }
+            let (center, domain) = (DVec3::ZERO, ParamBox::UNIT);
+            // Weights of 8 and more, which are scaled to 1 and more.
+            let heavy: Vec<DVec4> = controls.iter().map(|&control| 8.0 * control).collect();
+            let patch = Patch { surface: 0, degree, domain, center, controls: &heavy, rational: true };
+            let as_used = |c: DVec4| (0.125 * SCALE * c.xyz()).extend(0.125 * c.w);
+            let monomials: Vec<DVec4> = patch.monomials().into_iter().map(as_used).collect();
+            let lightest = controls.iter().fold(f64::INFINITY, |least, control| least.min(control.w));
+            let largest = heavy
+                .iter()
+                .map(|&control| as_used(control).length())
+                .fold(0.0, |a, b| if a < b { b } else { a });
+            let of_basis = (p + q + 4.0) * 2.0_f64.powf(p + q - 53.0) * largest;
+            let factor = |i: usize, a: u32| [1, i, i * i.saturating_sub(1)][a as usize] as f64;
+            let sum = |size: fn(&DVec4) -> f64, a: u32, b: u32| -> f64 {
+                let columns = degree[1] + 1;
+                let term = |(index, c): (usize, &DVec4)| {
+                    factor(index / columns, a) * factor(index % columns, b) * (size(c) + of_basis)
+                };
+                monomials.iter().enumerate().map(term).sum()
+            };
+            let space = |a, b| sum(|c| c.xyz().length(), a, b);
+            let weight = |a, b| sum(|c| c.w.abs(), a, b);
+            let roundings =
+                |a: u32, b: u32| U * (2.0 * f64::from(a + 1) * p + 2.0 * f64::from(b + 1) * q + 3.0);
+            let omega = |a, b| roundings(a, b) * weight(a, b);
+            let w = lightest - omega(0, 0) - of_basis;
+            // The error of one order: the sizes of its terms, and the errors of those.
+            let order = |a, b, size: f64, errors: f64| {
+                let exact = size / lightest;
+                let of_basis = of_basis * factor(degree[0], a) * factor(degree[1], b);
+                let numerator = roundings(a, b) * space(a, b) + of_basis + errors + 9.0 * U * size;
+                (exact, numerator / w + exact * (omega(0, 0) / w + 4.0 * U))
+            };
+            let size = |[i, j]: [u32; 2], (exact, error): (f64, f64)| weight(i, j) * (exact + error);
+            let errors = |[i, j]: [u32; 2], (exact, error): (f64, f64)| {
+                omega(i, j) * exact + (weight(i, j) + omega(i, j)) * error
+            };
+            let x = order(0, 0, space(0, 0), 0.0);
+            let s = order(1, 0, space(1, 0) + size([1, 0], x), errors([1, 0], x));
+            let t = order(0, 1, space(0, 1) + size([0, 1], x), errors([0, 1], x));
+            let ss = order(
+                2,
+                0,
+                space(2, 0) + 2.0 * size([1, 0], s) + size([2, 0], x),
+                2.0 * errors([1, 0], s) + errors([2, 0], x),
+            );
+            let st = order(
+                1,
+                1,
+                space(1, 1) + size([1, 0], t) + size([0, 1], s) + size([1, 1], x),
+                errors([1, 0], t) + errors([0, 1], s) + errors([1, 1], x),
+            );
+            let tt = order(
+                0,
+                2,
+                space(0, 2) + 2.0 * size([0, 1], t) + size([0, 2], x),
+                2.0 * errors([0, 1], t) + errors([0, 2], x),
+            );
+            let found = Float32Error::new(&patch, SCALE);
+            let pairs = [
+                (found.value, x),
+                (found.first[0], s),
+                (found.first[1], t),
+                (found.second[0], ss),
+                (found.second[1], st),
+                (found.second[2], tt),
+            ];
+            for (index, (found, (_, lemma))) in pairs.into_iter().enumerate() {
+                assert!((found / lemma - 1.0).abs() <= 1e-9, "{index}: {found:e} and {lemma:e}");
+            }
+        }
+    }
+}

@@ -203,7 +203,7 @@ fn no_point_of_a_cell_is_farther_than_its_upper_bound() {
         let mut search = BranchAndBound::new(pair, 1e-5, None, 0.0);
         // Down to cells, in float64.
         while search.waiting() < CELLS {
-            assert!(search.advance_once().is_none(), "{degree:?}: decided too soon");
+            assert!(search.advance_once(usize::MAX).is_none(), "{degree:?}: decided too soon");
         }
         let driver = GpuCertified::new(&gpu, &search).unwrap().unwrap();
         let mut batch = search.take_batch(CELLS);

@@ -73,7 +73,7 @@ impl CertifiedBench {
         let [a, b] = [0, 1].map(|index| Operand::new(&operands[index].0, &operands[index].1));
         let mut search = BranchAndBound::new(Pair { a, b, transform }, tolerance, None, 0.0);
         while search.waiting() < cells {
-            if search.advance().is_some() {
+            if search.advance(usize::MAX).is_some() {
                 return Ok(None);
             }
         }

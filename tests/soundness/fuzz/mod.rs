@@ -15,12 +15,13 @@ mod results;
 mod sampling;
 pub mod search;
 mod surfaces;
+pub mod trims;
 
 /// A target.
 pub type Check = fn(&[u8]);
 
 /// The targets by name.
-pub const TARGETS: [(&str, Check); 7] = [
+pub const TARGETS: [(&str, Check); 8] = [
     ("arrays", arrays::check),
     ("brep_text", brep_text::check),
     ("closest_point", closest_point::check),
@@ -28,4 +29,5 @@ pub const TARGETS: [(&str, Check); 7] = [
     ("json_text", json_text::check),
     ("options", options::check),
     ("search", search::check),
+    ("trims", trims::check),
 ];

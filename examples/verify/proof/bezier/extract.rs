@@ -23,17 +23,20 @@ impl Patch {
         })
     }
 
-    /// The patch's own parameters at the surface's, enclosed; `None` where they lie outside.
-    pub(crate) fn local(&self, parameters: [f64; 2]) -> Option<[Interval; 2]> {
-        let inside = |axis: usize| {
+    /// The patch's own parameters at a box `[low, high]` of the surface's, as far as it lies in the
+    /// patch, enclosed; `None` where all of it lies outside.
+    pub(crate) fn local(&self, parameters: [[f64; 2]; 2]) -> Option<[Interval; 2]> {
+        let local = |axis: usize| {
             let [start, end] = self.ranges[axis];
-            (start..=end).contains(&parameters[axis])
+            let [low, high] = [parameters[0][axis], parameters[1][axis]];
+            if !(low <= end && start <= high) {
+                return None;
+            }
+            let [start, end] = [start, end].map(Interval::point);
+            let at = |value: f64| ((Interval::point(value) - start) / (end - start)).in_unit();
+            Some(at(low).hull(at(high)))
         };
-        let [at, start, end] =
-            [parameters, self.ranges.map(|range| range[0]), self.ranges.map(|range| range[1])]
-                .map(|values| values.map(Interval::point));
-        let local = |axis: usize| ((at[axis] - start[axis]) / (end[axis] - start[axis])).in_unit();
-        (inside(0) && inside(1)).then(|| [local(0), local(1)])
+        Some([local(0)?, local(1)?])
     }
 }
 

@@ -7,14 +7,13 @@
 
 use super::super::CellContext;
 use super::aligned_map::Orientation;
-use super::net::Net;
+use super::piece::{Part, Piece};
 use crate::axis::Axis;
 use crate::bezier::Jet;
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
-use glam::{DVec3, Vec4Swizzles};
 
 /// The largest number of pieces of a rectangle along one surface of B.
 const MAX_PIECES: usize = 256;
@@ -34,14 +33,6 @@ const SLIVER: f64 = 1e-9;
 /// How often a part of a cell that is mapped beyond an end of one surface of B may be
 /// mapped to another one: twice along either axis.
 const MAX_SURFACES_CROSSED: usize = 4;
-
-/// A part of a range of A's parameter, and the patch of B, by its offset, and the
-/// range of its parameter that the part is mapped to.
-struct Part {
-    range: [f64; 2],
-    offset: isize,
-    image: [f64; 2],
-}
 
 /// The bound by maps along the parameter lines of B's surfaces; `None` where there are no
 /// such maps or a point of a piece is farther from its image than the threshold.
@@ -95,7 +86,14 @@ impl Rectangle<'_> {
         let mut pieces = Vec::with_capacity(count);
         for s in &parts_s {
             for t in &parts_t {
-                pieces.push(Piece { context, chart, origin, orientation, parts: [s, t] });
+                pieces.push(Piece {
+                    pair: context.pair,
+                    patch: context.patch,
+                    chart,
+                    origin,
+                    orientation,
+                    parts: [s, t],
+                });
             }
         }
         let mut by_distance = Vec::with_capacity(count);
@@ -111,7 +109,7 @@ impl Rectangle<'_> {
         by_distance.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         let mut largest = 0.0_f64;
         for (_, piece) in &by_distance {
-            let bound = piece.upper_bound()?;
+            let bound = piece.upper_bound(threshold)?;
             let is_decided = bound <= threshold;
             if !is_decided {
                 return None;
@@ -178,55 +176,5 @@ impl Rectangle<'_> {
         }
         let rest = [[start, lower], [upper, end]].into_iter().filter(|[low, high]| low < high);
         (parts, rest.collect())
-    }
-}
-
-/// A piece of the cell.
-struct Piece<'a> {
-    context: &'a CellContext<'a>,
-    chart: &'a Chart<'a>,
-    /// The point that both nets are taken relative to.
-    origin: DVec3,
-    orientation: Orientation,
-    parts: [&'a Part; 2],
-}
-
-impl Piece<'_> {
-    /// The pair for B's axes, from that for A's.
-    fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
-        if self.orientation.swapped { [t, s] } else { [s, t] }
-    }
-
-    /// The distance of the piece's middle from its image.
-    fn distance_of_middle(&self) -> f64 {
-        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-        let from = self.parts.map(|part| middle(part.range));
-        let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
-        let patch = self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)));
-        self.context.pair.point_of_a(self.context.cell.patch, from).distance(patch.point(to))
-    }
-
-    /// An upper bound on the distance of the piece's points from their images.
-    fn upper_bound(&self) -> Option<f64> {
-        let (context, pair) = (self.context, self.context.pair);
-        let patch = self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)));
-        let images = self.by_axes_of_b(self.parts.map(|part| part.image));
-        // An axis along which B's patch is followed backwards.
-        let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
-        let is_proper = ascending.iter().all(|[start, end]| start < end);
-        if !is_proper {
-            return None;
-        }
-        let controls = self.orientation.oriented(&patch.restricted(ascending[0], ascending[1]), patch.degree);
-        let degree = self.by_axes_of_b(patch.degree);
-        let origin = self.origin;
-        let y = Net::new(degree, &controls, origin - patch.center, 1.0);
-        let [s, t] = self.parts.map(|part| part.range);
-        let mut controls = context.patch.restricted(s, t);
-        for control in &mut controls {
-            *control = pair.transform.rotate(control.xyz()).extend(control.w);
-        }
-        let center = pair.transform.apply(context.patch.center);
-        Net::new(context.patch.degree, &controls, origin - center, 1.0).max_difference(&y)
     }
 }

@@ -21,6 +21,11 @@ impl Orientation {
         orientation
     }
 
+    /// Whether B's parameter decreases along an axis of A.
+    pub(super) fn is_backwards(&self, axis: Axis) -> bool {
+        self.backwards[axis.index()]
+    }
+
     /// The derivatives by σ and τ along B's parameter lines.
     pub(super) fn along(&self, map: &Reparametrization) -> [f64; 2] {
         if self.swapped { [map.p.y, map.q.x] } else { [map.p.x, map.q.y] }

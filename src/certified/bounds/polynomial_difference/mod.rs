@@ -15,7 +15,12 @@
 
 mod across_knots;
 mod aligned_map;
+mod block;
+mod knot_line_map;
 mod net;
+mod piece;
+
+pub(in crate::certified) use block::block;
 
 use super::{CellContext, UpperBound};
 use aligned_map::AlignedMap;
@@ -51,14 +56,14 @@ impl UpperBound for PolynomialDifference {
         let degree =
             if map.orientation.swapped { [target.degree[1], target.degree[0]] } else { target.degree };
         let growth = if map.is_inside(foot.parameters) { 1.0 } else { EXTENSION_GROWTH };
-        let y = Net::new(degree, &controls, jet.point - target.center, growth);
+        let y = Net::new(degree, controls, jet.point - target.center, growth);
         let [s, t] = context.cell.ranges();
         let mut controls = context.patch.restricted(s, t);
         for control in &mut controls {
             *control = pair.transform.rotate(control.xyz()).extend(control.w);
         }
         let center = pair.transform.apply(context.patch.center);
-        let x = Net::new(context.patch.degree, &controls, jet.point - center, 1.0);
-        x.max_difference(&y)
+        let x = Net::new(context.patch.degree, controls, jet.point - center, 1.0);
+        x.max_difference(&y, threshold)
     }
 }

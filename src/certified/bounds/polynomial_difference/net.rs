@@ -1,6 +1,6 @@
 //! The difference of two patches as a rational function.
 
-use crate::bezier::{power_of_two_below, relative, scaled, squares, unscale};
+use crate::bezier::{power_of_two_below, scaled, squares, unscale};
 use crate::certified::rounding::gamma;
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -11,41 +11,126 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 const PRODUCT_ROUNDINGS: f64 = 16.0;
 const SQUARE_ROUNDINGS: f64 = 19.0;
 
+/// Roundings of the length of a coefficient of `X v - Y w` over that of `w v`.
+const LENGTH_ROUNDINGS: f64 = 8.0;
+
+/// The largest spread of weights at which a net is taken as one of a polynomial: some times
+/// what rounding makes of equal weights.
+const MAX_WEIGHT_SPREAD: f64 = 1e-12;
+
+/// Roundings of a coefficient by one elevation of the degree.
+const ELEVATION_ROUNDINGS: usize = 3;
+
+/// Control `index` of the representation of degree `degree` of a polynomial, given its
+/// controls for the degree below.
+fn raised(degree: usize, index: usize, below: impl Fn(usize) -> DVec3) -> DVec3 {
+    if index == 0 {
+        return below(0);
+    }
+    if index == degree {
+        return below(degree - 1);
+    }
+    let degree = degree as f64;
+    (index as f64 / degree) * below(index - 1) + ((degree - index as f64) / degree) * below(index)
+}
+
+/// The difference of the functions of two nets.
+struct Difference {
+    degree: [usize; 2],
+    /// Its homogeneous coefficients: `X v - Y w` and `w v`, or the differences of points and 1.
+    quotient: Vec<DVec4>,
+    /// The number of products that a coefficient sums.
+    product_terms: usize,
+    /// What it may be off by, besides rounding.
+    error: f64,
+}
+
 /// A homogeneous control net, t fastest.
 pub(super) struct Net {
     degree: [usize; 2],
     controls: Vec<DVec4>,
+    /// How far, relative to the smallest weight, the weights are from each other.
+    weight_spread: f64,
+    /// The largest distance of a control point from the origin.
+    radius: f64,
     /// The rounding error of its points: restriction and change of origin.
     point_error: f64,
 }
 
 impl Net {
-    /// Takes a restricted net relative to another point. The weights are scaled
+    /// Takes a restriction of a patch relative to another point. The weights are scaled
     /// by a power of two, which is exact, so that the largest is about 1.
     ///
     /// `growth` bounds the sum of the absolute coefficients of a restriction
     /// beyond [0, 1], 1 inside (lemma R6).
-    pub(super) fn new(degree: [usize; 2], controls: &[DVec4], shift: DVec3, growth: f64) -> Self {
+    pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, growth: f64) -> Self {
         let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
         let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
-        let controls: Vec<DVec4> = controls.iter().map(|&control| scale * control).collect();
-        let (mut radius, mut lightest) = (0.0_f64, f64::INFINITY);
-        for control in &controls {
-            radius = upper_max(radius, control.xyz().length() / control.w);
+        let (mut before, mut after, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        for control in &mut controls {
+            *control *= scale;
             lightest = lightest.min(control.w);
+            let inverse = control.w.recip();
+            before = upper_max(before, control.xyz().length() * inverse);
+            *control = (control.xyz() - control.w * shift).extend(control.w);
+            after = upper_max(after, control.xyz().length() * inverse);
         }
         let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
         let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
-        let point_error = gamma(restriction * radius + 4.0 * shift.length());
-        Self { degree, controls: relative(&controls, shift), point_error }
+        let point_error = gamma(restriction * before + 4.0 * shift.length());
+        let weight_spread = (scale * heaviest - lightest) / lightest;
+        Self { degree, controls, weight_spread, radius: after, point_error }
     }
 
     /// An upper bound on the distance between points of equal parameters, by
-    /// lemma R11; `None` where a weight is not positive or a number overflows.
-    pub(super) fn max_difference(&self, other: &Self) -> Option<f64> {
+    /// lemma R11: the bound by the coefficients' lengths where that is at most the
+    /// threshold, else the closer one by those of the squared length. `None` where a weight
+    /// is not positive or a number overflows, and where corners are farther than the threshold.
+    pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
+        let Difference { degree, quotient, product_terms, error } = self.difference(other);
+        let length = |control: &DVec4| control.xyz().length() / control.w;
+        let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        // Coefficients at the corners are distances.
+        let [last_row, last_column] = [degree[0] * (degree[1] + 1), degree[1]];
+        let corners = [0, last_column, last_row, last_row + last_column];
+        if corners.iter().any(|&corner| length(&quotient[corner]) > threshold) {
+            return None;
+        }
+        let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
+        let rounding =
+            of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
+        let by_lengths = (1.0 + of_products) * (1.0 + gamma(LENGTH_ROUNDINGS)) * longest + rounding;
+        let is_decided = by_lengths <= threshold;
+        let bound = if is_decided {
+            by_lengths
+        } else {
+            let largest = squares(degree, &quotient)
+                .into_iter()
+                .map(|(length_squared, weight_squared)| length_squared / weight_squared)
+                .fold(0.0, upper_max);
+            let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
+            let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
+            let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
+            (1.0 + of_products) * under_root.sqrt() + rounding
+        };
+        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
+    }
+
+    fn difference(&self, other: &Self) -> Difference {
         let ([p, q], [m, n]) = (self.degree, other.degree);
+        let are_polynomial = [self, other].iter().all(|net| net.weight_spread <= MAX_WEIGHT_SPREAD);
+        if are_polynomial {
+            let degree = [p.max(m), q.max(n)];
+            let (x, y) = (self.elevated(degree), other.elevated(degree));
+            let steps = (degree[0] - p.min(m)) + (degree[1] - q.min(n));
+            return Difference {
+                degree,
+                quotient: x.iter().zip(&y).map(|(x, y)| (x - y).extend(1.0)).collect(),
+                product_terms: 1 + ELEVATION_ROUNDINGS * steps,
+                error: 2.0 * (self.weight_spread * self.radius + other.weight_spread * other.radius),
+            };
+        }
         let (degree, columns) = ([p + m, q + n], q + n + 1);
-        // `X v - Y w` and `w v`.
         let mut quotient = vec![DVec4::ZERO; (p + m + 1) * columns];
         let (of_x, of_y) = (scaled(self.degree, &self.controls), scaled(other.degree, &other.controls));
         for (a, x) in of_x.iter().enumerate() {
@@ -57,30 +142,145 @@ impl Net {
             }
         }
         unscale(degree, &mut quotient);
-        let length = |control: &DVec4| control.xyz().length() / control.w;
-        let longest = quotient.iter().map(length).fold(0.0, upper_max);
-        let largest = squares(degree, &quotient)
-            .into_iter()
-            .map(|(length_squared, weight_squared)| length_squared / weight_squared)
-            .fold(0.0, upper_max);
-        let product_terms = ((p.min(m) + 1) * (q.min(n) + 1)) as f64;
-        let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
-        let of_products = gamma(product_terms + PRODUCT_ROUNDINGS);
-        let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
-        let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
-        let bound = (1.0 + of_products) * under_root.sqrt()
-            + of_products * (self.radius() + other.radius())
-            + self.point_error
-            + other.point_error;
-        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
+        Difference { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
     }
 
-    /// The largest distance of a control point from the origin.
-    fn radius(&self) -> f64 {
-        self.controls.iter().map(|control| control.xyz().length() / control.w).fold(0.0, upper_max)
+    /// The control points of a polynomial in a representation of these degrees, which are not
+    /// lower than its own.
+    fn elevated(&self, [rows, columns]: [usize; 2]) -> Vec<DVec3> {
+        let [mut p, mut q] = self.degree;
+        let mut points: Vec<DVec3> = self.controls.iter().map(|control| control.xyz() / control.w).collect();
+        while q < columns {
+            q += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for row in points.chunks_exact(q) {
+                raised_points.extend((0..=q).map(|j| raised(q, j, |j| row[j])));
+            }
+            points = raised_points;
+        }
+        while p < rows {
+            p += 1;
+            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
+            for i in 0..=p {
+                for j in 0..=q {
+                    raised_points.push(raised(p, i, |i| points[i * (q + 1) + j]));
+                }
+            }
+            points = raised_points;
+        }
+        points
     }
 
     fn is_positive(&self) -> bool {
         self.controls.iter().all(|control| control.w > 0.0)
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::Patch;
+    use crate::certified::rounding::UNIT_ROUNDOFF;
+    use crate::param_box::ParamBox;
+
+    /// Both forms, elevated polynomials and products, bound the difference at random points and
+    /// are attained where one net is the other one moved.
+    #[test]
+    fn differences_of_nets_of_any_degrees_are_bounded() {
+        let random = &mut fastrand::Rng::with_seed(5);
+        for case in 0..300 {
+            let is_rational = case % 3 == 0;
+            let mut net = || {
+                let degree = [random.usize(1..6), random.usize(1..6)];
+                let count = (degree[0] + 1) * (degree[1] + 1);
+                let mut number = || random.f64() - 0.5;
+                let controls: Vec<DVec4> = (0..count)
+                    .map(|_| {
+                        let weight = if is_rational { 1.0 + number() } else { 1.5 };
+                        weight * DVec4::new(number(), number(), number(), 1.0)
+                    })
+                    .collect();
+                (degree, controls)
+            };
+            let [x, y] = [net(), net()];
+            let of = |(degree, controls): &([usize; 2], Vec<DVec4>), shift: DVec3| {
+                Net::new(*degree, controls.clone(), shift, 1.0)
+            };
+            let patch = |(degree, controls): &'_ ([usize; 2], Vec<DVec4>)| {
+                let (degree, controls) = (*degree, controls.clone());
+                move |place: [f64; 2]| {
+                    let domain = ParamBox::UNIT;
+                    let center = DVec3::ZERO;
+                    Patch { surface: 0, degree, domain, center, controls: &controls, rational: true }
+                        .point(place)
+                }
+            };
+            let [on_x, on_y] = [patch(&x), patch(&y)];
+            let bounds = [f64::INFINITY, 1e-3]
+                .map(|threshold| of(&x, DVec3::ZERO).max_difference(&of(&y, DVec3::ZERO), threshold));
+            let largest = bounds.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            for _ in 0..50 {
+                let place = [random.f64(), random.f64()];
+                let distance = on_x(place).distance(on_y(place));
+                assert!(distance <= largest, "{distance} {largest}");
+            }
+            let shift = DVec3::new(3.0, 0.0, 4.0);
+            for threshold in [5.1, 5.0 * (1.0 - 1e-6)] {
+                let moved = of(&x, DVec3::ZERO).max_difference(&of(&x, shift), threshold);
+                assert!(moved.is_none_or(|bound| (5.0..5.0 + 1e-11).contains(&bound)), "{moved:?}");
+                assert_eq!(moved.is_none(), threshold < 5.0);
+            }
+        }
+    }
+
+    /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
+    /// bound is the rounding alone. With equal weights a coefficient is one difference,
+    /// else the sum of four products.
+    #[test]
+    fn the_bound_of_equal_nets_is_their_rounding() {
+        let radius = 5.0_f64.sqrt();
+        for (ratio, terms) in [(1.0, 1.0), (2.0, 4.0)] {
+            let corners = [[-1.0, -2.0, 1.0], [-1.0, 2.0, ratio], [1.0, -2.0, 1.0], [1.0, 2.0, ratio]];
+            let controls = corners.map(|[x, y, w]| DVec4::new(w * x, w * y, 0.0, w)).to_vec();
+            for (shift, growth) in [(0.0, 1.0), (0.0, 1.5), (8.0, 1.0)] {
+                let shift = DVec3::new(0.0, 0.0, shift);
+                let net = || Net::new([1, 1], controls.clone(), shift, growth);
+                let spread = if growth > 1.0 { growth * ratio } else { 1.0 };
+                let restriction = (16.0 * 2.0 * spread + 8.0) * radius + 4.0 * shift.length();
+                let lemma =
+                    2.0 * UNIT_ROUNDOFF * ((terms + 16.0) * radius.hypot(shift.length()) + restriction);
+                for threshold in [0.0, 1.0] {
+                    let found = net().max_difference(&net(), threshold).unwrap();
+                    assert!(lemma <= found && found <= 1.02 * lemma, "{found:e}, {lemma:e}, shift {shift}");
+                }
+            }
+        }
+    }
+
+    /// The same for a rational patch of degrees (7, 7) against itself, moved: the distance is
+    /// that of the motion at equal parameters, and all roundings add to it.
+    #[test]
+    fn the_bound_of_a_moved_net_adds_its_rounding() {
+        let (mut controls, mut lengths) = ([Vec::new(), Vec::new()], [0.0_f64; 2]);
+        for index in 0..64 {
+            let w = 1.0 + f64::from(index % 2);
+            let point = DVec3::new(f64::from(index / 8), f64::from(index % 8), 0.0) / 8.0;
+            for (side, z) in [0.0, 1.0].into_iter().enumerate() {
+                let point = point + z * DVec3::Z;
+                controls[side].push((w * point).extend(w));
+                lengths[side] = lengths[side].max(point.length());
+            }
+        }
+        let [x, y] = controls.map(|controls| Net::new([7, 7], controls, DVec3::ZERO, 1.0));
+        // 64 products and 16; 120 squares, of degree 14, and 19; the restriction's 16 · 14 + 8.
+        let [products, squares, restriction] = [64.0 + 16.0, 120.0 + 19.0, 232.0];
+        let of_points = (products + restriction) * (lengths[0] + lengths[1]);
+        for (threshold, roundings) in [(0.0, products + squares), (2.0, products + 8.0)] {
+            let found = x.max_difference(&y, threshold).unwrap();
+            let part = (found - 1.0) / (UNIT_ROUNDOFF * (roundings + of_points));
+            // The products that are bounded are off by some roundings themselves.
+            assert!((0.99..=1.05).contains(&part), "{part} of the lemma, threshold {threshold}");
+        }
     }
 }

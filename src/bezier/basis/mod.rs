@@ -1,0 +1,10 @@
+//! Bernstein polynomials: their values, products and power form.
+
+pub(in crate::bezier) mod bernstein;
+mod bernstein_product;
+mod grid_basis;
+mod power_form;
+
+pub use bernstein::MAX_ORDER;
+pub(crate) use bernstein_product::{length_bounds, scaled, squares, unscale};
+pub(crate) use grid_basis::GridBasis;

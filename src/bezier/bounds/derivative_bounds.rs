@@ -1,0 +1,173 @@
+//! Upper bounds on a patch's derivatives from its control net.
+
+use crate::bezier::Patch;
+use crate::rounding::{gamma, lower_min, upper_max};
+use glam::{DVec4, Vec4Swizzles};
+
+/// Upper bounds on the lengths of a patch's derivatives by (s, t) over [0, 1]²,
+/// or over the part of it that a function states.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct DerivativeBounds {
+    /// The largest distance from the patch's centre.
+    pub radius: f64,
+    /// First derivatives by s and t.
+    pub first: [f64; 2],
+    /// Second derivatives ss, st, tt.
+    pub second: [f64; 3],
+    /// Third derivatives sss, sst, stt, ttt.
+    pub third: [f64; 4],
+}
+
+impl DerivativeBounds {
+    /// Makes these bounds hold also where `other` holds; the radius stays.
+    pub(in crate::bezier) fn enclose(&mut self, other: &Self) {
+        let pairs = [
+            (&mut self.first[..], &other.first[..]),
+            (&mut self.second[..], &other.second[..]),
+            (&mut self.third[..], &other.third[..]),
+        ];
+        for (own, other) in pairs {
+            for (own, &other) in own.iter_mut().zip(other) {
+                *own = upper_max(*own, other);
+            }
+        }
+    }
+
+    /// Returns the bounds by other parameters, of which an interval of length 1
+    /// of these parameters spans h and k.
+    pub(in crate::bezier) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
+        for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {
+            let order = bounds.len() - 1;
+            for (index, bound) in bounds.iter_mut().enumerate() {
+                *bound /= h.powi((order - index) as i32) * k.powi(index as i32);
+            }
+        }
+        self
+    }
+}
+
+/// The highest order of the derivatives bounded, plus one.
+const ORDERS: usize = 4;
+
+/// The binomial coefficients C(row, column).
+const BINOMIAL: [[f64; ORDERS]; ORDERS] =
+    [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
+
+/// A factor for the rounding of the recursion, whose terms are positive: more than
+/// 10^4 rounding errors of 2^-53, where each bound has fewer than 60. It does not
+/// cover the differences, which are of the size of rounding on a straight net.
+const ROUNDING_FACTOR: f64 = 1.0 + 1e-12;
+
+impl Patch<'_> {
+    /// Returns bounds on the first to third derivatives over [0, 1]².
+    ///
+    /// The derivative of order (a, b) of the homogeneous surface (X, w) has
+    /// the control points `p!/(p-a)! q!/(q-b)!` times the differences of the
+    /// net, whose largest length is its upper bound: `X_ab`, `w_ab`. Differentiating
+    /// `X = w x` by Leibniz' rule and solving for the last term,
+    ///
+    /// `x_ab <= (X_ab + sum C(a,i) C(b,j) w_ij x_(a-i)(b-j)) / w_min`
+    ///
+    /// over (i, j) != (0, 0), with `x_00` the radius. The rounding of the
+    /// differences is added (lemma R9 of docs/method.md). O(p q).
+    #[must_use]
+    pub fn derivative_bounds(&self) -> DerivativeBounds {
+        self.derivative_bounds_within([0.0; 2])
+    }
+
+    /// Returns bounds as [`Patch::derivative_bounds`] that hold for every patch
+    /// whose homogeneous controls differ from these by at most `error`, in space
+    /// and in weight: a difference of order n then differs from this net's by at
+    /// most `2^n error`. The bounds are infinite where a weight may be 0.
+    pub(in crate::bezier) fn derivative_bounds_within(&self, error: [f64; 2]) -> DerivativeBounds {
+        let least = |weight: f64| (weight - error[1]).max(0.0);
+        let weight = self.controls.iter().map(|control| least(control.w)).fold(f64::INFINITY, lower_min);
+        let mut bounds = [[0.0_f64; ORDERS]; ORDERS];
+        let differences = self.difference_bounds(error);
+        let radius = |control: &DVec4| (control.xyz().length() + error[0]) / least(control.w);
+        bounds[0][0] = self.controls.iter().map(radius).fold(0.0, upper_max);
+        for order in 1..ORDERS {
+            for a in (0..=order).rev() {
+                let b = order - a;
+                let mut sum = differences[a][b][0];
+                for i in 0..=a {
+                    for j in 0..=b {
+                        if i + j > 0 {
+                            sum +=
+                                BINOMIAL[a][i] * BINOMIAL[b][j] * differences[i][j][1] * bounds[a - i][b - j];
+                        }
+                    }
+                }
+                bounds[a][b] = sum / weight * ROUNDING_FACTOR;
+            }
+        }
+        DerivativeBounds {
+            radius: bounds[0][0],
+            first: [bounds[1][0], bounds[0][1]],
+            second: [bounds[2][0], bounds[1][1], bounds[0][2]],
+            third: [bounds[3][0], bounds[2][1], bounds[1][2], bounds[0][3]],
+        }
+    }
+
+    /// Returns the largest length and the largest weight of the homogeneous controls.
+    pub(in crate::bezier) fn largest_controls(&self) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for control in self.controls {
+            let sizes = [control.xyz().length(), control.w];
+            largest = [0, 1].map(|kind| upper_max(largest[kind], sizes[kind]));
+        }
+        largest
+    }
+
+    /// Returns, for each order (a, b), the largest length and the largest
+    /// weight of the controls of that derivative.
+    ///
+    /// A subtraction is off by one rounding of its result and by the errors of its two
+    /// terms, so the error of a difference is at most one rounding of the largest of its
+    /// order and twice the error of the order before (lemma R9 of docs/method.md). On a
+    /// net that is constant along an axis all of them are 0.
+    fn difference_bounds(&self, error: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
+        let [p, q] = self.degree;
+        let columns = q + 1;
+        let mut bounds = [[[0.0; 2]; ORDERS]; ORDERS];
+        let mut roundings = [[[0.0; 2]; ORDERS]; ORDERS];
+        let mut by_s = self.controls.to_vec();
+        for a in 0..ORDERS.min(p + 1) {
+            let mut net = by_s[..(p + 1 - a) * columns].to_vec();
+            for (b, bound) in bounds[a].iter_mut().enumerate().take((ORDERS - a).min(columns)) {
+                let (mut space, mut weight) = (0.0_f64, 0.0_f64);
+                for row in net.chunks_exact_mut(columns) {
+                    for j in 0..columns - b {
+                        let difference = row[j];
+                        space = upper_max(space, difference.xyz().length_squared());
+                        weight = upper_max(weight, difference.w.abs());
+                        if j + b < q {
+                            row[j] = row[j + 1] - difference;
+                        }
+                    }
+                }
+                let scale = falling_factorial(p, a) * falling_factorial(q, b);
+                let terms = 2.0_f64.powi((a + b) as i32);
+                let sizes = [space.sqrt(), weight];
+                let before = match (a, b) {
+                    (0, 0) => None,
+                    (_, 0) => Some(roundings[a - 1][0]),
+                    _ => Some(roundings[a][b - 1]),
+                };
+                if let Some(before) = before {
+                    roundings[a][b] = [0, 1].map(|kind| gamma(1.0) * sizes[kind] + 2.0 * before[kind]);
+                }
+                *bound =
+                    [0, 1].map(|kind| scale * (sizes[kind] + terms * error[kind] + roundings[a][b][kind]));
+            }
+            for index in 0..(p - a) * columns {
+                by_s[index] = by_s[index + columns] - by_s[index];
+            }
+        }
+        bounds
+    }
+}
+
+fn falling_factorial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64)
+}

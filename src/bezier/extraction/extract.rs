@@ -1,0 +1,275 @@
+//! Bézier extraction: one patch per non-empty rectangle of knots.
+
+use crate::axis::Axis;
+use crate::bezier::{MAX_ORDER, Patch, PatchSet, PointError};
+use crate::bvh::Aabb;
+use crate::model::{Model, NurbsSurface};
+use crate::parallel::map_ranges;
+use crate::param_box::ParamBox;
+use glam::{DVec3, DVec4};
+use std::ops::Range;
+
+/// The number of steps, along the model's diagonal rounded up to a power of
+/// two, of the grid on which patch centres lie.
+///
+/// Centres are multiples of a power of two 22 bits below it, so that the
+/// difference of two of them is exact in float32, whose significand has 24
+/// bits, one of them for the carry of the difference.
+const CENTERS_ON_DIAGONAL: f64 = (1_u32 << 22) as f64;
+
+/// The exponent bits of a float64. Without its other bits, a positive number
+/// is the largest power of two not above it.
+const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
+
+/// A non-empty knot span with the linear map from its degree + 1 control
+/// points to its Bézier controls.
+pub(crate) struct Span {
+    pub(crate) first_control: usize,
+    pub(crate) ends: [f64; 2],
+    /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
+    pub(crate) operator: Vec<[f64; MAX_ORDER]>,
+}
+
+/// The grid of the patches of one surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchGrid {
+    /// Index of the surface's first patch; the others follow, v fastest.
+    pub first: usize,
+    /// The distinct knots of the domain in u and v, one more each than patches.
+    pub breaks: [Vec<f64>; 2],
+    /// The parts of the numbers of samples and cells along u and v that this grid gets: 1
+    /// for a whole surface, less for a piece of a trimmed face.
+    pub shares: [f64; 2],
+}
+
+impl PatchGrid {
+    /// Returns the numbers of patches along u and v.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 2] {
+        [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
+    }
+
+    /// Returns the number of parts along `axis` that is this grid's share where whole
+    /// surfaces have `parts`; at least 1.
+    #[must_use]
+    pub fn share(&self, axis: Axis, parts: usize) -> usize {
+        ((parts as f64 * self.shares[axis]).ceil() as usize).clamp(1, parts)
+    }
+
+    /// Returns the index along `axis` of the patch that contains the parameter,
+    /// and the patch parameter in [0, 1]. Parameters outside the domain are
+    /// moved to its nearer end.
+    #[must_use]
+    pub fn locate(&self, axis: Axis, parameter: f64) -> (usize, f64) {
+        let breaks = &self.breaks[axis];
+        let span = breaks.partition_point(|&knot| knot <= parameter).clamp(1, breaks.len() - 1) - 1;
+        let local = (parameter - breaks[span]) / (breaks[span + 1] - breaks[span]);
+        (span, local.clamp(0.0, 1.0))
+    }
+}
+
+/// A model as a set of Bézier patches.
+#[derive(Debug, Clone)]
+pub struct BezierModel {
+    /// The patches, in order of surface, u, v.
+    pub patches: PatchSet,
+    /// One grid a surface.
+    pub grids: Vec<PatchGrid>,
+    /// The rounding of extraction, subdivision and evaluation.
+    pub point_error: PointError,
+}
+
+/// Returns the Bézier patches of every surface of `model`, each whole: trimmed faces are
+/// to be replaced by their pieces before.
+///
+/// Exact up to rounding for every valid knot vector, clamped or not, with
+/// repeated or almost coincident knots: Bézier control k of the span [a, b] is
+/// the blossom at a (degree - k times) and b (k times) (Ramshaw, *Blossoms are
+/// polar forms*, Computer Aided Geometric Design 6 (1989)). For arguments in the
+/// span, the de Boor triangle forms convex combinations only, so no divisor is
+/// smaller than the span. Knots one unit in the last place apart make a patch like
+/// any others; only the parameters reported on it are rounded.
+///
+/// The weights of a surface are divided by a power of two, so that the largest is
+/// in [1, 2): products of four of them are then normal numbers.
+/// O(patches (p + q) p q).
+#[must_use]
+pub fn extract(model: &Model) -> BezierModel {
+    let grid = center_grid(model.bounding_box().diagonal());
+    let mut extracted =
+        BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error: PointError::default() };
+    for (index, surface) in model.surfaces().iter().enumerate() {
+        extracted.add_surface(index, surface, grid);
+    }
+    extracted
+}
+
+/// Returns the spacing of the grid of patch centres for a model of this diagonal;
+/// 0 for a model that is a point, whose only centre is that point.
+pub(crate) fn center_grid(diagonal: f64) -> f64 {
+    let below = power_of_two_below(diagonal);
+    let above = if below < diagonal { 2.0 * below } else { below };
+    above / CENTERS_ON_DIAGONAL
+}
+
+/// Returns the point of the grid of this spacing that is nearest to `point`.
+pub(crate) fn snapped(point: DVec3, grid: f64) -> DVec3 {
+    if grid > 0.0 { (point / grid).round() * grid } else { point }
+}
+
+/// Returns the largest power of two not above a positive normal number.
+pub(crate) fn power_of_two_below(number: f64) -> f64 {
+    f64::from_bits(number.to_bits() & EXPONENT_BITS)
+}
+
+/// Returns the grid point nearest to the middle of the points' box.
+pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
+    let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
+    snapped(middle, grid)
+}
+
+impl BezierModel {
+    /// Appends the patches of one surface.
+    fn add_surface(&mut self, index: usize, surface: &NurbsSurface, grid: f64) {
+        let first = self.patches.len();
+        let degree = surface.degree();
+        let [in_u, in_v] =
+            Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
+        let largest_weight =
+            surface.control_points().iter().fold(0.0, |largest: f64, point| largest.max(point[3]));
+        let extraction = Extraction {
+            index,
+            surface,
+            spans: [&in_u, &in_v],
+            weight_scale: power_of_two_below(largest_weight).recip(),
+            grid,
+        };
+        let count = in_u.len() * in_v.len();
+        self.patches.reserve(count, count * (degree[0] + 1) * (degree[1] + 1));
+        for (patches, point_error) in map_ranges(count, |range| extraction.patches(range)) {
+            self.patches.append(&patches);
+            self.point_error.include_all(&point_error);
+        }
+        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
+    }
+}
+
+/// The extraction of the patches of one surface.
+struct Extraction<'a> {
+    /// The surface's position in its model.
+    index: usize,
+    surface: &'a NurbsSurface,
+    spans: [&'a [Span]; 2],
+    weight_scale: f64,
+    /// The spacing of the patches' centres.
+    grid: f64,
+}
+
+impl Extraction<'_> {
+    /// Returns the patches with these positions in the surface's grid, v fastest.
+    fn patches(&self, range: Range<usize>) -> (PatchSet, PointError) {
+        let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = *self;
+        let degree = surface.degree();
+        let (rows, columns) = (degree[0] + 1, degree[1] + 1);
+        let mut patches = PatchSet::default();
+        patches.reserve(range.len(), range.len() * rows * columns);
+        let mut point_error = PointError::default();
+        let mut net = vec![DVec4::ZERO; rows * columns];
+        let mut partial = vec![DVec4::ZERO; rows * columns];
+        let mut controls = vec![DVec4::ZERO; rows * columns];
+        for place in range {
+            let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
+            let points = |i: usize, j: usize| {
+                surface.control_points()[(u.first_control + i) * surface.counts()[1] + v.first_control + j]
+            };
+            let positions = (0..rows * columns).map(|k| {
+                let [x, y, z, _] = points(k / columns, k % columns);
+                DVec3::new(x, y, z)
+            });
+            let center = center_of(positions.clone(), grid);
+            let mut radius = 0.0_f64;
+            for (k, point) in positions.enumerate() {
+                let weight = weight_scale * points(k / columns, k % columns)[3];
+                let local = point - center;
+                net[k] = (weight * local).extend(weight);
+                radius = radius.max(local.length());
+            }
+            for i in 0..rows {
+                for k in 0..columns {
+                    partial[i * columns + k] = combined(&v.operator[k][..columns], &net[i * columns..], 1);
+                }
+            }
+            for k in 0..rows {
+                for j in 0..columns {
+                    controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
+                }
+            }
+            // The net's weights decide, as rounding can make equal weights of controls differ.
+            let weight = net[0].w;
+            patches.push(Patch {
+                surface: index,
+                degree,
+                domain: ParamBox::new(u.ends, v.ends),
+                center,
+                controls: &controls,
+                rational: net.iter().any(|control| control.w != weight),
+            });
+            point_error.include(degree, radius, center.length());
+        }
+        (patches, point_error)
+    }
+}
+
+/// Returns the sum of every `step`-th control point times its coefficient.
+fn combined(coefficients: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
+    let mut sum = DVec4::ZERO;
+    for (coefficient, control) in coefficients.iter().zip(controls.iter().step_by(step)) {
+        sum += coefficient * control;
+    }
+    sum
+}
+
+/// Returns the ends of consecutive spans, each once.
+fn breaks(spans: &[Span]) -> Vec<f64> {
+    let starts = spans.iter().map(|span| span.ends[0]);
+    starts.chain(spans.last().map(|span| span.ends[1])).collect()
+}
+
+/// Returns the non-empty spans of the domain.
+pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
+    (degree..count)
+        .filter(|&index| knots[index] < knots[index + 1])
+        .map(|index| Span {
+            first_control: index - degree,
+            ends: [knots[index], knots[index + 1]],
+            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
+        })
+        .collect()
+}
+
+/// Returns the coefficients of the span's control points in the blossom at the
+/// span's start, degree - k times, and its end, k times.
+///
+/// Both factors of a level are quotients of differences of knots, so each has a
+/// relative error of three roundings (lemma R3 of docs/method.md). `1 - fraction`
+/// would not: near 1 the fraction's error is as large as the complement, and a
+/// control of small weight then moves by its whole weight ratio.
+fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
+    let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
+    for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
+        row[index] = 1.0;
+    }
+    for level in 1..=degree {
+        let argument = if level <= k { knots[span + 1] } else { knots[span] };
+        for index in 0..=degree - level {
+            let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
+            let fraction = (argument - low) / (high - low);
+            let complement = (high - argument) / (high - low);
+            let next = coefficients[index + 1];
+            for (coefficient, next) in coefficients[index].iter_mut().zip(next) {
+                *coefficient = complement * *coefficient + fraction * next;
+            }
+        }
+    }
+    coefficients[0]
+}

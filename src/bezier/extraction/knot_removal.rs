@@ -1,0 +1,577 @@
+//! Removal of knots across which a surface is one polynomial up to rounding, as
+//! refined copies and exact refits have them.
+//!
+//! Lemma. Let the homogeneous curve (X, w) of every line of control points along
+//! an axis, over each span, have Bézier controls that differ from those of
+//! another polynomial (X', w') restricted to the span by at most `e` in space and
+//! `f` in weight. Then the surface of the other polynomials is within
+//! `(e + f r) / ω` of the surface at equal parameters, with r the largest distance of its
+//! control points from the origin of X and ω > 0 the smallest weight.
+//!
+//! Proof. Along the other axis the basis functions are nonnegative with sum 1, so
+//! the homogeneous surfaces differ by at most e and f. With `x' = X'/w'`,
+//! `X/w - x' = (X - X' + x' (w' - w)) / w`. ∎
+//!
+//! So a polynomial over several spans may come from anywhere; here it
+//! interpolates the spline at the extrema of a Chebyshev polynomial, and the
+//! differences are measured. The removal of knots with a measured error is that
+//! of L. Piegl and W. Tiller, *The NURBS Book*, section 5.4.
+
+use crate::axis::Axis;
+use crate::bezier::basis::bernstein::MAX_ORDER;
+use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
+use crate::bezier::patch::subdivide::restrict_line;
+use crate::bvh::Aabb;
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::parallel::map;
+use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
+use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::ops::Range;
+
+/// The largest difference of a span's control from the common polynomial's, in
+/// units of the rounding of the model's largest coordinate and weight. The solution of
+/// an interpolation problem, which a refit is, carries some units.
+const MAX_DIFFERENCE: f64 = 64.0;
+
+/// A bound on the weights of a surface, of which the largest is in [1, 2).
+const MAX_WEIGHT: f64 = 2.0;
+
+/// The largest error of a surface with fewer knots, in the same units: four times the
+/// error of a bicubic patch's extraction, halving and evaluation.
+const MAX_ERROR: f64 = 1024.0;
+
+/// The roundings in a difference of two controls, for each degree: six of the span's
+/// own (lemma R3 of docs/method.md), eight of the restriction (R6), and six for the
+/// span's ends in the parameters of the common polynomial, off by three roundings each.
+const ROUNDINGS_PER_DEGREE: f64 = 20.0;
+
+/// The further roundings: forming homogeneous controls and the difference, and
+/// the common polynomial's control points of the model.
+const ROUNDINGS: f64 = 16.0;
+
+/// A model with fewer knots.
+pub(crate) struct Reduced {
+    /// Surfaces with the parameters of the model's own.
+    pub(crate) model: Model,
+    /// An upper bound on the distance between points of equal parameters.
+    pub(crate) error: f64,
+}
+
+/// Returns `model` without its removable knots; `None` where it has none.
+/// O(control points p²) for surfaces with removable knots; for most others two
+/// lines of control points are examined.
+pub(crate) fn without_removable_knots(model: &Model) -> Option<Reduced> {
+    let surfaces = model.surfaces();
+    let reduced: Vec<Option<(NurbsSurface, f64)>> =
+        map(surfaces.len(), |index| reduced_surface(index, &surfaces[index]));
+    if reduced.iter().all(Option::is_none) {
+        return None;
+    }
+    let mut largest = 0.0_f64;
+    let surfaces = reduced.into_iter().zip(model.surfaces()).map(|(reduced, surface)| match reduced {
+        Some((reduced, error)) => {
+            largest = upper_max(largest, error);
+            reduced
+        }
+        None => surface.clone(),
+    });
+    let surfaces = surfaces.collect();
+    Some(Reduced { model: Model::new(model.name().map(str::to_owned), surfaces).ok()?, error: largest })
+}
+
+/// Returns the surface without its removable knots, and its error.
+fn reduced_surface(index: usize, surface: &NurbsSurface) -> Option<(NurbsSurface, f64)> {
+    let mut net = Net::new(surface);
+    let is_reduced = Axis::BOTH.map(|axis| net.reduce(axis));
+    if is_reduced == [false; 2] {
+        return None;
+    }
+    let error = net.error();
+    if !(net.lightest > 0.0 && error <= MAX_ERROR * UNIT_ROUNDOFF * net.largest()) {
+        return None;
+    }
+    Some((NurbsSurface::new(index, net.into_arrays()).ok()?, error))
+}
+
+/// A surface's homogeneous control points.
+struct Net {
+    degree: [usize; 2],
+    knots: [Vec<f64>; 2],
+    counts: [usize; 2],
+    /// `(w (p - center), w)`, v fastest, with the weights divided by `scale`.
+    controls: Vec<DVec4>,
+    center: DVec3,
+    /// The largest distance of a control point from the centre.
+    radius: f64,
+    /// The smallest weight.
+    lightest: f64,
+    /// The common weight of a polynomial surface.
+    weight: Option<f64>,
+    /// Bounds on the differences from the given surface, in space and in weight.
+    differences: [f64; 2],
+}
+
+impl Net {
+    fn new(surface: &NurbsSurface) -> Self {
+        let points = surface.control_points();
+        let position = |&[x, y, z, _]: &[f64; 4]| DVec3::new(x, y, z);
+        let center = points.iter().map(position).fold(Aabb::EMPTY, Aabb::with).center();
+        let heaviest = points.iter().map(|point| point[3]).fold(0.0, upper_max);
+        let scale = power_of_two_below(heaviest).recip();
+        let controls: Vec<DVec4> = points
+            .iter()
+            .map(|point| {
+                let weight = scale * point[3];
+                (weight * (position(point) - center)).extend(weight)
+            })
+            .collect();
+        let first = controls[0].w;
+        let mut net = Self {
+            degree: surface.degree(),
+            knots: Axis::BOTH.map(|axis| surface.knots(axis).to_vec()),
+            counts: surface.counts(),
+            controls,
+            center,
+            radius: 0.0,
+            lightest: f64::INFINITY,
+            weight: None,
+            differences: [0.0; 2],
+        };
+        net.weight = net.controls.iter().all(|control| control.w == first).then_some(first);
+        net.measure();
+        net
+    }
+
+    /// Makes the radius and the smallest weight hold for the present controls, too.
+    fn measure(&mut self) {
+        let length = |control: &DVec4| control.xyz().length() / control.w;
+        self.radius = self.controls.iter().map(length).fold(self.radius, upper_max);
+        self.lightest = self.controls.iter().map(|control| control.w).fold(self.lightest, lower_min);
+    }
+
+    /// The largest length of a coordinate vector.
+    fn largest(&self) -> f64 {
+        self.radius + self.center.length()
+    }
+
+    /// The error of the lemma, with that of the control points' own rounding.
+    fn error(&self) -> f64 {
+        let [space, weight] = self.differences;
+        (space + weight * self.radius) / self.lightest * (1.0 + gamma(ROUNDINGS))
+            + gamma(ROUNDINGS) * self.largest()
+    }
+
+    /// The largest difference of controls at which they count as equal.
+    fn tolerance(&self) -> f64 {
+        MAX_WEIGHT * MAX_DIFFERENCE * UNIT_ROUNDOFF * self.largest()
+    }
+
+    /// Replaces runs of spans along `axis` that are one polynomial by one span each;
+    /// returns whether there are any.
+    fn reduce(&mut self, axis: Axis) -> bool {
+        let (degree, count) = (self.degree[axis], self.counts[axis]);
+        let spans = spans(&self.knots[axis], degree, count);
+        let runs = self.runs(axis, &spans);
+        if runs.len() == spans.len() {
+            return false;
+        }
+        let lines: Vec<Vec<DVec4>> =
+            (0..self.counts[axis.other()]).map(|line| self.line(axis, line)).collect();
+        let nodes = Interpolation::new(degree);
+        let mut pieces = Pieces { degree, spans: &spans, nodes: &nodes, lines: &lines, list: Vec::new() };
+        let mut differences = [0.0_f64; 2];
+        for run in runs {
+            pieces.add(run, self.tolerance(), &mut differences);
+        }
+        let pieces = pieces.list;
+        if pieces.len() == spans.len() {
+            return false;
+        }
+        self.replace(axis, &spans, &pieces);
+        let roundings = gamma(ROUNDINGS_PER_DEGREE * degree as f64 + ROUNDINGS);
+        let heaviest = self.controls.iter().map(|control| control.w).fold(MAX_WEIGHT, upper_max);
+        self.differences[0] += differences[0] + roundings * heaviest * self.radius;
+        // Equal weights stay as they are.
+        if self.weight.is_none() {
+            self.differences[1] += differences[1] + roundings * heaviest;
+        }
+        true
+    }
+
+    /// One line of controls along `axis`.
+    fn line(&self, axis: Axis, line: usize) -> Vec<DVec4> {
+        let columns = self.counts[1];
+        (0..self.counts[axis])
+            .map(|index| match axis {
+                Axis::U => self.controls[index * columns + line],
+                Axis::V => self.controls[line * columns + index],
+            })
+            .collect()
+    }
+
+    /// The maximal runs of spans that seem to be one polynomial on every line.
+    fn runs(&self, axis: Axis, spans: &[Span]) -> Vec<Range<usize>> {
+        let degree = self.degree[axis];
+        let count = self.counts[axis.other()];
+        let mut joined = vec![spans.len() > 1; spans.len().saturating_sub(1)];
+        // The middle first: edges are often straight where the surface is not.
+        for line in (0..count).map(|line| (line + count / 2) % count) {
+            if joined.iter().all(|joined| !joined) {
+                break;
+            }
+            let line = self.line(axis, line);
+            for (index, joined) in joined.iter_mut().enumerate() {
+                *joined =
+                    *joined && continues(&spans[index], &spans[index + 1], degree, &line, self.tolerance());
+            }
+        }
+        let mut runs = Vec::new();
+        let mut start = 0;
+        for end in 1..=spans.len() {
+            if end == spans.len() || !joined[end - 1] {
+                runs.push(start..end);
+                start = end;
+            }
+        }
+        runs
+    }
+
+    /// Takes the Bézier controls of pieces, all lines of each, as the net along `axis`.
+    fn replace(&mut self, axis: Axis, spans: &[Span], pieces: &[Piece]) {
+        let order = self.degree[axis] + 1;
+        let others = self.counts[axis.other()];
+        let mut knots = Vec::with_capacity((pieces.len() + 1) * order);
+        for piece in pieces {
+            knots.extend(std::iter::repeat_n(spans[piece.spans.start].ends[0], order));
+        }
+        if let Some(last) = spans.last() {
+            knots.extend(std::iter::repeat_n(last.ends[1], order));
+        }
+        let count = pieces.len() * order;
+        let mut controls = vec![DVec4::ZERO; count * others];
+        for (index, piece) in pieces.iter().enumerate() {
+            for (line, piece_controls) in piece.controls.chunks_exact(order).enumerate() {
+                for (k, &control) in piece_controls.iter().enumerate() {
+                    let along = index * order + k;
+                    let place = if axis == Axis::U { along * others + line } else { line * count + along };
+                    controls[place] = match self.weight {
+                        Some(weight) => control.xyz().extend(weight),
+                        None => control,
+                    };
+                }
+            }
+        }
+        self.knots[axis] = knots;
+        self.counts[axis] = count;
+        self.controls = controls;
+        self.measure();
+    }
+
+    fn into_arrays(self) -> SurfaceArrays {
+        let point = |control: &DVec4| {
+            let DVec3 { x, y, z } = self.center + control.xyz() / control.w;
+            [x, y, z, control.w]
+        };
+        SurfaceArrays {
+            degree: self.degree,
+            control_points: self.controls.iter().map(point).collect(),
+            knots: self.knots,
+            counts: self.counts,
+        }
+    }
+}
+
+/// The Bézier controls of a span of one line.
+fn bezier(span: &Span, degree: usize, line: &[DVec4]) -> [DVec4; MAX_ORDER] {
+    let mut controls = [DVec4::ZERO; MAX_ORDER];
+    let line = &line[span.first_control..=span.first_control + degree];
+    for (control, operator) in controls.iter_mut().zip(&span.operator) {
+        for (coefficient, point) in operator.iter().zip(line) {
+            *control += *coefficient * *point;
+        }
+    }
+    controls
+}
+
+/// Whether the polynomial of one of two neighbouring spans, the longer one,
+/// is that of the other, to within the tolerance times what extrapolation may grow it by.
+fn continues(left: &Span, right: &Span, degree: usize, line: &[DVec4], tolerance: f64) -> bool {
+    let mut controls = [left, right].map(|span| bezier(span, degree, line));
+    let mut widths = [left, right].map(|span| span.ends[1] - span.ends[0]);
+    if widths[0] < widths[1] {
+        widths.swap(0, 1);
+        controls.swap(0, 1);
+        controls.iter_mut().for_each(|controls| controls[..=degree].reverse());
+    }
+    let ratio = widths[1] / widths[0];
+    let [longer, shorter] = &mut controls;
+    // Control k of the continuation over [1, 1 + ratio] is the blossom at 1, degree - k
+    // times, and 1 + ratio, k times: the last of each level of de Casteljau's algorithm.
+    for k in 0..=degree {
+        let difference = longer[degree - k] - shorter[k];
+        let growth = (1.0 + 2.0 * ratio).powi(k as i32);
+        // False for NaN.
+        let is_equal = difference.xyz().length() <= tolerance * growth;
+        if !is_equal {
+            return false;
+        }
+        for index in (1..=degree - k).rev() {
+            longer[index] = (1.0 + ratio) * longer[index] - ratio * longer[index - 1];
+        }
+        // The blossom's arguments move from the end to beyond it, one a level.
+        for index in 0..degree - k {
+            longer[index] = longer[index + 1];
+        }
+    }
+    true
+}
+
+/// The places at which a polynomial of some degree is interpolated, and the
+/// inverse of the matrix of the Bernstein polynomials there.
+struct Interpolation {
+    places: Vec<f64>,
+    inverse: Vec<Vec<f64>>,
+}
+
+impl Interpolation {
+    /// The extrema of a Chebyshev polynomial, by Gauss-Jordan elimination of the
+    /// totally positive matrix without pivoting. O(degree³).
+    fn new(degree: usize) -> Self {
+        let order = degree + 1;
+        let angle = |k: usize| std::f64::consts::PI * k as f64 / degree as f64;
+        let places: Vec<f64> = (0..order).map(|k| (0.5 * angle(k)).sin().powi(2)).collect();
+        let mut rows: Vec<Vec<f64>> = places
+            .iter()
+            .enumerate()
+            .map(|(row, &x)| {
+                let mut values = vec![0.0; 2 * order];
+                values[0] = 1.0;
+                for level in 1..order {
+                    for index in (0..=level).rev() {
+                        let below = if index > 0 { values[index - 1] } else { 0.0 };
+                        values[index] = x * below + (1.0 - x) * values[index];
+                    }
+                }
+                values[order + row] = 1.0;
+                values
+            })
+            .collect();
+        for pivot in 0..order {
+            let scale = rows[pivot][pivot].recip();
+            rows[pivot].iter_mut().for_each(|value| *value *= scale);
+            let done = rows[pivot].clone();
+            for (index, row) in rows.iter_mut().enumerate() {
+                let factor = row[pivot];
+                if index != pivot && factor != 0.0 {
+                    row.iter_mut().zip(&done).for_each(|(value, done)| *value -= factor * done);
+                }
+            }
+        }
+        Self { places, inverse: rows.into_iter().map(|row| row[order..].to_vec()).collect() }
+    }
+}
+
+/// A run of spans as one polynomial, with the controls of all lines.
+struct Piece {
+    spans: Range<usize>,
+    controls: Vec<DVec4>,
+}
+
+/// The pieces found so far.
+struct Pieces<'a> {
+    degree: usize,
+    spans: &'a [Span],
+    nodes: &'a Interpolation,
+    lines: &'a [Vec<DVec4>],
+    list: Vec<Piece>,
+}
+
+impl Pieces<'_> {
+    /// Appends a run of spans as one piece, or as several where the differences
+    /// from one exceed the tolerance.
+    fn add(&mut self, run: Range<usize>, tolerance: f64, differences: &mut [f64; 2]) {
+        let mut largest = [0.0_f64; 2];
+        let mut controls = Vec::with_capacity(self.lines.len() * (self.degree + 1));
+        for line in self.lines {
+            if run.len() == 1 {
+                controls
+                    .extend_from_slice(&bezier(&self.spans[run.start], self.degree, line)[..=self.degree]);
+                continue;
+            }
+            let piece = self.interpolated(&run, line);
+            self.include_differences(&run, line, &piece, &mut largest);
+            let is_within = largest[0] <= tolerance && largest[1] <= tolerance;
+            if !is_within {
+                let middle = run.start + run.len() / 2;
+                self.add(run.start..middle, tolerance, differences);
+                self.add(middle..run.end, tolerance, differences);
+                return;
+            }
+            controls.extend(piece);
+        }
+        *differences = [0, 1].map(|kind| upper_max(differences[kind], largest[kind]));
+        self.list.push(Piece { spans: run, controls });
+    }
+
+    /// The Bézier controls over the run of the polynomial through points of the line.
+    fn interpolated(&self, run: &Range<usize>, line: &[DVec4]) -> Vec<DVec4> {
+        let spans = &self.spans[run.clone()];
+        let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
+        let values: Vec<DVec4> = self
+            .nodes
+            .places
+            .iter()
+            .map(|place| {
+                let parameter = (1.0 - place) * start + place * end;
+                let index = spans.partition_point(|span| span.ends[1] < parameter).min(spans.len() - 1);
+                let [low, high] = spans[index].ends;
+                let local = ((parameter - low) / (high - low)).clamp(0.0, 1.0);
+                let mut controls = bezier(&spans[index], self.degree, line);
+                for level in 1..=self.degree {
+                    for k in 0..=self.degree - level {
+                        controls[k] = (1.0 - local) * controls[k] + local * controls[k + 1];
+                    }
+                }
+                controls[0]
+            })
+            .collect();
+        let combined = |row: &Vec<f64>| row.iter().zip(&values).map(|(factor, &value)| *factor * value).sum();
+        self.nodes.inverse.iter().map(combined).collect()
+    }
+
+    /// Includes the differences between the run's spans and a polynomial over all of it.
+    fn include_differences(
+        &self,
+        run: &Range<usize>,
+        line: &[DVec4],
+        piece: &[DVec4],
+        largest: &mut [f64; 2],
+    ) {
+        let spans = &self.spans[run.clone()];
+        let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
+        let order = self.degree + 1;
+        for span in spans {
+            let own = bezier(span, self.degree, line);
+            let mut part = piece.to_vec();
+            let ends = span.ends.map(|parameter| (parameter - start) / (end - start));
+            restrict_line(&mut part, 0, 1, order, ends);
+            for (own, part) in own.iter().zip(&part) {
+                let difference = *own - *part;
+                largest[0] = upper_max(largest[0], difference.xyz().length());
+                largest[1] = upper_max(largest[1], difference.w.abs());
+            }
+        }
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::shapes::operations::{elevate_degree, insert_knot, refit_model};
+    use crate::shapes::{shape, wavy_sheet};
+
+    /// The largest distance of points of equal parameters.
+    fn difference(a: &Model, b: &Model) -> f64 {
+        let [a, b] = [a, b].map(extract);
+        let random = &mut fastrand::Rng::with_seed(5);
+        let mut largest = 0.0_f64;
+        for (of_a, of_b) in a.grids.iter().zip(&b.grids) {
+            for _ in 0..300 {
+                let fractions = [random.f64(), random.f64()];
+                let points = [(&a, of_a), (&b, of_b)].map(|(bezier, grid)| {
+                    let [(row, s), (column, t)] = Axis::BOTH.map(|axis| {
+                        let breaks = &grid.breaks[axis];
+                        let [start, end] = [breaks[0], breaks[breaks.len() - 1]];
+                        grid.locate(axis, start + fractions[axis] * (end - start))
+                    });
+                    bezier.patches.patch(grid.first + row * grid.counts()[1] + column).point([s, t])
+                });
+                largest = largest.max(points[0].distance(points[1]));
+            }
+        }
+        largest
+    }
+
+    fn patches(model: &Model) -> usize {
+        extract(model).patches.len()
+    }
+
+    #[test]
+    fn inserted_knots_are_removed() {
+        for name in ["torus", "wavy-sheet", "naca-wing", "net-6x6"] {
+            let model = shape(name).unwrap();
+            let refined: Vec<_> = model
+                .surfaces()
+                .iter()
+                .map(|surface| {
+                    let mut refined = surface.clone();
+                    for (axis, fraction, times) in
+                        [(Axis::U, 0.31, 1), (Axis::V, 0.77, 2), (Axis::U, 0.6, 1), (Axis::U, 0.6001, 1)]
+                    {
+                        let [start, end] = surface.domain()[axis];
+                        let times = times.min(surface.degree()[axis]);
+                        let knot = start + fraction * (end - start);
+                        refined = insert_knot(&refined, axis, knot, times).unwrap();
+                    }
+                    elevate_degree(&refined, Axis::V).unwrap()
+                })
+                .collect();
+            let refined = Model::new(None, refined).unwrap();
+            let reduced = without_removable_knots(&refined).unwrap();
+            let least =
+                without_removable_knots(&model).map_or(patches(&model), |least| patches(&least.model));
+            assert_eq!(patches(&reduced.model), least, "{name}");
+            let size = model.bounding_box().diagonal();
+            assert!(reduced.error < 3e-13 * size, "{name}: {}", reduced.error);
+            assert!(difference(&refined, &reduced.model) <= reduced.error, "{name}");
+        }
+    }
+
+    #[test]
+    fn an_exact_refit_has_the_patches_of_its_original() {
+        let sheet = wavy_sheet(&crate::shapes::WavySheet {
+            counts: [4, 4],
+            size: [1.0, 2.0],
+            amplitude: 0.5,
+            waves: [0.5, 0.5],
+            phase: 0.1,
+        })
+        .unwrap();
+        for count in [5, 12, 60] {
+            let refit = refit_model(&sheet, count).unwrap();
+            let reduced = without_removable_knots(&refit).unwrap();
+            assert_eq!(patches(&reduced.model), 1, "{count}");
+            assert!(difference(&sheet, &reduced.model) < 1e-14);
+        }
+    }
+
+    /// The error covers what a removal changes: a knot at which the polynomials differ a
+    /// little is removed with that difference, and one at which they differ by more stays.
+    #[test]
+    fn the_error_is_that_of_the_removal() {
+        let model = shape("wavy-sheet").unwrap();
+        let surface = &model.surfaces()[0];
+        let [start, end] = surface.domain()[Axis::U];
+        let refined = insert_knot(surface, Axis::U, start + 0.49 * (end - start), 1).unwrap();
+        let columns = refined.counts()[1];
+        let least = without_removable_knots(&model).map_or(patches(&model), |least| patches(&least.model));
+        for (units, is_removed) in [(20.0, true), (1e4, false)] {
+            let mut arrays = refined.clone().into_arrays();
+            let row = refined.knots(Axis::U).partition_point(|&knot| knot < start + 0.49 * (end - start)) - 2;
+            let size = model.bounding_box().diagonal();
+            for point in &mut arrays.control_points[row * columns..][..columns] {
+                point[2] += units * UNIT_ROUNDOFF * size;
+            }
+            let edited = Model::from_arrays(None, vec![arrays]).unwrap();
+            let reduced = without_removable_knots(&edited);
+            let left = reduced.as_ref().map_or(patches(&edited), |reduced| patches(&reduced.model));
+            assert_eq!(left == least, is_removed, "{units}: {left}, {least}");
+            if let Some(reduced) = reduced {
+                let changed = difference(&edited, &reduced.model);
+                assert!(changed <= reduced.error && changed > 1e-3 * reduced.error, "{changed}");
+            }
+        }
+    }
+}

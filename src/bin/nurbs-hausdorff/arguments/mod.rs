@@ -1,0 +1,230 @@
+//! The arguments.
+
+pub(crate) mod motion;
+#[cfg(test)]
+mod table;
+pub(crate) mod usage;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use motion::{Rotation, Translation};
+use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
+use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
+use std::path::PathBuf;
+
+/// How far apart are two NURBS models? Models are files of interchange JSON or BREP text.
+#[derive(Debug, Parser)]
+#[command(version, about)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Computes the Hausdorff distance from A to B.
+    ///
+    /// Exit status: 0 if the distance was computed or is within --limit, 1 if it
+    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided.
+    Distance(Box<DistanceArguments>),
+    /// Compares two models face by face.
+    ///
+    /// Exit status: 0 if no face changed by more than --tolerance, 1 if one did,
+    /// 2 for bad input, 3 if a face could not be decided and none changed.
+    Diff(DiffArguments),
+    /// Prints the surfaces, patches and bounding box of a model.
+    Info(InfoArguments),
+    /// Writes a model as interchange JSON, and prints what reading it kept and left out.
+    Convert(ConvertArguments),
+    /// Prints a completion script.
+    Completions {
+        /// The shell to complete in.
+        shell: Shell,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DistanceArguments {
+    /// The model whose points are measured.
+    pub(crate) a: PathBuf,
+    /// The model to which the distances are measured.
+    pub(crate) b: PathBuf,
+    /// The method that computes the distance.
+    #[arg(long, value_enum, default_value_t = MethodName::Certified)]
+    method: MethodName,
+    /// certified: requested width of the interval, relative to the larger diagonal.
+    #[arg(long, default_value_t = 1e-6)]
+    tolerance: f64,
+    /// certified: the tolerance is in model units.
+    #[arg(long)]
+    absolute: bool,
+    /// Decides whether the distance is at most LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
+    #[arg(long, value_name = "LIMIT")]
+    pub(crate) limit: Option<f64>,
+    /// certified: seconds per direction after which the interval reached is the result.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// certified: cells per direction after which the interval reached is the result.
+    #[arg(long, value_name = "CELLS")]
+    max_cells: Option<usize>,
+    /// iteration: samples along each parameter direction of every surface.
+    #[arg(long, default_value_t = 64)]
+    samples: usize,
+    /// iteration: the rule by which the samples are spread.
+    #[arg(long, value_enum, default_value_t = SamplingName::Uniform)]
+    sampling: SamplingName,
+    /// iteration: the flatness to which the patches of B are cut.
+    #[arg(long, value_enum, default_value_t = FlatnessName::Loose)]
+    flatness: FlatnessName,
+    /// iteration: the step of the projection, damped Newton or the tangent-plane step of the 2012 paper.
+    #[arg(long, value_enum, default_value_t = ProjectionName::Newton)]
+    projection: ProjectionName,
+    /// iteration: the patches on which a sample is projected, those near enough or all as in the paper.
+    #[arg(long, value_enum, default_value_t = CullingName::Tree)]
+    culling: CullingName,
+    /// iteration: largest number of steps on one patch.
+    #[arg(long, default_value_t = 5)]
+    iterations: u32,
+    /// iteration: change of distance that ends the tangent-plane step, in model units.
+    #[arg(long, default_value_t = 0.01)]
+    step_tolerance: f64,
+    /// hierarchy: cells along each parameter direction of every surface.
+    #[arg(long, default_value_t = 64)]
+    grid: usize,
+    /// hierarchy: memory for the pairs of boxes, in MiB.
+    #[arg(long, value_name = "MIB", default_value_t = 256)]
+    memory_budget: usize,
+    /// Computes both directions; the distance is the larger one.
+    #[arg(long)]
+    symmetric: bool,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
+    /// Moves A before it is measured.
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
+    translate: Translation,
+    /// Rotates A about an axis through the origin, before --translate moves it.
+    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
+    rotate: Rotation,
+    /// Adds statistics of the deviation at a grid of samples; they are estimates.
+    #[arg(long)]
+    field: bool,
+    /// The processor for the kernels; auto is the GPU if there is one, except for method certified.
+    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
+    backend: BackendName,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DiffArguments {
+    /// The one model.
+    pub(crate) a: PathBuf,
+    /// The other model.
+    pub(crate) b: PathBuf,
+    /// Distance, in model units, up to which a face counts as unchanged.
+    #[arg(long, default_value_t = 1e-3)]
+    tolerance: f64,
+    /// Cells after which a face is given up as undecided.
+    #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
+    max_cells: usize,
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
+    /// Moves A before it is compared.
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
+    translate: Translation,
+    /// Rotates A about an axis through the origin, before --translate moves it.
+    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
+    rotate: Rotation,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl DiffArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<DiffOptions> {
+        Ok(DiffOptions {
+            tolerance: self.tolerance,
+            max_cells: self.max_cells,
+            scale_units: self.scale_units,
+            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InfoArguments {
+    /// The model.
+    pub(crate) model: PathBuf,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArguments {
+    /// The model.
+    pub(crate) input: PathBuf,
+    /// The file to write.
+    pub(crate) output: PathBuf,
+    /// Prints the report as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl DistanceArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<Options> {
+        Ok(Options {
+            method: self.method.into(),
+            tolerance: self.tolerance,
+            absolute: self.absolute,
+            limit: self.limit,
+            max_seconds: self.max_seconds,
+            max_cells: self.max_cells,
+            samples: self.samples,
+            sampling: self.sampling.into(),
+            flatness: self.flatness.into(),
+            projection: self.projection.into(),
+            culling: self.culling.into(),
+            iterations: self.iterations,
+            step_tolerance: self.step_tolerance,
+            grid: self.grid,
+            memory_budget: self.memory_budget,
+            symmetric: self.symmetric,
+            scale_units: self.scale_units,
+            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
+            backend: self.backend.into(),
+            field: self.field,
+        })
+    }
+}
+
+/// A library enum by its names on the command line.
+macro_rules! named {
+    ($name:ident, $library:ident, $($variant:ident),+) => {
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+        pub(crate) enum $name { $($variant),+ }
+        impl From<$name> for $library {
+            fn from(name: $name) -> Self {
+                match name { $($name::$variant => Self::$variant),+ }
+            }
+        }
+    };
+}
+
+named!(MethodName, Method, Certified, Iteration, Hierarchy);
+named!(SamplingName, SamplingRule, Uniform, ArcLength);
+named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
+named!(ProjectionName, Projection, Newton, TangentPlane);
+named!(CullingName, Culling, Tree, None);
+named!(BackendName, Backend, Auto, Gpu, Cpu);

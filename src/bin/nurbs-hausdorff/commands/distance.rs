@@ -1,0 +1,47 @@
+//! The command `distance`.
+
+use crate::arguments::DistanceArguments;
+use crate::failure::Failure;
+use crate::input::read;
+use crate::output::progress::Bar;
+use crate::output::report;
+use crate::output::{print, print_json};
+use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method, PreparedModel};
+
+/// Exit statuses with `--limit`.
+const WITHIN: u8 = 0;
+const BEYOND: u8 = 1;
+const UNDECIDED: u8 = 3;
+
+/// Computes and prints the distance, and returns the exit status.
+pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
+    let options = arguments.options()?;
+    options.validate()?;
+    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    // Method certified usually ends in float64 before a GPU could be initialised.
+    let staged = options.method != Method::Certified || options.field;
+    let uses_gpu = staged || options.backend == Backend::Gpu;
+    let backend = if uses_gpu { options.backend } else { Backend::Cpu };
+    let engine = pollster::block_on(Engine::new(backend))?;
+    let (a, b) = (PreparedModel::new(&a)?, PreparedModel::new(&b)?);
+    let mut bar = Bar::new();
+    let result = pollster::block_on(engine.distance(&a, &b, &options, &mut bar))?;
+    drop(bar);
+    if arguments.json {
+        print_json(&result)?;
+    } else {
+        print(&report::text(&result))?;
+    }
+    Ok(arguments.limit.map_or(WITHIN, |limit| verdict(&result, limit)))
+}
+
+/// The exit status that follows from the interval and the limit, for all methods.
+fn verdict(result: &DistanceResult, limit: f64) -> u8 {
+    if result.upper <= limit {
+        WITHIN
+    } else if result.lower > limit {
+        BEYOND
+    } else {
+        UNDECIDED
+    }
+}

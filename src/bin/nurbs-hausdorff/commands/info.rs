@@ -1,0 +1,52 @@
+//! The command `info`.
+
+use crate::arguments::InfoArguments;
+use crate::failure::Failure;
+use crate::input::read;
+use crate::output::{print, print_json};
+use nurbs_hausdorff::ModelInfo;
+use std::fmt::Write;
+
+/// Prints the surfaces, patches and bounding box of the model.
+pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
+    let info = ModelInfo::new(&read(&arguments.model)?)?;
+    if arguments.json {
+        return print_json(&info);
+    }
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = lines(&mut text, &info);
+    print(&text)
+}
+
+fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
+    let [min, max] = info.bounding_box;
+    writeln!(out, "model     {}", info.name.as_deref().unwrap_or("without a name"))?;
+    writeln!(out, "box       {min:?} to {max:?}, diagonal {:?}", info.diagonal)?;
+    if let Some(unit) = info.unit {
+        writeln!(out, "unit      {unit:?} m")?;
+    }
+    let trimmed = if info.trimmed > 0 { format!("{} trimmed, ", info.trimmed) } else { String::new() };
+    writeln!(out, "surfaces  {}, {trimmed}{} Bézier patches", info.surfaces.len(), info.patches)?;
+    if info.trimmed > 0 || info.gap > 0.0 {
+        writeln!(out, "gap       {:?}, deviation of the pieces {:?}", info.gap, info.deviation)?;
+    }
+    for (index, surface) in info.surfaces.iter().enumerate() {
+        let [p, q] = surface.degree;
+        let [rows, columns] = surface.counts;
+        let [[u_start, u_end], [v_start, v_end]] = surface.domain;
+        let kind = if surface.rational { "rational" } else { "polynomial" };
+        let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
+        let patches = surface.patches;
+        let trim = surface.trim.as_ref().map_or(String::new(), |loops| {
+            format!("  {} loops of {} curves", loops.len(), loops.iter().sum::<usize>())
+        });
+        let part = surface.part.as_ref().map_or(String::new(), |part| format!("  {part}"));
+        writeln!(
+            out,
+            "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
+             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches{trim}{part}"
+        )?;
+    }
+    Ok(())
+}

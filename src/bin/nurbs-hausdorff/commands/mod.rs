@@ -1,0 +1,7 @@
+//! The commands.
+
+pub(crate) mod completions;
+pub(crate) mod convert;
+pub(crate) mod diff;
+pub(crate) mod distance;
+pub(crate) mod info;

@@ -1,0 +1,30 @@
+//! Writes the result.
+
+pub(crate) mod progress;
+pub(crate) mod report;
+
+use crate::failure::Failure;
+use nurbs_hausdorff::Error;
+use serde::Serialize;
+use std::io::{ErrorKind, Write};
+
+/// Writes text to standard output.
+///
+/// # Errors
+/// [`Failure::Output`], but not if the reader has gone, as `head` does.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut output = std::io::stdout().lock();
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes one JSON object on one line.
+///
+/// # Errors
+/// As [`print`].
+pub(crate) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    let json = serde_json::to_string(value).map_err(|error| Error::JsonShape { found: error.to_string() })?;
+    print(&format!("{json}\n"))
+}

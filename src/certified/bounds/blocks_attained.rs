@@ -1,0 +1,147 @@
+//! Blocks of patches of which the bounds are attained or nearly so, and random ones.
+
+use super::attained_across_seams::{Surfaces, clamped, closed};
+use super::block;
+use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::{Block, Pair};
+use crate::flatness::Flatness;
+use crate::model::{RigidTransform, SurfaceArrays};
+use glam::DVec3;
+
+/// The number of spans of a sheet along each axis.
+const SPANS: [usize; 2] = [5, 4];
+
+/// A bicubic sheet over the unit square with these heights of control points, i along u.
+fn sheet(height: impl Fn(usize, usize) -> f64) -> SurfaceArrays {
+    let knots =
+        SPANS.map(|spans| clamped(3, &(1..spans).map(|line| line as f64 / spans as f64).collect::<Vec<_>>()));
+    // The Greville abscissae, so that x = u and y = v.
+    let places = [0, 1].map(|axis| {
+        let inner = &knots[axis][1..knots[axis].len() - 1];
+        inner.windows(3).map(|window| window.iter().sum::<f64>() / 3.0).collect::<Vec<_>>()
+    });
+    let counts = [places[0].len(), places[1].len()];
+    let point = |i: usize, j: usize| [places[0][i], places[1][j], height(i, j), 1.0];
+    let control_points = (0..counts[0]).flat_map(|i| (0..counts[1]).map(move |j| (i, j)));
+    SurfaceArrays {
+        degree: [3, 3],
+        counts,
+        control_points: control_points.map(|(i, j)| point(i, j)).collect(),
+        knots,
+    }
+}
+
+/// A part of the plane z = 0 in which the unit square lies, with one inner knot along each
+/// axis; along its first parameter runs y if `swapped`, and both are reversed if `reversed`.
+fn plane(swapped: bool, reversed: bool) -> SurfaceArrays {
+    let ends = if reversed { [1.5, 0.37, -0.5] } else { [-0.5, 0.37, 1.5] };
+    let knots = clamped(1, &[if reversed { 1.0 - 0.435 } else { 0.435 }]);
+    let point =
+        |first: f64, second: f64| if swapped { [second, first, 0.0, 1.0] } else { [first, second, 0.0, 1.0] };
+    SurfaceArrays {
+        degree: [1, 1],
+        counts: [3, 3],
+        control_points: ends.iter().flat_map(|&first| ends.map(|second| point(first, second))).collect(),
+        knots: [knots.clone(), knots],
+    }
+}
+
+fn pair<'a>(a: &'a Surfaces, b: &'a Surfaces) -> Pair<'a> {
+    Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY }
+}
+
+/// All of A's first surface.
+fn whole(a: &Surfaces) -> Block {
+    let [rows, columns] = a.sheets().bezier.grids[0].counts().map(|count| [0, count as u32]);
+    Block { surface: 0, rows, columns }
+}
+
+/// Over a plane, the distance of a patch is the largest height in it. Patches are decided just
+/// where that is at most the threshold: exactly so for a height that is the same everywhere.
+#[test]
+fn a_level_sheet_is_decided_at_its_height() {
+    const HEIGHT: f64 = 1e-3;
+    for (swapped, reversed) in [(false, false), (true, false), (false, true), (true, true)] {
+        let a = Surfaces::new(vec![sheet(|_, _| HEIGHT)], Flatness::None);
+        let b = Surfaces::new(vec![plane(swapped, reversed)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let bound = |threshold: f64| {
+            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+        };
+        let decided = bound(HEIGHT * (1.0 + 1e-9));
+        assert!(decided.undecided.iter().all(|undecided| !undecided), "{swapped} {reversed}");
+        assert!((HEIGHT..HEIGHT * (1.0 + 1e-9)).contains(&decided.decided), "{}", decided.decided);
+        assert!(bound(HEIGHT * (1.0 - 1e-9)).undecided.iter().all(|undecided| *undecided));
+    }
+}
+
+/// The patches that are left are those that rise above the threshold: one control point
+/// raises the four by four patches around it.
+#[test]
+fn patches_above_the_threshold_are_left() {
+    let heights = |i: usize, j: usize| if [i, j] == [0, 0] { 1e-3 } else { 1e-5 };
+    let a = Surfaces::new(vec![sheet(heights)], Flatness::None);
+    let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
+    let pair = pair(&a, &b);
+    let nearest = NearestPoint::new(pair.b);
+    for (threshold, left) in [(2e-5, 1), (1.01e-3, 0)] {
+        let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold);
+        // The corner's basis function is that of the first span alone.
+        let undecided: Vec<usize> =
+            bound.undecided.iter().enumerate().filter(|(_, undecided)| **undecided).map(|(k, _)| k).collect();
+        assert_eq!(undecided, (0..left).collect::<Vec<_>>());
+        assert!(bound.decided >= if left == 0 { 1e-3 } else { 1e-5 });
+    }
+}
+
+/// No point of a patch that is decided is farther from B than the bound: closed surfaces
+/// and their copies that begin at another row, with control points moved by a little.
+#[test]
+fn the_bound_holds_on_random_copies() {
+    let random = &mut fastrand::Rng::with_seed(16);
+    let (mut decided, mut undecided) = (0, 0);
+    for seed in 0..24 {
+        let arrays = closed(100 * seed, seed % 2 == 1);
+        let mut copy = arrays.clone();
+        let size = 10.0_f64.powf(-1.0 - 6.0 * random.f64());
+        let [around, columns] = [arrays.counts[0] - 3, arrays.counts[1]];
+        let start = random.usize(0..around);
+        let moves: Vec<f64> = (0..around * columns).map(|_| size * (random.f64() - 0.5)).collect();
+        for row in 0..arrays.counts[0] {
+            for column in 0..columns {
+                let from = (row + start) % around * columns + column;
+                let mut point = arrays.control_points[from];
+                point[row % 3] += moves[from];
+                copy.control_points[row * columns + column] = point;
+            }
+        }
+        // The last three rows are the first ones.
+        for k in 0..3 * columns {
+            copy.control_points[around * columns + k] = copy.control_points[k];
+        }
+        let a = Surfaces::new(vec![arrays], Flatness::Loose);
+        let b = Surfaces::new(vec![copy], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let whole = whole(&a);
+        let threshold = size * random.f64();
+        let bound = block(&pair, a.sheets(), &nearest, &whole, &Foot::start(0, [0.5; 2]), threshold);
+        assert!(bound.decided <= threshold);
+        for (index, is_undecided) in bound.undecided.iter().enumerate() {
+            if *is_undecided {
+                undecided += 1;
+                continue;
+            }
+            decided += 1;
+            let patch = a.sheets().bezier.patches.patch(index);
+            for _ in 0..5 {
+                let point: DVec3 = patch.point([random.f64(), random.f64()]);
+                let foot = nearest.nearest(point, bound.sample.foot, 0.0);
+                let foot = nearest.certified(point, foot, 1e-12);
+                assert!(foot.distance() <= bound.decided + 1e-11, "{} {}", foot.distance(), bound.decided);
+            }
+        }
+    }
+    assert!(decided > 60 && undecided > 60, "{decided} {undecided}");
+}

@@ -1,0 +1,197 @@
+//! The polynomial difference over the patches of a block of A.
+//!
+//! One map of A's knot lines to parameter lines of a surface of B serves all patches of the
+//! block, which are then decided one by one: their pieces are compared with the patches of B
+//! that they are mapped to.
+
+use super::aligned_map::Orientation;
+use super::knot_line_map::{Place, Walk, parts};
+use super::piece::{Part, Piece};
+use crate::axis::Axis;
+use crate::bezier::Patch;
+use crate::certified::nearest::{Foot, NearestPoint, Query, Sample};
+use crate::certified::reparametrization::Reparametrization;
+use crate::certified::sheets::{Chart, Sheets};
+use crate::certified::{Block, Pair};
+use crate::rounding::upper_max;
+use glam::DVec2;
+
+/// The largest number of pieces of one patch of A.
+const MAX_PIECES: usize = 256;
+
+/// What is known of a block.
+pub(in crate::certified) struct BlockBound {
+    /// An upper bound on the distance of the patches that are decided.
+    pub(in crate::certified) decided: f64,
+    /// The patches of the block, v fastest, of which no bound is at most the threshold.
+    pub(in crate::certified) undecided: Vec<bool>,
+    /// A point of the block with its foot.
+    pub(in crate::certified) sample: Sample,
+}
+
+/// Bounds the patches of a block of A's sheets by one map. O(patches p^2 q^2) for patches of B as large as A's.
+pub(in crate::certified) fn block(
+    pair: &Pair<'_>,
+    sheets: Sheets<'_>,
+    nearest: &NearestPoint<'_>,
+    block: &Block,
+    known: &Foot,
+    threshold: f64,
+) -> BlockBound {
+    let [rows, columns] = block.size();
+    let all_undecided = || (0.0, vec![true; (rows * columns) as usize]);
+    let middle = [block.rows[0] + rows / 2, block.columns[0] + columns / 2];
+    let flat = sheets.flat_patches(sheets.index(block.surface, middle)).start;
+    let parameters = [0.5; 2];
+    let target = pair.point_of_a(flat, parameters);
+    let known = nearest.at(target, known.patch, known.parameters);
+    let foot = nearest.near(&Query { target, known, sufficient: 0.0 }).nearest();
+    let sample = Sample { patch: flat, parameters, foot };
+    let is_near = foot.distance() <= threshold;
+    let decided = if is_near { decided(pair, sheets, block, middle, &sample, threshold) } else { None };
+    let (decided, undecided) = decided.unwrap_or_else(all_undecided);
+    BlockBound { decided, undecided, sample }
+}
+
+/// The largest bound of the patches that are decided, and those that are not; `None`
+/// where B has no map.
+fn decided(
+    pair: &Pair<'_>,
+    sheets: Sheets<'_>,
+    block: &Block,
+    middle: [u32; 2],
+    sample: &Sample,
+    threshold: f64,
+) -> Option<(f64, Vec<bool>)> {
+    let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
+    let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
+    let (orientation, images) = lines.mapped()?;
+    let [parts_s, parts_t] = Axis::BOTH.map(|axis| parts(&chart, &orientation, axis, &images[axis.index()]));
+    let mut largest = 0.0_f64;
+    let mut undecided = Vec::with_capacity(parts_s.len() * parts_t.len());
+    let mut was_decided = true;
+    for (row, s) in (block.rows[0]..).zip(&parts_s) {
+        for (column, t) in (block.columns[0]..).zip(&parts_t) {
+            let patch = lines.patch([row, column]);
+            let bound = of_patch(pair, patch, &chart, orientation, [s, t], threshold, !was_decided);
+            was_decided = bound.is_some();
+            undecided.push(!was_decided);
+            largest = upper_max(largest, bound.unwrap_or(0.0));
+        }
+    }
+    Some((largest, undecided))
+}
+
+/// A bound on the distance of a whole patch that is at most the threshold; `None` if its
+/// pieces have none. A `cautious` call looks at the middle of a piece first.
+fn of_patch(
+    pair: &Pair<'_>,
+    patch: Patch<'_>,
+    chart: &Chart<'_>,
+    orientation: Orientation,
+    [parts_s, parts_t]: [&[Part]; 2],
+    threshold: f64,
+    cautious: bool,
+) -> Option<f64> {
+    let count = parts_s.len() * parts_t.len();
+    if count == 0 || count > MAX_PIECES {
+        return None;
+    }
+    let origin = pair.transform.apply(patch.center);
+    let mut largest = 0.0_f64;
+    for s in parts_s {
+        for t in parts_t {
+            let piece = Piece { pair, patch, chart, origin, orientation, parts: [s, t] };
+            if cautious && !(piece.distance_of_middle() <= threshold) {
+                return None;
+            }
+            let bound = piece.upper_bound(threshold)?;
+            let is_decided = bound <= threshold;
+            if !is_decided {
+                return None;
+            }
+            largest = upper_max(largest, bound);
+        }
+    }
+    Some(largest)
+}
+
+/// The knot lines of A through a block.
+struct KnotLines<'a> {
+    pair: &'a Pair<'a>,
+    sheets: Sheets<'a>,
+    block: &'a Block,
+    /// The row and the column of the patch of the sample.
+    middle: [u32; 2],
+    sample: &'a Sample,
+    chart: &'a Chart<'a>,
+}
+
+impl<'a> KnotLines<'a> {
+    fn patch(&self, place: [u32; 2]) -> Patch<'a> {
+        self.sheets.bezier.patches.patch(self.sheets.index(self.block.surface, place))
+    }
+
+    /// How A's axes correspond to B's at the sample, and the parameters of the chart to
+    /// which the lines across each axis are mapped, by the feet of points on them.
+    fn mapped(&self) -> Option<(Orientation, [Vec<f64>; 2])> {
+        let Sample { patch, parameters, .. } = *self.sample;
+        let place = &self.sheets.places[patch as usize];
+        let at = [0, 1].map(|axis| place.low[axis] + place.width[axis] * parameters[axis]);
+        let a = self.patch(self.middle).jet(at);
+        let rotate = |vector| self.pair.transform.rotate(vector);
+        let jet = self.chart.jet();
+        let residual = jet.point - self.pair.transform.apply(a.point);
+        let map = Reparametrization::linearized(&jet, residual, [rotate(a.s), rotate(a.t)], [false; 2])?;
+        let orientation = Orientation::new(&map);
+        let images = Axis::BOTH.map(|axis| {
+            let on_b = if orientation.swapped { axis.other() } else { axis };
+            let speed = if axis == Axis::U { map.p } else { map.q };
+            self.images(axis, at, speed).iter().map(|place| place[on_b.index()]).collect()
+        });
+        Some((orientation, images))
+    }
+
+    /// The parameters of the feet of the lines across an axis, given the sample's parameters
+    /// and the derivative of its foot along the axis.
+    fn images(&self, axis: Axis, at: [f64; 2], speed: DVec2) -> Vec<DVec2> {
+        let [start, end] = if axis == Axis::U { self.block.rows } else { self.block.columns };
+        let middle = self.middle[axis.index()];
+        let center = DVec2::from_array(self.chart.parameters);
+        let mut images = vec![DVec2::ZERO; (end - start + 1) as usize];
+        // From the sample to the end, and to the start.
+        for forwards in [true, false] {
+            let (mut last, mut step) = (center, if forwards { 1.0 - at[axis] } else { -at[axis] } * speed);
+            let spans: &mut dyn Iterator<Item = u32> =
+                if forwards { &mut (middle..end) } else { &mut (start..=middle).rev() };
+            for span in spans {
+                let mut place = self.middle;
+                place[axis.index()] = span;
+                let mut parameters = at;
+                parameters[axis.index()] = if forwards { 1.0 } else { 0.0 };
+                let target = self.pair.transform.apply(self.patch(place).point(parameters));
+                let foot =
+                    Walk { chart: self.chart }.foot(target, Place { parameters: (last + step).to_array() });
+                let foot = DVec2::from_array(foot.parameters);
+                images[(span - start) as usize + usize::from(forwards)] = foot;
+                // The next span may be shorter or longer.
+                let next = if forwards { span + 1 } else { span.wrapping_sub(1) };
+                let [width, next_width] = [span, next].map(|span| self.width(axis, span));
+                let of_step =
+                    if span == middle { if forwards { 1.0 - at[axis] } else { at[axis] } } else { 1.0 };
+                step = (foot - last) * (next_width / (width * of_step)).min(MAX_STEP_RATIO);
+                last = foot;
+            }
+        }
+        images
+    }
+
+    /// The width of a span of A's knots, 0 beyond the ends.
+    fn width(&self, axis: Axis, span: u32) -> f64 {
+        let breaks = &self.sheets.bezier.grids[self.block.surface as usize].breaks[axis];
+        breaks.get(span as usize..span as usize + 2).map_or(0.0, |ends| ends[1] - ends[0])
+    }
+}
+
+/// The largest ratio of the steps between the feet of consecutive knot lines that is expected.
+const MAX_STEP_RATIO: f64 = 64.0;

@@ -1,0 +1,72 @@
+//! A rectangle of a patch of A that is mapped to a rectangle of a patch of B.
+
+use super::aligned_map::Orientation;
+use super::net::Net;
+use crate::bezier::Patch;
+use crate::certified::Pair;
+use crate::certified::sheets::Chart;
+use glam::{DVec3, Vec4Swizzles};
+
+/// A part of the range of a parameter of A's patch, and the patch of B, by its offset,
+/// with the range of its parameter that the part is mapped to.
+pub(super) struct Part {
+    pub(super) range: [f64; 2],
+    pub(super) offset: isize,
+    pub(super) image: [f64; 2],
+}
+
+/// A rectangle of a patch of A with its image.
+pub(super) struct Piece<'a> {
+    pub(super) pair: &'a Pair<'a>,
+    /// A's patch, not moved.
+    pub(super) patch: Patch<'a>,
+    pub(super) chart: &'a Chart<'a>,
+    /// The point that both nets are taken relative to.
+    pub(super) origin: DVec3,
+    pub(super) orientation: Orientation,
+    /// The parts of A's two ranges.
+    pub(super) parts: [&'a Part; 2],
+}
+
+impl Piece<'_> {
+    /// The pair for B's axes, from that for A's.
+    fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
+        if self.orientation.swapped { [t, s] } else { [s, t] }
+    }
+
+    /// The patch of B.
+    fn image_patch(&self) -> Patch<'_> {
+        self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)))
+    }
+
+    /// The distance of the piece's middle from its image.
+    pub(super) fn distance_of_middle(&self) -> f64 {
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let from = self.parts.map(|part| middle(part.range));
+        let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
+        self.pair.transform.apply(self.patch.point(from)).distance(self.image_patch().point(to))
+    }
+
+    /// An upper bound on the distance of the piece's points from their images.
+    pub(super) fn upper_bound(&self, threshold: f64) -> Option<f64> {
+        let images = self.by_axes_of_b(self.parts.map(|part| part.image));
+        // An axis along which B's patch is followed backwards.
+        let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
+        let is_proper = ascending.iter().all(|[start, end]| start < end);
+        if !is_proper {
+            return None;
+        }
+        let (target, transform) = (self.image_patch(), &self.pair.transform);
+        let controls = target.restricted(ascending[0], ascending[1]);
+        let controls = self.orientation.oriented(&controls, target.degree);
+        let degree = self.by_axes_of_b(target.degree);
+        let y = Net::new(degree, controls, self.origin - target.center, 1.0);
+        let [s, t] = self.parts.map(|part| part.range);
+        let mut controls = self.patch.restricted(s, t);
+        for control in &mut controls {
+            *control = transform.rotate(control.xyz()).extend(control.w);
+        }
+        let center = transform.apply(self.patch.center);
+        Net::new(self.patch.degree, controls, self.origin - center, 1.0).max_difference(&y, threshold)
+    }
+}

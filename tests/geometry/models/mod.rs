@@ -1,0 +1,7 @@
+//! Models, the shapes that make them, and their display triangles.
+
+mod properties;
+mod shape_operations;
+mod shapes;
+mod tessellation;
+mod validation;

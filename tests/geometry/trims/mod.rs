@@ -1,0 +1,4 @@
+//! Trimmed faces: their validation, and their cut into patches.
+
+mod untrim;
+mod validation;

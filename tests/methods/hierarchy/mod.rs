@@ -1,0 +1,4 @@
+//! Method `hierarchy`.
+
+mod accuracy;
+mod boxes;

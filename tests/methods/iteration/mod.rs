@@ -1,0 +1,4 @@
+//! Method `iteration`.
+
+mod accuracy;
+mod sampling;
