@@ -239,7 +239,10 @@ impl<'a> Direction<'a> {
         let largest =
             boxes.iter().map(|aabb| aabb.min.abs().max(aabb.max.abs()).max_element()).fold(0.0, f64::max);
         let rounding = COORDINATE_ROUNDING * (largest + pair.transform.offset().length())
-            + SIZE_ROUNDING * (result.diagonal + result.computed);
+            + SIZE_ROUNDING * (result.diagonal + result.computed)
+            // Validation moves loops next to the edge of the domain onto it, by this and no more; a
+            // region moves by at most twice as much as its loops.
+            + 2.0 * result.model_gap;
         let (models, poses) = ([&pair.a, &pair.b], [pair.transform, RigidTransform::IDENTITY]);
         let witness = [&result.witness.a, &result.witness.b];
         let [from, to] = if reversed { [1, 0] } else { [0, 1] };
