@@ -80,3 +80,30 @@ impl JetScale {
         gamma((first + second) * self.radius)
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// J of lemma R8, with κ = 3, ρ = 2, degrees (3, 2) and n = 4 · 5 + 6.
+    #[test]
+    fn the_error_of_a_quadratic_is_that_of_the_lemma() {
+        let scale = JetScale { degree: [3, 2], radius: 2.0, weight_ratio: 3.0 };
+        for (extent, more) in [([0.5, 0.25], 71.0), ([0.5, 0.0], 7.0), ([1e-4, 2e-4], 7.0)] {
+            let reach = 3.0 * extent[0] + 2.0 * extent[1];
+            let first = (4.0 * 26.0 + 6.0 + more) * 4.0 * 3.0 * reach;
+            let second = (6.0 * 26.0 + 12.0 + more) * 12.0 * 9.0 * reach * reach;
+            let part = scale.quadratic_error(extent, more) / (UNIT_ROUNDOFF * 2.0 * (first + second));
+            assert!((1.0..=1.02).contains(&part), "{part} of J at {extent:?}");
+        }
+    }
+
+    /// A bound is raised by 16 u, and a limit lowered by more.
+    #[test]
+    fn a_limit_is_kept_by_the_bound_rounded_up() {
+        for limit in [1.0, 1.0 + f64::EPSILON, 1e-90, 3e100] {
+            assert!(rounded_up(limit) >= limit * (1.0 + 15.0 * UNIT_ROUNDOFF));
+            assert!(rounded_up(before_rounding_up(limit)) <= limit);
+        }
+    }
+}

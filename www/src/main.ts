@@ -1,5 +1,6 @@
 // The main page: connects the panel, the worker, the view and the results.
 import { element } from "./common/elements.ts";
+import { nextTask } from "./common/nextTask.ts";
 import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
@@ -15,18 +16,26 @@ import * as resultPanel from "./results/resultPanel.ts";
 import { onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
-import { View } from "./scene/view.ts";
 import { applyFormState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
 import type { PlainOptions, Reply } from "./worker/protocol.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
-const view = new View(canvas, warnings.showNoWebGl, (move, rotation) => {
+// The worker starts first; its replies wait until the page is complete.
+let complete: () => void = () => {};
+const whenComplete = new Promise<void>((resolve) => {
+  complete = resolve;
+});
+const client = new Client((reply) => void whenComplete.then(() => onReply(reply)));
+await nextTask();
+// The view's code and its drawing are tasks of their own.
+const { View } = await import("./scene/view.ts");
+await nextTask();
+const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
   position.setPosition(move, degreesOf(rotation));
   moved();
 });
-const client = new Client(onReply);
 const faces = new FacesPanel({
   compare: (tolerance) =>
     client.diff({ tolerance, transform: pose().transform, scaleUnits: scalesUnits() }),
@@ -72,6 +81,8 @@ onExport((format) =>
     ...{ result: view.result, names: view.models.names, requestCsv: () => client.csv() },
   }),
 );
+
+complete();
 
 function pose(): Pose {
   return new Pose(position.translation(), position.degrees(), view.models.middle);

@@ -171,3 +171,43 @@ impl Patch<'_> {
 fn falling_factorial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, i| product * (n - i) as f64)
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::param_box::ParamBox;
+    use crate::rounding::UNIT_ROUNDOFF;
+    use glam::DVec3;
+
+    /// Lemma R9 on a net that is linear along both axes: its differences of orders 2 and 3 are 0,
+    /// and their bounds are E_n and the errors of the controls alone.
+    #[test]
+    fn differences_have_the_errors_of_the_lemma() {
+        let controls: Vec<DVec4> =
+            (0..16).map(|index| DVec4::new(f64::from(index / 4 + index % 4), 0.0, 0.0, 1.0)).collect();
+        let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        // p! / (p - a)!
+        let factor = [1.0, 3.0, 6.0, 6.0];
+        for error in [0.0, 1e-3] {
+            let bounds = patch.difference_bounds([error, 2.0 * error]);
+            for a in 0..ORDERS {
+                for b in 0..ORDERS - a {
+                    let order = a + b;
+                    // E_1 is a rounding of the difference 1, and each further order doubles it.
+                    let rounding = [0.0, 1.0, 2.0, 4.0][order] * UNIT_ROUNDOFF;
+                    let largest = [6.0, 1.0, 0.0, 0.0][order];
+                    let of_controls = error * 2.0_f64.powi(order as i32);
+                    let [space, weight] = bounds[a][b].map(|bound| bound / (factor[a] * factor[b]));
+                    let lemma = largest + of_controls + rounding;
+                    assert!(
+                        (lemma - 1e-3 * rounding..=lemma * (1.0 + 1e-15) + 0.02 * rounding).contains(&space),
+                        "{space} and {lemma}, order ({a}, {b})"
+                    );
+                    let lemma = 2.0 * of_controls + if order == 0 { 1.0 } else { 0.0 };
+                    assert!((weight - lemma).abs() <= 1e-15, "{weight} and {lemma}, order ({a}, {b})");
+                }
+            }
+        }
+    }
+}

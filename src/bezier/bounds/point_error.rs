@@ -63,3 +63,45 @@ impl PointError {
         self.deviation + self.uncut + recentring + f64::from(halvings) * self.halving
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::rounding::UNIT_ROUNDOFF;
+
+    /// Lemmas R3, R4 and R5 for degrees (3, 2), where only the radius, only the centre or
+    /// only the deviation counts.
+    #[test]
+    fn errors_are_those_of_the_lemmas() {
+        let after = |radius: f64, center: f64, halvings: u32| {
+            let mut error = PointError::default();
+            error.include([3, 2], radius, center);
+            error.after(halvings) / UNIT_ROUNDOFF
+        };
+        let [extraction, evaluation] = [12.0 * 5.0 + 8.0, 8.0 * 5.0 + 8.0];
+        for (found, lemma) in [
+            (after(2.0, 0.0, 0), 2.0 * (extraction + evaluation)),
+            (after(2.0, 0.0, 8), 2.0 * (extraction + 2.0 * evaluation + 2.0 * 8.0 * 3.0 + 9.0)),
+            (after(0.0, 2.0, 0), 2.0 * 2.0),
+            (after(0.0, 2.0, 1), 2.0 * 3.0),
+        ] {
+            assert!((lemma..=1.02 * lemma).contains(&found), "{found} and {lemma}");
+        }
+    }
+
+    #[test]
+    fn the_larger_errors_and_all_deviations_count() {
+        let mut large = PointError::default();
+        large.include([3, 3], 2.0, 1.0);
+        let mut both = PointError::default();
+        both.include([1, 1], 1.0, 0.5);
+        let small = both;
+        both.include_all(&large);
+        assert_eq!(both, large);
+        large.include_all(&small);
+        assert_eq!(both, large);
+        both.include_deviation(0.25);
+        both.include_deviation(0.5);
+        assert_eq!(both.after(3), large.after(3) + 0.75);
+    }
+}

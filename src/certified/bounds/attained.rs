@@ -17,6 +17,7 @@ use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
+use crate::rounding::UNIT_ROUNDOFF;
 use crate::shapes::shape;
 use crate::symmetry::{Sphere, revolutions};
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -404,4 +405,23 @@ fn the_least_bound_of_a_list() {
     }
     assert_attained(with_any_foot(&mut context, 0.0), 1.0, 0.0);
     assert_attained(with_nearest_feet(&mut context, 0.0), 1.0, 0.0);
+}
+
+/// Two parallel planes, whose difference is constant: the Taylor bound is the distance and J of
+/// both patches (lemma R8), with n = 4 · 2 + 6.
+#[test]
+fn the_rounding_of_both_jets_adds_to_the_taylor_bound() {
+    let [a, b] = [Model::new(&[graph(1.0, 0.0, [1, 1])]), Model::new(&[plane([-1.0, 2.0])])];
+    let rounding = |model: &Model, further: f64, reach: f64| {
+        let radius =
+            model.target.patches.patch(0).local_points().map(|point| point.length()).fold(0.0, f64::max);
+        let first = (4.0 * 14.0 + 6.0 + further) * 4.0 * reach;
+        let second = (6.0 * 14.0 + 12.0 + further) * 12.0 * reach * reach;
+        UNIT_ROUNDOFF * radius * (first + second)
+    };
+    // The cell reaches ½ along both axes, and its image ½ of 3 and of 5.
+    let lemma = rounding(&a, 71.0, 1.0) + rounding(&b, 7.0, 0.5 / 3.0 + 0.5 / 5.0);
+    let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), 0.0).unwrap();
+    let part = (bound - 1.0) / lemma;
+    assert!((0.99..=1.1).contains(&part), "{part} of J");
 }

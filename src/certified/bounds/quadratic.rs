@@ -83,3 +83,17 @@ impl Quadratic {
         coefficients
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_size_is_the_sum_of_the_terms() {
+        let [value, s, t, ss, st, tt] = [1.0, 2.0, 4.0, 16.0, 32.0, 128.0].map(|length| length * DVec3::Y);
+        let quadratic = Quadratic { value, s, t, ss, st, tt };
+        assert_eq!(quadratic.size(), 1.0 + 2.0 + 4.0 + 8.0 + 32.0 + 64.0);
+        // All terms have one sign at a corner, where the length is that.
+        assert_eq!(quadratic.max_length_squared(), quadratic.size().powi(2));
+    }
+}

@@ -38,8 +38,27 @@ pub(super) fn upper_bound(
     // The sphere is moved against the patch: its centre is one point.
     let sphere = Sphere { center: transform.apply_inverse(sphere.center), ..*sphere };
     let radius = patch.local_points().map(|point| point.length()).fold(0.0, upper_max);
-    let degrees = (patch.degree[0] + patch.degree[1]) as f64;
     let shift = patch.center.distance(sphere.center);
-    let rounding = gamma((RESTRICTION_ROUNDINGS * degrees + 8.0) * radius + SHIFT_ROUNDINGS * shift);
-    sphere.distance_bound(&Patch { controls: &controls, ..*patch }) + rounding
+    sphere.distance_bound(&Patch { controls: &controls, ..*patch })
+        + restriction_error(patch.degree, radius, shift)
+}
+
+/// An upper bound on the error of control points at most `radius` from their centre, restricted
+/// to a cell and moved to the sphere's centre, which is `shift` away (lemma R6).
+fn restriction_error([p, q]: [usize; 2], radius: f64, shift: f64) -> f64 {
+    gamma((RESTRICTION_ROUNDINGS * (p + q) as f64 + 8.0) * radius + SHIFT_ROUNDINGS * shift)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::rounding::UNIT_ROUNDOFF;
+
+    #[test]
+    fn the_error_of_a_restriction_is_that_of_the_lemma() {
+        for (radius, shift, lemma) in [(1.0, 0.0, 16.0 * 5.0 + 8.0), (0.0, 1.0, 8.0), (2.0, 3.0, 200.0)] {
+            let part = restriction_error([3, 2], radius, shift) / (UNIT_ROUNDOFF * lemma);
+            assert!((1.0..=1.02).contains(&part), "{part} of the lemma, radius {radius}, shift {shift}");
+        }
+    }
 }

@@ -172,34 +172,24 @@ impl Difference<'_> {
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
-        if let Some((chart, reach)) = &self.sheet {
-            return self.remainder_on_sheet(chart, reach, bounds);
-        }
-        let [low, high] = self.map.image(foot.parameters);
-        let (of_a, of_b) = match bounds {
-            Bounds::Patch => (context.patch_bounds(), *b.extended_bounds(foot.patch, low, high)),
-            Bounds::Local => (context.local_bounds(), b.bounds(foot.patch, low, high)),
-        };
         let (half, extent) = (context.cell.half, self.map.extent().to_array());
-        let remainder = taylor_remainder(of_a, half) + taylor_remainder(&of_b, extent);
-        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
-            + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
-            + b.jet_scale(foot.patch).quadratic_error(extent, JET_ROUNDINGS)
-    }
-
-    /// The same where the map runs over seams.
-    fn remainder_on_sheet(&self, chart: &Chart<'_>, reach: &Reach, bounds: Bounds) -> f64 {
-        let context = self.pair.context;
         let of_a = match bounds {
             Bounds::Patch => context.patch_bounds(),
             Bounds::Local => context.local_bounds(),
         };
-        let (half, extent) = (context.cell.half, self.map.extent().to_array());
-        let remainder =
-            taylor_remainder(of_a, half) + chart.remainder(reach, extent, bounds == Bounds::Local);
-        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * remainder
+        let (of_b, scale_of_b) = if let Some((chart, reach)) = &self.sheet {
+            (chart.remainder(reach, extent, bounds == Bounds::Local), chart.jet_scale())
+        } else {
+            let [low, high] = self.map.image(foot.parameters);
+            let of_b = match bounds {
+                Bounds::Patch => *b.extended_bounds(foot.patch, low, high),
+                Bounds::Local => b.bounds(foot.patch, low, high),
+            };
+            (taylor_remainder(&of_b, extent), b.jet_scale(foot.patch))
+        };
+        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * (taylor_remainder(of_a, half) + of_b)
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
-            + chart.jet_scale().quadratic_error(extent, JET_ROUNDINGS)
+            + scale_of_b.quadratic_error(extent, JET_ROUNDINGS)
     }
 }
 

@@ -25,7 +25,7 @@ const times = new LiveChart(element("chart-time"), [{ label: "a frame", color: "
   logarithmic: true,
 });
 const counted = new Rate();
-const scene = openScene();
+const scene = await openScene();
 
 let frames: Frames | undefined;
 /** Settles when no frame is being measured. */
@@ -36,9 +36,9 @@ let began = 0;
 /** The number of the newest run. */
 let newest = 0;
 
-function openScene(): DeformingScene | undefined {
+async function openScene(): Promise<DeformingScene | undefined> {
   try {
-    return new DeformingScene(element("canvas", HTMLCanvasElement));
+    return await DeformingScene.open(element("canvas", HTMLCanvasElement));
   } catch (error) {
     fail(error);
     return undefined;

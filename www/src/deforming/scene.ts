@@ -17,8 +17,12 @@ export class DeformingScene {
   readonly #arrow = new Arrow(element("label"), cssColor("accent"));
 
   /** @throws {Error} without WebGL. */
-  constructor(canvas: HTMLCanvasElement) {
-    this.#viewport = new Viewport(canvas);
+  static async open(canvas: HTMLCanvasElement): Promise<DeformingScene> {
+    return new DeformingScene(await Viewport.open(canvas));
+  }
+
+  private constructor(viewport: Viewport) {
+    this.#viewport = viewport;
     this.#sheet = meshOf(satin(cssColor("a")));
     this.#part = meshOf(glass(cssColor("b")));
     this.#viewport.scene.add(this.#sheet, this.#part, this.#arrow.group);

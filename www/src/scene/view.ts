@@ -58,9 +58,22 @@ export class View {
   #result: DistanceResult | undefined;
   #diff: DiffResult | undefined;
 
-  /** Calls `withoutWebGl` with the reason if the browser cannot draw. */
-  constructor(canvas: HTMLCanvasElement, withoutWebGl: (reason: string) => void, onGizmo: OnGizmo) {
-    const viewport = this.#open(canvas, withoutWebGl);
+  /** Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw. */
+  static async open(
+    canvas: HTMLCanvasElement,
+    withoutWebGl: (reason: string) => void,
+    onGizmo: OnGizmo,
+  ): Promise<View> {
+    try {
+      return new View(canvas, onGizmo, await Viewport.open(canvas));
+    } catch (error) {
+      element("tools").hidden = true;
+      withoutWebGl(error instanceof Error ? error.message : `${error}`);
+      return new View(canvas, onGizmo, undefined);
+    }
+  }
+
+  private constructor(canvas: HTMLCanvasElement, onGizmo: OnGizmo, viewport: Viewport | undefined) {
     if (viewport === undefined) return;
     viewport.scene.add(this.models.group, this.#arrow.group, this.#lines.lines);
     this.#viewport = viewport;
@@ -71,16 +84,6 @@ export class View {
       this.pins.update(viewport, this.models.center);
       axes.update(viewport.camera);
     };
-  }
-
-  #open(canvas: HTMLCanvasElement, withoutWebGl: (reason: string) => void): Viewport | undefined {
-    try {
-      return new Viewport(canvas);
-    } catch (error) {
-      element("tools").hidden = true;
-      withoutWebGl(error instanceof Error ? error.message : `${error}`);
-      return undefined;
-    }
   }
 
   /** Shows models, each in place of the one before. */

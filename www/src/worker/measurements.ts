@@ -1,10 +1,12 @@
 // The queue of measurements: one runs, and only the newest request waits.
 import {
+  type DistanceOptions,
   type DistanceResult,
   type Field,
   type Hausdorff,
   HausdorffError,
   type NurbsModel,
+  type OnProgress,
 } from "nurbs-hausdorff";
 import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
 import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
@@ -81,12 +83,37 @@ export class Measurements {
     }
   }
 
+  /**
+   * Measures the distance; only A is sampled for a field. The samples of B, which
+   * the page does not draw, would take the most time where B has more faces.
+   */
+  async #distance(a: NurbsModel, b: NurbsModel, options: DistanceOptions): Promise<DistanceResult> {
+    const sampled = options.method === "iteration";
+    if (!options.symmetric || !options.field || sampled)
+      return this.#engine.distance(a, b, options);
+    const { onProgress } = options;
+    const [symmetric, forward] = [
+      await this.#engine.distance(a, b, {
+        ...options,
+        field: false,
+        onProgress: halfOf(onProgress, 0),
+      }),
+      await this.#engine.distance(a, b, {
+        ...options,
+        symmetric: false,
+        onProgress: halfOf(onProgress, 0.5),
+      }),
+    ];
+    // Both are results of the method that the options name.
+    return { ...symmetric, forward } as DistanceResult;
+  }
+
   async #measure({ run, options, abort }: Requested): Promise<void> {
     const { a, b } = this.#models;
     if (a === undefined || b === undefined) return;
     const begin = performance.now();
     try {
-      const result = await this.#engine.distance(a, b, {
+      const result = await this.#distance(a, b, {
         ...options,
         signal: abort.signal,
         onProgress: (fraction, interval, stalled = false) => {
@@ -110,6 +137,11 @@ export class Measurements {
       } else this.#fail(error, run);
     }
   }
+}
+
+/** Passes on the progress of one of two measurements as that of both. */
+function halfOf(onProgress: OnProgress | undefined, begin: 0 | 0.5): OnProgress {
+  return (fraction, ...rest) => onProgress?.(begin + 0.5 * fraction, ...rest);
 }
 
 function withoutField<Result extends DistanceResult>(result: Result): Result {

@@ -263,4 +263,31 @@ mod tests {
             }
         }
     }
+
+    /// The same for a rational patch of degrees (7, 7) against itself, moved: the distance is
+    /// that of the motion at equal parameters, and all roundings add to it. A threshold just
+    /// above the distance is not reached by the coefficients' lengths.
+    #[test]
+    fn the_bound_of_a_moved_net_adds_its_rounding() {
+        let (mut controls, mut lengths) = ([Vec::new(), Vec::new()], [0.0_f64; 2]);
+        for index in 0..64 {
+            let w = 1.0 + f64::from(index % 2);
+            let point = DVec3::new(f64::from(index / 8), f64::from(index % 8), 0.0) / 8.0;
+            for (side, z) in [0.0, 1.0].into_iter().enumerate() {
+                let point = point + z * DVec3::Z;
+                controls[side].push((w * point).extend(w));
+                lengths[side] = lengths[side].max(point.length());
+            }
+        }
+        let [x, y] = controls.map(|controls| Net::new([7, 7], controls, DVec3::ZERO, 1.0));
+        // 64 products and 16; 120 squares, of degree 14, and 19; the restriction's 16 · 14 + 8.
+        let [products, squares, restriction] = [64.0 + 16.0, 120.0 + 19.0, 232.0];
+        let of_points = (products + restriction) * (lengths[0] + lengths[1]);
+        for (threshold, roundings) in [(1.0 + 1e-14, products + squares), (2.0, products + 8.0)] {
+            let found = x.max_difference(&y, threshold).unwrap();
+            let part = (found - 1.0) / (UNIT_ROUNDOFF * (roundings + of_points));
+            // The products that are bounded are off by some roundings themselves.
+            assert!((0.99..=1.05).contains(&part), "{part} of the lemma, threshold {threshold}");
+        }
+    }
 }

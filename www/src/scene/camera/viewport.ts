@@ -17,6 +17,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { nextTask } from "../../common/nextTask.ts";
 import { fitDistance } from "./fit.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
 
@@ -28,6 +29,7 @@ const NEAR = 1e-3;
 const FAR = 50;
 /** Device pixels per CSS pixel; more cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
+const CONTEXT = { antialias: true, alpha: true } as const;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
 
@@ -42,13 +44,29 @@ export class Viewport {
   readonly #perspective = new PerspectiveCamera(FIELD_OF_VIEW);
   readonly #orthographic = new OrthographicCamera();
   #camera: PerspectiveCamera | OrthographicCamera = this.#perspective;
+  #sized = false;
   #drawRequested = false;
   #compiling = 0;
 
-  /** @throws {Error} without WebGL. */
-  constructor(canvas: HTMLCanvasElement) {
+  /**
+   * Opens a viewport in some short tasks: the context, the renderer's state.
+   *
+   * @throws {Error} without WebGL.
+   */
+  static async open(canvas: HTMLCanvasElement): Promise<Viewport> {
+    // three.js' types name the first version of WebGL, whose interface the second has.
+    const context = canvas.getContext("webgl2", CONTEXT) as WebGLRenderingContext | null;
+    await nextTask();
+    // Without a context three.js throws the reason.
+    const given = context === null ? {} : { context };
+    const renderer = new WebGLRenderer({ canvas, ...given, ...CONTEXT });
+    await nextTask();
+    return new Viewport(canvas, renderer);
+  }
+
+  private constructor(canvas: HTMLCanvasElement, renderer: WebGLRenderer) {
     this.#canvas = canvas;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer = renderer;
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.localClippingEnabled = true;
@@ -111,7 +129,8 @@ export class Viewport {
   /** Shows the whole box from a direction. */
   fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
     if (box.isEmpty()) return;
-    this.#resize();
+    // Later sizes are observed: reading one here would lay out the page at once.
+    if (!this.#sized) this.#resize();
     this.controls.target.copy(box.getCenter(new Vector3()));
     this.#look(direction, fitDistance(this.#perspective, direction, box));
   }
@@ -178,6 +197,7 @@ export class Viewport {
   }
 
   #resize(): void {
+    this.#sized = true;
     const { clientWidth, clientHeight } = this.#canvas;
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.#perspective.aspect = clientWidth / Math.max(1, clientHeight);
