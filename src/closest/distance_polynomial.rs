@@ -168,7 +168,7 @@ mod tests {
         }
         // Where w is constant, ∇w² is the rounding of its differences alone.
         let constant = SquaredDistance::new([2, 2], &[DVec3::X.extend(1.0); 9], DVec3::ZERO);
-        let change = constant.denominator_change(1.0) / (2.0 * 4.0 * 2.0 * unit);
+        let change = constant.denominator_change(4.0) / (2.0 * 4.0 * 2.0 * unit * 4.0);
         assert!((0.999..=1.1).contains(&change), "{change}");
     }
 
