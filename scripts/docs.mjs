@@ -8,7 +8,7 @@ const site = inRoot("docs", "site");
 const generator = inRoot("tools", "site");
 
 /** The entries of the package that have an API. */
-const entries = ["index", "worker/index"];
+const entries = ["index", "worker/index", "cad/index", "worker/cad/index", "adapters/index"];
 
 const index = `<!doctype html>
 <html lang="en">
@@ -19,7 +19,7 @@ const index = `<!doctype html>
 <h1>nurbs-hausdorff</h1>
 <p>Certified Hausdorff distance between NURBS models.</p>
 <ul>
-<li><a href="js/index.html">JavaScript</a>: the package and its worker</li>
+<li><a href="js/index.html">JavaScript</a>: the package, its worker, files and adapters</li>
 <li><a href="rust/nurbs_hausdorff/index.html">Rust</a>: the crate</li>
 </ul>
 `;

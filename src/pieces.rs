@@ -2,7 +2,7 @@
 
 use crate::bvh::Aabb;
 use crate::engine::SurfacePoint;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::model::trim::Trim;
 use crate::model::{Face, Model, NurbsSurface};
 use crate::parallel::map;
@@ -32,6 +32,16 @@ pub(crate) struct FacePieces {
     deviation: f64,
 }
 
+/// The faces of a model that can be cut.
+pub(crate) struct Cuttable {
+    /// The model of these faces.
+    pub(crate) model: Model,
+    pub(crate) pieces: FacePieces,
+    pub(crate) untrimmed: Model,
+    /// The other faces.
+    pub(crate) refused: Vec<(usize, Error)>,
+}
+
 impl FacePieces {
     /// Cuts the trimmed faces into pieces, on all cores; returns the pieces as an untrimmed
     /// model, which is `model` itself if no face is trimmed.
@@ -39,8 +49,8 @@ impl FacePieces {
     /// # Errors
     /// [`crate::Error::FaceNotCut`].
     pub(crate) fn new(model: &Model) -> Result<(Self, Cow<'_, Model>)> {
-        let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
         if !model.is_trimmed() {
+            let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
             let count = model.surfaces().len();
             let pieces = Self {
                 origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
@@ -50,13 +60,53 @@ impl FacePieces {
             };
             return Ok((pieces, Cow::Borrowed(model)));
         }
-        let max_deviation = MAX_DEVIATION * extent(model).diagonal();
-        let faces: Vec<Face<'_>> = model.faces().collect();
-        let cut = map(faces.len(), |index| cut(index, &faces[index], max_deviation));
+        let cuts = cuts(model).into_iter().collect::<Result<Vec<_>>>()?;
+        let (pieces, untrimmed) = Self::of_cuts(model, cuts)?;
+        Ok((pieces, Cow::Owned(untrimmed)))
+    }
+
+    /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
+    /// model, and the errors of those faces by their index in `model`.
+    ///
+    /// # Errors
+    /// [`crate::Error::FaceNotCut`] if no face can be cut.
+    pub(crate) fn of_cuttable(model: Model) -> Result<Cuttable> {
+        if !model.is_trimmed() {
+            let (pieces, untrimmed) = Self::new(&model)?;
+            let untrimmed = untrimmed.into_owned();
+            return Ok(Cuttable { model, pieces, untrimmed, refused: Vec::new() });
+        }
+        let cuts = cuts(&model);
+        Self::without_failures(model, cuts)
+    }
+
+    /// Makes the pieces of the faces whose cutting did not fail.
+    fn without_failures(model: Model, cuts: Vec<Result<Untrimmed>>) -> Result<Cuttable> {
+        let (mut kept, mut refused) = (Vec::new(), Vec::new());
+        for (face, cut) in cuts.into_iter().enumerate() {
+            match cut {
+                Ok(cut) => kept.push(cut),
+                Err(error) => refused.push((face, error)),
+            }
+        }
+        if kept.is_empty() && !refused.is_empty() {
+            return Err(refused.swap_remove(0).1);
+        }
+        let model = if refused.is_empty() {
+            model
+        } else {
+            model.without_faces(|face| refused.iter().any(|&(other, _)| other == face))?
+        };
+        let (pieces, untrimmed) = Self::of_cuts(&model, kept)?;
+        Ok(Cuttable { model, pieces, untrimmed, refused })
+    }
+
+    /// Makes the pieces of all faces, with the untrimmed model.
+    fn of_cuts(model: &Model, cuts: Vec<Untrimmed>) -> Result<(Self, Model)> {
+        let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
         let mut pieces = Self { origins: Vec::new(), faces: Vec::new(), parts, deviation: 0.0 };
         let mut surfaces: Vec<NurbsSurface> = Vec::new();
-        for (face, untrimmed) in cut.into_iter().enumerate() {
-            let untrimmed = untrimmed?;
+        for (face, untrimmed) in cuts.into_iter().enumerate() {
             pieces.deviation = pieces.deviation.max(untrimmed.deviation);
             let first = surfaces.len();
             for Piece { surface, map } in untrimmed.pieces {
@@ -66,7 +116,7 @@ impl FacePieces {
             pieces.faces.push(first..surfaces.len());
         }
         let name = model.name().map(str::to_owned);
-        Ok((pieces, Cow::Owned(Model::new(name, surfaces)?)))
+        Ok((pieces, Model::new(name, surfaces)?))
     }
 
     /// Returns the number of faces.
@@ -150,6 +200,13 @@ fn size(surface: &NurbsSurface) -> [f64; 2] {
     lengths
 }
 
+/// Returns the pieces of every face, or its error, on all cores.
+fn cuts(model: &Model) -> Vec<Result<Untrimmed>> {
+    let max_deviation = MAX_DEVIATION * extent(model).diagonal();
+    let faces: Vec<Face<'_>> = model.faces().collect();
+    map(faces.len(), |index| cut(index, &faces[index], max_deviation))
+}
+
 /// Returns the pieces of a face and their deviation, with the rounding of the loops.
 fn cut(index: usize, face: &Face<'_>, max_deviation: f64) -> Result<Untrimmed> {
     let Some(trim) = face.trim() else {
@@ -178,4 +235,72 @@ fn extent(model: &Model) -> Aabb {
                 .fold(Aabb::EMPTY, Aabb::with),
         })
     })
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::brep::ReadReport;
+    use crate::model::ModelArrays;
+    use crate::model::trim::{FaceArrays, TrimCurveArrays};
+    use crate::shapes::figure5_plane;
+
+    /// Faces of the plane, each trimmed by a triangle and named by its number.
+    fn triangles(count: usize) -> Model {
+        let plane = figure5_plane().unwrap().surfaces()[0].clone();
+        let corners = [[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]].map(|corner| plane.domain().at(corner));
+        let side = |k: usize| TrimCurveArrays {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            control_points: [corners[k], corners[(k + 1) % 3]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+            ..TrimCurveArrays::default()
+        };
+        let surface = plane.clone().into_arrays();
+        let face = |number: usize| FaceArrays {
+            surface: surface.clone(),
+            trim: Some(vec![(0..3).map(side).collect()]),
+            reversed: false,
+            part: Some(format!("face {number}")),
+            kind: None,
+            gap: 0.0,
+        };
+        Model::from_faces(ModelArrays { faces: (0..count).map(face).collect(), ..ModelArrays::default() })
+            .unwrap()
+    }
+
+    /// The cuts of the model's faces, with failures at these.
+    fn failing(model: &Model, faces: &[usize]) -> Vec<Result<Untrimmed>> {
+        let mut cuts = cuts(model);
+        for &surface in faces {
+            cuts[surface] = Err(Error::FaceNotCut { surface, found: "a test".to_owned() });
+        }
+        cuts
+    }
+
+    #[test]
+    fn faces_that_cannot_be_cut_are_left_out_and_reported() {
+        let model = triangles(3);
+        let mut report = ReadReport::of_exact(&model);
+        let cuts = failing(&model, &[1]);
+        let Cuttable { model, pieces, untrimmed, refused } =
+            FacePieces::without_failures(model, cuts).unwrap();
+        let parts: Vec<_> = model.faces().map(|face| face.part().unwrap().to_owned()).collect();
+        assert_eq!(parts, ["face 0", "face 2"]);
+        assert_eq!((pieces.face_count(), pieces.part(1)), (2, Some("face 2")));
+        assert_eq!(pieces.faces().last().unwrap().end, untrimmed.surfaces().len());
+        report.leave_out(&refused);
+        assert_eq!((report.surfaces, report.skipped.len()), (2, 1));
+        let skipped = &report.skipped[0];
+        assert_eq!((skipped.face, skipped.code), (1, "FACE_NOT_CUT"));
+        assert!(skipped.why.contains("surface 1: the trimmed face cannot be cut"), "{}", skipped.why);
+    }
+
+    #[test]
+    fn a_model_of_which_no_face_can_be_cut_is_an_error() {
+        let model = triangles(2);
+        let cuts = failing(&model, &[0, 1]);
+        let error = FacePieces::without_failures(model, cuts).err().unwrap();
+        assert_eq!(error.code(), "FACE_NOT_CUT");
+    }
 }

@@ -6,8 +6,9 @@ import { inRoot } from "../paths.mjs";
 import { Failure } from "../process.mjs";
 
 /**
- * The largest sizes, in KiB. Reading BREP text and cutting trimmed faces take about half
- * of the module: they are in it so that one fetch serves all models.
+ * The largest sizes, in KiB. Gzipped, reading BREP text takes 85 KiB and cutting trimmed
+ * faces 60 (benches/RESULTS.md): they are in it because `hd.model` takes both at once,
+ * without another fetch.
  */
 const budget = { plain: 1536, gzipped: 620 };
 

@@ -1,7 +1,7 @@
 //! The faces of a file and their placements.
 
 use super::faces::convert;
-use super::report::{ReadReport, Skipped};
+use super::report::{FaceCounts, ReadReport, Skipped};
 use super::text::{BrepFile, Orientation, ShapeKind};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, ModelArrays};
@@ -20,14 +20,6 @@ pub(super) struct Assembled {
     pub(super) skipped: Vec<Skipped>,
 }
 
-/// The number of a face among those of the file, and those of its curves.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FaceCounts {
-    pub(super) number: usize,
-    pub(super) exact: usize,
-    pub(super) fitted: usize,
-}
-
 impl Assembled {
     /// Returns the report on these faces.
     pub(super) fn report(&self) -> ReadReport {
@@ -40,7 +32,17 @@ impl Assembled {
             gap: curves().map(|curve| curve.gap).fold(0.0, f64::max),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
+            sources: self.sources(),
         }
+    }
+
+    /// Returns the counts of the model's faces, which are those of each instance in order.
+    fn sources(&self) -> Vec<FaceCounts> {
+        if self.model.instances.is_empty() {
+            return self.counts.clone();
+        }
+        let placed = self.model.instances.iter().flat_map(|instance| &instance.surfaces);
+        placed.filter_map(|&index| self.counts.get(index).copied()).collect()
     }
 }
 

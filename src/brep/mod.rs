@@ -26,7 +26,8 @@ impl Model {
     /// Elementary and swept surfaces become exact NURBS over the region that their loops
     /// cover. Trimming curves stay exact on planes and B-splines and along parameter
     /// lines; others are fitted, with the bound of the difference in their gap. A face
-    /// that cannot be read is in the report, never dropped silently. O(size).
+    /// that cannot be read is in the report, never dropped silently; a face that cannot be cut
+    /// into patches is left out by [`crate::PreparedModel::of_read`]. O(size).
     ///
     /// # Errors
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
@@ -54,7 +55,7 @@ pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Mod
 #[cfg(target_arch = "wasm32")]
 pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
     let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
-    let count = |(number, face)| assembly::FaceCounts { number, exact: curves(face), fitted: 0 };
+    let count = |(number, face)| report::FaceCounts { number, exact: curves(face), fitted: 0 };
     let counts = model.faces.iter().enumerate().map(count).collect();
     validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
 }

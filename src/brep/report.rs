@@ -1,6 +1,7 @@
 //! The account of what was read, which accompanies the model.
 
 use super::nurbs::Unconvertible;
+use crate::error::Error;
 use crate::model::Model;
 use serde::Serialize;
 
@@ -23,8 +24,20 @@ pub struct ReadReport {
     pub gap: f64,
     /// Metres per model unit; `None` where the file does not state it, as in BREP.
     pub unit: Option<f64>,
-    /// The faces that could not be read.
+    /// The faces that could not be read, or not be cut into patches.
     pub skipped: Vec<Skipped>,
+    /// The file's faces of the model's, one entry a face of the model: with instances a face
+    /// of the file has several.
+    #[serde(skip)]
+    pub(crate) sources: Vec<FaceCounts>,
+}
+
+/// The number of a face among those of the file, and those of its curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FaceCounts {
+    pub(crate) number: usize,
+    pub(crate) exact: usize,
+    pub(crate) fitted: usize,
 }
 
 impl ReadReport {
@@ -44,7 +57,26 @@ impl ReadReport {
             gap: model.gap(),
             unit: model.unit(),
             skipped: Vec::new(),
+            sources: Vec::new(),
         }
+    }
+
+    /// Moves faces of the model, by their indices, from those that were read to those skipped.
+    pub(crate) fn leave_out(&mut self, refused: &[(usize, Error)]) {
+        for (face, error) in refused {
+            let FaceCounts { number, exact, fitted } =
+                self.sources.get(*face).copied().unwrap_or(FaceCounts { number: *face, exact: 0, fitted: 0 });
+            // Other instances of the face are refused with it.
+            if self.skipped.iter().any(|skipped| skipped.face == number) {
+                continue;
+            }
+            self.surfaces -= 1;
+            self.trims -= exact + fitted;
+            self.exact -= exact;
+            self.fitted -= fitted;
+            self.skipped.push(Skipped { face: number, code: error.code(), why: error.to_string() });
+        }
+        self.skipped.sort_by_key(|skipped| skipped.face);
     }
 }
 

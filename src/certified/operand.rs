@@ -65,7 +65,8 @@ impl<'a> Operand<'a> {
         Self { uncut_patches, ..self }
     }
 
-    /// The same model with the sheets that its patches are cut from.
+    /// The same model with the sheets that its patches are cut from, all of them: a search may
+    /// take the sheets for the model.
     pub(crate) fn with_sheets(self, sheets: Sheets<'a>) -> Self {
         Self { sheets: Some(sheets), ..self }
     }

@@ -133,7 +133,7 @@ impl Kernels<'_> {
     async fn advance(&mut self, search: &mut BranchAndBound<'_>, max_cells: usize) -> Result<Option<Stop>> {
         let (started, before) = (Instant::now(), search.work().cells);
         let worth = if self.driver.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
-        let many = search.waiting() >= worth && !search.has_undecided();
+        let many = search.waiting() >= worth && search.begins_with_cell() && !search.has_undecided();
         let Some(gpu) = self.gpu.filter(|_| many) else {
             let stop = search.advance(max_cells);
             if search.work().cells > before {

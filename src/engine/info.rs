@@ -68,10 +68,15 @@ impl ModelInfo {
     /// # Errors
     /// Those of [`PreparedModel::new`].
     pub fn new(model: &Model) -> Result<Self> {
-        let prepared = PreparedModel::new(model)?;
+        Ok(Self::of_prepared(model, &PreparedModel::new(model)?))
+    }
+
+    /// As [`ModelInfo::new`] for a model that is prepared.
+    #[must_use]
+    pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
         let bounding_box = prepared.bounding_box();
         let surfaces = model.faces().zip(prepared.face_patch_counts());
-        Ok(Self {
+        Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             trimmed: model.faces().filter(|face| face.trim().is_some()).count(),
@@ -81,7 +86,7 @@ impl ModelInfo {
             patches: prepared.face_patch_counts().sum(),
             bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
             diagonal: bounding_box.diagonal(),
-        })
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::bezier::{
     BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
 };
+use crate::brep::ReadReport;
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
@@ -13,7 +14,7 @@ use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
-use crate::pieces::FacePieces;
+use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
@@ -122,16 +123,33 @@ impl PreparedModel {
     /// [`crate::Error::FaceNotCut`].
     pub fn new(model: &Model) -> Result<Self> {
         let (pieces, untrimmed) = FacePieces::new(model)?;
-        let reduced = without_removable_knots(&untrimmed);
+        Ok(Self::of_pieces(model, pieces, &untrimmed))
+    }
+
+    /// Prepares a model that was read from a CAD file, with the report on reading it: faces
+    /// that cannot be cut are left out of the model, and listed in the report like those that
+    /// could not be read. Returns the model of the faces that are left. As [`PreparedModel::new`].
+    ///
+    /// # Errors
+    /// [`crate::Error::FaceNotCut`] if no face can be cut.
+    pub fn of_read(model: Model, report: &mut ReadReport) -> Result<(Model, Self)> {
+        let Cuttable { model, pieces, untrimmed, refused } = FacePieces::of_cuttable(model)?;
+        report.leave_out(&refused);
+        let prepared = Self::of_pieces(&model, pieces, &untrimmed);
+        Ok((model, prepared))
+    }
+
+    fn of_pieces(model: &Model, pieces: FacePieces, untrimmed: &Model) -> Self {
+        let reduced = without_removable_knots(untrimmed);
         let (simple, knot_removal) =
-            reduced.as_ref().map_or((&*untrimmed, 0.0), |reduced| (&reduced.model, reduced.error));
+            reduced.as_ref().map_or((untrimmed, 0.0), |reduced| (&reduced.model, reduced.error));
         let mut bezier = extract(simple);
         bezier.point_error.include_deviation(pieces.deviation() + knot_removal);
         for (grid, shares) in bezier.grids.iter_mut().zip(pieces.shares(untrimmed.surfaces())) {
             grid.shares = shares;
         }
         let control_box = untrimmed.bounding_box().union(simple.bounding_box());
-        Ok(Self {
+        Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             source: model.unit().map(|_| model.clone()),
@@ -146,7 +164,7 @@ impl PreparedModel {
             samplings: RefCell::default(),
             cells: RefCell::default(),
             refits: 0,
-        })
+        }
     }
 
     /// Returns `model`, which has other control points on the same knots, prepared with

@@ -231,7 +231,9 @@ pub struct SurfacePoint {
     pub u: f64,
     /// Parameter v on it.
     pub v: f64,
-    /// The point.
+    /// The point at these parameters, off by up to 1024 roundings of the largest coordinate of
+    /// its surface, as knots are removed that change it by less (R15 of docs/method.md), and by
+    /// the deviation of a trimmed face's cut. The interval includes both.
     pub point: [f64; 3],
 }
 

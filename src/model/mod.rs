@@ -118,6 +118,18 @@ impl Model {
         Ok(model)
     }
 
+    /// Returns the model without the faces of these indices.
+    ///
+    /// # Errors
+    /// [`Error::EmptyModel`] if none is left.
+    pub(crate) fn without_faces(&self, leaves_out: impl Fn(usize) -> bool) -> Result<Self> {
+        let kept = |index: &usize| !leaves_out(*index);
+        let indices = || (0..self.surfaces.len()).filter(kept);
+        let surfaces = indices().map(|index| self.surfaces[index].clone()).collect();
+        let faces = indices().map(|index| self.faces[index].clone()).collect();
+        Self::of_faces(self.name.clone(), self.unit, surfaces, faces)
+    }
+
     /// Returns the name of the model, if it has one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {

@@ -139,7 +139,9 @@ impl Face {
         }
         self.lipschitz = largest;
         let tolerance = |axis: usize, share: f64| {
-            (share * max_deviation / self.lipschitz[axis]).clamp(MIN_SNAP, MAX_MOVE)
+            let allowed = share * max_deviation / self.lipschitz[axis];
+            // A surface that is a point moves by nothing: 0 / 0.
+            if allowed.is_nan() { MAX_MOVE } else { allowed.clamp(MIN_SNAP, MAX_MOVE) }
         };
         // Lemma T2 counts each axis, and each move twice.
         let snap = [tolerance(0, 0.25 * SNAP_SHARE), tolerance(1, 0.25 * SNAP_SHARE)];

@@ -86,6 +86,12 @@ pub struct Untrimmed {
 /// The number of halvings of a cell.
 const MAX_HALVINGS: usize = 32;
 
+/// The largest number of cells that a face is cut into: so many, and for each cell of the
+/// sweep. Real faces take up to 20 a cell; a composition that converges as slowly as with
+/// weights that differ by 10²⁵ would be halved for hours.
+const MAX_CELLS: usize = 1024;
+const MAX_CELLS_PER_CELL: usize = 64;
+
 /// Cuts a trimmed face, surface number `index` of its model, into pieces within
 /// `max_deviation` of it, in model units.
 ///
@@ -179,7 +185,10 @@ impl<'a> Sweep<'a> {
         let mut pieces = Vec::new();
         let mut deviation = 0.0_f64;
         let mut open: Vec<(Cell, usize)> = self.cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
+        let max_cells = MAX_CELLS + MAX_CELLS_PER_CELL * self.cells.len();
+        let mut count = 0;
         while let Some((cell, depth)) = open.pop() {
+            count += 1;
             match ruling::mapped(self.face, &cell) {
                 Mapped::One(ruling) => {
                     if let Some(composed) = compose::composed(self.face, &ruling) {
@@ -197,7 +206,7 @@ impl<'a> Sweep<'a> {
             }
             let [low, high] = cell.v;
             let middle = 0.5 * (low + high);
-            if depth == MAX_HALVINGS || !(low < middle && middle < high) {
+            if depth == MAX_HALVINGS || count > max_cells || !(low < middle && middle < high) {
                 let u = cell.sides[0].at(middle);
                 return Err(format!("a cell near ({u}, {middle}) of the unit domain does not converge"));
             }

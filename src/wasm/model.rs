@@ -42,8 +42,7 @@ impl PreparedModel {
     /// A model of BREP text; undefined is an unknown name or unit.
     #[wasm_bindgen(js_name = fromBrep)]
     pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
-        let (model, report) = brep_model(text, name, unit)?;
-        Self::new(model, Some(report))
+        Self::of_read(brep_model(text, name, unit)?)
     }
 
     /// The report on reading the text, or undefined.
@@ -59,23 +58,20 @@ impl PreparedModel {
         name: Option<String>,
         unit: Option<f64>,
     ) -> std::result::Result<JsValue, JsValue> {
-        let (model, report) = brep_model(text, name, unit)?;
-        convert::to_object(&Interchange { json: model.to_json()?, report })
+        interchange(brep_model(text, name, unit)?)
     }
 
     /// A model of interchange JSON that a reader made: faces that are refused are in the
     /// report, by their index.
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
-        let (model, report) = reader_model(text)?;
-        Self::new(model, Some(report))
+        Self::of_read(reader_model(text)?)
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
     #[wasm_bindgen(js_name = readerToJson)]
     pub fn reader_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
-        let (model, report) = reader_model(text)?;
-        convert::to_object(&Interchange { json: model.to_json()?, report })
+        interchange(reader_model(text)?)
     }
 
     /// `{json, report}` of interchange JSON, validated and written anew.
@@ -145,6 +141,12 @@ impl PreparedModel {
 }
 
 impl PreparedModel {
+    /// Makes the model of a file without the faces that cannot be cut.
+    fn of_read((model, mut report): (Model, ReadReport)) -> Result<Self> {
+        let (source, prepared) = engine::PreparedModel::of_read(model, &mut report)?;
+        Ok(Self { prepared: Rc::new(prepared), source, report: Some(report) })
+    }
+
     fn new(source: Model, report: Option<ReadReport>) -> Result<Self> {
         Ok(Self { prepared: Rc::new(engine::PreparedModel::new(&source)?), source, report })
     }
@@ -159,6 +161,12 @@ impl PreparedModel {
 struct Interchange {
     json: String,
     report: ReadReport,
+}
+
+/// The interchange JSON of what was read, without the faces that cannot be cut.
+fn interchange((model, mut report): (Model, ReadReport)) -> std::result::Result<JsValue, JsValue> {
+    let (model, _) = engine::PreparedModel::of_read(model, &mut report)?;
+    convert::to_object(&Interchange { json: model.to_json()?, report })
 }
 
 /// A text of JavaScript. No text has fewer bytes than characters: one over the limit is

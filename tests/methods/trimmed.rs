@@ -25,6 +25,18 @@ fn model(faces: Vec<FaceArrays>) -> Model {
     Model::from_faces(ModelArrays { faces: faces.collect(), ..ModelArrays::default() }).unwrap()
 }
 
+/// All control points coincide: the trimmed face is that point.
+#[test]
+fn a_surface_that_is_a_point_may_be_trimmed() {
+    let mut surface = plane([0.0; 3], X, Y, [[2.0, 3.0]; 2]);
+    surface.control_points = vec![[1.0, 2.0, 3.0, 1.0]; 4];
+    for trim in [rectangle([2.0, 2.0], [3.0, 3.0]), circle([2.5, 2.5], 0.25)] {
+        let point = model(vec![face(surface.clone(), vec![trim])]);
+        let plate = model(vec![whole(plane([0.0; 3], X, Y, [[0.0, 4.0]; 2]))]);
+        check(&point, &plate, [3.0, (3.0_f64.powi(2) + 2.0_f64.powi(2) + 9.0).sqrt()], 1e-9);
+    }
+}
+
 fn whole(surface: SurfaceArrays) -> FaceArrays {
     FaceArrays { trim: None, ..face(surface, vec![]) }
 }

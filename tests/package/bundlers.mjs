@@ -91,6 +91,7 @@ export function importMap({ source, out, names, installed }) {
   const imports = {
     "nurbs-hausdorff": "./package/index.js",
     "nurbs-hausdorff/worker": "./package/worker/index.js",
+    "nurbs-hausdorff/worker/cad": "./package/worker/cad/index.js",
   };
   const head = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
   for (const name of names) page(join(out, `${name}.html`), script(name), head);

@@ -27,7 +27,7 @@ import { serve } from "./serve.mjs";
  * module is inlined, or copied by hand.
  */
 const bundles = {
-  vite: { bundle: viteBundle, names: ["direct", "own-worker", "worker"] },
+  vite: { bundle: viteBundle, names: ["direct", "own-worker", "worker", "worker-cad"] },
   webpack: { bundle: webpackBundle, names: ["direct", "own-worker", "worker"] },
   rollup: {
     bundle: rollupBundle,
@@ -43,7 +43,7 @@ const bundles = {
     inline: true,
   },
   "esbuild-copy": { bundle: esbuildBundle, names: ["direct"], copy: true },
-  "import-map": { bundle: importMap, names: ["direct", "worker"] },
+  "import-map": { bundle: importMap, names: ["direct", "worker", "worker-cad"] },
 };
 
 let packed;

@@ -55,11 +55,17 @@ for (const { name, size } of screens) {
   }
 }
 
-test("the page of experiments", async () => {
-  const { page, close } = await open({ path: "experiments.html" });
-  try {
-    assert.deepEqual(await findings(page), []);
-  } finally {
-    await close();
-  }
-});
+for (const [path, selector] of [
+  ["experiments.html", '#sweep[data-state="ready"]'],
+  ["deforming.html", '#run[data-state="running"]'],
+]) {
+  test(`the page ${path}`, async () => {
+    const { page, close } = await open({ path });
+    try {
+      await page.locator(selector).waitFor();
+      assert.deepEqual(await findings(page), []);
+    } finally {
+      await close();
+    }
+  });
+}

@@ -37,6 +37,10 @@ const GRID_OF_HIERARCHY: usize = 16;
 /// largest one: 16 units of 2^-53.
 const COORDINATE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
+/// The distance of a witness from the point at its parameters, in units of 2^-53 of the largest
+/// coordinate: knots are removed where that moves points by less (R15 of docs/method.md).
+const WITNESS_ROUNDING: f64 = 512.0 * f64::EPSILON;
+
 /// The rounding error of points relative to the models' size, as each model is
 /// evaluated relative to an origin near it.
 const SIZE_ROUNDING: f64 = 1e-14;
@@ -235,7 +239,10 @@ impl<'a> Direction<'a> {
         let largest =
             boxes.iter().map(|aabb| aabb.min.abs().max(aabb.max.abs()).max_element()).fold(0.0, f64::max);
         let rounding = COORDINATE_ROUNDING * (largest + pair.transform.offset().length())
-            + SIZE_ROUNDING * (result.diagonal + result.computed);
+            + SIZE_ROUNDING * (result.diagonal + result.computed)
+            // Validation moves loops next to the edge of the domain onto it, by this and no more; a
+            // region moves by at most twice as much as its loops.
+            + 2.0 * result.model_gap;
         let (models, poses) = ([&pair.a, &pair.b], [pair.transform, RigidTransform::IDENTITY]);
         let witness = [&result.witness.a, &result.witness.b];
         let [from, to] = if reversed { [1, 0] } else { [0, 1] };
@@ -299,7 +306,9 @@ impl<'a> Direction<'a> {
                 along_u + evaluate(witness.u, (witness.v + sign * dv).clamp(v0, v1)).distance(at)
             });
             let error = at.distance(DVec3::from_array(witness.point));
-            let allowed = self.rounding + deviation + parameter_error[0] + parameter_error[1];
+            let witness_rounding = WITNESS_ROUNDING * at.abs().max_element();
+            let allowed =
+                self.rounding + witness_rounding + deviation + parameter_error[0] + parameter_error[1];
             if error > allowed {
                 violations.push(format!("a witness is {error} from the point at its parameters"));
             }

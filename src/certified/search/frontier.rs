@@ -32,6 +32,11 @@ impl Frontier {
         self.nodes.len()
     }
 
+    /// Whether the oldest node is a cell.
+    pub(super) fn begins_with_cell(&self) -> bool {
+        self.nodes.front().is_some_and(|node| matches!(node.domain, Domain::Cell(_)))
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.nodes.is_empty() && self.float64_only.is_empty()
     }

@@ -1,5 +1,6 @@
 //! Branch and bound over A.
 
+mod blocks;
 mod frontier;
 mod gains;
 mod incumbent;
@@ -17,6 +18,7 @@ use super::{Block, Cell, Pair, Sheets};
 use crate::bezier::Patch;
 use crate::closest::closest_above;
 use crate::parallel::{is_few, map_short, together};
+use blocks::{Split, by_blocks, split_block};
 use frontier::Frontier;
 use incumbent::Incumbent;
 
@@ -41,12 +43,6 @@ const FOOT_PART: f64 = 0.25;
 
 /// The farthest samples of a chunk from which an ascent starts.
 const MAX_ASCENTS: usize = 8;
-
-/// The number of patches of A from which on they are searched by blocks where A is near B.
-const MIN_BLOCK_PATCHES: usize = 16;
-
-/// The largest number of patches of A of which the sizes are compared with the threshold.
-const MAX_SIZES: usize = 64;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -136,14 +132,6 @@ struct Evaluation {
     split: Option<Split>,
 }
 
-/// The parts of a block.
-struct Split {
-    /// An upper bound on what is decided of it.
-    decided: f64,
-    /// What is not decided.
-    children: Vec<Domain>,
-}
-
 impl<'a> BranchAndBound<'a> {
     /// Searches all of A for an interval of width `tolerance`, or with a
     /// `limit` until the distance is known to exceed it or not. Points of A
@@ -165,7 +153,7 @@ impl<'a> BranchAndBound<'a> {
             work: Work::default(),
         };
         search.find_first_incumbent();
-        search.blocks = search.pair.a.sheets.filter(|_| search.is_near_copy());
+        search.blocks = by_blocks(&search.pair.a, search.prune_threshold());
         search
     }
 
@@ -207,6 +195,11 @@ impl<'a> BranchAndBound<'a> {
     /// The number of nodes waiting to be bounded.
     pub(crate) fn waiting(&self) -> usize {
         self.frontier.len()
+    }
+
+    /// Whether the node that waits longest is a cell, as kernels bound no others.
+    pub(crate) fn begins_with_cell(&self) -> bool {
+        self.frontier.begins_with_cell()
     }
 
     /// Whether there are cells that only float64 can bound.
@@ -320,7 +313,7 @@ impl<'a> BranchAndBound<'a> {
                 self.exhausted = true;
                 self.incumbent.prune(node.upper);
             } else if let (Domain::BvhNode(0), Some(sheets)) = (&node.domain, self.blocks) {
-                let blocks = Block::all(sheets).flat_map(|block| domains(sheets, block));
+                let blocks = Block::all(sheets).flat_map(|block| blocks::domains(sheets, block));
                 node.push_children(blocks, evaluation.foot, &mut children);
             } else {
                 node.branch(&self.pair.a, evaluation.foot, &mut children);
@@ -344,7 +337,7 @@ impl<'a> BranchAndBound<'a> {
                 (upper, sample.foot, sample)
             }
             Domain::Block(block) => {
-                let (parts, sample) = self.split_block(block, node, threshold);
+                let (parts, sample) = split_block(&self.pair, &self.nearest, block, node, threshold);
                 split = Some(parts);
                 (node.upper, sample.foot, sample)
             }
@@ -352,34 +345,6 @@ impl<'a> BranchAndBound<'a> {
         };
         // NaN bounds nothing.
         Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest, split }
-    }
-
-    /// Bounds the patches of a block; returns what is left of it with a point of it.
-    fn split_block(&self, block: &Block, node: &SearchNode, threshold: f64) -> (Split, Sample) {
-        let Some(sheets) = self.blocks else {
-            // There are no blocks without sheets; nothing is known of one.
-            let sample = Sample { patch: 0, parameters: [0.5; 2], foot: node.foot };
-            return (Split { decided: node.upper, children: Vec::new() }, sample);
-        };
-        let bound = bounds::block(&self.pair, sheets, &self.nearest, block, &node.foot, threshold);
-        let children = block.children(&bound.undecided).into_iter().flat_map(|block| domains(sheets, block));
-        (Split { decided: bound.decided, children: children.collect() }, bound.sample)
-    }
-
-    /// Whether A's patches are larger than the threshold, so that no bound of first order
-    /// prunes several of them together.
-    fn is_near_copy(&self) -> bool {
-        let patches = self.pair.a.patches();
-        if patches.len() < MIN_BLOCK_PATCHES {
-            return false;
-        }
-        let step = patches.len().div_ceil(MAX_SIZES);
-        let mut sizes: Vec<f64> = (0..patches.len())
-            .step_by(step)
-            .map(|index| 0.5 * patches.patch(index).bounding_box().diagonal())
-            .collect();
-        sizes.sort_by(f64::total_cmp);
-        sizes[sizes.len() / 2] > self.prune_threshold()
     }
 
     fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
@@ -491,15 +456,6 @@ impl<'a> BranchAndBound<'a> {
             _ => self.nearest.reset_queries(),
         }
     }
-}
-
-/// A block, or the flat patches that a single patch was cut into.
-fn domains(sheets: Sheets<'_>, block: Block) -> Vec<Domain> {
-    if !block.is_single() {
-        return vec![Domain::Block(block)];
-    }
-    let index = sheets.index(block.surface, [block.rows[0], block.columns[0]]);
-    sheets.flat_patches(index).map(|patch| Domain::Cell(Cell::whole(patch))).collect()
 }
 
 fn is_too_small(node: &SearchNode) -> bool {

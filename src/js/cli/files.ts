@@ -32,6 +32,13 @@ export async function convertFile(path: string): Promise<{ json: string; report:
   });
 }
 
+/** A result with the faces that were left out of the files' models, if any. */
+export function ofFiles<R extends object>(result: R, a: NurbsModel, b: NurbsModel): object {
+  const [leftOfA, leftOfB] = [a, b].map(({ report }) => report?.skipped ?? []);
+  const none = !leftOfA?.length && !leftOfB?.length;
+  return none ? result : { ...result, skipped: { a: leftOfA, b: leftOfB } };
+}
+
 /** Writes a text to a file. */
 export async function writeText(path: string, text: string): Promise<void> {
   await writeFile(path, text).catch((cause: unknown) => {

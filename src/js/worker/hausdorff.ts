@@ -39,13 +39,17 @@ export interface WorkerClosestPointOptions extends ClosestPointOptions {
 export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
 let connect: Connect;
+let connectsReaders = false;
 
 /**
- * Sets how workers are started on this platform.
+ * Sets how workers are started on this platform. Where a program imports both
+ * entries, those with the readers of files are started, whichever was set last.
  * @internal
  */
-export function connectBy(platform: Connect): void {
+export function connectBy(platform: Connect, { readers = false } = {}): void {
+  if (connectsReaders && !readers) return;
   connect = platform;
+  connectsReaders = readers;
 }
 
 /**
@@ -95,12 +99,12 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async model(
     input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
   ): Promise<NurbsModel> {
-    return this.#newModel("model", input);
+    return Hausdorff.newModel(this, "model", [input]);
   }
 
   /** As the main entry's `shape`. */
   async shape(name: string): Promise<NurbsModel> {
-    return this.#newModel("shape", name);
+    return Hausdorff.newModel(this, "shape", [name]);
   }
 
   /** The shapes there are, as the main entry's static `shapes`. */
@@ -153,9 +157,19 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return NurbsModel.id(model, this.#channel, name);
   }
 
-  async #newModel(method: "model" | "shape", input: unknown): Promise<NurbsModel> {
-    const [facts, id] = await this.#channel.call(method, [input]);
-    return NurbsModel.of(this.#channel, id, facts as ModelFacts);
+  /**
+   * The model that a method of the worker makes.
+   * @internal
+   */
+  static async newModel(
+    hausdorff: Hausdorff,
+    method: "model" | "shape" | "readCad",
+    args: unknown[],
+    transfer: ArrayBuffer[] = [],
+  ): Promise<NurbsModel> {
+    const channel = hausdorff.#channel;
+    const [facts, id] = await channel.call(method, args, { transfer });
+    return NurbsModel.of(channel, id, facts as ModelFacts);
   }
 
   async #measure<Result>(

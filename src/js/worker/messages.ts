@@ -1,3 +1,4 @@
+import type { CadReport } from "../cad/report.js";
 import type { ErrorCode } from "../error.js";
 import type { OnProgress } from "../measure/options.js";
 
@@ -5,6 +6,7 @@ import type { OnProgress } from "../measure/options.js";
 export interface ModelFacts {
   name: string | null;
   unit: number | null;
+  report: CadReport | null;
   gap: number;
   surfaceCount: number;
   /** The surfaces' names. */

@@ -1,4 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
+import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { Numbers } from "../model/surface.js";
@@ -21,10 +22,14 @@ export class NurbsModel {
   #facts: ModelFacts;
   #disposed = false;
 
+  /** The report of the reader that made the model from a CAD file; null for other models. */
+  readonly report: CadReport | null;
+
   private constructor(channel: Channel, id: number, facts: ModelFacts) {
     this.#channel = channel;
     this.#id = id;
     this.#facts = facts;
+    this.report = facts.report;
     abandoned.register(this, { channel, id }, this);
   }
 

@@ -1,8 +1,12 @@
+import type { CadOptions } from "../cad/options.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
 import type { OnProgress } from "../measure/options.js";
 import type { NurbsModel } from "../model/model.js";
 import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
+
+/** The reader of CAD files, where the worker has one. */
+export type ReadCad = (bytes: Uint8Array | ArrayBuffer, options: CadOptions) => Promise<NurbsModel>;
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
 
@@ -18,19 +22,21 @@ type Method = (args: unknown[], watch: Watch) => unknown;
  * Answers calls in the worker: returns the function that takes the requests.
  * @internal
  */
-export function serve(post: Post): (request: Request) => void {
-  const server = new Server(post);
+export function serve(post: Post, readCad?: ReadCad): (request: Request) => void {
+  const server = new Server(post, readCad);
   return (request) => server.take(request);
 }
 
 class Server {
   readonly #post: Post;
+  readonly #readCad: ReadCad | undefined;
   #hausdorff: Hausdorff | undefined;
   readonly #models = new Map<number, NurbsModel>();
   readonly #running = new Map<number, AbortController>();
 
-  constructor(post: Post) {
+  constructor(post: Post, readCad: ReadCad | undefined) {
     this.#post = post;
+    this.#readCad = readCad;
   }
 
   take(request: Request): void {
@@ -66,6 +72,15 @@ class Server {
     shapes: () => Hausdorff.shapes(),
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
+    readCad: async ([id, bytes, options]) => {
+      if (this.#readCad === undefined) {
+        throw new HausdorffError(
+          "WORKER_FAILED",
+          "the worker reads no CAD files, expected one that runs nurbs-hausdorff/worker/cad/thread",
+        );
+      }
+      return this.#keep(id, await this.#readCad(bytes as ArrayBuffer, options as CadOptions));
+    },
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, surface, points, options]) => {
       const model = this.#model(id);
@@ -114,9 +129,9 @@ class Server {
 }
 
 function facts(model: NurbsModel): ModelFacts {
-  const { name, unit, gap, surfaceCount, boundingBox } = model;
+  const { name, unit, report, gap, surfaceCount, boundingBox } = model;
   const parts = Array.from({ length: surfaceCount }, (_, surface) => model.part(surface));
-  return { name, unit, gap, surfaceCount, parts, boundingBox };
+  return { name, unit, report, gap, surfaceCount, parts, boundingBox };
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */

@@ -1,8 +1,5 @@
 // The worker's side in Node.
-/// <reference types="node" />
-import { parentPort } from "node:worker_threads";
 import "../node.js";
-import { serve } from "./serve.js";
+import { serveNode } from "./platform/node-thread.js";
 
-const take = serve((reply, transfer) => parentPort?.postMessage(reply, transfer));
-parentPort?.on("message", take);
+serveNode();

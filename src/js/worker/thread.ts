@@ -1,12 +1,4 @@
 // The worker's side in browsers.
-import type { Reply, Request } from "./messages.js";
-import { serve } from "./serve.js";
+import { serveBrowser } from "./platform/browser-thread.js";
 
-/** The worker's own scope, of which the DOM's types know only the window's. */
-const scope = globalThis as unknown as {
-  onmessage: (event: MessageEvent<Request>) => void;
-  postMessage(reply: Reply, transfer: ArrayBuffer[]): void;
-};
-
-const take = serve((reply, transfer) => scope.postMessage(reply, transfer));
-scope.onmessage = ({ data }) => take(data);
+serveBrowser();

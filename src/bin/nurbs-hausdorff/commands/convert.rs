@@ -2,13 +2,13 @@
 
 use crate::arguments::ConvertArguments;
 use crate::failure::Failure;
-use crate::input::{CadReport, read_with_report};
+use crate::input::{CadReport, Input, read};
 use crate::output::{print, print_json};
 use std::fmt::Write;
 
 /// Writes the model as interchange JSON, and prints the report on reading it.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
-    let (model, report) = read_with_report(&arguments.input)?;
+    let Input { model, report, .. } = read(&arguments.input)?;
     let json = model.to_json()?;
     std::fs::write(&arguments.output, json).map_err(Failure::Output)?;
     if arguments.json {

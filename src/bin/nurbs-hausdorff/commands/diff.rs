@@ -2,10 +2,10 @@
 
 use crate::arguments::DiffArguments;
 use crate::failure::Failure;
-use crate::input::read;
+use crate::input::{OfFiles, read};
 use crate::output::progress::Bar;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState, PreparedModel};
+use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState};
 use std::fmt::{Result, Write};
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.
@@ -17,12 +17,11 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
-    let (a, b) = (PreparedModel::new(&a)?, PreparedModel::new(&b)?);
     let mut bar = Bar::new();
-    let result = pollster::block_on(engine.diff(&a, &b, &options, &mut bar))?;
+    let result = pollster::block_on(engine.diff(&a.prepared, &b.prepared, &options, &mut bar))?;
     drop(bar);
     if arguments.json {
-        print_json(&result)?;
+        print_json(&OfFiles::new(&result, &a, &b))?;
     } else {
         let mut text = String::new();
         // Writing to a string does not fail.

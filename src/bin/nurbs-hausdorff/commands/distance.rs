@@ -2,11 +2,11 @@
 
 use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
-use crate::input::read;
+use crate::input::{OfFiles, read};
 use crate::output::progress::Bar;
 use crate::output::report;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method, PreparedModel};
+use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method};
 
 /// Exit statuses with `--limit`.
 const WITHIN: u8 = 0;
@@ -23,12 +23,11 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let uses_gpu = staged || options.backend == Backend::Gpu;
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
-    let (a, b) = (PreparedModel::new(&a)?, PreparedModel::new(&b)?);
     let mut bar = Bar::new();
-    let result = pollster::block_on(engine.distance(&a, &b, &options, &mut bar))?;
+    let result = pollster::block_on(engine.distance(&a.prepared, &b.prepared, &options, &mut bar))?;
     drop(bar);
     if arguments.json {
-        print_json(&result)?;
+        print_json(&OfFiles::new(&result, &a, &b))?;
     } else {
         print(&report::text(&result))?;
     }

@@ -2,14 +2,15 @@
 
 use crate::arguments::InfoArguments;
 use crate::failure::Failure;
-use crate::input::read;
+use crate::input::{Input, read};
 use crate::output::{print, print_json};
 use nurbs_hausdorff::ModelInfo;
 use std::fmt::Write;
 
 /// Prints the surfaces, patches and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
-    let info = ModelInfo::new(&read(&arguments.model)?)?;
+    let Input { model, prepared, .. } = read(&arguments.model)?;
+    let info = ModelInfo::of_prepared(&model, &prepared);
     if arguments.json {
         return print_json(&info);
     }

@@ -3,31 +3,59 @@
 mod format;
 
 use crate::failure::Failure;
-use nurbs_hausdorff::{Error, Model, ReadReport, Result};
+use nurbs_hausdorff::{Error, Model, PreparedModel, ReadReport, Result, Skipped};
 use serde::Serialize;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// The model in a file of interchange JSON or OpenCASCADE's BREP text, found by its content.
+/// Reads the model in a file of interchange JSON or OpenCASCADE's BREP text, found by its content,
+/// and prints the faces left out.
 ///
 /// # Errors
 /// [`Error::FileUnreadable`], [`Error::FileTooLarge`] before anything is read,
-/// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`] and
-/// [`Model::from_brep`]; all with the path.
-pub(crate) fn read(path: &Path) -> std::result::Result<Model, Failure> {
-    read_with_report(path).map(|(model, _)| model)
-}
-
-/// As [`read`], with the report on what was read.
-pub(crate) fn read_with_report(path: &Path) -> std::result::Result<(Model, CadReport), Failure> {
-    let model = bytes(path).and_then(|bytes| parse(path, bytes));
-    let (model, report) = model.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
-    for skipped in &report.read.skipped {
+/// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`],
+/// [`Model::from_brep`] and [`PreparedModel`]; all with the path.
+pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
+    let input = bytes(path).and_then(|bytes| parse(path, bytes));
+    let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
+    for skipped in &input.report.read.skipped {
         let (path, face, why) = (path.display(), skipped.face, &skipped.why);
         eprintln!("warning: {path}: face {face} is left out: {why}");
     }
-    Ok((model, report))
+    Ok(input)
+}
+
+/// A model that was read.
+pub(crate) struct Input {
+    /// The model, without the faces left out.
+    pub(crate) model: Model,
+    pub(crate) prepared: PreparedModel,
+    pub(crate) report: CadReport,
+}
+
+/// A result with the faces that were left out of the files' models, if any.
+#[derive(Serialize)]
+pub(crate) struct OfFiles<'a, R> {
+    #[serde(flatten)]
+    result: &'a R,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skipped: Option<LeftOut<'a>>,
+}
+
+/// The faces left out of A and of B.
+#[derive(Serialize)]
+struct LeftOut<'a> {
+    a: &'a [Skipped],
+    b: &'a [Skipped],
+}
+
+impl<'a, R> OfFiles<'a, R> {
+    pub(crate) fn new(result: &'a R, a: &'a Input, b: &'a Input) -> Self {
+        let [a, b] = [a, b].map(|input| input.report.read.skipped.as_slice());
+        let skipped = (!a.is_empty() || !b.is_empty()).then_some(LeftOut { a, b });
+        Self { result, skipped }
+    }
 }
 
 /// A report, with the kind of the file.
@@ -38,18 +66,20 @@ pub(crate) struct CadReport {
     pub(crate) read: ReadReport,
 }
 
-fn parse(path: &Path, bytes: Vec<u8>) -> Result<(Model, CadReport)> {
+fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     if let Some(found) = format::unsupported(&bytes) {
         return Err(Error::FormatUnsupported { found, path: path.display().to_string() });
     }
     let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
     if format::is_brep(&text) {
-        let (model, read) = Model::from_brep(&text)?;
-        return Ok((model, CadReport { kind: "brep", read }));
+        let (model, mut read) = Model::from_brep(&text)?;
+        let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
+        return Ok(Input { model, prepared, report: CadReport { kind: "brep", read } });
     }
     let model = Model::from_json(&text)?;
-    let read = ReadReport::of_exact(&model);
-    Ok((model, CadReport { kind: "json", read }))
+    let prepared = PreparedModel::new(&model)?;
+    let report = CadReport { kind: "json", read: ReadReport::of_exact(&model) };
+    Ok(Input { model, prepared, report })
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>> {

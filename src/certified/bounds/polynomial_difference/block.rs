@@ -19,6 +19,10 @@ use glam::DVec2;
 /// The largest number of pieces of one patch of A.
 const MAX_PIECES: usize = 256;
 
+/// Distance of the sample's foot, in radii of the block, up to which a map is tried: farther
+/// away smaller blocks or their cells are decided by bounds of the distance alone.
+const MAX_DISTANCE_IN_RADII: f64 = 0.5;
+
 /// What is known of a block.
 pub(in crate::certified) struct BlockBound {
     /// An upper bound on the distance of the patches that are decided.
@@ -140,6 +144,12 @@ impl<'a> KnotLines<'a> {
         let at = [0, 1].map(|axis| place.low[axis] + place.width[axis] * parameters[axis]);
         let a = self.patch(self.middle).jet(at);
         let rotate = |vector| self.pair.transform.rotate(vector);
+        // The block's half sides if its patches are like the sample's.
+        let [rows, columns] = self.block.size().map(|count| 0.5 * f64::from(count));
+        let radius = rows * a.s.length() + columns * a.t.length();
+        if self.sample.foot.distance() > MAX_DISTANCE_IN_RADII * radius {
+            return None;
+        }
         let jet = self.chart.jet();
         let residual = jet.point - self.pair.transform.apply(a.point);
         let map = Reparametrization::linearized(&jet, residual, [rotate(a.s), rotate(a.t)], [false; 2])?;

@@ -18,6 +18,10 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// what rounding makes of equal weights.
 const MAX_WEIGHT_SPREAD: f64 = 1e-12;
 
+/// The largest coefficient, relative to the threshold, at which the squares of lengths are
+/// tried: they bring little more than a turn of the difference over the piece.
+const MAX_EXCESS: f64 = 2.0;
+
 /// Roundings of a coefficient by one elevation of the degree.
 const ELEVATION_ROUNDINGS: usize = 3;
 
@@ -66,26 +70,26 @@ impl Net {
     pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, growth: f64) -> Self {
         let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
         let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
-        let (mut before, mut after, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        let (mut about_center, mut radius, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
         for control in &mut controls {
             *control *= scale;
             lightest = lightest.min(control.w);
             let inverse = control.w.recip();
-            before = upper_max(before, control.xyz().length() * inverse);
+            about_center = upper_max(about_center, control.xyz().length() * inverse);
             *control = (control.xyz() - control.w * shift).extend(control.w);
-            after = upper_max(after, control.xyz().length() * inverse);
+            radius = upper_max(radius, control.xyz().length() * inverse);
         }
         let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
         let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
-        let point_error = gamma(restriction * before + 4.0 * shift.length());
+        let point_error = gamma(restriction * about_center + 4.0 * shift.length());
         let weight_spread = (scale * heaviest - lightest) / lightest;
-        Self { degree, controls, weight_spread, radius: after, point_error }
+        Self { degree, controls, weight_spread, radius, point_error }
     }
 
     /// An upper bound on the distance between points of equal parameters, by
     /// lemma R11: the bound by the coefficients' lengths where that is at most the
     /// threshold, else the closer one by those of the squared length. `None` where a weight
-    /// is not positive or a number overflows, and where corners are farther than the threshold.
+    /// is not positive or a number overflows, and where the threshold is out of reach.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
         let Difference { degree, quotient, product_terms, error } = self.difference(other);
         let length = |control: &DVec4| control.xyz().length() / control.w;
@@ -103,6 +107,8 @@ impl Net {
         let is_decided = by_lengths <= threshold;
         let bound = if is_decided {
             by_lengths
+        } else if longest > MAX_EXCESS * threshold {
+            return None;
         } else {
             let largest = squares(degree, &quotient)
                 .into_iter()

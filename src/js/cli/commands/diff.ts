@@ -2,7 +2,7 @@ import type { Hausdorff } from "../../hausdorff.js";
 import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
 import type { Backend } from "../../measure/options.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { readModel } from "../files.js";
+import { ofFiles, readModel } from "../files.js";
 import { full } from "../output/numbers.js";
 import { print, printJson } from "../output/output.js";
 import { Progress } from "../output/progress.js";
@@ -24,7 +24,7 @@ export async function diff(
   const progress = new Progress();
   const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
   const result = await hd.diff(a, b, options).finally(() => progress.end());
-  if (values.has("json")) printJson(result);
+  if (values.has("json")) printJson(ofFiles(result, a, b));
   else print(text(result));
   return STATUSES[result.state];
 }

@@ -2,7 +2,7 @@ import type { Hausdorff } from "../../hausdorff.js";
 import type { Backend, DistanceOptions } from "../../measure/options.js";
 import type { DistanceResult } from "../../measure/result.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { readModel } from "../files.js";
+import { ofFiles, readModel } from "../files.js";
 import { print, printJson } from "../output/output.js";
 import { Progress } from "../output/progress.js";
 import { text } from "../output/report.js";
@@ -30,7 +30,7 @@ export async function distance(
   const progress = new Progress();
   const onProgress = progress.report;
   const result = await hd.distance(a, b, { ...options, onProgress }).finally(() => progress.end());
-  if (values.has("json")) printJson(withoutField(result));
+  if (values.has("json")) printJson(ofFiles(withoutField(result), a, b));
   else print(text(result));
   const { limit } = options;
   return limit === undefined ? WITHIN : verdict(result, limit);
