@@ -202,7 +202,7 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
 /// Returns the pieces of all parts, which have those of patches that were cut, and
 /// the patches that were not, in order. Patches of which none was cut are shared.
 fn with_whole_patches(patches: &PatchSet, parts: &[FlatPatches]) -> PatchSet {
-    if parts.iter().all(|part| part.patches.is_empty()) {
+    if parts.iter().all(|part| part.places.iter().all(Place::is_whole)) {
         return patches.clone();
     }
     let controls = parts.iter().map(|part| part.patches.control_count()).sum::<usize>();
