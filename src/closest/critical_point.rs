@@ -106,6 +106,10 @@ mod tests {
                 let derivative = [jet.s, jet.t][axis].length();
                 2.0 * (of_point * derivative + length * of_derivatives[axis]) + 24.0 * length * derivative
             };
+            for (axis, derivative) in [jet.s, jet.t].into_iter().enumerate() {
+                let slope = 2.0 * (jet.point - target).dot(derivative);
+                assert!((found.gradient[axis] - slope).abs() <= 1e-12 * length * derivative.length());
+            }
             let cases = [
                 (found.distance_error, 2.0 * of_point * length + 10.0 * length * length),
                 (found.gradient_error[0], lemma(0)),

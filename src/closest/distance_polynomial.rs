@@ -168,8 +168,27 @@ mod tests {
         }
         // Where w is constant, ∇w² is the rounding of its differences alone.
         let constant = SquaredDistance::new([2, 2], &[DVec3::X.extend(1.0); 9], DVec3::ZERO);
-        let change = constant.denominator_change(1.0) / (2.0 * 4.0 * 2.0 * unit);
+        let change = constant.denominator_change(4.0) / (2.0 * 4.0 * 2.0 * unit * 4.0);
         assert!((0.999..=1.1).contains(&change), "{change}");
+    }
+
+    /// About a maximum of the distance, the parabola y = 1 - x² from the origin, the bound
+    /// follows the curvature down, in units of any size.
+    #[test]
+    fn the_bound_about_a_maximum_follows_the_curvature() {
+        let half = 0.25;
+        let bounds = [1.0, 4.0].map(|size: f64| {
+            let points = [[-half, 1.0 - half * half], [0.0, 1.0 + half * half], [half, 1.0 - half * half]];
+            let control = |[x, y]: [f64; 2]| DVec4::new(size * x, size * y, 0.0, 1.0);
+            let controls: Vec<DVec4> = points.into_iter().flat_map(|point| [control(point); 2]).collect();
+            let form = SquaredDistance::new([2, 1], &controls, DVec3::ZERO);
+            let distance_squared = size * size;
+            let known = CriticalPoint { parameters: [0.5; 2], distance_squared, ..CriticalPoint::default() };
+            form.lower_bound_about(&known) / distance_squared
+        });
+        let least = 1.0 - half * half + half.powi(4);
+        assert!(0.5 < bounds[0] && bounds[0] <= least, "{bounds:?}, {least}");
+        assert!((bounds[0] - bounds[1]).abs() <= 1e-12, "{bounds:?}");
     }
 
     /// A plane patch 1e70 wide, one unit below the target, with weights so large

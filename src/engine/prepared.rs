@@ -233,7 +233,8 @@ impl PreparedModel {
         }
     }
 
-    /// Returns an upper bound, in model units, on the distance between the model and its source.
+    /// Returns the distance, in model units, between the model and its source as its reader states
+    /// it: see [`Model::gap`].
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.gap

@@ -59,8 +59,8 @@ impl<'a> Face<'a> {
         self.data.reversed
     }
 
-    /// Returns the upper bound, in model units, on the distance between the face and its
-    /// source: that of the surface and that of the trimming curves.
+    /// Returns the distance, in model units, between the face and its source as its reader
+    /// states it: that of the surface and that of the trimming curves, which may be measured.
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.data.gap + self.trim().map_or(0.0, Trim::gap)

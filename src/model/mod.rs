@@ -167,8 +167,8 @@ impl Model {
         trimmed.map_or(Ok(()), |surface| Err(Error::ModelTrimmed { surface }))
     }
 
-    /// Returns an upper bound, in model units, on the distance between the model and its
-    /// source: the largest gap of a face.
+    /// Returns the distance, in model units, between the model and its source as its reader
+    /// states it: the largest gap of a face.
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.faces().map(|face| face.gap()).fold(0.0, f64::max)

@@ -6,18 +6,18 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-fn run(arguments: &[&str]) -> Output {
+pub(crate) fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_nurbs-hausdorff")).args(arguments).output().unwrap()
 }
 
 /// A file of this text in the folder for the tests' own files.
-fn file(name: &str, text: &str) -> String {
+pub(crate) fn file(name: &str, text: &str) -> String {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, text).unwrap();
     path.to_str().unwrap().to_owned()
 }
 
-fn plane(height: f64) -> Value {
+pub(crate) fn plane(height: f64) -> Value {
     json!({ "name": "plane", "source": "extra keys are ignored", "surfaces": [{
         "degree": [1, 1],
         "knots_u": [0, 0, 1, 1],
@@ -30,11 +30,11 @@ fn planes(test: &str) -> [String; 2] {
     [0.0, 3.0].map(|height| file(&format!("{test}-{height}.json"), &plane(height).to_string()))
 }
 
-fn status(output: &Output) -> i32 {
+pub(crate) fn status(output: &Output) -> i32 {
     output.status.code().unwrap()
 }
 
-fn printed(output: &Output) -> Value {
+pub(crate) fn printed(output: &Output) -> Value {
     assert_eq!(status(output), 0, "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).unwrap()
 }

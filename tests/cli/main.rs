@@ -7,3 +7,4 @@ mod support;
 
 mod commands;
 mod edge_cases;
+mod trimmed;

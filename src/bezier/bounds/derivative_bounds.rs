@@ -187,6 +187,7 @@ mod tests {
             (0..16).map(|index| DVec4::new(f64::from(index / 4 + index % 4), 0.0, 0.0, 1.0)).collect();
         let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
         let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        assert_eq!(patch.largest_controls(), [6.0, 1.0]);
         // p! / (p - a)!
         let factor = [1.0, 3.0, 6.0, 6.0];
         for error in [0.0, 1e-3] {

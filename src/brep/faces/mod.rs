@@ -69,7 +69,7 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
         return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0 });
     }
     let net = net(surface, ranges(surface, &loops)?)?;
-    let metric = Metric::of(&net);
+    let metric = Metric::of(&net)?;
     let mut mapped: Vec<Vec<Mapped>> = loops
         .into_iter()
         .map(|uses| uses.into_iter().flat_map(|trim_use| mapping::map(trim_use, &net, &metric)).collect())

@@ -53,7 +53,7 @@ export class NurbsModel {
     return this.prepared.unit ?? null;
   }
 
-  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  /** The model's distance from its source, in model units, as its reader bounded or measured it. */
   get gap(): number {
     return this.prepared.gap;
   }

@@ -34,8 +34,11 @@ pub struct TrimCurveArrays {
     pub knots: Vec<f64>,
     /// The control points `[u, v, w]`; u and v are not multiplied by w > 0.
     pub control_points: Vec<[f64; 3]>,
-    /// An upper bound, in model units, on the distance between the curve on the
-    /// surface and the edge of the source that it represents.
+    /// The distance, in model units, between the curve on the surface and the edge of the
+    /// source that it represents, as the reader knows it. What a fit or a move causes is
+    /// bounded; what the source itself causes, whose curve and edge differ, the reader of BREP
+    /// text measures at [`crate::ReadReport::GAP_SAMPLES`] points of the edge, and 3DM files
+    /// state.
     pub gap: f64,
     /// The number of the source's edge; curves of equal numbers bound neighbours.
     pub edge: Option<u32>,
@@ -125,8 +128,9 @@ impl Trim {
         &self.loops
     }
 
-    /// Returns the upper bound on the distance between the trimming curves on the
-    /// surface and the source's edges, in model units.
+    /// Returns the largest distance between a trimming curve on the surface and the source's
+    /// edge, in model units, as [`TrimCurveArrays::gap`] states it, with the moves that closed
+    /// the loops, which are bounded.
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.gap

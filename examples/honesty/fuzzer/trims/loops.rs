@@ -72,11 +72,11 @@ pub(crate) fn halved(rings: &[Ring]) -> Vec<Ring> {
         let homogeneous = |&[u, v, w]: &[f64; 3]| [w * u, w * v, w];
         let mut second: Vec<[f64; 3]> = curve.control_points.iter().map(homogeneous).collect();
         let mut first = second.clone();
-        for level in 1..count {
+        for (level, control) in first.iter_mut().enumerate().skip(1) {
             for k in 0..count - level {
                 second[k] = [0, 1, 2].map(|axis| 0.5 * (second[k][axis] + second[k + 1][axis]));
             }
-            first[level] = second[0];
+            *control = second[0];
         }
         let mut halves: Vec<TrimCurveArrays> = [first, second]
             .into_iter()

@@ -144,11 +144,11 @@ fn crossings(controls: &[DVec3], low: DVec2, high: DVec2, halvings: u32) -> Opti
         return None;
     }
     let (mut first, mut second) = (controls.to_vec(), controls.to_vec());
-    for level in 1..controls.len() {
+    for (level, control) in first.iter_mut().enumerate().skip(1) {
         for k in 0..controls.len() - level {
             second[k] = 0.5 * (second[k] + second[k + 1]);
         }
-        first[level] = second[0];
+        *control = second[0];
     }
     Some(crossings(&first, low, high, halvings + 1)? + crossings(&second, low, high, halvings + 1)?)
 }

@@ -290,4 +290,19 @@ mod tests {
             assert!((0.99..=1.05).contains(&part), "{part} of the lemma, threshold {threshold}");
         }
     }
+
+    /// Beyond its edges a rational patch may have weights that are not positive: no bound.
+    #[test]
+    fn a_weight_that_is_not_positive_gives_no_bound() {
+        for least in [0.0, -0.5] {
+            let weights = [1.0, 1.0, 1.0, least];
+            let net = |weights: [f64; 4]| {
+                let controls = weights.map(|w| DVec4::new(1.0, 0.0, 0.0, w)).to_vec();
+                Net::new([1, 1], controls, DVec3::ZERO, 1.25)
+            };
+            for [x, y] in [[weights, weights], [weights, [1.0; 4]], [[1.0; 4], weights]] {
+                assert_eq!(net(x).max_difference(&net(y), f64::INFINITY), None);
+            }
+        }
+    }
 }
