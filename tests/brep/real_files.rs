@@ -16,7 +16,7 @@ use std::process::Command;
 /// AMSurface.step and linkrods.step are left out: the cubature of the first one's rectangle of
 /// 165 x 5 spans and of face 26 of the second, of degree 6 x 10, does not converge to 1e-9 with
 /// [`MAX_PARTS`]; the areas of that face differ by 1.3e-9.
-const FILES: [(&str, usize); 8] = [
+const FILES: [(&str, usize); 12] = [
     ("step/screw.step", 10),
     ("step/NIST_MBE_PMI_11.stp", 10),
     ("step/axom_revolved_sphere.step", 1),
@@ -25,6 +25,10 @@ const FILES: [(&str, usize); 8] = [
     ("step/base_interface_AP203.STEP", 30),
     ("step/featuretype.STEP", 96),
     ("step/NIST_MBE_PMI_1.stp", 113),
+    ("iges/bearing.iges", 213),
+    ("step/NIST_MBE_PMI_5.stp", 163),
+    ("iges/hammer.iges", 45),
+    ("step/NIST_MBE_PMI_2.stp", 597),
 ];
 
 /// The deviation of the pieces, relative to the model's size: areas are compared to 1e-9.
