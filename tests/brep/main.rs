@@ -9,6 +9,7 @@ mod area;
 mod elementary;
 mod loops;
 mod placement;
+mod real_files;
 mod splines;
 mod swept;
 mod syntax;
