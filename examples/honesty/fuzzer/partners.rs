@@ -36,11 +36,11 @@ pub(crate) fn both_sides(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArray
 }
 
 /// Returns the same surfaces with one more knot and the degree raised by one where
-/// possible.
+/// possible. Invalid ones stay as they are, and their model is refused.
 pub(crate) fn refined(rng: &mut Rng, a: &[SurfaceArrays]) -> Vec<SurfaceArrays> {
     a.iter()
         .map(|arrays| {
-            let surface = NurbsSurface::new(0, arrays.clone()).unwrap();
+            let Ok(surface) = NurbsSurface::new(0, arrays.clone()) else { return arrays.clone() };
             let [[start, end], _] = surface.domain().intervals();
             let knot = start + (0.1 + 0.8 * rng.f64()) * (end - start);
             let refined = insert_knot(&surface, Axis::U, knot, 1).unwrap_or(surface);
