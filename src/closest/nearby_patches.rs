@@ -84,9 +84,34 @@ mod tests {
     use crate::bezier::extract;
     use crate::closest::Target;
     use crate::shapes::shape;
+    use crate::{Model, SurfaceArrays};
     use glam::DVec3;
 
     const SIDE: usize = 24;
+
+    /// A query beyond the reach of the list, from an incumbent on a listed patch, finds the
+    /// patch that is not listed.
+    #[test]
+    fn the_list_is_used_only_within_its_reach() {
+        let square = |z: f64| SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+                .map(|[x, y]| [x, y, z, 1.0])
+                .to_vec(),
+        };
+        let Ok(model) = Model::from_arrays(None, vec![square(-1.0), square(3.0)]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let nearby = NearbyPatches::new(&target, DVec3::ZERO, 2.0);
+        assert_eq!(nearby.list.len(), 1);
+        let incumbent = Some((nearby.list[0].patch, [0.5, 0.5]));
+        for (height, distance) in [(0.25, 1.25), (0.75, 1.75), (1.25, 1.75), (2.5, 0.5)] {
+            let point = DVec3::new(0.0, 0.0, height);
+            let found = closest_above(&target, point, 1e-9, incumbent, 0.0, Some(&nearby));
+            assert!(found.is_some_and(|found| (found.upper - distance).abs() < 1e-9), "{height}");
+        }
+    }
 
     /// The nearest of a grid of points on a patch is an upper bound on the patch's distance.
     #[test]
