@@ -17,7 +17,7 @@ use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
-use crate::rounding::UNIT_ROUNDOFF;
+use crate::rounding::{UNIT_ROUNDOFF, upper_max};
 use crate::shapes::shape;
 use crate::symmetry::{Sphere, revolutions};
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -414,7 +414,7 @@ fn the_rounding_of_both_jets_adds_to_the_taylor_bound() {
     let [a, b] = [Model::new(&[graph(1.0, 0.0, [1, 1])]), Model::new(&[plane([-1.0, 2.0])])];
     let rounding = |model: &Model, further: f64, reach: f64| {
         let radius =
-            model.target.patches.patch(0).local_points().map(|point| point.length()).fold(0.0, f64::max);
+            model.target.patches.patch(0).local_points().map(|point| point.length()).fold(0.0, upper_max);
         let first = (4.0 * 14.0 + 6.0 + further) * 4.0 * reach;
         let second = (6.0 * 14.0 + 12.0 + further) * 12.0 * reach * reach;
         UNIT_ROUNDOFF * radius * (first + second)
