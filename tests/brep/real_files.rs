@@ -2,12 +2,12 @@
 //! against Green's theorem on its loops, and random points against winding numbers.
 
 use crate::area::on_piece;
+use crate::support::quadrature::gauss;
 use nurbs_hausdorff::model::Face;
 use nurbs_hausdorff::model::trim::{Trim, TrimPiece};
 use nurbs_hausdorff::untrim::{Untrimmed, untrim};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use rayon::prelude::*;
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -324,24 +324,4 @@ fn basis(surface: &NurbsSurface, axis: Axis, t: f64) -> (usize, Vec<Point>) {
         values[level][0] = saved;
     }
     (span - degree, values)
-}
-
-/// Nodes and weights of Gauss's rule on [0, 1], by Newton's method on Legendre polynomials.
-fn gauss(count: usize) -> Vec<Point> {
-    (0..count)
-        .map(|k| {
-            let mut x = (PI * (k as f64 + 0.75) / (count as f64 + 0.5)).cos();
-            let mut slope = 1.0;
-            for _ in 0..20 {
-                let (mut before, mut value) = (1.0, x);
-                for n in 2..=count {
-                    let n = n as f64;
-                    (before, value) = (value, ((2.0 * n - 1.0) * x * value - (n - 1.0) * before) / n);
-                }
-                slope = count as f64 * (x * value - before) / (x * x - 1.0);
-                x -= value / slope;
-            }
-            [0.5 + 0.5 * x, 1.0 / ((1.0 - x * x) * slope * slope)]
-        })
-        .collect()
 }

@@ -14,4 +14,5 @@ pub mod evaluator;
 pub mod fixtures;
 pub mod gpu;
 pub mod models;
+pub mod quadrature;
 pub mod trims;

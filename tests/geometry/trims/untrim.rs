@@ -6,6 +6,7 @@ use nurbs_hausdorff::{NurbsSurface, SurfaceArrays};
 use std::f64::consts::PI;
 
 use crate::support::evaluator;
+use crate::support::quadrature::gauss;
 
 type Point = [f64; 2];
 
@@ -105,26 +106,6 @@ fn cut(surface: &NurbsSurface, loops: Vec<Vec<TrimCurveArrays>>, max_deviation: 
     let trim = Trim::new(0, surface, loops).unwrap();
     let untrimmed = untrim(0, surface, &trim, max_deviation).unwrap();
     (trim, untrimmed)
-}
-
-/// Nodes and weights of Gauss' rule on [0, 1], by Newton's method on Legendre polynomials.
-fn gauss(count: usize) -> Vec<Point> {
-    (0..count)
-        .map(|k| {
-            let mut x = (PI * (k as f64 + 0.75) / (count as f64 + 0.5)).cos();
-            let mut slope = 1.0;
-            for _ in 0..20 {
-                let (mut before, mut value) = (1.0, x);
-                for n in 2..=count {
-                    let n = n as f64;
-                    (before, value) = (value, ((2.0 * n - 1.0) * x * value - (n - 1.0) * before) / n);
-                }
-                slope = count as f64 * (x * value - before) / (x * x - 1.0);
-                x -= value / slope;
-            }
-            [0.5 + 0.5 * x, 1.0 / ((1.0 - x * x) * slope * slope)]
-        })
-        .collect()
 }
 
 /// The signed area of the pieces of a face in the plane z = 0.

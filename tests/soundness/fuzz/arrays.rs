@@ -1,9 +1,9 @@
 //! Arrays of any numbers are either refused or give a model without NaN, whose
 //! distances are intervals.
 
-use super::bytes::Bytes;
-use super::results::{assert_numbers, distance};
-use super::surfaces::{any_arrays, plane};
+use super::support::bytes::Bytes;
+use super::support::results::{assert_numbers, distance};
+use super::support::surfaces::{any_arrays, plane};
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::{Method, Model, Options};
 

@@ -1,8 +1,8 @@
 //! The interval of a closest point contains the distance.
 
-use super::bytes::Bytes;
-use super::sampling::{Samples, span_at};
-use super::surfaces::tame_model;
+use super::support::bytes::Bytes;
+use super::support::sampling::{Samples, span_at};
+use super::support::surfaces::tame_model;
 use crate::support::evaluator::{distance, evaluate_on_span};
 use glam::DVec3;
 use nurbs_hausdorff::Axis;

@@ -1,8 +1,8 @@
 //! Patches agree with the definition of the NURBS surface.
 
-use super::bytes::Bytes;
-use super::sampling::{ends, spans};
-use super::surfaces::tame_model;
+use super::support::bytes::Bytes;
+use super::support::sampling::{ends, spans};
+use super::support::surfaces::tame_model;
 use crate::support::evaluator::{distance, evaluate_on_span};
 use nurbs_hausdorff::Axis;
 use nurbs_hausdorff::bezier::extract;

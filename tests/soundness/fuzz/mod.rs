@@ -6,15 +6,12 @@
 
 pub mod arrays;
 pub mod brep_text;
-mod bytes;
 pub mod closest_point;
 pub mod extraction;
 pub mod json_text;
 pub mod options;
-mod results;
-mod sampling;
 pub mod search;
-mod surfaces;
+mod support;
 pub mod trims;
 
 /// A target.

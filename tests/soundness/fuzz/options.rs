@@ -1,9 +1,9 @@
 //! Options from any text are either refused, by their form or by their ranges,
 //! or lead to an interval within small budgets.
 
-use super::bytes::Bytes;
-use super::results::{assert_numbers, distance};
-use super::surfaces::tame_model;
+use super::support::bytes::Bytes;
+use super::support::results::{assert_numbers, distance};
+use super::support::surfaces::tame_model;
 use nurbs_hausdorff::{Backend, Error, Options};
 
 /// The budgets: the search of a tiny model then ends in milliseconds.

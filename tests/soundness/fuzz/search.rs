@@ -1,9 +1,9 @@
 //! Intervals of the search on small budgets contain the distance.
 
-use super::bytes::Bytes;
-use super::results::{assert_numbers, distance};
-use super::sampling::Samples;
-use super::surfaces::{plane, scaled, tame_arrays};
+use super::support::bytes::Bytes;
+use super::support::results::{assert_numbers, distance};
+use super::support::sampling::Samples;
+use super::support::surfaces::{plane, scaled, tame_arrays};
 use nurbs_hausdorff::{DistanceResult, Model, Options};
 
 /// Half the width of the plane: every sheet is over its inside.

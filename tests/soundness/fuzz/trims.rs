@@ -1,10 +1,10 @@
 //! Any loops on a surface are either refused, by their validation or as not cut, or cut into
 //! pieces that lie on the surface, and whose distances are intervals.
 
-use super::bytes::Bytes;
-use super::results::{assert_numbers, distance};
-use super::sampling::span_at;
-use super::surfaces::{plane, tame_arrays};
+use super::support::bytes::Bytes;
+use super::support::results::{assert_numbers, distance};
+use super::support::sampling::span_at;
+use super::support::surfaces::{plane, tame_arrays};
 use crate::support::evaluator;
 use nurbs_hausdorff::model::ModelArrays;
 use nurbs_hausdorff::model::trim::{FaceArrays, Trim, TrimCurveArrays};

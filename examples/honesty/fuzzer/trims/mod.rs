@@ -195,7 +195,7 @@ fn model(faces: &[DrawnFace]) -> Option<Model> {
 const FAULT_DISTANCES: [f64; 2] = [-5.3, -1.0];
 const FAULT_WIDTH: f64 = 2e-6;
 
-/// The points of each curve beside which the winding number is computed.
+/// The number of points of each curve at which winding numbers on both sides are computed.
 const FAULT_SAMPLES: usize = 16;
 
 /// Returns in words where an accepted face has a winding number other than 0 and 1.

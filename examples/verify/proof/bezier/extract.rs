@@ -23,8 +23,8 @@ impl Patch {
         })
     }
 
-    /// The patch's own parameters at a box `[low, high]` of the surface's, as far as it lies in the
-    /// patch, enclosed; `None` where all of it lies outside.
+    /// Encloses the patch's own parameters over the intersection of its domain with a box
+    /// `[low, high]` of the surface's parameters; `None` where they do not intersect.
     pub(crate) fn local(&self, parameters: [[f64; 2]; 2]) -> Option<[Interval; 2]> {
         let local = |axis: usize| {
             let [start, end] = self.ranges[axis];

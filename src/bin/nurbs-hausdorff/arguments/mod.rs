@@ -97,15 +97,8 @@ pub(crate) struct DistanceArguments {
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
-    /// Scales B to the unit of A if the files state different units; else that is an error.
-    #[arg(long)]
-    scale_units: bool,
-    /// Moves A before it is measured.
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
-    translate: Translation,
-    /// Rotates A about an axis through the origin, before --translate moves it.
-    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
-    rotate: Rotation,
+    #[command(flatten)]
+    placement: Placement,
     /// Adds statistics of the deviation at a grid of samples; they are estimates.
     #[arg(long)]
     field: bool,
@@ -115,6 +108,30 @@ pub(crate) struct DistanceArguments {
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// The position and the unit in which the models are measured.
+#[derive(Debug, Args)]
+struct Placement {
+    /// Scales B to the unit of A if the files state different units; else that is an error.
+    #[arg(long)]
+    scale_units: bool,
+    /// Moves A before it is measured.
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
+    translate: Translation,
+    /// Rotates A about an axis through the origin, before --translate moves it.
+    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
+    rotate: Rotation,
+}
+
+impl Placement {
+    /// The motion of A.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`].
+    fn transform(&self) -> Result<RigidTransform> {
+        RigidTransform::new(self.rotate.0, self.translate.0)
+    }
 }
 
 #[derive(Debug, Args)]
@@ -129,15 +146,8 @@ pub(crate) struct DiffArguments {
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
-    /// Scales B to the unit of A if the files state different units; else that is an error.
-    #[arg(long)]
-    scale_units: bool,
-    /// Moves A before it is compared.
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
-    translate: Translation,
-    /// Rotates A about an axis through the origin, before --translate moves it.
-    #[arg(long, value_name = "X,Y,Z,DEGREES", default_value = "0,0,1,0", allow_hyphen_values = true)]
-    rotate: Rotation,
+    #[command(flatten)]
+    placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -152,8 +162,8 @@ impl DiffArguments {
         Ok(DiffOptions {
             tolerance: self.tolerance,
             max_cells: self.max_cells,
-            scale_units: self.scale_units,
-            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
         })
     }
 }
@@ -201,8 +211,8 @@ impl DistanceArguments {
             grid: self.grid,
             memory_budget: self.memory_budget,
             symmetric: self.symmetric,
-            scale_units: self.scale_units,
-            transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
             backend: self.backend.into(),
             field: self.field,
         })

@@ -10,7 +10,7 @@ const SPANS: [f64; 6] = [1.0, 0.5, 2.0, 0.0, 0.125, 3.0];
 const MAX_DEGREE: usize = 4;
 
 /// Arrays of any numbers, of which few are a valid surface.
-pub(super) fn any_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
+pub fn any_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
     let degree = [0, 1].map(|_| bytes.below(18));
     let counts = [0, 1].map(|axis| (degree[axis] + bytes.below(4)).saturating_sub(bytes.below(2)));
     // One control point or one knot may be missing.
@@ -67,7 +67,7 @@ fn knots(bytes: &mut Bytes<'_>, degree: usize) -> Vec<f64> {
 
 /// A valid surface of degrees 1 to 4 with one to three spans along each axis,
 /// coordinates of at most 10 in size and weights from 1/8 to 8.
-pub(super) fn tame_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
+pub fn tame_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
     let degree = [0, 1].map(|_| 1 + bytes.below(MAX_DEGREE));
     let knots = degree.map(|degree| knots(bytes, degree));
     let counts = [0, 1].map(|axis| knots[axis].len() - degree[axis] - 1);
@@ -89,7 +89,7 @@ pub(super) fn tame_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
 }
 
 /// A model of one or two such surfaces; `None` where one is invalid.
-pub(super) fn tame_model(bytes: &mut Bytes<'_>) -> Option<Model> {
+pub fn tame_model(bytes: &mut Bytes<'_>) -> Option<Model> {
     let count = 1 + usize::from(bytes.byte() > 200);
     let surfaces = (0..count).map(|_| tame_arrays(bytes)).collect();
     Model::from_arrays(None, surfaces).ok()
@@ -100,7 +100,7 @@ pub(super) fn tame_model(bytes: &mut Bytes<'_>) -> Option<Model> {
 ///
 /// Every line of controls along an edge is in order, so the edges are mapped
 /// onto the square's, and the whole domain therefore onto the whole square.
-pub(super) fn plane(bytes: &mut Bytes<'_>, half_width: f64) -> SurfaceArrays {
+pub fn plane(bytes: &mut Bytes<'_>, half_width: f64) -> SurfaceArrays {
     let degree = [0, 1].map(|_| 1 + bytes.below(MAX_DEGREE));
     let weighted = bytes.flag();
     let knots = degree.map(|degree| [0.0, 1.0].map(|end| vec![end; degree + 1]).concat());
@@ -117,7 +117,7 @@ pub(super) fn plane(bytes: &mut Bytes<'_>, half_width: f64) -> SurfaceArrays {
 }
 
 /// The arrays with all coordinates multiplied by a power of two.
-pub(super) fn scaled(mut arrays: SurfaceArrays, exponent: i32) -> SurfaceArrays {
+pub fn scaled(mut arrays: SurfaceArrays, exponent: i32) -> SurfaceArrays {
     for point in &mut arrays.control_points {
         for coordinate in &mut point[..3] {
             *coordinate *= 2.0_f64.powi(exponent);

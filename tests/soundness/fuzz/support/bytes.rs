@@ -29,44 +29,44 @@ const EXTREME: [f64; 24] = [
 ];
 
 /// A reader of bytes, which continues with zeros after their end.
-pub(super) struct Bytes<'a>(&'a [u8]);
+pub struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    pub(super) fn new(bytes: &'a [u8]) -> Self {
+    pub fn new(bytes: &'a [u8]) -> Self {
         Self(bytes)
     }
 
-    pub(super) fn byte(&mut self) -> u8 {
+    pub fn byte(&mut self) -> u8 {
         let Some((&first, rest)) = self.0.split_first() else { return 0 };
         self.0 = rest;
         first
     }
 
-    pub(super) fn flag(&mut self) -> bool {
+    pub fn flag(&mut self) -> bool {
         self.byte() & 1 == 1
     }
 
     /// A number below `count`, which is at most 256.
-    pub(super) fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         usize::from(self.byte()) % count
     }
 
-    pub(super) fn choose<T: Copy>(&mut self, choices: &[T]) -> T {
+    pub fn choose<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[self.below(choices.len())]
     }
 
     /// A multiple of 1/16 in [-8, 8).
-    pub(super) fn coordinate(&mut self) -> f64 {
+    pub fn coordinate(&mut self) -> f64 {
         f64::from(self.byte().cast_signed()) / 16.0
     }
 
     /// A number in [0, 1], at either end too.
-    pub(super) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         f64::from(self.byte()) / 255.0
     }
 
     /// Any float64: an extreme one, a small one or eight bytes as they are.
-    pub(super) fn number(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         match self.byte() {
             kind @ 0..=95 => EXTREME[usize::from(kind) % EXTREME.len()],
             96..=223 => self.coordinate(),

@@ -5,14 +5,14 @@ use crate::support::evaluator::{Vector, distance, evaluate_on_span, length};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 
 /// Points of a model that come within `radius` of every point of it.
-pub(super) struct Samples {
-    pub(super) points: Vec<Vector>,
-    pub(super) radius: f64,
+pub struct Samples {
+    pub points: Vec<Vector>,
+    pub radius: f64,
 }
 
 impl Samples {
     /// `steps` steps along each axis of every span.
-    pub(super) fn new(model: &Model, steps: usize) -> Self {
+    pub fn new(model: &Model, steps: usize) -> Self {
         let (mut points, mut radius) = (Vec::new(), 0.0_f64);
         for surface in model.surfaces() {
             let speed = Axis::BOTH.map(|axis| speed(surface, axis));
@@ -36,30 +36,30 @@ impl Samples {
     }
 
     /// The distance from a point to the nearest sample, an upper bound on that to the model.
-    pub(super) fn distance(&self, point: Vector) -> f64 {
+    pub fn distance(&self, point: Vector) -> f64 {
         self.points.iter().map(|&sample| distance(sample, point)).fold(f64::INFINITY, f64::min)
     }
 
     /// Lower and upper bounds on the directed distance to the other model.
-    pub(super) fn directed_distance(&self, other: &Self) -> [f64; 2] {
+    pub fn directed_distance(&self, other: &Self) -> [f64; 2] {
         let sampled = self.points.iter().map(|&point| other.distance(point)).fold(0.0, f64::max);
         [(sampled - other.radius).max(0.0), sampled + self.radius]
     }
 }
 
 /// The indices of the knots at which the non-empty spans of the domain begin.
-pub(super) fn spans(surface: &NurbsSurface, axis: Axis) -> Vec<usize> {
+pub fn spans(surface: &NurbsSurface, axis: Axis) -> Vec<usize> {
     let knots = surface.knots(axis);
     (surface.degree()[axis]..surface.counts()[axis]).filter(|&i| knots[i] < knots[i + 1]).collect()
 }
 
 /// The index of the knot at which the span around a parameter begins.
-pub(super) fn span_at(surface: &NurbsSurface, axis: Axis, parameter: f64) -> usize {
+pub fn span_at(surface: &NurbsSurface, axis: Axis, parameter: f64) -> usize {
     spans(surface, axis).into_iter().rfind(|&span| ends(surface, axis, span)[0] <= parameter).unwrap()
 }
 
 /// The ends of the span that begins at this knot.
-pub(super) fn ends(surface: &NurbsSurface, axis: Axis, span: usize) -> [f64; 2] {
+pub fn ends(surface: &NurbsSurface, axis: Axis, span: usize) -> [f64; 2] {
     [surface.knots(axis)[span], surface.knots(axis)[span + 1]]
 }
 

@@ -3,14 +3,14 @@
 use nurbs_hausdorff::{Backend, DistanceResult, Engine, Model, NoMonitor, Options, PreparedModel, Result};
 
 /// The distance on the CPU.
-pub(super) fn distance(a: &Model, b: &Model, options: &Options) -> Result<DistanceResult> {
+pub fn distance(a: &Model, b: &Model, options: &Options) -> Result<DistanceResult> {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
     pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor))
 }
 
 /// Panics where a number of the result is NaN or the interval is none.
-pub(super) fn assert_numbers(result: &DistanceResult) {
+pub fn assert_numbers(result: &DistanceResult) {
     let DistanceResult { lower, upper, computed, diagonal, .. } = *result;
     assert!(0.0 <= lower && lower <= upper, "{result:?}");
     assert!(lower.is_finite() && !computed.is_nan() && !diagonal.is_nan(), "{result:?}");
