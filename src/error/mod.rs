@@ -1,8 +1,10 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
+mod trim_fault;
+
 use crate::axis::Axis;
-use crate::model::TrimFault;
 use thiserror::Error as ThisError;
+pub use trim_fault::TrimFault;
 
 /// The result of functions of this crate that fail on invalid input or a failing machine.
 pub type Result<T> = std::result::Result<T, Error>;
