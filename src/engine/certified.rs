@@ -97,7 +97,7 @@ pub(super) async fn certified(
     Ok(Some((directed, notice)))
 }
 
-/// How far the width has come from the first to the one asked for, in orders
+/// How far the width has come from the first to the requested one, in orders
 /// of magnitude, as each takes about as long as the one before or longer.
 fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);

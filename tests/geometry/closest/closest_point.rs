@@ -11,7 +11,7 @@ use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Width asked of the intervals.
+/// The requested width of the intervals.
 const GAP: f64 = 1e-9;
 
 /// Rounding of points and distances of size 1 to 10.
