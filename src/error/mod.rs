@@ -240,7 +240,7 @@ pub enum Error {
         line: usize,
         /// The word found.
         found: String,
-        /// What the format requires there.
+        /// The word or number that the format requires there.
         expected: String,
     },
     /// A BREP file of which no face can be read.
@@ -294,7 +294,7 @@ pub enum Error {
     /// An option of an unknown name or of a wrong type.
     #[error("options: {found}")]
     OptionInvalid {
-        /// What was found and what was expected, in words.
+        /// The value found and the value expected, in words.
         found: String,
     },
     /// A transform that is not a rotation and a translation of at most 1e100.
