@@ -8,6 +8,7 @@ mod support;
 mod area;
 mod elementary;
 mod loops;
+mod missing;
 mod placement;
 mod real_files;
 mod splines;

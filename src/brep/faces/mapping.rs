@@ -28,7 +28,7 @@ pub(super) struct Mapped {
 
 /// Maps a curve. None for a curve of no length.
 pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Option<Mapped> {
-    let TrimUse { curve, edge, gap, .. } = trim_use;
+    let TrimUse { curve, edge, gap, fitted, section, .. } = trim_use;
     let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
     let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let domain = net.domain();
@@ -58,9 +58,15 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
         return Some(Mapped { curve, edge, gap: gap + moved, fitted: false, constant });
     }
     let constant = [false; 2];
+    if let Some((section, gap)) = section {
+        let ends = [curve.start(), curve.end()].map(|end| net.maps[0].apply(end.x));
+        if let Some(curve) = section.on_net(net, ends) {
+            return Some(Mapped { curve, edge, gap, fitted: false, constant });
+        }
+    }
     let exact = net.maps.iter().all(|map| *map == ParameterMap::Identity);
     if exact && curve.degree <= MAX_DEGREE {
-        return Some(Mapped { curve, edge, gap, fitted: false, constant });
+        return Some(Mapped { curve, edge, gap, fitted, constant });
     }
     let fit = fit(&curve, &net.maps, metric, FIT_TOLERANCE * metric.size);
     Some(Mapped { curve: fit.curve, edge, gap: gap + fit.error, fitted: true, constant })

@@ -14,7 +14,10 @@ mod joints;
 mod mapping;
 mod metric;
 mod nesting;
+mod projection;
 mod rings;
+mod section;
+mod tracing;
 mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};

@@ -98,6 +98,15 @@ impl Curve {
         }
     }
 
+    /// Returns whether the curve is part of a conic.
+    pub(crate) fn is_conic(&self) -> bool {
+        match self {
+            Self::Conic { .. } => true,
+            Self::Trimmed { basis, .. } => basis.is_conic(),
+            _ => false,
+        }
+    }
+
     /// Returns the period of a closed periodic curve.
     pub(crate) fn period(&self) -> Option<f64> {
         match self {

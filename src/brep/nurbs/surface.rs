@@ -191,6 +191,17 @@ impl Surface {
         }
     }
 
+    /// Returns whether the lines u = const are straight and u is an angle or another parameter
+    /// of a conic, in which curves of the file have no exact image.
+    pub(crate) fn is_ruled_by_angles(&self) -> bool {
+        match self {
+            Self::Revolution { profile, .. } => matches!(profile, Curve::Line { .. }),
+            Self::Extrusion { profile, .. } => profile.is_conic(),
+            Self::Trimmed { basis, .. } => basis.is_ruled_by_angles(),
+            _ => false,
+        }
+    }
+
     /// Returns the surface without the bounds of trimmed ones.
     pub(crate) fn elementary(&self) -> &Self {
         match self {
