@@ -9,6 +9,7 @@ mod area;
 mod elementary;
 mod loops;
 mod missing;
+mod offsets;
 mod placement;
 mod real_files;
 mod splines;

@@ -38,9 +38,11 @@ pub(super) fn invert(
     let to_face = face.location.inverse() * *location * space.location;
     let scale = face.location.matrix3.determinant().abs().cbrt();
     if let Surface::Plane(frame) = surface.elementary() {
-        let (spline, _) = curve.spline(space.range)?;
+        let (spline, _, error) = curve.spline(space.range)?;
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
-        return Ok(FoundCurve { curve, gap, fitted: false, section: None });
+        // The error is one of the edge's own coordinates.
+        let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
+        return Ok(FoundCurve { curve, gap, fitted: error > 0.0, section: None, deviation: 0.0 });
     }
     let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale);
     let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
@@ -64,10 +66,10 @@ pub(super) fn invert(
         let line = Curve::Line { point: start, direction: end - start };
         let gap = measured_gap(file, face, surface, edge, location, &line, [0.0, 1.0]);
         let curve = Spline::segment([0.0, 1.0], start, end);
-        return Ok(FoundCurve { curve, gap, fitted: false, section: None });
+        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0 });
     }
     let (fit, gap) = traced.fit(surface, &mut projector)?;
-    let found = FoundCurve { curve: fit, gap: scale * gap, fitted: true, section: None };
+    let found = FoundCurve { curve: fit, gap: scale * gap, fitted: true, section: None, deviation: 0.0 };
     Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
 }
 

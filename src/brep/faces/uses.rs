@@ -26,6 +26,8 @@ pub(super) struct TrimUse {
     /// The plane whose section with the surface the edge is, between the curve's ends, and the
     /// distance between both.
     pub(super) section: Option<(Section, f64)>,
+    /// The distance in the parameters by which the curve deviates from the file's.
+    pub(super) deviation: f64,
 }
 
 /// The curve of an edge, in its direction, with the fields of [`TrimUse`].
@@ -34,6 +36,7 @@ pub(super) struct FoundCurve {
     pub(super) gap: f64,
     pub(super) fitted: bool,
     pub(super) section: Option<(Section, f64)>,
+    pub(super) deviation: f64,
 }
 
 impl FoundCurve {
@@ -74,6 +77,7 @@ impl TrimUse {
             gap: 0.0,
             fitted: false,
             section: None,
+            deviation: 0.0,
         }
     }
 
@@ -120,7 +124,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
         let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
             FaceFault { code, why: format!("edge {}: {why}", child.shape) }
         })?;
-        let Some(FoundCurve { curve, gap, fitted, section }) = found else { continue };
+        let Some(FoundCurve { curve, gap, fitted, section, deviation }) = found else { continue };
         let vertices = vertices(file, child.shape);
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
@@ -130,6 +134,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             gap,
             fitted,
             section,
+            deviation,
         });
     }
     if wire.orientation == Orientation::Reversed {
@@ -168,12 +173,12 @@ fn of_edge(
     if start >= end {
         return Ok(None);
     }
-    let (spline, _) = curve.spline(p_curve.range)?;
+    let (spline, _, deviation) = curve.spline(p_curve.range)?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
     let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
-    let found = FoundCurve { curve: spline, gap, fitted: false, section: None };
+    let found = FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation };
     let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
         return Ok(Some(found));
     };
