@@ -1,8 +1,7 @@
 //! Curves made from edges in space where the file has none in the parameters.
 
-use super::projection::Projector;
+use super::projection::{Projector, Traced};
 use super::section::Section;
-use super::tracing::Traced;
 use super::uses::{FoundCurve, measured_gap};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
 use crate::brep::report::{FaceFault, ReadReport};

@@ -1,7 +1,8 @@
 //! From a face of the file to a surface and closed loops in its parameters.
 //!
-//! The stages: [`uses`] finds the curve of each edge in the parameter plane; [`chain`]
-//! orders them head to tail across periods; [`rings`] closes loops that run around a
+//! The stages: [`uses`] finds the curve of each edge in the parameter plane, made by
+//! [`inversion`] and [`projection`] where the file has none, or the plane
+//! [`section`] that it is; [`chain`] orders them head to tail across periods; [`rings`] closes loops that run around a
 //! period; [`nesting`] decides orientations and adds a missing outer loop; [`mapping`]
 //! takes the curves to the parameters of the exact NURBS; [`joints`] makes the loops
 //! meet in equal floats.
@@ -9,7 +10,6 @@
 mod chain;
 mod fit;
 mod inversion;
-mod jet;
 mod joints;
 mod mapping;
 mod metric;
@@ -17,7 +17,6 @@ mod nesting;
 mod projection;
 mod rings;
 mod section;
-mod tracing;
 mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};

@@ -1,8 +1,8 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
 use super::inversion::{invert, samples};
+use super::projection::{Projector, Traced};
 use super::section::Section;
-use super::tracing::Traced;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
@@ -62,7 +62,7 @@ impl FoundCurve {
 
 /// Returns the parameter u of the straight line on which a point of a ruled surface lies.
 fn section_parameter(surface: &Surface, point: DVec3) -> Option<f64> {
-    super::projection::Projector::new(surface, 1.0).global(point).map(|found| found.x)
+    Projector::new(surface, 1.0).global(point).map(|found| found.x)
 }
 
 impl TrimUse {

@@ -1,5 +1,9 @@
 //! Points of space projected on a surface of the file.
 
+mod tracing;
+
+pub(super) use tracing::Traced;
+
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::brep::nurbs::{Conic, Curve, Frame, Surface};

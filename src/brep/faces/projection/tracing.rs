@@ -1,6 +1,6 @@
 //! Cubic curves in the parameters of a surface, fitted to projected edges.
 
-use super::projection::{Projection, Projector};
+use super::{Projection, Projector};
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{Edge, SpaceCurve};
@@ -33,18 +33,18 @@ const DIFFERENCE: f64 = 1e-5;
 const BESIDE_SINGULAR: f64 = 1e-3;
 
 /// The image in the face's coordinates of an edge's curve in space.
-pub(super) struct Traced<'a> {
-    pub(super) curve: &'a Curve,
-    pub(super) range: [f64; 2],
-    pub(super) to_face: DAffine3,
+pub(in crate::brep::faces) struct Traced<'a> {
+    pub(in crate::brep::faces) curve: &'a Curve,
+    pub(in crate::brep::faces) range: [f64; 2],
+    pub(in crate::brep::faces) to_face: DAffine3,
     /// The diagonal of the box of its samples.
-    pub(super) size: f64,
+    pub(in crate::brep::faces) size: f64,
     tolerance: f64,
 }
 
 impl<'a> Traced<'a> {
     /// The curve `space` of an edge, mapped by `to_face`, which enlarges lengths by `scale`.
-    pub(super) fn new(
+    pub(in crate::brep::faces) fn new(
         curve: &'a Curve,
         space: &SpaceCurve,
         to_face: DAffine3,
@@ -52,14 +52,14 @@ impl<'a> Traced<'a> {
         scale: f64,
     ) -> Self {
         let mut traced = Self { curve, range: space.range, to_face, size: 0.0, tolerance: 0.0 };
-        let points = || super::inversion::samples(space.range).map(|t| traced.point(t));
+        let points = || super::super::inversion::samples(space.range).map(|t| traced.point(t));
         let low = points().fold(DVec3::INFINITY, DVec3::min);
         traced.size = low.distance(points().fold(DVec3::NEG_INFINITY, DVec3::max));
         traced.tolerance = (FIT_TOLERANCE * traced.size).max(PART_OF_TOLERANCE * scale * edge.tolerance);
         traced
     }
 
-    pub(super) fn point(&self, t: f64) -> DVec3 {
+    pub(in crate::brep::faces) fn point(&self, t: f64) -> DVec3 {
         self.to_face.transform_point3(self.curve.point(t))
     }
 
@@ -78,8 +78,11 @@ impl<'a> Traced<'a> {
     ///
     /// # Errors
     /// `BREP_NO_P_CURVE` if the edge leaves the surface.
-    pub(super) fn parameters(&self, projector: &mut Projector<'_>) -> Result<Vec<DVec3>, FaceFault> {
-        let samples: Vec<f64> = super::inversion::samples(self.range).collect();
+    pub(in crate::brep::faces) fn parameters(
+        &self,
+        projector: &mut Projector<'_>,
+    ) -> Result<Vec<DVec3>, FaceFault> {
+        let samples: Vec<f64> = super::super::inversion::samples(self.range).collect();
         // From the middle to both ends, which may be singular.
         let middle = samples.len() / 2;
         let first = self.project(projector, samples[middle], None)?.parameters;
@@ -125,7 +128,7 @@ impl<'a> Traced<'a> {
     ///
     /// # Errors
     /// `BREP_NO_P_CURVE` if the edge leaves the surface, or deeper halving would be needed.
-    pub(super) fn fit(
+    pub(in crate::brep::faces) fn fit(
         &self,
         surface: &Surface,
         projector: &mut Projector<'_>,
