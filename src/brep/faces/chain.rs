@@ -37,7 +37,7 @@ const RELATIVE_TOLERANCE: f64 = 1e-5;
 ///
 /// # Errors
 /// `BREP_LOOP_OPEN` if a curve begins farther from the end of the one before it than the
-/// tolerances of the edges allow.
+/// tolerances of the edges and of their common vertex allow.
 pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, FaceFault> {
     let frame = Frame::of(&uses, surface);
     let uses = if frame.in_order(&uses) { uses } else { frame.ordered(uses)? };
@@ -175,7 +175,8 @@ impl Frame {
     }
 
     /// Returns the segment that joins two curves where they are far apart in the
-    /// parameters and equal in space, as at a pole; none where they are near.
+    /// parameters, and equal in space, as at a pole, or within the tolerance, which is its
+    /// gap; none where they are near.
     fn bridge(
         &self,
         surface: &Surface,
@@ -186,13 +187,16 @@ impl Frame {
         let in_space = |point: DVec3| surface.point(point.x, point.y);
         let found = in_space(from).distance(in_space(to));
         let tolerance = TOLERANCES * (last.tolerance + next.tolerance);
-        let allowed = tolerance.max(RELATIVE_TOLERANCE * self.size);
+        // Both ends lie in the ball of a common vertex.
+        let joined = last.vertices[1].is_some() && last.vertices[1] == next.vertices[0];
+        let at_vertex = if joined { 2.0 * last.end_tolerance } else { 0.0 };
+        let allowed = tolerance.max(at_vertex).max(RELATIVE_TOLERANCE * self.size);
         if found.is_nan() || found > allowed {
             let why = format!("a loop is open by {found:e}, expected at most {allowed:e}");
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }
         let apart = [0, 1].map(|axis| (from[axis] - to[axis]).abs() / self.extents[axis]);
         let near = apart[0].max(apart[1]) <= NEAR;
-        Ok((!near).then(|| TrimUse::segment(from, to)))
+        Ok((!near).then(|| TrimUse { gap: found, ..TrimUse::segment(from, to) }))
     }
 }
