@@ -207,7 +207,11 @@ impl<'a> ClosestPointSearch<'a> {
 
     fn expand_patch(&mut self, index: u32, form: &SquaredDistance) {
         let patch = self.patch(index);
-        let start = nearest_control(&patch, self.point);
+        // A point near the closest one, if the incumbent is on this patch.
+        let start = match self.incumbent {
+            Some((incumbent, parameters, _)) if incumbent == index => parameters,
+            _ => nearest_control(&patch, self.point),
+        };
         let foot = self.critical_point(index, newton(&patch, self.point, start, MAX_ITERATIONS));
         let controls = patch.controls.to_vec();
         self.push_sub_patch(SubPatch { patch: index, controls, range: ParamBox::UNIT, foot }, form);

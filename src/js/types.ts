@@ -4,6 +4,7 @@ export type { ModuleSource } from "./load.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
+export type { DeviationField, FieldOptions } from "./measure/field.js";
 export type {
   Backend,
   DistanceOptions,

@@ -155,9 +155,11 @@ function hideResult(): void {
   deviation.hideDeviation();
 }
 
-function showMeasured({ result, field }: Extract<Reply, { kind: "measured" }>): void {
-  view.showResult(result);
-  deviation.hideDeviation();
+function showMeasured({ result, field, pending }: Extract<Reply, { kind: "measured" }>): void {
+  // The colours before stay until new ones replace them.
+  const replaced = field !== undefined || !pending;
+  view.showResult(result, replaced);
+  if (replaced) deviation.hideDeviation();
   if (field === undefined) return;
   const { scale, largest } = deviation.showDeviation(result, field);
   view.showField(field, scale, largest);
@@ -186,7 +188,10 @@ function onReply(reply: Reply): void {
       });
       break;
     case "measured":
-      resultPanel.showResult(reply.result, client.isNewest(reply.run));
+      resultPanel.showResult(reply.result, {
+        last: client.isNewest(reply.run),
+        pending: reply.pending,
+      });
       showMeasured(reply);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);

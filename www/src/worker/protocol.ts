@@ -117,6 +117,8 @@ export type Reply =
       /** Without its field, of which the page draws `field`. */
       result: DistanceResult;
       field: FieldDisplay | undefined;
+      /** Whether the same result follows with colours, or with finer ones. */
+      pending: boolean;
       /** The transform of A with which the result was computed. */
       transform: Transform;
       engine: EngineState;

@@ -23,18 +23,23 @@ export function distributionOf(fields: Field[]): Distribution {
 }
 
 function cumulative(fields: Field[], valuesOf: (field: Field) => Float64Array): Cumulative {
-  const all = fields.flatMap((field) => {
-    const values = valuesOf(field);
-    return Array.from(values, (value, index) => [value, field.areas[index] ?? 0] as const);
-  });
-  const sorted = all
-    .filter(([value]) => !Number.isNaN(value))
-    .sort(([one], [other]) => one - other);
+  const count = fields.reduce((sum, field) => sum + field.areas.length, 0);
+  const [values, areas] = [new Float64Array(count), new Float64Array(count)];
+  let first = 0;
+  for (const field of fields) {
+    values.set(valuesOf(field), first);
+    areas.set(field.areas, first);
+    first += field.areas.length;
+  }
+  const order = Uint32Array.from(values.keys()).filter(
+    (index) => !Number.isNaN(values[index] ?? Number.NaN),
+  );
+  order.sort((one, other) => (values[one] ?? 0) - (values[other] ?? 0));
   let area = 0;
   return {
-    values: Float64Array.from(sorted, ([value]) => value),
-    areas: Float64Array.from(sorted, ([, own]) => {
-      area += own;
+    values: Float64Array.from(order, (index) => values[index] ?? 0),
+    areas: Float64Array.from(order, (index) => {
+      area += areas[index] ?? 0;
       return area;
     }),
   };
