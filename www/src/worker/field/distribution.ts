@@ -14,33 +14,42 @@ export interface Distribution {
   signed: Cumulative;
 }
 
-/** O(n log n) in the number of samples. */
+/** O(n log n) in the number of samples, which are sorted once: |signed| is the distance. */
 export function distributionOf(fields: Field[]): Distribution {
+  const distances = joined(fields, ({ distances }) => distances);
+  const signed = joined(fields, ({ signed }) => signed);
+  const areas = joined(fields, ({ areas }) => areas);
+  const order = Uint32Array.from(distances.keys());
+  order.sort((one, other) => (distances[one] ?? 0) - (distances[other] ?? 0));
+  // A sample without a sign has NaN, which is neither.
+  const negative = order.filter((sample) => (signed[sample] ?? 0) < 0).reverse();
+  const positive = order.filter((sample) => (signed[sample] ?? 0) >= 0);
+  const bySign = new Uint32Array(negative.length + positive.length);
+  bySign.set(negative);
+  bySign.set(positive, negative.length);
   return {
-    absolute: cumulative(fields, ({ distances }) => distances),
-    signed: cumulative(fields, ({ signed }) => signed),
+    absolute: cumulative(distances, areas, order),
+    signed: cumulative(signed, areas, bySign),
   };
 }
 
-function cumulative(fields: Field[], valuesOf: (field: Field) => Float64Array): Cumulative {
-  const count = fields.reduce((sum, field) => sum + field.areas.length, 0);
-  const [values, areas] = [new Float64Array(count), new Float64Array(count)];
+function joined(fields: Field[], valuesOf: (field: Field) => Float64Array): Float64Array {
+  const all = new Float64Array(fields.reduce((sum, { areas }) => sum + areas.length, 0));
   let first = 0;
   for (const field of fields) {
-    values.set(valuesOf(field), first);
-    areas.set(field.areas, first);
+    all.set(valuesOf(field), first);
     first += field.areas.length;
   }
-  const order = Uint32Array.from(values.keys()).filter(
-    (index) => !Number.isNaN(values[index] ?? Number.NaN),
-  );
-  order.sort((one, other) => (values[one] ?? 0) - (values[other] ?? 0));
+  return all;
+}
+
+function cumulative(values: Float64Array, areas: Float64Array, order: Uint32Array): Cumulative {
+  const [sorted, upTo] = [new Float64Array(order.length), new Float64Array(order.length)];
   let area = 0;
-  return {
-    values: Float64Array.from(order, (index) => values[index] ?? 0),
-    areas: Float64Array.from(order, (index) => {
-      area += areas[index] ?? 0;
-      return area;
-    }),
-  };
+  for (const [place, sample] of order.entries()) {
+    area += areas[sample] ?? 0;
+    sorted[place] = values[sample] ?? 0;
+    upTo[place] = area;
+  }
+  return { values: sorted, areas: upTo };
 }
