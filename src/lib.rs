@@ -174,8 +174,9 @@ pub use progress::{Monitor, NoMonitor};
 
 /// The trimming of faces.
 pub mod trim {
+    pub use crate::error::TrimFault;
     pub use crate::model::trim::{
-        FaceArrays, RESOLUTION, Trim, TrimCurveArrays, TrimFault, TrimPiece, Winding, oriented,
+        FaceArrays, RESOLUTION, Trim, TrimCurveArrays, TrimPiece, Winding, oriented,
     };
 }
 

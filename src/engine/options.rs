@@ -9,7 +9,7 @@ use serde::Deserialize;
 use std::fmt::Debug;
 use std::ops::RangeInclusive;
 
-/// How the distance is computed.
+/// The method that computes the distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
@@ -42,7 +42,7 @@ pub enum Backend {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Options {
-    /// How the distance is computed.
+    /// The method that computes the distance.
     pub method: Method,
     /// `certified`: the requested width of the interval, positive. `hierarchy`
     /// only reports whether its interval is as narrow.

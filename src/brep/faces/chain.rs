@@ -21,7 +21,7 @@ const MAX_DISORDERED: usize = 2000;
 /// the loop's box in each parameter, for them to be taken as neighbours without a search.
 const NEAR: f64 = 1e-3;
 
-/// How far ends may lie apart in space, in tolerances of their edges. OpenCASCADE allows
+/// The largest distance of joined ends in space, in tolerances of their edges. OpenCASCADE allows
 /// each of both edges to end its tolerance away from the vertex, whose own is larger.
 const TOLERANCES: f64 = 10.0;
 
