@@ -143,11 +143,11 @@ export class View {
     }
   }
 
-  /** Shows the arrow of a result, and no deviation. */
-  showResult(result: DistanceResult): void {
+  /** Shows the arrow of a result; `replaced` removes the deviation of the one before. */
+  showResult(result: DistanceResult, replaced: boolean): void {
     this.#result = result;
     if (this.#diff === undefined) this.#showArrow();
-    this.#hideField();
+    if (replaced) this.#hideField();
     this.#viewport?.draw();
   }
 
