@@ -15,12 +15,13 @@ pub struct ReadReport {
     pub trims: usize,
     /// The number of trimming curves that are exact images of the file's.
     pub exact: usize,
-    /// The number of trimming curves fitted to the file's, with a proven bound in their gaps.
+    /// The number of trimming curves fitted to the file's, with the deviation in their gaps,
+    /// and of those on surfaces that are approximated.
     pub fitted: usize,
-    /// The largest gap of a trimming curve, in model units: the distance between the curve
-    /// on its surface and the edge of the file, of which the part that the file itself
+    /// The largest gap of a face, in model units: the distance between its trimming curves
+    /// on the surface and the edges of the file, of which the part that the file itself
     /// causes is measured at [`ReadReport::GAP_SAMPLES`] points of an edge, unless the
-    /// curve was made from the edge.
+    /// curve was made from the edge; plus the deviation of an approximated surface.
     pub gap: f64,
     /// Metres per model unit; `None` where the file does not state it, as in BREP.
     pub unit: Option<f64>,
