@@ -1,7 +1,8 @@
 //! Curves made from edges in space where the file has none in the parameters.
 
+use super::uses::gap;
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
-use crate::brep::report::{FaceFault, ReadReport};
+use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
@@ -36,9 +37,11 @@ pub(super) fn invert(
         }
         Surface::Revolution { frame, profile, .. } => {
             let points = samples(space.range).map(|t| to_face.transform_point3(curve.point(t))).collect();
-            parameter_line(points, surface, frame, profile)
-                .map(|(line, gap)| (line, scale * gap))
-                .ok_or_else(|| FaceFault::new("BREP_NO_P_CURVE", "the edge is no parameter line"))
+            let [start, end] = parameter_line(points, surface, frame, profile)
+                .ok_or_else(|| FaceFault::new("BREP_NO_P_CURVE", "the edge is no parameter line"))?;
+            let line = Curve::Line { point: start, direction: end - start };
+            let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]))?;
+            Ok((Spline::segment([0.0, 1.0], start, end), gap))
         }
         _ => Err(FaceFault::new("BREP_NO_P_CURVE", format!("no curve on the {}", surface.kind()))),
     }
@@ -57,23 +60,25 @@ fn on_plane(mut spline: Spline, frame: &Frame, to_face: &DAffine3, scale: f64) -
     (spline, gap)
 }
 
+/// The points of an edge by which a parameter line is recognised.
+const SAMPLES: usize = 17;
+
 /// Returns equally spaced parameters of a range.
-pub(super) fn samples([start, end]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
-    (0..ReadReport::GAP_SAMPLES).map(move |sample| {
-        let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
+fn samples([start, end]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
+    (0..SAMPLES).map(move |sample| {
+        let fraction = sample as f64 / (SAMPLES - 1) as f64;
         (1.0 - fraction) * start + fraction * end
     })
 }
 
-/// Returns the parameter line through points of a surface of revolution, and the largest
-/// distance of a point from the line's point of equal parameter; `None` where the points
-/// do not lie on one parameter line.
+/// Returns the ends of the parameter line through points of a surface of revolution; `None`
+/// where the points do not lie on one parameter line.
 fn parameter_line(
     points: Vec<DVec3>,
     surface: &Surface,
     frame: &Frame,
     profile: &Curve,
-) -> Option<(Spline, f64)> {
+) -> Option<[DVec3; 2]> {
     let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
     let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
     let size = low.distance(high);
@@ -117,7 +122,7 @@ fn parameter_line(
         };
         let gap = points.iter().zip(&parameters).map(distance).fold(0.0, f64::max);
         let (start, end) = (on_line(&parameters[0]), on_line(&parameters[parameters.len() - 1]));
-        (gap <= LINE_TOLERANCE * size && start != end).then(|| (Spline::segment([0.0, 1.0], start, end), gap))
+        (gap <= LINE_TOLERANCE * size && start != end).then_some([start, end])
     })
 }
 

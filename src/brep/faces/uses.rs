@@ -1,6 +1,7 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
-use super::inversion::{invert, samples};
+use super::inversion::invert;
+use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
@@ -16,8 +17,7 @@ pub(super) struct TrimUse {
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
     pub(super) tolerance: f64,
-    /// The distance between the curve on the surface and the edge: measured, unless the
-    /// curve was made from the edge.
+    /// An upper bound on the distance between the curve on the surface and the edge.
     pub(super) gap: f64,
 }
 
@@ -121,7 +121,7 @@ fn of_edge(
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
-    let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
+    let gap = gap(file, face, edge, location, (curve, p_curve.range))?;
     Ok(Some((spline, gap)))
 }
 
@@ -142,49 +142,36 @@ fn p_curve<'a>(
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
 
-/// Returns the largest distance from points of the curve on the surface, at equally spaced
-/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
-/// to a nearer one if that is another point.
-fn measured_gap(
+/// Returns an upper bound on the distance between a curve on the surface, over a range, and
+/// the edge.
+///
+/// # Errors
+/// `BREP_GAP` if there is none, as of offset curves that are not rational.
+pub(super) fn gap(
     file: &BrepFile,
     face: &Face,
-    surface: &Surface,
     edge: &Edge,
     location: &DAffine3,
-    curve: &Curve,
-    range: [f64; 2],
-) -> f64 {
-    let Some(space) = &edge.curve else { return 0.0 };
-    let space_location = *location * space.location;
-    let in_space = &file.curves[space.curve];
-    let mut gap = 0.0_f64;
-    for (t_curve, t_space) in samples(range).zip(samples(space.range)) {
-        let parameters = curve.point(t_curve);
-        let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
-        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
-        let mut t = t_space;
-        let mut nearest = distance(t);
-        // Curves of unequal parametrization are nearer to each other elsewhere.
-        for _ in 0..NEAREST_STEPS {
-            if nearest <= SAME_POINT {
-                break;
-            }
-            let tangent = space_location.transform_vector3(in_space.tangent(t));
-            let difference = on_surface - space_location.transform_point3(in_space.point(t));
-            let step = difference.dot(tangent) / tangent.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
-            nearest = nearest.min(distance(t));
-        }
-        gap = gap.max(nearest);
+    (curve, range): (&Curve, [f64; 2]),
+) -> Result<f64, FaceFault> {
+    let (Some(surface), Some(space)) = (face.surface, &edge.curve) else { return Ok(0.0) };
+    let surface = &file.surfaces[surface];
+    if matches!(surface.elementary(), Surface::Offset { .. }) {
+        // Such a face is refused for its surface.
+        return Ok(0.0);
     }
-    gap
+    let lifted = Lifted {
+        surface,
+        surface_location: face.location,
+        curve,
+        range,
+        edge: &file.curves[space.curve],
+        edge_location: *location * space.location,
+        edge_range: space.range,
+    };
+    let gap = lifted.gap();
+    if gap.is_finite() {
+        return Ok(gap);
+    }
+    Err(FaceFault::new("BREP_GAP", "the distance between the curve and its edge in space has no bound"))
 }
-
-/// The distance at which OpenCASCADE takes two points for one, `Precision::Confusion`.
-const SAME_POINT: f64 = 1e-7;
-
-/// The Gauss-Newton steps towards the nearest point of an edge.
-const NEAREST_STEPS: usize = 4;

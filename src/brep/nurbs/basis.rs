@@ -1,6 +1,7 @@
 //! Knot vectors, clamped or periodic.
 
 use super::conversion::{Unconvertible, check_range};
+use super::spline;
 
 /// The B-spline basis of one parameter.
 #[derive(Debug, Clone)]
@@ -116,6 +117,21 @@ impl Basis {
             Some(Cycle { knots, period, .. }) => knots[0] + (parameter - knots[0]).rem_euclid(*period),
             None => parameter,
         }
+    }
+
+    /// Returns the interval around a parameter on which the same polynomial is used; the outer
+    /// ones of a basis without period are unbounded.
+    pub(crate) fn cell(&self, parameter: f64) -> [f64; 2] {
+        let (knots, degree, count) = (&self.knots, self.degree, self.poles.len());
+        let reduced = self.reduced(parameter);
+        let span = spline::span(knots, degree, count, reduced);
+        let shift = parameter - reduced;
+        let is_outer = |end: f64, last: f64| self.cycle.is_none() && end == last;
+        let [start, end] = self.domain();
+        [
+            if is_outer(knots[span], start) { f64::NEG_INFINITY } else { knots[span] + shift },
+            if is_outer(knots[span + 1], end) { f64::INFINITY } else { knots[span + 1] + shift },
+        ]
     }
 
     /// Returns the knots and control point indices of [`Basis::domain`].
