@@ -1,7 +1,6 @@
 // npm run picture: build, and write the README's picture of the page anew.
 // The page's own test takes it, so it shows what the tests have checked.
-import { buildApi } from "./build/api.mjs";
-import { buildWasm } from "./build/wasm.mjs";
+import { buildPackage } from "./build/index.mjs";
 import { inRoot } from "./paths.mjs";
 import { environment, Failure, must, which } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
@@ -11,8 +10,7 @@ const test = ["--test-name-pattern", "the first preset", "tests/page/page.test.m
 
 try {
   await setUpForTests();
-  console.log(`build: wasm module: ${await buildWasm()}`);
-  console.log(`build: TypeScript API: ${await buildApi()}`);
+  await buildPackage();
   await must("vite", ["build", "www"]);
   const env = environment({ CHROMIUM: which("chromium"), PICTURE: picture });
   await must("node", ["--test", "--test-reporter=spec", ...test], { env });

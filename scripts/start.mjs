@@ -1,15 +1,13 @@
 // npm start: set up, build, and serve the page.
 import { spawn } from "node:child_process";
-import { buildApi } from "./build/api.mjs";
-import { buildWasm } from "./build/wasm.mjs";
+import { buildPackage } from "./build/index.mjs";
 import { inRoot, root } from "./paths.mjs";
 import { environment, Failure } from "./process.mjs";
 import { setUpForPage } from "./setup/index.mjs";
 
 try {
   await setUpForPage();
-  console.log(`build: wasm module: ${await buildWasm()}`);
-  console.log(`build: TypeScript API: ${await buildApi()}`);
+  await buildPackage();
 } catch (error) {
   if (!(error instanceof Failure)) throw error;
   console.error(error.message);

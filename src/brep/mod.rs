@@ -25,8 +25,10 @@ impl Model {
     /// trimmed as it is.
     ///
     /// Elementary and swept surfaces become exact NURBS over the region that their loops
-    /// cover. Trimming curves stay exact on planes and B-splines and along parameter
-    /// lines; others are fitted, with the bound of the difference in their gap. A face
+    /// cover; offsets that are not rational are approximated, with the deviation in the
+    /// face's gap. Trimming curves stay exact on planes and B-splines, along parameter lines
+    /// and as plane sections of ruled surfaces; others are fitted, with the deviation in
+    /// their gap. Edges without a curve in the parameters are projected. A face
     /// that cannot be read is in the report, never dropped silently; a face that cannot be cut
     /// into patches is left out by [`crate::PreparedModel::of_read`]. O(size).
     ///

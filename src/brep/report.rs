@@ -15,10 +15,13 @@ pub struct ReadReport {
     pub trims: usize,
     /// The number of trimming curves that are exact images of the file's.
     pub exact: usize,
-    /// The number of trimming curves fitted to the file's, with a proven bound in their gaps.
+    /// The number of trimming curves fitted to the file's, with the deviation in their gaps,
+    /// and of those on surfaces that are approximated.
     pub fitted: usize,
-    /// The largest gap of a trimming curve, in model units: an upper bound on the distance
-    /// between the curve on its surface and the edge of the file.
+    /// The largest gap of a face, in model units: an upper bound on the distance between a
+    /// trimming curve on its surface and the edge of the file, plus the deviation of an
+    /// approximated surface. Plane sections of ruled surfaces, and curves and surfaces that
+    /// are offsets but not rational, are measured at points instead.
     pub gap: f64,
     /// Metres per model unit; `None` where the file does not state it, as in BREP.
     pub unit: Option<f64>,

@@ -3,7 +3,8 @@
 use super::certified::certified;
 use super::directed_result::DirectedResult;
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, Witness,
+    DistanceResult, Options, PatchCounts, PreparedModel, PreparedTarget, Processor, Seconds, Statistics,
+    Stop, Witness,
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
@@ -70,9 +71,7 @@ impl Direction<'_> {
         let started = Instant::now();
         let uncut = self.from.bezier().patches.len() >= MIN_UNCUT_PATCHES;
         let flatness = if uncut { Flatness::None } else { Flatness::Loose };
-        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
-        let (from, to) = (self.from.target(flatness), self.to.target_within(Flatness::Loose, halvings));
+        let (from, to) = (self.from.target(flatness), self.certified_target());
         let (a, mut b) = (from.operand(self.from), to.operand(self.to));
         if uncut {
             b = b.with_uncut(&self.to.bezier().patches);
@@ -96,6 +95,13 @@ impl Direction<'_> {
             to_patches: to.target.patches.len(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
+    }
+
+    /// Returns the patches of `to` on which closest points are searched in float64.
+    pub(super) fn certified_target(&self) -> Rc<PreparedTarget> {
+        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
+        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
+        self.to.target_within(Flatness::Loose, halvings)
     }
 
     /// Returns the metres per unit, if a model states it; both state the same if both do.
@@ -134,13 +140,6 @@ impl DirectedRun {
             Some(other) => format!("{other}; {notice}"),
             None => notice.to_owned(),
         });
-    }
-
-    /// Returns this run with the samples of another, and the time of both.
-    pub(super) fn with_field_of(mut self, sampled: Self) -> Self {
-        self.result.field = sampled.result.field;
-        self.seconds += sampled.seconds;
-        self
     }
 
     /// Returns the result of the direction from A to B.

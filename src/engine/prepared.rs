@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten_within, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
-use crate::iteration::{Sampling, SamplingRule};
+use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
 use crate::pieces::{Cuttable, FacePieces};
@@ -100,7 +100,16 @@ impl PreparedTarget {
 #[derive(Debug)]
 pub(crate) struct PreparedSampling {
     pub(crate) sampling: Sampling,
+    /// The samples' covering radius, which only method `iteration` needs, computed at first use.
+    radius: OnceCell<CoveringRadius>,
     pub(crate) resident: Resident<GpuSampling>,
+}
+
+impl PreparedSampling {
+    /// Returns the covering radius over all surfaces of `model`, whose samples these are.
+    pub(crate) fn radius(&self, model: &PreparedModel) -> CoveringRadius {
+        *self.radius.get_or_init(|| self.sampling.radius(&model.bezier))
+    }
 }
 
 /// A tree of cells, with its copy on the GPU.
@@ -337,7 +346,8 @@ impl PreparedModel {
             return Rc::clone(sampling);
         }
         let sampling = Sampling::new(&self.bezier, samples, rule);
-        let prepared = Rc::new(PreparedSampling { sampling, resident: Resident::default() });
+        let prepared =
+            Rc::new(PreparedSampling { sampling, radius: OnceCell::new(), resident: Resident::default() });
         if samplings.len() == MAX_SAMPLINGS {
             samplings.remove(0);
         }

@@ -300,14 +300,4 @@ fn parameter_lines_are_made_from_edges_in_space() {
     // The pole is a segment of the parameters that no edge of the file is.
     assert_eq!((report.trims, report.fitted), (4, 0));
     assert_near(area_of(&model), FRAC_PI_2 * 10.0 * 4.0, 1e-11);
-    // An edge that is no parameter line: the face is skipped, and says why.
-    let mut text = BrepText::new();
-    let surface = text.surface(CYLINDER);
-    let slanted = text.curve("3 0 0 5 0 -0.6 0.8 1 0 0 0 0.8 0.6 25\n20");
-    let vertex = text.vertex([20.0, 0.0, 5.0]);
-    let edge = text.edge(&[format!("1 {slanted} 0 0 {TAU:?}")], [vertex, vertex]);
-    let wire = text.wire(&[plus(edge)]);
-    let face = text.face(surface, &[wire]);
-    let error = nurbs_hausdorff::Model::from_brep(&text.text(plus(face))).unwrap_err();
-    assert!(error.to_string().contains("no parameter line"), "{error}");
 }

@@ -44,10 +44,15 @@ pub(super) struct Lifted<'a> {
 
 impl Lifted<'_> {
     /// Returns an upper bound on the distance from every point of either curve to the other,
-    /// with rounding; infinite if none is found.
-    pub(super) fn gap(&self) -> f64 {
+    /// with rounding; `None` if none is found.
+    pub(super) fn gap(&self) -> Option<f64> {
+        Some(self.bound()).filter(|bound| bound.is_finite())
+    }
+
+    /// As [`Self::gap`], but infinite if none is found.
+    fn bound(&self) -> f64 {
         let whole = [(self.range[0], self.edge_range[0]), (self.range[1], self.edge_range[1])];
-        let mut lower = self.found();
+        let mut lower = self.measured();
         let floor = RESOLUTION * self.size();
         let first = Part::new(self, whole, floor.max(lower));
         lower = lower.max(first.lower);
@@ -78,7 +83,7 @@ impl Lifted<'_> {
 
     /// Returns about the largest distance of some points of the curve from the edge, below
     /// which no bound need be tight.
-    fn found(&self) -> f64 {
+    pub(super) fn measured(&self) -> f64 {
         let at = |[start, end]: [f64; 2], index: usize| start + (end - start) * index as f64 / SAMPLES as f64;
         let distance = |index: usize| {
             let (t, s) = (at(self.range, index), at(self.edge_range, index));

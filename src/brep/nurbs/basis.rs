@@ -27,8 +27,12 @@ struct Cycle {
 impl Basis {
     /// The basis of a Bézier curve over [0, 1].
     pub(crate) fn bezier(degree: usize) -> Self {
-        let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
-        Self { degree, knots, poles: (0..=degree).collect(), cycle: None }
+        Self::with_knots(degree, [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat(), degree + 1)
+    }
+
+    /// The basis of clamped knots for `count` control points.
+    pub(crate) fn with_knots(degree: usize, knots: Vec<f64>, count: usize) -> Self {
+        Self { degree, knots, poles: (0..count).collect(), cycle: None }
     }
 
     /// The basis of pairs of increasing knot and multiplicity, at most degree + 1 each,
@@ -41,7 +45,7 @@ impl Basis {
         if !periodic {
             let knots = flat(pairs);
             let fits = count > degree && knots.len() == count + degree + 1 && knots[degree] < knots[count];
-            return fits.then(|| Self { degree, knots, poles: (0..count).collect(), cycle: None });
+            return fits.then(|| Self::with_knots(degree, knots, count));
         }
         let knots = flat(&pairs[..pairs.len() - 1]);
         if pairs.len() < 2 || first != last || first > degree || knots.len() != count {

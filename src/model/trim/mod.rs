@@ -5,20 +5,18 @@ mod closing;
 mod confinement;
 mod crossing;
 mod curve;
-mod fault;
 mod nesting;
 mod orientation;
 mod piece;
 mod winding;
 
 pub(super) use beyond::extended_surface;
-pub use fault::TrimFault;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
 pub use winding::{RESOLUTION, Winding};
 
 use crate::axis::Axis;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TrimFault};
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
 use confinement::Confined;

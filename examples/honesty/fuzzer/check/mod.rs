@@ -1,0 +1,113 @@
+//! The check of one pair: the computation, and both directions of its result.
+
+mod direction;
+mod farther_points;
+mod measurement;
+mod proofs;
+
+use self::direction::Direction;
+use self::measurement::{is_refusal, measure};
+use super::attacks;
+use super::pairs::{Pair, pair};
+use super::trims;
+use fastrand::Rng;
+use nurbs_hausdorff::engine::Options;
+use std::time::Instant;
+
+/// Samples of method `iteration` and cells of method `hierarchy` along each direction.
+const SAMPLES_OF_ITERATION: usize = 12;
+const GRID_OF_HIERARCHY: usize = 16;
+
+/// The refusal of a pair of which no valid model was drawn.
+const NOT_DRAWN: &str = "NOT_DRAWN";
+
+/// The outcome of the check of a pair.
+#[derive(Default)]
+pub(crate) struct Outcome {
+    pub(crate) converged: bool,
+    pub(crate) cells: usize,
+    /// The seconds of the computation, without the check.
+    pub(crate) seconds: f64,
+    /// The code of the error by which the library refused the pair.
+    pub(crate) refusal: Option<&'static str>,
+    pub(crate) violations: Vec<String>,
+    /// Directions with points that were neither found within `upper` nor proved farther.
+    pub(crate) undecided: usize,
+}
+
+/// Checks the pair of a seed of the ordinary families.
+pub(crate) fn check(seed: u64) -> Outcome {
+    check_pair(seed, &pair(seed))
+}
+
+/// Checks the pair of a seed of the attack's families.
+pub(crate) fn check_attack(seed: u64) -> Outcome {
+    attacks::pair(seed).map_or_else(
+        || Outcome { refusal: Some(NOT_DRAWN), ..Outcome::default() },
+        |pair| check_pair(seed, &pair),
+    )
+}
+
+/// Checks the pair of a seed of trimmed models.
+pub(crate) fn check_trimmed(seed: u64) -> Outcome {
+    trims::pair(seed).map_or_else(
+        || Outcome { refusal: Some(NOT_DRAWN), ..Outcome::default() },
+        |pair| {
+            let mut outcome = check_pair(seed, &pair);
+            for (name, model) in [("A", &pair.a), ("B", &pair.b)] {
+                let fault = trims::fault(model).map(|fault| format!("seed {seed}: {name}: {fault}"));
+                outcome.violations.extend(fault);
+            }
+            outcome
+        },
+    )
+}
+
+fn check_pair(seed: u64, pair: &Pair) -> Outcome {
+    let started = Instant::now();
+    let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
+    let options = Options {
+        // Two points have no diagonal for a relative tolerance.
+        absolute: diagonal == 0.0,
+        tolerance: pair.tolerance,
+        max_cells: Some(pair.max_cells),
+        transform: pair.transform,
+        symmetric: pair.symmetric,
+        limit: pair.limit.map(|limit| limit * diagonal),
+        method: pair.method,
+        samples: SAMPLES_OF_ITERATION,
+        grid: GRID_OF_HIERARCHY,
+        backend: pair.backend,
+        ..Options::default()
+    };
+    let (result, deviations) = match measure(pair, &options) {
+        Ok(measured) => measured,
+        Err(error) => {
+            let violations =
+                if is_refusal(&error) { Vec::new() } else { vec![format!("seed {seed}: {error}")] };
+            return Outcome { refusal: Some(error.code()), violations, ..Outcome::default() };
+        }
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
+    let mut violations = Vec::new();
+    let mut undecided = 0;
+    for (directed, reversed) in directions {
+        let Some(directed) = directed else { continue };
+        let directed = if reversed { directed } else { result.forward.as_deref().unwrap_or(directed) };
+        let direction = Direction::new(pair, directed, &options, reversed, deviations);
+        violations.extend(direction.violations(&mut Rng::with_seed(seed)));
+        undecided += usize::from(direction.undecided.get() > 0);
+    }
+    Outcome {
+        converged: result.converged,
+        cells: result.certified().map_or(0, |details| details.cells),
+        seconds,
+        refusal: None,
+        undecided,
+        violations: violations
+            .into_iter()
+            .map(|what| format!("seed {seed} ({}): {what}", pair.kind))
+            .collect(),
+    }
+}
