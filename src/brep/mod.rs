@@ -2,11 +2,12 @@
 //!
 //! The stages: [`text`] reads the sections into curves, surfaces and shapes as they
 //! stand in the file; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
-//! turns a face into a surface and closed loops in its parameters; [`assembly`] collects
-//! the faces and their placements.
+//! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
+//! their distance from the edges; [`assembly`] collects the faces and their placements.
 
 mod assembly;
 mod faces;
+mod gap;
 mod nurbs;
 mod report;
 mod text;

@@ -2,9 +2,9 @@
 
 use super::projection::{Projector, Traced};
 use super::section::Section;
-use super::uses::{FoundCurve, measured_gap};
+use super::uses::{FoundCurve, gap};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
-use crate::brep::report::{FaceFault, ReadReport};
+use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
@@ -63,12 +63,13 @@ pub(super) fn invert(
     if let Some(ends) = line {
         let [start, end] = on_side(surface, ends, reversed);
         let line = Curve::Line { point: start, direction: end - start };
-        let gap = measured_gap(file, face, surface, edge, location, &line, [0.0, 1.0]);
+        let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]));
         let curve = Spline::segment([0.0, 1.0], start, end);
         return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0 });
     }
-    let (fit, gap) = traced.fit(surface, &mut projector)?;
-    let found = FoundCurve { curve: fit, gap: scale * gap, fitted: true, section: None, deviation: 0.0 };
+    let fit = traced.fit(surface, &mut projector)?;
+    let gap = gap(file, face, edge, location, (&Curve::Spline(fit.clone().into()), space.range));
+    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0 };
     Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
 }
 
@@ -106,10 +107,13 @@ fn on_plane(mut spline: Spline, frame: &Frame, to_face: &DAffine3, scale: f64) -
     (spline, gap)
 }
 
+/// The points of an edge by which a parameter line is recognised.
+const SAMPLES: usize = 17;
+
 /// Returns equally spaced parameters of a range.
 pub(super) fn samples([start, end]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
-    (0..ReadReport::GAP_SAMPLES).map(move |sample| {
-        let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
+    (0..SAMPLES).map(move |sample| {
+        let fraction = sample as f64 / (SAMPLES - 1) as f64;
         (1.0 - fraction) * start + fraction * end
     })
 }

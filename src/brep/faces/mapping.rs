@@ -51,12 +51,11 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
             point[axis] = value;
             image(point)
         };
-        // Where the line moves both ends by less than files resolve, it is exact.
-        let moved = |point: DVec3| {
-            let (from, to) = (image(point), end(point));
-            net.point(from.x, from.y).distance(net.point(to.x, to.y))
-        };
-        let moved = moved(curve.start()).max(moved(curve.end()));
+        // Every point of the curve moves to the line along one parameter: maps are monotone.
+        let map = |value: f64| net.maps[axis].apply(value);
+        let mut moved = DVec3::ZERO;
+        moved[axis] = (map(high[axis]) - map(value)).max(map(value) - map(low[axis]));
+        let moved = metric.length(moved);
         let mut constant = [false; 2];
         constant[axis] = true;
         let curve = Spline::segment(curve.domain(), end(curve.start()), end(curve.end()));

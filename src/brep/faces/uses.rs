@@ -3,6 +3,7 @@
 use super::inversion::{invert, samples};
 use super::projection::{Projector, Traced};
 use super::section::Section;
+use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
@@ -20,8 +21,7 @@ pub(super) struct TrimUse {
     /// The tolerance of the edge, and that of the vertex at its end.
     pub(super) tolerance: f64,
     pub(super) end_tolerance: f64,
-    /// The distance between the curve on the surface and the edge: measured, unless the
-    /// curve was made from the edge.
+    /// An upper bound on the distance between the curve on the surface and the edge.
     pub(super) gap: f64,
     /// Whether the curve is a fit, and not the file's or exact.
     pub(super) fitted: bool,
@@ -187,7 +187,7 @@ fn of_edge(
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
-    let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
+    let gap = gap(file, face, edge, location, (curve, p_curve.range));
     let found = FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation };
     let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
         return Ok(Some(found));
@@ -216,49 +216,25 @@ fn p_curve<'a>(
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
 
-/// Returns the largest distance from points of the curve on the surface, at equally spaced
-/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
-/// to a nearer one if that is another point.
-pub(super) fn measured_gap(
+/// Returns an upper bound on the distance between a curve on the surface, over a range, and
+/// the edge; the largest distance measured where no bound is found, as on offsets that are
+/// not rational.
+pub(super) fn gap(
     file: &BrepFile,
     face: &Face,
-    surface: &Surface,
     edge: &Edge,
     location: &DAffine3,
-    curve: &Curve,
-    range: [f64; 2],
+    (curve, range): (&Curve, [f64; 2]),
 ) -> f64 {
-    let Some(space) = &edge.curve else { return 0.0 };
-    let space_location = *location * space.location;
-    let in_space = &file.curves[space.curve];
-    let mut gap = 0.0_f64;
-    for (t_curve, t_space) in samples(range).zip(samples(space.range)) {
-        let parameters = curve.point(t_curve);
-        let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
-        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
-        let mut t = t_space;
-        let mut nearest = distance(t);
-        // Curves of unequal parametrization are nearer to each other elsewhere.
-        for _ in 0..NEAREST_STEPS {
-            if nearest <= SAME_POINT {
-                break;
-            }
-            let tangent = space_location.transform_vector3(in_space.tangent(t));
-            let difference = on_surface - space_location.transform_point3(in_space.point(t));
-            let step = difference.dot(tangent) / tangent.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
-            nearest = nearest.min(distance(t));
-        }
-        gap = gap.max(nearest);
-    }
-    gap
+    let (Some(surface), Some(space)) = (face.surface, &edge.curve) else { return 0.0 };
+    let lifted = Lifted {
+        surface: &file.surfaces[surface],
+        surface_location: face.location,
+        curve,
+        range,
+        edge: &file.curves[space.curve],
+        edge_location: *location * space.location,
+        edge_range: space.range,
+    };
+    lifted.gap().unwrap_or_else(|| lifted.measured())
 }
-
-/// The distance at which OpenCASCADE takes two points for one, `Precision::Confusion`.
-const SAME_POINT: f64 = 1e-7;
-
-/// The Gauss-Newton steps towards the nearest point of an edge.
-const NEAREST_STEPS: usize = 4;

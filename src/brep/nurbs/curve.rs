@@ -6,7 +6,7 @@ use super::conversion::{Unconvertible, check_range};
 use super::frame::Frame;
 use super::interpolation;
 use super::parameter_map::ParameterMap;
-use super::spline::{Spline, project};
+use super::spline::{self, Spline, project};
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -48,6 +48,14 @@ pub(crate) struct SplineCurve {
     one_period: Spline,
 }
 
+impl From<Spline> for SplineCurve {
+    /// The clamped spline over its whole domain.
+    fn from(spline: Spline) -> Self {
+        let basis = Basis::with_knots(spline.degree, spline.knots.clone(), spline.controls.len());
+        Self { basis, poles: spline.controls.clone(), one_period: spline }
+    }
+}
+
 impl SplineCurve {
     pub(crate) fn new(basis: Basis, poles: Vec<DVec4>) -> Self {
         let (knots, indices) = basis.one_period();
@@ -63,6 +71,18 @@ impl SplineCurve {
         let spline = Spline { degree: self.basis.degree, knots, controls };
         let clamped = self.basis.clamped(range);
         if clamped == spline.knots { spline } else { spline.with_knots(&clamped) }
+    }
+}
+
+impl SplineCurve {
+    /// Returns the homogeneous Taylor coefficients at `center` of the polynomial used around
+    /// `inside`.
+    pub(crate) fn taylor(&self, center: f64, inside: f64) -> Vec<DVec4> {
+        let Spline { degree, knots, controls } = &self.one_period;
+        let reduced = self.basis.reduced(inside);
+        let span = spline::span(knots, *degree, controls.len(), reduced);
+        let active = &controls[span - degree..=span];
+        spline::taylor(knots, *degree, span, active, center + (reduced - inside))
     }
 }
 
@@ -131,6 +151,24 @@ impl Curve {
             Self::Spline(spline) => spline.basis.period(),
             Self::Offset { basis, .. } => basis.period(),
             _ => None,
+        }
+    }
+
+    /// Returns the interval around a parameter on which the curve is analytic.
+    pub(crate) fn cell(&self, t: f64) -> [f64; 2] {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::Spline(spline) => spline.basis.cell(t),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.cell(t),
+        }
+    }
+
+    /// Returns the degree of the polynomials that the curve is evaluated by.
+    pub(crate) fn degree(&self) -> usize {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => 2,
+            Self::Spline(spline) => spline.basis.degree,
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.degree(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{Spline, blossom, project, span, tensor_point};
+use super::spline::{self, Spline, blossom, project, span, tensor_point};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -84,6 +84,32 @@ impl SplineSurface {
             Spline { degree: q, knots: local(knots_v, column, q), controls: in_v.collect() },
         ];
         [curves[0].tangent(u), curves[1].tangent(v)]
+    }
+
+    /// Returns the homogeneous Taylor coefficients at `center`, of orders (i, j), of the
+    /// polynomial used around `inside`.
+    pub(crate) fn taylor(&self, center: [f64; 2], inside: [f64; 2]) -> Vec<Vec<DVec4>> {
+        let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
+        let [p, q] = self.bases.each_ref().map(|basis| basis.degree);
+        let reduced = [0, 1].map(|axis| self.bases[axis].reduced(inside[axis]));
+        let [u, v] = [0, 1].map(|axis| center[axis] + (reduced[axis] - inside[axis]));
+        let row = span(knots_u, p, rows.len(), reduced[0]);
+        let column = span(knots_v, q, columns.len(), reduced[1]);
+        let along_v: Vec<Vec<DVec4>> = rows[row - p..=row]
+            .iter()
+            .map(|&i| {
+                let active = columns[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]);
+                spline::taylor(knots_v, q, column, &active.collect::<Vec<_>>(), v)
+            })
+            .collect();
+        let mut grid = vec![vec![DVec4::ZERO; q + 1]; p + 1];
+        for j in 0..=q {
+            let active: Vec<DVec4> = along_v.iter().map(|orders| orders[j]).collect();
+            for (i, order) in spline::taylor(knots_u, p, row, &active, u).into_iter().enumerate() {
+                grid[i][j] = order;
+            }
+        }
+        grid
     }
 
     /// Returns whether the first and last row of control points along an axis coincide.
@@ -198,6 +224,28 @@ impl Surface {
             at(inside[0], inside[1])
         };
         at(u, v).or_else(|| (3.0 * beside(1.0)? - 3.0 * beside(2.0)? + beside(3.0)?).try_normalize())
+    }
+
+    /// Returns the intervals around parameters on which the surface is analytic.
+    pub(crate) fn cells(&self, [u, v]: [f64; 2]) -> [[f64; 2]; 2] {
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        match self {
+            Self::Plane(_) | Self::Offset { .. } => [whole; 2],
+            Self::Revolution { profile, .. } => [whole, profile.cell(v)],
+            Self::Extrusion { profile, .. } => [profile.cell(u), whole],
+            Self::Spline(spline) => [spline.bases[0].cell(u), spline.bases[1].cell(v)],
+            Self::Trimmed { basis, .. } => basis.cells([u, v]),
+        }
+    }
+
+    /// Returns the sum of the degrees of the polynomials that the surface is evaluated by.
+    pub(crate) fn total_degree(&self) -> usize {
+        match self {
+            Self::Plane(_) | Self::Offset { .. } => 2,
+            Self::Revolution { profile, .. } | Self::Extrusion { profile, .. } => 2 + profile.degree(),
+            Self::Spline(spline) => spline.bases.iter().map(|basis| basis.degree).sum(),
+            Self::Trimmed { basis, .. } => basis.total_degree(),
+        }
     }
 
     /// Returns the periods in u and v.

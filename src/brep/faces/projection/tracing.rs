@@ -130,7 +130,7 @@ impl<'a> Traced<'a> {
         &self,
         surface: &Surface,
         projector: &mut Projector<'_>,
-    ) -> Result<(Spline, f64), FaceFault> {
+    ) -> Result<Spline, FaceFault> {
         let samples = self.parameters(projector)?;
         let [start, end] = self.range;
         let stride = (samples.len() - 1) / FIRST_PIECES;
@@ -145,16 +145,14 @@ impl<'a> Traced<'a> {
         }
         let mut spline = Spline { degree: 3, knots: vec![start; 4], controls: Vec::new() };
         spline.controls.push(nodes[0].at.extend(1.0));
-        let mut gap = 0.0_f64;
         for pair in nodes.windows(2) {
-            gap = gap.max(self.piece(surface, projector, [pair[0], pair[1]], 0, &mut spline)?);
+            self.piece(surface, projector, [pair[0], pair[1]], 0, &mut spline)?;
         }
         spline.knots.push(end);
-        Ok((spline, gap))
+        Ok(spline)
     }
 
-    /// Appends the cubic between two nodes, or those between its halves, and returns the
-    /// largest distance measured.
+    /// Appends the cubic between two nodes, or those between its halves.
     fn piece(
         &self,
         surface: &Surface,
@@ -162,32 +160,30 @@ impl<'a> Traced<'a> {
         [from, to]: [Node; 2],
         depth: usize,
         spline: &mut Spline,
-    ) -> Result<f64, FaceFault> {
+    ) -> Result<(), FaceFault> {
         let third = (to.t - from.t) / 3.0;
         let controls = [from.at, from.at + third * from.velocity, to.at - third * to.velocity, to.at];
         let mut within = true;
-        let mut gap = self.point(from.t).distance(surface.point(from.at.x, from.at.y));
         for fraction in CHECKS {
             let at = cubic(controls, fraction);
             let t = from.t + fraction * (to.t - from.t);
             let nearest = self.project(projector, t, Some(at))?.parameters;
             let on_surface = surface.point(at.x, at.y);
-            gap = gap.max(on_surface.distance(self.point(t)));
             let moved = on_surface.distance(surface.point(nearest.x, nearest.y));
             within &= moved <= self.tolerance;
         }
         if within {
             spline.controls.extend(controls[1..].iter().map(|control| control.extend(1.0)));
             spline.knots.extend([to.t; 3]);
-            return Ok(gap);
+            return Ok(());
         }
         if depth == MAX_DEPTH {
             let why = format!("no cubic curve on the {} follows the edge", surface.kind());
             return Err(FaceFault::new("BREP_NO_P_CURVE", why));
         }
         let middle = self.node(projector, 0.5 * (from.t + to.t), cubic(controls, 0.5))?;
-        let first = self.piece(surface, projector, [from, middle], depth + 1, spline)?;
-        Ok(first.max(self.piece(surface, projector, [middle, to], depth + 1, spline)?))
+        self.piece(surface, projector, [from, middle], depth + 1, spline)?;
+        self.piece(surface, projector, [middle, to], depth + 1, spline)
     }
 
     /// Returns the node at a parameter of the edge.
