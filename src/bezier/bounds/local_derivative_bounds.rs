@@ -170,14 +170,20 @@ impl Patch<'_> {
     /// The excess of the recursion is proportional to the size of the box, as
     /// weights, and points relative to the box's own centre, vary less over it.
     fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
+        let (part, error) = self.centered_part(s, t);
+        part.patch(0).derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
+    }
+
+    /// Returns the part over the box `s` × `t` about its own centre, with bounds on the errors of
+    /// its controls, in space and weight.
+    fn centered_part(&self, s: [f64; 2], t: [f64; 2]) -> (PatchSet, [f64; 2]) {
         let controls = self.restricted(s, t);
         let part = Patch { controls: &controls, ..*self };
         let mut centered = PatchSet::default();
         centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
-        let centered = centered.patch(0);
-        let shift = (centered.center - self.center).length();
+        let shift = (centered.patch(0).center - self.center).length();
         let error = restriction_error(self.degree, [s, t], self.largest_controls(), shift);
-        centered.derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
+        (centered, error)
     }
 }
 
@@ -205,6 +211,7 @@ fn growth(degree: usize, [start, end]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
     use crate::rounding::UNIT_ROUNDOFF;
+    use glam::{DVec3, DVec4};
 
     /// Lemma R6: 8 (p + q) roundings of controls that grow beyond each edge, in both
     /// directions at once too, and 2 of the change of centre.
@@ -232,6 +239,24 @@ mod tests {
                     assert!((1.0..=1.02).contains(&part), "{part} over {s:?} × {t:?}");
                 }
             }
+        }
+    }
+
+    /// Lemma R6 with the shift of the centre, which is the distance of both centres: the part of a
+    /// square with corners (±1, ±1) about (4, 0) whose centre is (4.5, 0.5).
+    #[test]
+    fn the_error_of_a_part_has_the_distance_of_the_centres() {
+        let corner = |x: f64, y: f64| DVec4::new(x, y, 0.0, 1.0);
+        let controls = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
+        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, 4.0 * DVec3::X);
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (part, error) = patch.centered_part([0.5, 1.0], [0.5, 1.0]);
+        assert_eq!(part.patch(0).center, DVec3::new(4.5, 0.5, 0.0));
+        let (largest, shift) = (2.0_f64.sqrt(), 0.5_f64.sqrt());
+        let lemma = [16.0 * largest + 2.0 * (largest + shift), 16.0];
+        for (found, lemma) in error.into_iter().zip(lemma) {
+            let part = found / (UNIT_ROUNDOFF * lemma);
+            assert!((1.0..=1.02).contains(&part), "{part}");
         }
     }
 }
