@@ -44,6 +44,9 @@ const MAX_SAMPLES: f64 = 200_000.0;
 /// The points, farthest first, that are then compared with all of B.
 const SUSPECTS: usize = 8;
 
+/// The time that looking for such points may take, of the time given: a fourth.
+const SAMPLING_SHARE: u32 = 4;
+
 /// What became of a limit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Finding {
@@ -95,10 +98,11 @@ pub(crate) struct Search {
 /// beyond ends the search. The cells proved and the cells left always cover A.
 pub(crate) fn prove(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Search {
     let mut search = Search { finding: Finding::Open, cells: 0 };
-    if Instant::now() >= deadline {
+    let start = Instant::now();
+    if start >= deadline {
         return search;
     }
-    if let Some(witness) = sampled(a, target, limit, deadline) {
+    if let Some(witness) = sampled(a, target, limit, start + (deadline - start) / SAMPLING_SHARE) {
         search.finding = Finding::Beyond(witness);
         return search;
     }
@@ -210,6 +214,9 @@ impl Cell {
                 Comparison::Open => {}
             }
         }
+        if feet.first().is_some_and(|foot| is_in_ball(&self.net, foot, target, limit)) {
+            return Outcome::Within;
+        }
         let own = SecondDerivatives::of(&self.net);
         let corners = self.net.corners();
         // Where corners are near enough, the cell is cut along the direction that bends more.
@@ -253,6 +260,14 @@ enum Attempt {
     TooFar,
     /// The corners are within it, but the second derivatives along s and t are too large together.
     TooBent([f64; 2]),
+}
+
+/// Whether all control points of a cell are within the limit of one point of B, and by convexity all
+/// of the cell. Where weights crowd a patch into a sliver of its domain, the rest of it is nearly a
+/// point with large derivatives.
+fn is_in_ball(net: &Net, foot: &Foot, target: &Target, limit: f64) -> bool {
+    let center = target.patches[foot.patch].net.evaluate(foot.at.map(Interval::point));
+    net.hull_points().all(|point| distance(&point, &center).hi <= limit)
 }
 
 /// Proves, if it can, that a cell is within the limit of one patch of B.
