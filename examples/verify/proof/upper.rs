@@ -5,7 +5,7 @@ use super::closest::Foot;
 use super::bezier::{Net, Patch, SecondDerivatives};
 use super::interval::Interval;
 
-use super::target::{Comparison, Target, distance, longer_axis};
+use super::target::{Comparison, Target, distance, lengths};
 use super::vector::{Vector, middle};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -18,6 +18,10 @@ const ROUND: usize = 64;
 
 /// The halvings after which a cell is given up: float64 no longer separates its corners.
 const MAX_LEVEL: u32 = 90;
+
+/// How many times longer than wide a cell may become by cuts across the direction that bends more. Feet
+/// of corners that lie on two sides of a fold of B bend by as much on every smaller cell.
+const MAX_ASPECT: f64 = 64.0;
 
 /// On cells whose level is a multiple, B is searched for points nearer than those found, as Newton's
 /// method may end at a local minimum, and cells on which that one crosses the limit are cut without
@@ -231,9 +235,12 @@ impl Cell {
         if self.level == MAX_LEVEL {
             return Outcome::GivenUp;
         }
+        let lengths = lengths(&self.net);
+        let longer = usize::from(lengths[1] > lengths[0]);
+        let is_slender = lengths[longer] > MAX_ASPECT * lengths[1 - longer];
         let axis = match bends {
-            Some([along_s, along_t]) if along_s != along_t => usize::from(along_t > along_s),
-            _ => longer_axis(&self.net),
+            Some([along_s, along_t]) if along_s != along_t && !is_slender => usize::from(along_t > along_s),
+            _ => longer,
         };
         Outcome::Halves(self.halves(axis))
     }
