@@ -71,11 +71,34 @@ impl SquaredDistance {
     /// linear part, and the gradient by its own error (docs/method.md, section 6.6).
     #[must_use]
     pub fn lower_bound_about(&self, known: &CriticalPoint) -> f64 {
+        let [ss, tt, st] = self.second_differences(known.distance_squared);
+        let (mut lightest, mut heaviest) = (f64::INFINITY, 0.0_f64);
+        for &(_, denominator) in &self.coefficients {
+            (lightest, heaviest) = (lower_min(lightest, denominator), upper_max(heaviest, denominator));
+        }
+        let rounding = self.unit * (self.largest + known.distance_squared * heaviest);
+        let value_error = known.distance_error * (heaviest + self.denominator_change(heaviest));
+        let [p, q] = self.degree.map(|degree| degree as f64);
+        let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * rounding), q * (q - 1.0) * (tt - 4.0 * rounding));
+        let st = p * q * (st + 4.0 * rounding);
+        let quadratic = least_quadratic([ss, tt, st]);
+        let linear = |axis: usize| {
+            let (gradient, parameter) = (known.gradient[axis], known.parameters[axis]);
+            (-gradient * parameter).min(gradient * (1.0 - parameter)) - known.gradient_error[axis]
+        };
+        let excess = (heaviest * (linear(0) + linear(1)) + quadratic - rounding - value_error) / lightest;
+        // `max` raises NaN, which bounds nothing, to 0 as well.
+        (known.distance_squared + excess).max(0.0).min(known.distance_squared)
+    }
+
+    /// Returns the least second differences of `|Y|² - value w²` along s and along t, and the largest
+    /// absolute value of the mixed ones. O(p q).
+    fn second_differences(&self, value: f64) -> [f64; 3] {
         let [p, q] = self.degree;
         let columns = q + 1;
         let at = |i: usize, j: usize| {
             let (numerator, denominator) = self.coefficients[i * columns + j];
-            numerator - known.distance_squared * denominator
+            numerator - value * denominator
         };
         let (mut ss, mut tt, mut st) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
         for i in 0..=p {
@@ -91,25 +114,7 @@ impl SquaredDistance {
                 }
             }
         }
-        let (mut lightest, mut heaviest) = (f64::INFINITY, 0.0_f64);
-        for &(_, denominator) in &self.coefficients {
-            (lightest, heaviest) = (lower_min(lightest, denominator), upper_max(heaviest, denominator));
-        }
-        let rounding = self.unit * (self.largest + known.distance_squared * heaviest);
-        let value_error = known.distance_error * (heaviest + self.denominator_change(heaviest));
-        let [p, q] = self.degree.map(|degree| degree as f64);
-        let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * rounding), q * (q - 1.0) * (tt - 4.0 * rounding));
-        let st = p * q * (st + 4.0 * rounding);
-        // The root of the product could overflow.
-        let convexity = ss.max(0.0).sqrt() * tt.max(0.0).sqrt();
-        let quadratic = 0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - convexity).max(0.0);
-        let linear = |axis: usize| {
-            let (gradient, parameter) = (known.gradient[axis], known.parameters[axis]);
-            (-gradient * parameter).min(gradient * (1.0 - parameter)) - known.gradient_error[axis]
-        };
-        let excess = (heaviest * (linear(0) + linear(1)) + quadratic - rounding - value_error) / lightest;
-        // `max` raises NaN, which bounds nothing, to 0 as well.
-        (known.distance_squared + excess).max(0.0).min(known.distance_squared)
+        [ss, tt, st]
     }
 
     /// Returns an upper bound on `|∇w²·δ|` for steps δ of at most 1 along each axis,
@@ -131,6 +136,13 @@ impl SquaredDistance {
     }
 }
 
+/// A lower bound on `½ m_ss δ_s² + ½ m_tt δ_t² - m_st |δ_s δ_t|` for steps δ of at most 1.
+fn least_quadratic([ss, tt, st]: [f64; 3]) -> f64 {
+    // The root of the product could overflow.
+    let convexity = ss.max(0.0).sqrt() * tt.max(0.0).sqrt();
+    0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - convexity).max(0.0)
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
@@ -140,11 +152,17 @@ mod tests {
     /// allowances of docs/method.md, section 6.6.
     #[test]
     fn the_bound_about_a_point_subtracts_every_allowance() {
-        let mut controls = Vec::new();
-        for w in [1.0, 2.0, 4.0] {
-            controls.extend([(w * DVec3::X).extend(w); 3]);
+        // Weights that are all halved give the same quotients.
+        for scale in [1.0, 0.5] {
+            let mut controls = Vec::new();
+            for w in [1.0, 2.0, 4.0] {
+                controls.extend([(scale * w * DVec3::X).extend(scale * w); 3]);
+            }
+            check_allowances(&SquaredDistance::new([2, 2], &controls, DVec3::ZERO));
         }
-        let form = SquaredDistance::new([2, 2], &controls, DVec3::ZERO);
+    }
+
+    fn check_allowances(form: &SquaredDistance) {
         // 3 products of (2/2 + 1)(2 + 1) = 6, and the largest coefficient of w² is 16.
         let (unit, heaviest) = (gamma(2.0 * 6.0 + 21.0), 16.0);
         let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
@@ -201,5 +219,62 @@ mod tests {
         let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
         let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
         assert!(form.lower_bound() <= 1.0 && form.lower_bound_about(&known) <= 1.0, "{form:?}");
+    }
+
+    /// The second differences are those of their definition, along each axis and mixed, with the
+    /// extreme anywhere.
+    #[test]
+    fn second_differences_are_the_extremes() {
+        let random = &mut fastrand::Rng::with_seed(11);
+        for _ in 0..200 {
+            let [p, q] = [2 * random.usize(1..3), 2 * random.usize(1..4)];
+            let mut number = || f64::from(random.i32(-8..9));
+            let coefficients: Vec<(f64, f64)> =
+                (0..(p + 1) * (q + 1)).map(|_| (number(), number())).collect();
+            let rows: Vec<Vec<f64>> = coefficients
+                .chunks(q + 1)
+                .map(|row| row.iter().map(|(numerator, denominator)| numerator - 3.0 * denominator).collect())
+                .collect();
+            let columns: Vec<Vec<f64>> = (0..=q).map(|j| rows.iter().map(|row| row[j]).collect()).collect();
+            let differences =
+                |line: &[f64]| line.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
+            let least = |lines: &[Vec<f64>]| {
+                let second = lines.iter().flat_map(|line| differences(&differences(line)));
+                second.fold(f64::INFINITY, f64::min)
+            };
+            let by_rows: Vec<Vec<f64>> = rows.iter().map(|row| differences(row)).collect();
+            let mixed = by_rows.windows(2).flat_map(|pair| {
+                pair[0].iter().zip(&pair[1]).map(|(a, b)| (b - a).abs()).collect::<Vec<_>>()
+            });
+            let expected = [least(&columns), least(&rows), mixed.fold(0.0, f64::max)];
+            let form = SquaredDistance { degree: [p, q], coefficients, unit: 0.0, largest: 0.0 };
+            assert_eq!(form.second_differences(3.0), expected);
+        }
+    }
+
+    /// The least of the quadratic: a mixed part that convexity outweighs, one that it does not, and
+    /// second derivatives of either sign.
+    #[test]
+    fn the_quadratic_part_is_bounded_from_below() {
+        for (parts, least) in [
+            ([16.0, 9.0, 12.0], 0.0),
+            ([0.25, 0.25, 1.25], -1.0),
+            ([16.0, 9.0, 20.0], -8.0),
+            ([-2.0, 9.0, 1.0], -2.0),
+            ([4.0, -6.0, 1.0], -4.0),
+            ([-2.0, -6.0, 0.5], -4.5),
+        ] {
+            assert_eq!(least_quadratic(parts), least, "{parts:?}");
+        }
+    }
+
+    /// ∇w² along t, of weights that vary along t alone.
+    #[test]
+    fn the_denominator_changes_along_both_axes() {
+        let along_t: Vec<DVec4> =
+            [1.0, 2.0, 4.0].repeat(3).into_iter().map(|w| (w * DVec3::X).extend(w)).collect();
+        let form = SquaredDistance::new([2, 2], &along_t, DVec3::ZERO);
+        // Coefficients 1, 2, 4, 8, 16 of degree 4.
+        assert!((form.denominator_change(16.0) / 32.0 - 1.0).abs() <= 1e-12);
     }
 }
