@@ -123,3 +123,46 @@ fn a_batch_that_returns_stays_in_the_interval() {
         }
     });
 }
+
+/// The children of a node cover it: both nodes of the tree below, the patch of a leaf, the parts of
+/// a cell, and all domains given.
+#[test]
+fn children_cover_their_node() {
+    let square = |height: f64| {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: corners.map(|[x, y]| [x, y, height, 1.0]).to_vec(),
+        }
+    };
+    let model = Model::from_arrays(None, vec![square(0.0), square(1.0)]).unwrap();
+    let target = Target::new(extract(&model).patches);
+    let bounds: Vec<_> = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+    let operand = Operand::new(&target, &bounds);
+    let children = |node: &SearchNode| {
+        let mut children = Vec::new();
+        node.branch(&operand, node.foot, &mut children);
+        assert!(children.iter().all(|child| child.upper == node.upper && child.level == node.level + 1));
+        children
+    };
+    let nodes = children(&SearchNode::root(3.0));
+    let mut patches: Vec<u32> = Vec::new();
+    for leaf in nodes.iter().flat_map(children) {
+        let Domain::Cell(cell) = leaf.domain else { panic!("a leaf holds a patch") };
+        assert!(cell.is_whole());
+        patches.push(cell.patch);
+        let area = |node: &SearchNode| match node.domain {
+            Domain::Cell(part) => part.half[0] * part.half[1],
+            _ => 0.0,
+        };
+        assert_eq!(children(&leaf).iter().map(area).sum::<f64>(), cell.half[0] * cell.half[1]);
+    }
+    patches.sort_unstable();
+    assert_eq!(patches, [0, 1]);
+    let (node, mut given) = (SearchNode::root(3.0), Vec::new());
+    node.push_children(nodes.iter().map(|node| node.domain), node.foot, &mut given);
+    assert_eq!(given.len(), 2);
+    assert!(given.iter().all(|child| child.upper == 3.0 && child.level == 1));
+}
