@@ -133,6 +133,11 @@ mod tests {
             assert_eq!(found.upper, 1e6);
             assert!(found.upper - found.lower >= 160.0 * UNIT_ROUNDOFF * 1e6, "{found:?}");
         }
+        // A wide gap ends the search at the incumbent, a corner: the distance is 1.
+        let Ok(model) = Model::from_arrays(None, vec![square(0.0)]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let found = closest_above(&target, DVec3::new(0.5, 0.5, 1.0), 0.5, Some((0, [0.0; 2])), 0.0, None);
+        assert!(found.is_some_and(|found| found.lower <= 1.0 && found.upper > 1.2), "{found:?}");
     }
 
     /// The nearest of a grid of points on a patch is an upper bound on the patch's distance.
