@@ -31,7 +31,13 @@ const SEARCH_LEVELS: u32 = 6;
 /// How much nearer such points are to be than those found, and these than the limit where they are
 /// looked for: small cells with nearer ones are proved by what is known.
 const NEARER: f64 = 0.8;
+
 const NEAR_LIMIT: f64 = 0.5;
+
+/// The same on cells of this level and below: so small ones are left only where the distance of what
+/// was found crosses the limit, and a point hardly nearer decides them.
+const DEEP_LEVEL: u32 = 24;
+const DEEP_NEARER: f64 = 0.9999;
 
 /// The pieces of B that such a search looks at.
 const MAX_SEARCHED_PIECES: usize = 2000;
@@ -195,12 +201,13 @@ impl Cell {
         );
         feet.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         let nearest = feet.first().map_or(f64::INFINITY, |foot| foot.distance);
+        let part = if self.level < DEEP_LEVEL { NEARER } else { DEEP_NEARER };
         let searched = self.level > 0 && self.level.is_multiple_of(SEARCH_LEVELS);
         if searched
             && nearest > NEAR_LIMIT * limit
             && nearest <= limit
             && let Comparison::Nearer(foot) =
-                target.compare(&center, NEARER * nearest, MAX_SEARCHED_PIECES, deadline)
+                target.compare(&center, part * nearest, MAX_SEARCHED_PIECES, deadline)
         {
             feet.insert(0, foot);
             self.known.push(foot);

@@ -287,6 +287,22 @@ fn same_net_of_a_moved_copy() {
     }
 }
 
+/// Of two patches the second one is moved farther; without a copy of it there is no bound but that
+/// of the boxes.
+#[test]
+fn whole_models_are_bounded_by_all_patches() {
+    let square =
+        |height: f64| bilinear([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[x, y]| [x, y, height]));
+    let b = Model::new(&[square(0.0), square(0.0)]);
+    let bound = |heights: &[f64]| {
+        let nets: Vec<Net> = heights.iter().map(|&height| square(height)).collect();
+        whole_models(&pair(&Model::new(&nets), &b))
+    };
+    assert_attained(bound(&[1.0, 2.0]), 2.0, 0.0);
+    assert_attained(bound(&[2.0, 1.0]), 2.0, 0.0);
+    assert_attained(bound(&[1.0, 1.0, 2.0]), 6.0_f64.sqrt(), 0.0);
+}
+
 /// Points inside and outside a sphere, and the end of a line.
 #[test]
 fn sphere_and_points() {
