@@ -150,3 +150,37 @@ fn directions_of_edges_and_wires_multiply() {
         assert_near(crate::area::area(&face), 2.0 * TAU * 100.0, 1e-11);
     }
 }
+
+/// A square whose sides end 0.01 beside a corner: within the tolerance of that vertex.
+#[test]
+fn the_tolerance_of_a_vertex_closes_a_loop() {
+    let off = 0.01;
+    for (surface, tolerance) in [(PLANE, 0.006), ("2 0 0 0 0 0 1 1 0 0 0 1 0 1", 0.006), (PLANE, 0.004)] {
+        let mut text = BrepText::new();
+        let surface = text.surface(surface);
+        let corners = [[0.0; 3]; 4].map(|point| text.loose_vertex(point, tolerance));
+        let ends = [
+            [[0.0, 0.0], [1.0 - off, 0.0]],
+            [[1.0, 0.0], [1.0, 1.0]],
+            [[1.0, 1.0], [0.0, 1.0]],
+            [[0.0, 1.0], [0.0, 0.0]],
+        ];
+        let edges = [0, 1, 2, 3].map(|index| {
+            let (entry, [first, last]) = line(ends[index][0], ends[index][1]);
+            let p_curve = text.p_curve(entry);
+            let entries = [format!("2 {p_curve} {surface} 0 {first:?} {last:?}")];
+            plus(text.edge(&entries, [corners[index], corners[(index + 1) % 4]]))
+        });
+        let wire = text.wire(&edges);
+        let face = text.face(surface, &[wire]);
+        let read = Model::from_brep(&text.text(plus(face)));
+        if tolerance < off / 2.0 {
+            assert!(read.unwrap_err().to_string().contains("expected at most 8e-3"));
+            continue;
+        }
+        let (model, report) = read.unwrap();
+        // A segment along the missing part, or an end moved by half of it.
+        assert!(report.gap > 0.4 * off && report.gap <= 1.001 * off, "{}", report.gap);
+        assert_near(area_of(&model), 1.0, 1e-12);
+    }
+}

@@ -239,3 +239,27 @@ fn an_edge_off_its_surface_is_reported() {
     let error = Model::from_brep(&text.text(plus(face))).unwrap_err();
     assert!(error.to_string().contains("from the surface"), "{error}");
 }
+
+/// The top ring of a cylinder in two arcs, whose seam has curves and stands last in the wire:
+/// at the seam's vertex the walk may go on along the ring or down the seam.
+#[test]
+fn a_loop_is_put_together_from_its_circuits() {
+    for order in [[0, 1, 2, 3, 4], [1, 0, 2, 3, 4], [3, 1, 0, 4, 2], [4, 0, 2, 1, 3]] {
+        let mut text = BrepText::new();
+        let surface = text.surface(CYLINDER);
+        let [low, high, back] =
+            [[20.0, 0.0, 0.0], [20.0, 0.0, 30.0], [-20.0, 0.0, 30.0]].map(|p| text.vertex(p));
+        let [foot, top] = [0.0, 30.0].map(|z| text.curve(format!("2 0 0 {z:?} 0 0 1 1 0 0 0 1 0 20")));
+        let [at_end, at_start] = [TAU, 0.0].map(|u| text.p_curve(format!("1 {u:?} 0 0 1")));
+        let seam = text.edge(&[format!("3 {at_end} {at_start}CN {surface} 0 0 30")], [low, high]);
+        let ring = text.edge(&[format!("1 {foot} 0 0 {TAU:?}")], [low, low]);
+        let first = text.edge(&[format!("1 {top} 0 0 {PI:?}")], [high, back]);
+        let second = text.edge(&[format!("1 {top} 0 {PI:?} {TAU:?}")], [back, high]);
+        let edges = [minus(second), minus(first), plus(seam), plus(ring), minus(seam)];
+        let wire = text.wire(&order.map(|index| edges[index]));
+        let face = text.face(surface, &[wire]);
+        let (model, report) = read(&text, face);
+        assert_eq!((report.exact, report.fitted), (5, 0), "{order:?}");
+        assert_near(area_of(&model), TAU * 20.0 * 30.0, 1e-12);
+    }
+}

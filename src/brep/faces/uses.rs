@@ -17,7 +17,9 @@ pub(super) struct TrimUse {
     pub(super) edge: Option<u32>,
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
+    /// The tolerance of the edge, and that of the vertex at its end.
     pub(super) tolerance: f64,
+    pub(super) end_tolerance: f64,
     /// The distance between the curve on the surface and the edge: measured, unless the
     /// curve was made from the edge.
     pub(super) gap: f64,
@@ -74,6 +76,7 @@ impl TrimUse {
             edge: None,
             vertices: [None; 2],
             tolerance: 0.0,
+            end_tolerance: 0.0,
             gap: 0.0,
             fitted: false,
             section: None,
@@ -125,12 +128,19 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             FaceFault { code, why: format!("edge {}: {why}", child.shape) }
         })?;
         let Some(FoundCurve { curve, gap, fitted, section, deviation }) = found else { continue };
-        let vertices = vertices(file, child.shape);
+        let mut vertices = vertices(file, child.shape);
+        if reversed {
+            vertices.reverse();
+        }
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
             edge: u32::try_from(child.shape).ok(),
-            vertices: if reversed { [vertices[1], vertices[0]] } else { vertices },
+            vertices,
             tolerance: edge.tolerance,
+            end_tolerance: vertices[1].map_or(0.0, |vertex| match file.shapes[vertex].kind {
+                ShapeKind::Vertex(tolerance) => tolerance,
+                _ => 0.0,
+            }),
             gap,
             fitted,
             section,

@@ -66,7 +66,9 @@ impl<'a> Projector<'a> {
     /// Returns the projection of a point: near the given parameters where there are any and
     /// it is as near to the surface as `expected`, else the globally nearest.
     pub(super) fn project(&mut self, point: DVec3, near: Option<DVec3>, expected: f64) -> Option<Projection> {
-        let local = near.map(|near| self.polished(point, near));
+        // Near a pole small steps in space are large ones in u, which formulas do not mind.
+        let followed = near.filter(|_| !self.has_formula());
+        let local = followed.map(|near| self.polished(point, near));
         if let Some(found) = local
             && found.distance <= expected
         {
@@ -85,6 +87,16 @@ impl<'a> Projector<'a> {
         match local {
             Some(local) if local.distance <= global.distance => Some(local),
             _ => Some(global),
+        }
+    }
+
+    /// Returns whether the nearest point has a formula.
+    fn has_formula(&self) -> bool {
+        match self.surface {
+            Surface::Revolution { profile, .. } | Surface::Extrusion { profile, .. } => {
+                profile.natural_range().is_none() || profile.is_conic()
+            }
+            _ => false,
         }
     }
 

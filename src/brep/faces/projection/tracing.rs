@@ -87,13 +87,11 @@ impl<'a> Traced<'a> {
         let middle = samples.len() / 2;
         let first = self.project(projector, samples[middle], None)?.parameters;
         let mut follow = |indices: &mut dyn Iterator<Item = usize>| -> Result<Vec<DVec3>, FaceFault> {
-            let mut last = [first; 2];
+            let mut last = first;
             indices
                 .map(|index| {
-                    let near = 2.0 * last[1] - last[0];
-                    let found = self.project(projector, samples[index], Some(near))?.parameters;
-                    last = [last[1], found];
-                    Ok(found)
+                    last = self.project(projector, samples[index], Some(last))?.parameters;
+                    Ok(last)
                 })
                 .collect()
         };
