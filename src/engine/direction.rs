@@ -7,7 +7,7 @@ use super::{
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
-use crate::flatness::{Flatness, MAX_HALVINGS};
+use crate::flatness::Flatness;
 use crate::gpu::Gpu;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
@@ -15,17 +15,13 @@ use glam::DVec3;
 use std::rc::Rc;
 use web_time::Instant;
 
-/// The smallest number of Bézier patches of A for which method `certified` does
-/// not subdivide them into flat patches.
+/// The smallest number of Bézier patches of a model for which method `certified` does not
+/// subdivide them into flat patches.
 ///
-/// For more patches the subdivision takes longer than the search, which requires
-/// flat patches of B only. Fewer patches are subdivided, for closer bounds on
-/// their derivatives.
+/// For more patches the subdivision takes longer than it saves: the search looks at few of
+/// them, and patches of which a model has so many are mostly flat. Fewer patches are
+/// subdivided, A's for closer bounds on their derivatives and B's for better starts.
 const MIN_UNCUT_PATCHES: usize = 1000;
-
-/// The number of halvings of a patch of B where B has so many patches: the search
-/// looks at few of them, and a start on a smaller piece saves less than cutting takes.
-const LARGE_MODEL_HALVINGS: u32 = 2;
 
 /// The largest ratio of the reach of a pair, from the farther end of one model to that of the
 /// other, to the smaller model's radius up to which kernels measure it. Their coordinates are in
@@ -68,13 +64,12 @@ impl Direction<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let uncut = self.from.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let flatness = if uncut { Flatness::None } else { Flatness::Loose };
-        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
-        let (from, to) = (self.from.target(flatness), self.to.target_within(Flatness::Loose, halvings));
+        let [from_is_large, to_is_large] =
+            [self.from, self.to].map(|model| model.bezier().patches.len() >= MIN_UNCUT_PATCHES);
+        let flatness = |is_large: bool| if is_large { Flatness::None } else { Flatness::Loose };
+        let (from, to) = (self.from.target(flatness(from_is_large)), self.to.target(flatness(to_is_large)));
         let (a, mut b) = (from.operand(self.from), to.operand(self.to));
-        if uncut {
+        if from_is_large {
             b = b.with_uncut(&self.to.bezier().patches);
         }
         let prepare = started.elapsed().as_secs_f64();

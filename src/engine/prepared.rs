@@ -8,7 +8,7 @@ use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::{Error, Result};
-use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten_within, recut};
+use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{Sampling, SamplingRule};
@@ -37,7 +37,7 @@ pub struct PreparedModel {
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     control_box: Aabb,
-    targets: RefCell<Vec<(TargetKey, Rc<PreparedTarget>)>>,
+    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
     /// The number of updates since cuts and trees were chosen.
@@ -51,9 +51,6 @@ const SCALE_ROUNDINGS: f64 = 4.0;
 const MAX_REFITS: u32 = 32;
 
 type SamplingKey = (usize, SamplingRule);
-
-/// The criterion of flatness, and the number of halvings of a patch.
-type TargetKey = (Flatness, u32);
 
 /// Flat patches, with their copy on the GPU.
 #[derive(Debug)]
@@ -181,10 +178,10 @@ impl PreparedModel {
             return Ok(updated);
         }
         updated.refits = self.refits + 1;
-        for (key, kept) in &*self.targets.borrow() {
+        for (flatness, kept) in &*self.targets.borrow() {
             let flat = recut(&updated.bezier.patches, &kept.cuts);
             let target = PreparedTarget::new(flat, |patches| kept.target.refitted(patches));
-            updated.targets.get_mut().push((*key, Rc::new(target)));
+            updated.targets.get_mut().push((*flatness, Rc::new(target)));
         }
         if let Some(kept) = &*self.cells.borrow() {
             let tree = kept.tree.refitted(&updated.bezier);
@@ -295,19 +292,13 @@ impl PreparedModel {
 
     /// Returns the flat patches, computed at first use.
     pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
-        self.target_within(flatness, MAX_HALVINGS)
-    }
-
-    /// Returns patches that are flat or halved so many times, computed at first use.
-    pub(crate) fn target_within(&self, flatness: Flatness, halvings: u32) -> Rc<PreparedTarget> {
-        let key = (flatness, halvings);
         let mut targets = self.targets.borrow_mut();
-        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == key) {
+        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == flatness) {
             return Rc::clone(target);
         }
-        let flat = flatten_within(&self.bezier.patches, flatness, halvings);
+        let flat = flatten(&self.bezier.patches, flatness);
         let prepared = Rc::new(PreparedTarget::new(flat, Target::new));
-        targets.push((key, Rc::clone(&prepared)));
+        targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }
 
