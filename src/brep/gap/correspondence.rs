@@ -43,7 +43,8 @@ impl Correspondence {
         let coefficients: Vec<f64> = (0..=DEGREE).map(coefficient).collect();
         // |T_j'| is at most j².
         let slopes = coefficients.iter().enumerate().skip(2).map(|(j, value)| (j * j) as f64 * value.abs());
-        (slopes.sum::<f64>() < coefficients[1].abs()).then(|| Self { coefficients, middle: 0.5 * (s0 + s1) })
+        (slopes.sum::<f64>() < coefficients[1].abs())
+            .then_some(Self { coefficients, middle: 0.5 * (s0 + s1) })
     }
 
     /// Returns the parameter of the edge, by Clenshaw's recurrence.
