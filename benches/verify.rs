@@ -1,7 +1,7 @@
 //! The independent checker over results of method `certified`.
 //!
-//! `cargo bench --bench verify [-- FAMILY]`: reference pairs, shapes, soundness pairs and random
-//! pairs, or one family of them. Prints a Markdown table of verdicts and times, and every pair that
+//! `cargo bench --bench verify [-- FAMILY [PAIR]...]`: reference pairs, shapes, soundness pairs and
+//! random pairs, or one family of them, or the pairs of it whose names begin with one of those given. Prints a Markdown table of verdicts and times, and every pair that
 //! was not proved. The reference and soundness pairs lie in `../shared` and are left out without it.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
@@ -52,7 +52,10 @@ struct Row {
 type Family = (&'static str, fn() -> Vec<Pair>);
 
 fn main() {
-    let family = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let mut arguments = std::env::args().skip(1).filter(|argument| !argument.starts_with('-'));
+    let family = arguments.next().unwrap_or_default();
+    let names: Vec<String> = arguments.collect();
+    let is_chosen = |pair: &Pair| names.is_empty() || names.iter().any(|name| pair.name.starts_with(name));
     let families: [Family; 4] = [
         ("reference", reference_pairs),
         ("shapes", shape_pairs),
@@ -63,7 +66,7 @@ fn main() {
     println!("|---|---|---|---|---|---|---|");
     let mut unproved = Vec::new();
     for (name, pairs) in families.into_iter().filter(|(name, _)| name.contains(&family)) {
-        let mut rows: Vec<Row> = pairs().into_iter().map(check).collect();
+        let mut rows: Vec<Row> = pairs().into_iter().filter(is_chosen).map(check).collect();
         rows.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
         let count = |verdict| rows.iter().filter(|row| row.report.verdict() == verdict).count();
         let seconds = |index: usize| rows.get(index).map_or(0.0, |row| row.seconds);

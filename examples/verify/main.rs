@@ -31,7 +31,8 @@ struct Arguments {
     /// Seconds after which the proof is given up.
     #[arg(long, default_value_t = 60.0)]
     seconds: f64,
-    /// What is added to both sides of the interval, relative to the larger diagonal.
+    /// What is added to both sides of the interval, relative to the larger diagonal, or to the upper
+    /// end where both models are points.
     #[arg(long, default_value_t = 1e-3)]
     slack: f64,
     /// The translation of A that the result was computed with.

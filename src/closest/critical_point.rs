@@ -48,13 +48,12 @@ impl CriticalPoint {
             let derivative = [jet.s, jet.t][axis].length();
             let derivative_error =
                 derivative_roundings * 4.0 * patch.degree[axis] as f64 * (heaviest / lightest) * radius;
-            2.0 * (error * (derivative + 4.0 * derivative_error) + length * derivative_error)
-                + gamma(24.0) * (length + error) * derivative
+            error_of_gradient(length, error, derivative, derivative_error)
         });
         Self {
             parameters,
             distance_squared,
-            distance_error: error * (2.0 * length + 2.0 * error) + gamma(10.0) * distance_squared,
+            distance_error: error_of_square(length, error) + gamma(10.0) * distance_squared,
             gradient: [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)],
             gradient_error,
         }
@@ -72,6 +71,17 @@ impl CriticalPoint {
     }
 }
 
+/// An upper bound on the error of `|r|²` where r has this length and error.
+fn error_of_square(length: f64, error: f64) -> f64 {
+    error * (2.0 * length + 2.0 * error)
+}
+
+/// An upper bound on the error of 2 r·x where r has this length and error, and x these.
+fn error_of_gradient(length: f64, error: f64, derivative: f64, derivative_error: f64) -> f64 {
+    2.0 * (error * (derivative + 4.0 * derivative_error) + length * derivative_error)
+        + gamma(24.0) * (length + error) * derivative
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
@@ -83,10 +93,11 @@ mod tests {
     /// sides `size` and weights that double along s, seen from `height` over its middle.
     #[test]
     fn errors_are_those_of_the_lemmas() {
-        for (size, height, away) in [(1.0, 1.0, 0.0), (8.0, 0.125, 0.0), (0.25, 4.0, 0.0), (0.5, 0.25, 100.0)]
+        for (size, height, away, scale) in
+            [(1.0, 1.0, 0.0, 1.0), (8.0, 0.125, 0.0, 0.25), (0.25, 4.0, 0.0, 8.0), (0.5, 0.25, 100.0, 1.0)]
         {
             let mut controls = Vec::new();
-            for (x, w) in [(-1.0, 1.0), (0.0, 2.0), (1.0, 4.0)] {
+            for (x, w) in [(-1.0, scale), (0.0, 2.0 * scale), (1.0, 4.0 * scale)] {
                 for y in [-1.0, 1.0] {
                     controls.push((w * size * DVec3::new(x, y, 0.0)).extend(w));
                 }
@@ -120,5 +131,30 @@ mod tests {
                 assert!((0.999..=1.02).contains(&part), "{part} of the lemma, size {size}, height {height}");
             }
         }
+    }
+
+    /// The products of errors, which are far below the rounding of the rest.
+    #[test]
+    fn products_of_errors_are_added() {
+        // 2 |r| e + e² <= 2 e (|r| + e)
+        assert_eq!(error_of_square(3.0, 0.5), 0.5 * 7.0);
+        // 2 (e (|x| + 4 δ) + |r| δ), and 24 roundings of (|r| + e) |x|.
+        let rounding = (error_of_gradient(3.0, 0.5, 8.0, 0.25) - 10.5) / (UNIT_ROUNDOFF * 3.5 * 8.0);
+        assert!((23.0..=25.0).contains(&rounding), "{rounding}");
+    }
+
+    /// The same point in the parameters of a piece, of which a step is a part of the patch's.
+    #[test]
+    fn a_piece_has_the_derivatives_by_its_own_parameters() {
+        let known = CriticalPoint {
+            parameters: [0.5, 0.75],
+            gradient: [3.0, 5.0],
+            gradient_error: [0.25, 1.5],
+            ..CriticalPoint::default()
+        };
+        let local = known.on_piece([0.25, 0.5], [0.5, 0.25]);
+        assert_eq!(local.parameters, [0.5, 1.0]);
+        assert_eq!(local.gradient, [1.5, 1.25]);
+        assert_eq!(local.gradient_error, [0.125, 0.375]);
     }
 }

@@ -72,26 +72,7 @@ impl SquaredDistance {
     /// linear part, and the gradient by its own error (docs/method.md, section 6.6).
     #[must_use]
     pub fn lower_bound_about(&self, known: &CriticalPoint) -> f64 {
-        let [p, q] = self.degree;
-        let columns = q + 1;
-        let at = |i: usize, j: usize| {
-            let (numerator, denominator) = self.coefficients[i * columns + j];
-            numerator - known.distance_squared * denominator
-        };
-        let (mut ss, mut tt, mut st) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
-        for i in 0..=p {
-            for j in 0..=q {
-                if i + 2 <= p {
-                    ss = lower_min(ss, at(i + 2, j) - 2.0 * at(i + 1, j) + at(i, j));
-                }
-                if j + 2 <= q {
-                    tt = lower_min(tt, at(i, j + 2) - 2.0 * at(i, j + 1) + at(i, j));
-                }
-                if i < p && j < q {
-                    st = upper_max(st, (at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)).abs());
-                }
-            }
-        }
+        let [ss, tt, st] = self.second_differences(known.distance_squared);
         let (mut lightest, mut heaviest) = (f64::INFINITY, 0.0_f64);
         for &(_, denominator) in &self.coefficients {
             (lightest, heaviest) = (lower_min(lightest, denominator), upper_max(heaviest, denominator));
@@ -109,6 +90,32 @@ impl SquaredDistance {
         let excess = (heaviest * (linear(0) + linear(1)) + quadratic - rounding - value_error) / lightest;
         // `max` raises NaN, which bounds nothing, to 0 as well.
         (known.distance_squared + excess).max(0.0).min(known.distance_squared)
+    }
+
+    /// Returns the least second differences of `|Y|² - value w²` along s and along t, and the largest
+    /// absolute value of the mixed ones. O(p q).
+    fn second_differences(&self, value: f64) -> [f64; 3] {
+        let [p, q] = self.degree;
+        let columns = q + 1;
+        let at = |i: usize, j: usize| {
+            let (numerator, denominator) = self.coefficients[i * columns + j];
+            numerator - value * denominator
+        };
+        let (mut ss, mut tt, mut st) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
+        for i in 0..=p {
+            for j in 0..=q {
+                if i + 2 <= p {
+                    ss = lower_min(ss, at(i + 2, j) - 2.0 * at(i + 1, j) + at(i, j));
+                }
+                if j + 2 <= q {
+                    tt = lower_min(tt, at(i, j + 2) - 2.0 * at(i, j + 1) + at(i, j));
+                }
+                if i < p && j < q {
+                    st = upper_max(st, (at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)).abs());
+                }
+            }
+        }
+        [ss, tt, st]
     }
 
     /// Returns the axis along which `|Y|² - λ w²` is more curved, by its second differences:
@@ -197,11 +204,17 @@ mod tests {
     /// allowances of docs/method.md, section 6.6.
     #[test]
     fn the_bound_about_a_point_subtracts_every_allowance() {
-        let mut controls = Vec::new();
-        for w in [1.0, 2.0, 4.0] {
-            controls.extend([(w * DVec3::X).extend(w); 3]);
+        // Weights that are all halved give the same quotients.
+        for scale in [1.0, 0.5] {
+            let mut controls = Vec::new();
+            for w in [1.0, 2.0, 4.0] {
+                controls.extend([(scale * w * DVec3::X).extend(scale * w); 3]);
+            }
+            check_allowances(&SquaredDistance::new([2, 2], &controls, DVec3::ZERO));
         }
-        let form = SquaredDistance::new([2, 2], &controls, DVec3::ZERO);
+    }
+
+    fn check_allowances(form: &SquaredDistance) {
         // 3 products of (2/2 + 1)(2 + 1) = 6, and the largest coefficient of w² is 16.
         let (unit, heaviest) = (gamma(2.0 * 6.0 + 21.0), 16.0);
         let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
@@ -258,5 +271,46 @@ mod tests {
         let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
         let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
         assert!(form.lower_bound() <= 1.0 && form.lower_bound_about(&known) <= 1.0, "{form:?}");
+    }
+
+    /// The second differences are those of their definition, along each axis and mixed, with the
+    /// extreme anywhere.
+    #[test]
+    fn second_differences_are_the_extremes() {
+        let random = &mut fastrand::Rng::with_seed(11);
+        for _ in 0..200 {
+            let [p, q] = [2 * random.usize(1..3), 2 * random.usize(1..4)];
+            let mut number = || f64::from(random.i32(-8..9));
+            let coefficients: Vec<(f64, f64)> =
+                (0..(p + 1) * (q + 1)).map(|_| (number(), number())).collect();
+            let rows: Vec<Vec<f64>> = coefficients
+                .chunks(q + 1)
+                .map(|row| row.iter().map(|(numerator, denominator)| numerator - 3.0 * denominator).collect())
+                .collect();
+            let columns: Vec<Vec<f64>> = (0..=q).map(|j| rows.iter().map(|row| row[j]).collect()).collect();
+            let differences =
+                |line: &[f64]| line.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
+            let least = |lines: &[Vec<f64>]| {
+                let second = lines.iter().flat_map(|line| differences(&differences(line)));
+                second.fold(f64::INFINITY, f64::min)
+            };
+            let by_rows: Vec<Vec<f64>> = rows.iter().map(|row| differences(row)).collect();
+            let mixed = by_rows.windows(2).flat_map(|pair| {
+                pair[0].iter().zip(&pair[1]).map(|(a, b)| (b - a).abs()).collect::<Vec<_>>()
+            });
+            let expected = [least(&columns), least(&rows), mixed.fold(0.0, f64::max)];
+            let form = SquaredDistance { degree: [p, q], coefficients, unit: 0.0, largest: 0.0 };
+            assert_eq!(form.second_differences(3.0), expected);
+        }
+    }
+
+    /// ∇w² along t, of weights that vary along t alone.
+    #[test]
+    fn the_denominator_changes_along_both_axes() {
+        let along_t: Vec<DVec4> =
+            [1.0, 2.0, 4.0].repeat(3).into_iter().map(|w| (w * DVec3::X).extend(w)).collect();
+        let form = SquaredDistance::new([2, 2], &along_t, DVec3::ZERO);
+        // Coefficients 1, 2, 4, 8, 16 of degree 4.
+        assert!((form.denominator_change(16.0) / 32.0 - 1.0).abs() <= 1e-12);
     }
 }

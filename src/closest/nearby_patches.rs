@@ -83,6 +83,7 @@ mod tests {
     use super::NearbyPatches;
     use crate::bezier::extract;
     use crate::closest::Target;
+    use crate::rounding::UNIT_ROUNDOFF;
     use crate::shapes::shape;
     use crate::{Model, SurfaceArrays};
     use glam::DVec3;
@@ -101,16 +102,42 @@ mod tests {
                 .map(|[x, y]| [x, y, z, 1.0])
                 .to_vec(),
         };
-        let Ok(model) = Model::from_arrays(None, vec![square(-1.0), square(3.0)]) else { unreachable!() };
+        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
         let target = Target::new(extract(&model).patches);
-        let nearby = NearbyPatches::new(&target, DVec3::ZERO, 2.0);
+        let nearby = NearbyPatches::new(&target, DVec3::ZERO, 3.0);
         assert_eq!(nearby.list.len(), 1);
         let incumbent = Some((nearby.list[0].patch, [0.5, 0.5]));
-        for (height, distance) in [(0.25, 1.25), (0.75, 1.75), (1.25, 1.75), (2.5, 0.5)] {
+        for (height, distance) in [(0.1, 2.85), (0.5, 2.75), (1.25, 2.0), (3.0, 0.25)] {
             let point = DVec3::new(0.0, 0.0, height);
             let found = closest_above(&target, point, 1e-9, incumbent, 0.0, Some(&nearby));
             assert!(found.is_some_and(|found| (found.upper - distance).abs() < 1e-9), "{height}");
         }
+    }
+
+    /// Lemma R12: the lower bound loses 160 roundings of the largest length, of the point as well as
+    /// of the model.
+    #[test]
+    fn the_lower_bound_loses_its_rounding() {
+        let square = |z: f64| SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]]
+                .map(|[x, y]| [x, y, z, 1.0])
+                .to_vec(),
+        };
+        for (z, height) in [(0.0, 1e6), (1e6, 0.0)] {
+            let Ok(model) = Model::from_arrays(None, vec![square(z)]) else { unreachable!() };
+            let target = Target::new(extract(&model).patches);
+            let Some(found) = closest(&target, DVec3::new(0.5, 0.5, height), 0.0) else { unreachable!() };
+            assert_eq!(found.upper, 1e6);
+            assert!(found.upper - found.lower >= 160.0 * UNIT_ROUNDOFF * 1e6, "{found:?}");
+        }
+        // A wide gap ends the search at the incumbent, a corner: the distance is 1.
+        let Ok(model) = Model::from_arrays(None, vec![square(0.0)]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let found = closest_above(&target, DVec3::new(0.5, 0.5, 1.0), 0.5, Some((0, [0.0; 2])), 0.0, None);
+        assert!(found.is_some_and(|found| found.lower <= 1.0 && found.upper > 1.2), "{found:?}");
     }
 
     /// The nearest of a grid of points on a patch is an upper bound on the patch's distance.

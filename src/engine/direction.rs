@@ -3,30 +3,16 @@
 use super::certified::certified;
 use super::directed_result::DirectedResult;
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, PreparedTarget, Processor, Seconds, Statistics,
-    Stop, Witness,
+    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, Witness,
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
-use crate::flatness::{Flatness, MAX_HALVINGS};
 use crate::gpu::Gpu;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;
 use std::rc::Rc;
 use web_time::Instant;
-
-/// The smallest number of Bézier patches of A for which method `certified` does
-/// not subdivide them into flat patches.
-///
-/// For more patches the subdivision takes longer than the search, which requires
-/// flat patches of B only. Fewer patches are subdivided, for closer bounds on
-/// their derivatives.
-const MIN_UNCUT_PATCHES: usize = 1000;
-
-/// The number of halvings of a patch of B where B has so many patches: the search
-/// looks at few of them, and a start on a smaller piece saves less than cutting takes.
-const LARGE_MODEL_HALVINGS: u32 = 2;
 
 /// The largest ratio of the reach of a pair, from the farther end of one model to that of the
 /// other, to the smaller model's radius up to which kernels measure it. Their coordinates are in
@@ -69,11 +55,9 @@ impl Direction<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let uncut = self.from.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let flatness = if uncut { Flatness::None } else { Flatness::Loose };
-        let (from, to) = (self.from.target(flatness), self.certified_target());
+        let (from, to) = (self.from.certified_target(), self.to.certified_target());
         let (a, mut b) = (from.operand(self.from), to.operand(self.to));
-        if uncut {
+        if self.from.is_left_uncut() {
             b = b.with_uncut(&self.to.bezier().patches);
         }
         let prepare = started.elapsed().as_secs_f64();
@@ -95,13 +79,6 @@ impl Direction<'_> {
             to_patches: to.target.patches.len(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
-    }
-
-    /// Returns the patches of `to` on which closest points are searched in float64.
-    pub(super) fn certified_target(&self) -> Rc<PreparedTarget> {
-        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
-        self.to.target_within(Flatness::Loose, halvings)
     }
 
     /// Returns the metres per unit, if a model states it; both state the same if both do.

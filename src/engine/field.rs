@@ -107,7 +107,7 @@ impl Direction<'_> {
     /// # Errors
     /// [`Error::Cancelled`].
     pub(super) async fn field(&self, sampling: &Sampling, progress: &mut Progress<'_>) -> Result<Vec<Field>> {
-        let target = self.certified_target();
+        let target = self.to.certified_target();
         let search = FieldSearch {
             bezier: self.from.bezier(),
             pieces: self.from.pieces(),

@@ -42,7 +42,8 @@ pub(crate) struct Claim {
 pub(crate) struct Settings {
     /// The time to give up after.
     pub(crate) time: Duration,
-    /// What is added to both sides of the interval before it is proved, relative to the diagonal.
+    /// What is added to both sides of the interval before it is proved, relative to the diagonal, or
+    /// to the upper end where both models are points.
     pub(crate) slack: f64,
 }
 
@@ -159,7 +160,8 @@ pub(crate) fn check(a: &Model, motion: &Motion, b: &Model, claim: &Claim, settin
     let deadline = Instant::now() + settings.time;
     let pair = Pair::new(a, motion, b);
     let Pair { frame, patches, target } = &pair;
-    let slack = settings.slack * frame.diagonal;
+    let size = if frame.diagonal > 0.0 { frame.diagonal } else { claim.upper };
+    let slack = settings.slack * size;
     let mut report =
         Report { lower: Verdict::NotProved, upper: Verdict::NotProved, notes: Vec::new(), cells: 0 };
     check_lower(&mut report, &pair, claim.witness, claim.lower - slack, deadline);

@@ -115,7 +115,8 @@ impl Target {
 impl Piece {
     /// The halves across the longer direction.
     fn halves(self) -> [Self; 2] {
-        let axis = longer_axis(&self.net);
+        let [along_u, along_v] = lengths(&self.net);
+        let axis = usize::from(along_v > along_u);
         let [start, end] = self.ranges[axis];
         let center = 0.5 * (start + end);
         let mut halves = self.net.split(axis).into_iter().zip([[start, center], [center, end]]);
@@ -128,12 +129,11 @@ impl Piece {
     }
 }
 
-/// The axis along which the net's corners are farther apart.
-pub(crate) fn longer_axis(net: &Net) -> usize {
+/// The larger distances of the net's corners along each axis.
+pub(crate) fn lengths(net: &Net) -> [f64; 2] {
     let [a, b, c, d] = net.corners().map(|corner| exactly(middle(&corner)));
     let between = |from: &Vector, to: &Vector| norm(&difference(from, to)).hi;
-    let [along_u, along_v] = [between(&a, &c).max(between(&b, &d)), between(&a, &b).max(between(&c, &d))];
-    usize::from(along_v > along_u)
+    [between(&a, &c).max(between(&b, &d)), between(&a, &b).max(between(&c, &d))]
 }
 
 /// A lower bound of the distance of every point of a box from a patch: that of the boxes, or the

@@ -5,7 +5,7 @@ use super::closest::Foot;
 use super::bezier::{Net, Patch, SecondDerivatives};
 use super::interval::Interval;
 
-use super::target::{Comparison, Target, distance, longer_axis};
+use super::target::{Comparison, Target, distance, lengths};
 use super::vector::{Vector, middle};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -19,6 +19,10 @@ const ROUND: usize = 64;
 /// The halvings after which a cell is given up: float64 no longer separates its corners.
 const MAX_LEVEL: u32 = 90;
 
+/// How many times longer than wide a cell may become by cuts across the direction that bends more. Feet
+/// of corners that lie on two sides of a fold of B bend by as much on every smaller cell.
+const MAX_ASPECT: f64 = 64.0;
+
 /// On cells whose level is a multiple, B is searched for points nearer than those found, as Newton's
 /// method may end at a local minimum, and cells on which that one crosses the limit are cut without
 /// end.
@@ -27,7 +31,13 @@ const SEARCH_LEVELS: u32 = 6;
 /// How much nearer such points are to be than those found, and these than the limit where they are
 /// looked for: small cells with nearer ones are proved by what is known.
 const NEARER: f64 = 0.8;
+
 const NEAR_LIMIT: f64 = 0.5;
+
+/// The same on cells of this level and below: so small ones are left only where the distance of what
+/// was found crosses the limit, and a point hardly nearer decides them.
+const DEEP_LEVEL: u32 = 24;
+const DEEP_NEARER: f64 = 0.9999;
 
 /// The pieces of B that such a search looks at.
 const MAX_SEARCHED_PIECES: usize = 2000;
@@ -43,6 +53,9 @@ const MAX_SAMPLES: f64 = 200_000.0;
 
 /// The points, farthest first, that are then compared with all of B.
 const SUSPECTS: usize = 8;
+
+/// The time that looking for such points may take, of the time given: a fourth.
+const SAMPLING_SHARE: u32 = 4;
 
 /// What became of a limit.
 #[derive(Debug, Clone, Copy)]
@@ -95,10 +108,11 @@ pub(crate) struct Search {
 /// beyond ends the search. The cells proved and the cells left always cover A.
 pub(crate) fn prove(a: &[Patch], target: &Target, limit: f64, deadline: Instant) -> Search {
     let mut search = Search { finding: Finding::Open, cells: 0 };
-    if Instant::now() >= deadline {
+    let start = Instant::now();
+    if start >= deadline {
         return search;
     }
-    if let Some(witness) = sampled(a, target, limit, deadline) {
+    if let Some(witness) = sampled(a, target, limit, start + (deadline - start) / SAMPLING_SHARE) {
         search.finding = Finding::Beyond(witness);
         return search;
     }
@@ -187,12 +201,13 @@ impl Cell {
         );
         feet.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         let nearest = feet.first().map_or(f64::INFINITY, |foot| foot.distance);
+        let part = if self.level < DEEP_LEVEL { NEARER } else { DEEP_NEARER };
         let searched = self.level > 0 && self.level.is_multiple_of(SEARCH_LEVELS);
         if searched
             && nearest > NEAR_LIMIT * limit
             && nearest <= limit
             && let Comparison::Nearer(foot) =
-                target.compare(&center, NEARER * nearest, MAX_SEARCHED_PIECES, deadline)
+                target.compare(&center, part * nearest, MAX_SEARCHED_PIECES, deadline)
         {
             feet.insert(0, foot);
             self.known.push(foot);
@@ -210,6 +225,9 @@ impl Cell {
                 Comparison::Open => {}
             }
         }
+        if feet.first().is_some_and(|foot| is_in_ball(&self.net, foot, target, limit)) {
+            return Outcome::Within;
+        }
         let own = SecondDerivatives::of(&self.net);
         let corners = self.net.corners();
         // Where corners are near enough, the cell is cut along the direction that bends more.
@@ -224,9 +242,12 @@ impl Cell {
         if self.level == MAX_LEVEL {
             return Outcome::GivenUp;
         }
+        let lengths = lengths(&self.net);
+        let longer = usize::from(lengths[1] > lengths[0]);
+        let is_slender = lengths[longer] > MAX_ASPECT * lengths[1 - longer];
         let axis = match bends {
-            Some([along_s, along_t]) if along_s != along_t => usize::from(along_t > along_s),
-            _ => longer_axis(&self.net),
+            Some([along_s, along_t]) if along_s != along_t && !is_slender => usize::from(along_t > along_s),
+            _ => longer,
         };
         Outcome::Halves(self.halves(axis))
     }
@@ -253,6 +274,14 @@ enum Attempt {
     TooFar,
     /// The corners are within it, but the second derivatives along s and t are too large together.
     TooBent([f64; 2]),
+}
+
+/// Whether all control points of a cell are within the limit of one point of B, and by convexity all
+/// of the cell. Where weights crowd a patch into a sliver of its domain, the rest of it is nearly a
+/// point with large derivatives.
+fn is_in_ball(net: &Net, foot: &Foot, target: &Target, limit: f64) -> bool {
+    let center = target.patches[foot.patch].net.evaluate(foot.at.map(Interval::point));
+    net.hull_points().all(|point| distance(&point, &center).hi <= limit)
 }
 
 /// Proves, if it can, that a cell is within the limit of one patch of B.

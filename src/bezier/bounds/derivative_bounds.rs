@@ -211,4 +211,71 @@ mod tests {
             }
         }
     }
+
+    /// Leibniz' rule solved for each derivative in turn, of a rational patch whose controls are off
+    /// by known errors, for weights of several sizes along either axis.
+    #[test]
+    fn bounds_are_those_of_leibniz_rule() {
+        let weights = [1.0, 3.0, 2.0, 5.0];
+        for (scale, along_t) in [(1.0, false), (1.0, true), (0.125, false), (0.125, true)] {
+            let control = |index: usize| {
+                let [i, j] = [index / 4, index % 4];
+                let w = scale * weights[if along_t { j } else { i }];
+                let [i, j] = [i as f64, j as f64];
+                let point = DVec3::new(i * i - j, j * j * j - 2.0 * i, i * j);
+                (w * point).extend(w)
+            };
+            let controls: Vec<DVec4> = (0..16).map(control).collect();
+            let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
+            let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: true };
+            let error = [0.25 * scale, 0.125 * scale];
+            // The largest difference of order (a, b), p! / (p - a)! times.
+            let largest = |a: usize, b: usize| {
+                let factor = [1.0, 3.0, 6.0, 6.0];
+                let mut largest = [0.0_f64; 2];
+                for i in 0..4 - a {
+                    for j in 0..4 - b {
+                        let mut difference = DVec4::ZERO;
+                        for k in 0..=a {
+                            for l in 0..=b {
+                                let sign = if (a + b - k - l) % 2 == 0 { 1.0 } else { -1.0 };
+                                difference +=
+                                    sign * BINOMIAL[a][k] * BINOMIAL[b][l] * controls[(i + k) * 4 + j + l];
+                            }
+                        }
+                        let sizes = [difference.xyz().length(), difference.w.abs()];
+                        largest = [0, 1].map(|kind| largest[kind].max(sizes[kind]));
+                    }
+                }
+                let doubled = 2.0_f64.powi((a + b) as i32);
+                [0, 1].map(|kind| factor[a] * factor[b] * (largest[kind] + doubled * error[kind]))
+            };
+            let [x, w] = [0, 1].map(|kind| move |a: usize, b: usize| largest(a, b)[kind]);
+            let least = scale - error[1];
+            let radius =
+                controls.iter().map(|control| (control.xyz().length() + error[0]) / (control.w - error[1]));
+            let x00 = radius.fold(0.0, f64::max);
+            let x10 = (x(1, 0) + w(1, 0) * x00) / least;
+            let x01 = (x(0, 1) + w(0, 1) * x00) / least;
+            let x20 = (x(2, 0) + 2.0 * w(1, 0) * x10 + w(2, 0) * x00) / least;
+            let x11 = (x(1, 1) + w(1, 0) * x01 + w(0, 1) * x10 + w(1, 1) * x00) / least;
+            let x02 = (x(0, 2) + 2.0 * w(0, 1) * x01 + w(0, 2) * x00) / least;
+            let x30 = (x(3, 0) + 3.0 * w(1, 0) * x20 + 3.0 * w(2, 0) * x10 + w(3, 0) * x00) / least;
+            let x03 = (x(0, 3) + 3.0 * w(0, 1) * x02 + 3.0 * w(0, 2) * x01 + w(0, 3) * x00) / least;
+            let along_s = 2.0 * (w(1, 0) * x11 + w(1, 1) * x10) + w(2, 0) * x01 + w(0, 1) * x20;
+            let x21 = (x(2, 1) + along_s + w(2, 1) * x00) / least;
+            let across_s = 2.0 * (w(0, 1) * x11 + w(1, 1) * x01) + w(0, 2) * x10 + w(1, 0) * x02;
+            let x12 = (x(1, 2) + across_s + w(1, 2) * x00) / least;
+            let expected = [x00, x10, x01, x20, x11, x02, x30, x21, x12, x03];
+            let DerivativeBounds { radius, first, second, third } = patch.derivative_bounds_within(error);
+            let found = [&[radius][..], &first, &second, &third].concat();
+            for (order, (found, expected)) in found.iter().zip(expected).enumerate() {
+                let part = found / expected;
+                assert!(
+                    (1.0 - 1e-12..=1.0 + 1e-10).contains(&part),
+                    "{part} of bound {order}, {scale} {along_t}"
+                );
+            }
+        }
+    }
 }

@@ -171,14 +171,20 @@ impl Patch<'_> {
     /// The excess of the recursion is proportional to the size of the box, as
     /// weights, and points relative to the box's own centre, vary less over it.
     fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
+        let (part, error) = self.centered_part(s, t);
+        part.patch(0).derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
+    }
+
+    /// Returns the part over the box `s` × `t` about its own centre, with bounds on the errors of
+    /// its controls, in space and weight.
+    fn centered_part(&self, s: [f64; 2], t: [f64; 2]) -> (PatchSet, [f64; 2]) {
         let controls = self.restricted(s, t);
         let part = Patch { controls: &controls, ..*self };
         let mut centered = PatchSet::default();
         centered.push_centered(part, center_grid(part.bounding_box().diagonal()));
-        let centered = centered.patch(0);
-        let shift = (centered.center - self.center).length();
+        let shift = (centered.patch(0).center - self.center).length();
         let error = restriction_error(self.degree, [s, t], self.largest_controls(), shift);
-        centered.derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
+        (centered, error)
     }
 }
 
@@ -206,6 +212,7 @@ fn growth(degree: usize, [start, end]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
     use crate::rounding::UNIT_ROUNDOFF;
+    use glam::{DVec3, DVec4};
 
     /// Lemma R6: 8 (p + q) roundings of controls that grow beyond each edge, in both
     /// directions at once too, and 2 of the change of centre.
@@ -233,6 +240,102 @@ mod tests {
                     assert!((1.0..=1.02).contains(&part), "{part} over {s:?} × {t:?}");
                 }
             }
+        }
+    }
+
+    /// Lemma R6 with the shift of the centre, which is the distance of both centres: the part of a
+    /// square with corners (±1, ±1) about (4, 0) whose centre is (4.5, 0.5).
+    #[test]
+    fn the_error_of_a_part_has_the_distance_of_the_centres() {
+        let corner = |x: f64, y: f64| DVec4::new(x, y, 0.0, 1.0);
+        let controls = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
+        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, 4.0 * DVec3::X);
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (part, error) = patch.centered_part([0.5, 1.0], [0.5, 1.0]);
+        assert_eq!(part.patch(0).center, DVec3::new(4.5, 0.5, 0.0));
+        let (largest, shift) = (2.0_f64.sqrt(), 0.5_f64.sqrt());
+        let lemma = [16.0 * largest + 2.0 * (largest + shift), 16.0];
+        for (found, lemma) in error.into_iter().zip(lemma) {
+            let part = found / (UNIT_ROUNDOFF * lemma);
+            assert!((1.0..=1.02).contains(&part), "{part}");
+        }
+    }
+
+    /// The lines of the parts rise from one end of the extension to the other, finer towards edges
+    /// that are a point.
+    #[test]
+    fn parts_divide_the_extension() {
+        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, DVec3::ZERO);
+        let wide = [DVec4::new(1.0, -1.0, 0.0, 1.0), DVec4::new(1.0, 1.0, 0.0, 1.0)];
+        for (controls, finest) in [
+            ([DVec4::W, DVec4::W, wide[0], wide[1]], [true, false]),
+            ([wide[0], wide[1], DVec4::W, DVec4::W], [false, true]),
+            ([wide[0], wide[1], -wide[0] + 2.0 * DVec4::W, -wide[1] + 2.0 * DVec4::W], [false, false]),
+        ] {
+            let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+            for [low, high] in [[0.0, 1.0], [-0.125, 1.0], [0.0, 1.125], [-0.125, 1.125]] {
+                let extension = ParamBox::new([low, high], [0.0, 1.0]);
+                let Parts { lines: [along_s, along_t], .. } = Parts::new(&patch, 1.0, extension);
+                assert_eq!(along_t, [0.0, 0.25, 0.5, 0.75, 1.0]);
+                assert_eq!([along_s[0], along_s[along_s.len() - 1]], [low, high]);
+                assert!(along_s.windows(2).all(|pair| pair[0] < pair[1]), "{along_s:?}");
+                assert!([0.0, 0.25, 0.5, 0.75, 1.0].iter().all(|line| along_s.contains(line)), "{along_s:?}");
+                for (end, is_finest) in [0.25 / 256.0, 1.0 - 0.25 / 256.0].iter().zip(finest) {
+                    assert_eq!(along_s.contains(end), is_finest, "{along_s:?}");
+                }
+            }
+        }
+    }
+
+    /// Each box has the bounds of the parts that it touches, and of all of them.
+    #[test]
+    fn boxes_have_the_bounds_of_their_parts() {
+        let control = |index: usize| {
+            let [i, j] = [(index / 4) as f64, (index % 4) as f64];
+            DVec4::new(i * i * i - j, j * j * j - i * j, i * j * j, 1.0)
+        };
+        let controls: Vec<DVec4> = (0..16).map(control).collect();
+        let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let local = LocalDerivativeBounds::new(ParamBox::UNIT);
+        let part = |place: [f64; 2]| {
+            let [s, t] = place.map(|place| [0.25 * place, 0.25 * (place + 1.0)]);
+            DerivativeBounds { radius: local.whole(&patch).radius, ..patch.bounds_over(s, t) }
+        };
+        for index in 0..16 {
+            let place = [index / 4, index % 4].map(f64::from);
+            let [low, high] = [0.25, 0.75].map(|at| place.map(|place| 0.25 * (place + at)));
+            assert_eq!(local.over(&patch, low, high), part(place), "{place:?}");
+        }
+        // Over a line between two parts along each axis, and a point on such lines.
+        let mut both = part([1.0, 2.0]);
+        for place in [[2.0, 2.0], [1.0, 3.0], [2.0, 3.0]] {
+            both.enclose(&part(place));
+        }
+        assert_eq!(local.over(&patch, [0.45, 0.7], [0.55, 0.8]), both);
+        for at in [0.0, 0.25, 0.5, 1.0] {
+            assert!(local.over(&patch, [at; 2], [at; 2]).second[0] > 0.0, "{at}");
+        }
+    }
+
+    /// A box that leaves the unit square on one side only has the bounds of the extension.
+    #[test]
+    fn boxes_beyond_an_edge_have_the_bounds_of_the_extension() {
+        let controls: Vec<DVec4> = [0.0, 0.0, 1.0, 4.0]
+            .iter()
+            .flat_map(|&z| [0.0, 1.0].map(|y| DVec4::new(z, y, z * z, 1.0)))
+            .collect();
+        let (degree, domain, center) = ([3, 1], ParamBox::UNIT, DVec3::ZERO);
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let extension = ParamBox::new([-0.125, 1.125], [0.0, 1.0]);
+        let local = LocalDerivativeBounds::new(extension);
+        let whole = *local.whole(&patch);
+        for (low, high, is_inside) in [
+            ([0.5; 2], [1.0; 2], true),
+            ([0.5, 0.0], [1.125, 1.0], false),
+            ([-0.125, 0.0], [0.5, 1.0], false),
+        ] {
+            assert_eq!(*local.about(&patch, low, high) == whole, is_inside, "{low:?} {high:?}");
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Pairs on which the bounds are attained or nearly so: a bound that is less
 //! than its theorem states is below the distance of some point of these.
 
-use super::bilinear::Bilinear;
 use super::convex_combination::ConvexCombination;
 use super::polynomial_difference::PolynomialDifference;
 use super::same_net::SameNet;
@@ -9,7 +8,7 @@ use super::sphere::InSphere;
 use super::taylor::Taylor;
 use super::{
     CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
-    with_nearest_feet,
+    with_carrying_feet, with_nearest_feet,
 };
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract, relative};
 use crate::certified::nearest::{Foot, NearestPoint};
@@ -29,16 +28,16 @@ const ROUNDING: f64 = 1e-11;
 const CENTER: DVec3 = DVec3::new(0.5, -0.25, 0.125);
 
 /// Degrees and homogeneous controls of one patch.
-type Net = ([usize; 2], Vec<DVec4>);
+pub(super) type Net = ([usize; 2], Vec<DVec4>);
 
 /// One operand with what it borrows. Every patch is a surface of its own.
-struct Model {
+pub(super) struct Model {
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
 }
 
 impl Model {
-    fn new(nets: &[Net]) -> Self {
+    pub(super) fn new(nets: &[Net]) -> Self {
         let mut patches = PatchSet::default();
         for (surface, (degree, controls)) in nets.iter().enumerate() {
             // Not at the origin, and different for different models.
@@ -67,7 +66,13 @@ fn pair<'a>(a: &'a Model, b: &'a Model) -> Pair<'a> {
 }
 
 /// The bound of a cell of A's first patch, from the foot on B's first patch.
-fn evaluate(bound: &dyn UpperBound, a: &Model, b: &Model, cell: Cell, threshold: f64) -> Option<f64> {
+pub(super) fn evaluate(
+    bound: &dyn UpperBound,
+    a: &Model,
+    b: &Model,
+    cell: Cell,
+    threshold: f64,
+) -> Option<f64> {
     let pair = pair(a, b);
     let nearest = NearestPoint::new(pair.b);
     let mut context = CellContext::new(&pair, &nearest, cell, &Foot::start(0, [0.5; 2]));
@@ -84,7 +89,7 @@ fn monomial(power: usize, degree: usize) -> Vec<f64> {
 }
 
 /// The graph z = height + factor s^a t^b over the unit square.
-fn graph(height: f64, factor: f64, [a, b]: [usize; 2]) -> Net {
+pub(super) fn graph(height: f64, factor: f64, [a, b]: [usize; 2]) -> Net {
     let degree = [a.max(1), b.max(1)];
     let [s, t] = [0, 1].map(|axis| monomial(1, degree[axis]));
     let [in_s, in_t] = [monomial(a, degree[0]), monomial(b, degree[1])];
@@ -99,12 +104,12 @@ fn bilinear(corners: [[f64; 3]; 4]) -> Net {
 }
 
 /// The rectangle [low, high] x [-2, 3] in the plane z = 0.
-fn plane([low, high]: [f64; 2]) -> Net {
+pub(super) fn plane([low, high]: [f64; 2]) -> Net {
     bilinear([[low, -2.0, 0.0], [low, 3.0, 0.0], [high, -2.0, 0.0], [high, 3.0, 0.0]])
 }
 
 /// A patch that is one point.
-fn point(at: [f64; 3]) -> Net {
+pub(super) fn point(at: [f64; 3]) -> Net {
     bilinear([at; 4])
 }
 
@@ -115,7 +120,7 @@ fn line(from: [f64; 3], to: [f64; 3]) -> Net {
 
 /// Asserts that a bound is neither below a distance nor above it by more than a part.
 #[track_caller]
-fn assert_attained(bound: f64, distance: f64, excess: f64) {
+pub(super) fn assert_attained(bound: f64, distance: f64, excess: f64) {
     assert!(bound >= distance * (1.0 - ROUNDING), "{bound} is below {distance}");
     assert!(bound <= distance * (1.0 + excess + ROUNDING), "{bound} is far above {distance}");
 }
@@ -258,34 +263,6 @@ fn polynomial_difference_from_a_graph() {
     }
 }
 
-/// An arch over a plane, with its corners at the least height: `δ_A` is the
-/// height of the arch. Then the plane over an arch, with `δ_B`.
-#[test]
-fn bilinear_over_and_under_an_arch() {
-    let arch = |axis: usize, height: f64, rise: f64| -> Net {
-        let (mut net, z) = (graph(height, 0.0, [2, 2]), [height, height + 2.0 * rise, height]);
-        for (index, control) in net.1.iter_mut().enumerate() {
-            control.z = z[[index / 3, index % 3][axis]];
-        }
-        net
-    };
-    for axis in [0, 1] {
-        let a = Model::new(&[arch(axis, 0.1, 0.1)]);
-        let b = Model::new(&[plane([-2.0, 3.0])]);
-        assert_attained(evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap(), 0.2, 1e-9);
-        // Two patches that join across s; where the arch is along s, the places
-        // at which its edges cross the join are near its top; along t, they are off
-        // the join by the tolerance of the secant steps.
-        let b = Model::new(&[plane([-2.0, 0.4]), plane([0.4, 3.0])]);
-        let bound = evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap();
-        assert_attained(bound, 0.2, [0.5, 0.02][axis]);
-        let flat = Model::new(&[graph(0.0, 0.0, [1, 1])]);
-        let b = Model::new(&[arch(axis, 1e-5, 1e-4)]);
-        let bound = evaluate(&Bilinear, &flat, &b, Cell::whole(0), 1.0).unwrap();
-        assert_attained(bound * (1.0 + 1e-6), 1.1e-4, 1e-3);
-    }
-}
-
 /// A copy moved along its normal, with one corner moved farther.
 #[test]
 fn same_net_of_a_moved_copy() {
@@ -308,6 +285,22 @@ fn same_net_of_a_moved_copy() {
         let a = Model::new(&[square(1.0, weight), square(1.0, weight)]);
         assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
     }
+}
+
+/// Of two patches the second one is moved farther; without a copy of it there is no bound but that
+/// of the boxes.
+#[test]
+fn whole_models_are_bounded_by_all_patches() {
+    let square =
+        |height: f64| bilinear([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[x, y]| [x, y, height]));
+    let b = Model::new(&[square(0.0), square(0.0)]);
+    let bound = |heights: &[f64]| {
+        let nets: Vec<Net> = heights.iter().map(|&height| square(height)).collect();
+        whole_models(&pair(&Model::new(&nets), &b))
+    };
+    assert_attained(bound(&[1.0, 2.0]), 2.0, 0.0);
+    assert_attained(bound(&[2.0, 1.0]), 2.0, 0.0);
+    assert_attained(bound(&[1.0, 1.0, 2.0]), 6.0_f64.sqrt(), 0.0);
 }
 
 /// Points inside and outside a sphere, and the end of a line.
@@ -387,7 +380,7 @@ impl UpperBound for Fixed {
 /// The list of bounds ends at the first that suffices; none and NaN bound nothing.
 #[test]
 fn the_least_bound_of_a_list() {
-    let a = Model::new(&[graph(0.0, 1.0, [3, 0])]);
+    let a = Model::new(&[graph(0.0, 3.0, [3, 0])]);
     let b = Model::new(&[plane([-2.0, 3.0])]);
     let pair = pair(&a, &b);
     let nearest = NearestPoint::new(pair.b);
@@ -403,8 +396,10 @@ fn the_least_bound_of_a_list() {
         let list: Vec<&dyn UpperBound> = fixed.iter().map(|bound| bound as &dyn UpperBound).collect();
         assert_eq!(least(&list, &mut context, 2.0), expected, "{bounds:?}");
     }
-    assert_attained(with_any_foot(&mut context, 0.0), 1.0, 0.0);
-    assert_attained(with_nearest_feet(&mut context, 0.0), 1.0, 0.0);
+    assert_attained(with_any_foot(&mut context, 0.0), 3.0, 0.0);
+    assert_attained(with_nearest_feet(&mut context, 0.0), 3.0, 0.0);
+    // One foot alone has no combination.
+    assert_eq!(with_carrying_feet(&mut context, 0.0), f64::INFINITY);
 }
 
 /// Two parallel planes, whose difference is constant: the Taylor bound is the distance and J of

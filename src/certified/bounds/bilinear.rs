@@ -53,8 +53,7 @@ impl UpperBound for Bilinear {
         if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
             return None;
         }
-        let cell_error = SLIVER_ROUNDINGS * UNIT_ROUNDOFF * context.radius
-            + interpolation_error(context.local_bounds(), context.cell.half.map(|half| 2.0 * half));
+        let cell_error = cell_error(context.local_bounds(), context.cell.half, context.radius);
         let mut corners = Corners { context, cell_error };
         corners.upper_bound(&foot, threshold)
     }
@@ -197,6 +196,12 @@ fn nearer(one: Foot, other: Foot) -> Foot {
     if other.distance_squared < one.distance_squared { other } else { one }
 }
 
+/// δ_A over a cell of these half-widths and this radius, with the width of the slivers between two
+/// polygons.
+fn cell_error(bounds: &DerivativeBounds, half: [f64; 2], radius: f64) -> f64 {
+    SLIVER_ROUNDINGS * UNIT_ROUNDOFF * radius + interpolation_error(bounds, half.map(|half| 2.0 * half))
+}
+
 /// δ of the lemma over a box of this extent in the parameters.
 fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
     let [uu, uv, vv] = bounds.second;
@@ -204,8 +209,11 @@ fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
+    use super::super::attained::{Model, Net, assert_attained, evaluate, graph, plane, point};
     use super::*;
+    use crate::certified::Cell;
 
     /// Linear interpolation over a triangle of the unit square is off by 1/4 at
     /// the middle of an edge for s² and t², and in the middle of the diagonal for s t.
@@ -223,5 +231,64 @@ mod tests {
         let bounds = DerivativeBounds { second: [2.0, 1.0, 2.0], ..DerivativeBounds::default() };
         // Over [0, 2] x [0, 1/2] s² is off by 1, s t by 1/4 and t² by 1/16.
         assert_eq!(interpolation_error(&bounds, [2.0, 0.5]), 1.3125);
+    }
+
+    /// Lemma R14: the slivers are four roundings of the cell's radius wide.
+    #[test]
+    fn the_error_of_a_cell_adds_the_slivers() {
+        let flat = DerivativeBounds::default();
+        let bent = DerivativeBounds { second: [2.0, 0.0, 0.0], ..flat };
+        for radius in [0.25, 8.0] {
+            assert_eq!(cell_error(&flat, [0.5; 2], radius), 4.0 * UNIT_ROUNDOFF * radius);
+            assert_eq!(cell_error(&bent, [0.5; 2], radius), 0.25 + 4.0 * UNIT_ROUNDOFF * radius);
+        }
+    }
+
+    /// A square between two points, of which each is nearer to two of its corners: the farthest
+    /// points are corners of one of the polygons, or those where both are equally near.
+    #[test]
+    fn two_polygons_are_bounded_by_their_vertices() {
+        let a = Model::new(&[graph(0.0, 0.0, [1, 1])]);
+        for [first, second] in [[0.25, 0.8], [0.4, 0.9], [0.1, 0.6]] {
+            let middle: f64 = 0.5 * (first + second);
+            let distance = [first, middle - first, 1.0 - second].into_iter().fold(0.0, f64::max).hypot(0.5);
+            for points in [[first, second], [second, first]] {
+                let [along_s, along_t] =
+                    [points.map(|s| point([s, 0.5, 0.0])), points.map(|t| point([0.5, t, 0.0]))];
+                for b in [along_s, along_t] {
+                    let threshold = distance * (1.0 + 1e-3);
+                    let bound = evaluate(&Bilinear, &a, &Model::new(&b), Cell::whole(0), threshold);
+                    assert_attained(bound.unwrap(), distance, 1e-3);
+                }
+            }
+        }
+    }
+
+    /// An arch over a plane, with its corners at the least height: `δ_A` is the
+    /// height of the arch. Then the plane over an arch, with `δ_B`.
+    #[test]
+    fn bilinear_over_and_under_an_arch() {
+        let arch = |axis: usize, height: f64, rise: f64| -> Net {
+            let (mut net, z) = (graph(height, 0.0, [2, 2]), [height, height + 2.0 * rise, height]);
+            for (index, control) in net.1.iter_mut().enumerate() {
+                control.z = z[[index / 3, index % 3][axis]];
+            }
+            net
+        };
+        for axis in [0, 1] {
+            let a = Model::new(&[arch(axis, 0.1, 0.1)]);
+            let b = Model::new(&[plane([-2.0, 3.0])]);
+            assert_attained(evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap(), 0.2, 1e-9);
+            // Two patches that join across s; where the arch is along s, the places
+            // at which its edges cross the join are near its top; along t, they are off
+            // the join by the tolerance of the secant steps.
+            let b = Model::new(&[plane([-2.0, 0.4]), plane([0.4, 3.0])]);
+            let bound = evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap();
+            assert_attained(bound, 0.2, [0.5, 0.02][axis]);
+            let flat = Model::new(&[graph(0.0, 0.0, [1, 1])]);
+            let b = Model::new(&[arch(axis, 1e-5, 1e-4)]);
+            let bound = evaluate(&Bilinear, &flat, &b, Cell::whole(0), 1.0).unwrap();
+            assert_attained(bound * (1.0 + 1e-6), 1.1e-4, 1e-3);
+        }
     }
 }

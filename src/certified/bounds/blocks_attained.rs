@@ -95,6 +95,38 @@ fn patches_above_the_threshold_are_left() {
     }
 }
 
+/// A ribbon over a plane that turns back and forth again: the image of a span that runs against
+/// the sample's has no parts, and its patch is left.
+#[test]
+fn a_patch_without_parts_is_left() {
+    const HEIGHT: f64 = 1e-3;
+    let rows = [0.0, 0.5, 0.25, 1.0];
+    for transposed in [false, true] {
+        let point = |x: f64, y: f64| if transposed { [y, x, HEIGHT, 1.0] } else { [x, y, HEIGHT, 1.0] };
+        let along = (clamped(1, &[1.0 / 3.0, 2.0 / 3.0]), rows.len());
+        let across = (clamped(1, &[]), 2);
+        let [(knots_u, count_u), (knots_v, count_v)] =
+            if transposed { [across, along] } else { [along, across] };
+        let control_points = if transposed {
+            [0.0, 1.0].iter().flat_map(|&y| rows.map(|x| point(x, y))).collect()
+        } else {
+            rows.iter().flat_map(|&x| [0.0, 1.0].map(|y| point(x, y))).collect()
+        };
+        let ribbon = SurfaceArrays {
+            degree: [1, 1],
+            knots: [knots_u, knots_v],
+            counts: [count_u, count_v],
+            control_points,
+        };
+        let a = Surfaces::new(vec![ribbon], Flatness::None);
+        let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), 2.0 * HEIGHT);
+        assert_eq!(bound.undecided, [true, false, true], "{transposed}");
+    }
+}
+
 /// No point of a patch that is decided is farther from B than the bound: closed surfaces
 /// and their copies that begin at another row, with control points moved by a little.
 #[test]

@@ -3,6 +3,7 @@
 use super::super::nearest::{Foot, NearestPoint, Query, Sample};
 use super::super::{Cell, Pair};
 use super::{same_net, sphere};
+use crate::rounding::upper_max;
 
 /// An upper bound on the directed distance, before anything is searched: by
 /// the models' boxes, or by the bounds on whole patches where they cover A.
@@ -19,11 +20,10 @@ fn over_whole_patches(pair: &Pair<'_>) -> f64 {
         let by_sphere = pair.b.sphere.map_or(f64::INFINITY, |sphere| {
             sphere::upper_bound(&Cell::whole(index), &pair.a.patch(index), &pair.transform, &sphere)
         });
-        let bound = by_net.min(by_sphere);
-        if bound.is_nan() || bound == f64::INFINITY {
-            return f64::INFINITY;
+        largest = upper_max(largest, by_net.min(by_sphere));
+        if largest == f64::INFINITY {
+            break;
         }
-        largest = largest.max(bound);
     }
     largest
 }

@@ -96,4 +96,34 @@ mod tests {
         // All terms have one sign at a corner, where the length is that.
         assert_eq!(quadratic.max_length_squared(), quadratic.size().powi(2));
     }
+
+    /// The coefficients are those of `|Q|²`: the biquartic with them has its values.
+    #[test]
+    fn the_coefficients_are_those_of_the_square() {
+        let vector = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+        let quadratic = Quadratic {
+            value: vector(1.0, -2.0, 0.5),
+            s: vector(-0.5, 1.0, 2.0),
+            t: vector(2.0, 0.25, -1.0),
+            ss: vector(1.0, 3.0, -0.5),
+            st: vector(0.75, -1.0, 1.5),
+            tt: vector(-2.0, 0.5, 1.0),
+        };
+        let coefficients = quadratic.length_squared();
+        let bernstein = |x: f64| {
+            let (x, y) = (0.5 * (1.0 + x), 0.5 * (1.0 - x));
+            [y.powi(4), 4.0 * x * y.powi(3), 6.0 * x * x * y * y, 4.0 * x.powi(3) * y, x.powi(4)]
+        };
+        for step in 0..81 {
+            let [s, t] = [step / 9, step % 9].map(|step| f64::from(step) / 4.0 - 1.0);
+            let Quadratic { value, s: by_s, t: by_t, ss, st, tt } = quadratic;
+            let q = value + s * by_s + t * by_t + 0.5 * s * s * ss + s * t * st + 0.5 * t * t * tt;
+            let (in_s, in_t) = (bernstein(s), bernstein(t));
+            let mut sum = 0.0;
+            for (row, in_s) in coefficients.iter().zip(in_s) {
+                sum += row.iter().zip(in_t).map(|(c, in_t)| c * in_s * in_t).sum::<f64>();
+            }
+            assert!((sum - q.length_squared()).abs() <= 1e-12, "{sum} at ({s}, {t})");
+        }
+    }
 }

@@ -52,7 +52,9 @@ fn restriction_error([p, q]: [usize; 2], radius: f64, shift: f64) -> f64 {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+    use crate::param_box::ParamBox;
     use crate::rounding::UNIT_ROUNDOFF;
+    use glam::{DVec3, DVec4};
 
     #[test]
     fn the_error_of_a_restriction_is_that_of_the_lemma() {
@@ -60,5 +62,18 @@ mod tests {
             let part = restriction_error([3, 2], radius, shift) / (UNIT_ROUNDOFF * lemma);
             assert!((1.0..=1.02).contains(&part), "{part} of the lemma, radius {radius}, shift {shift}");
         }
+    }
+
+    /// A point at distance 5 from the centre of a sphere of radius 2: the distance is 3, and the
+    /// error of a shift by 5 is added.
+    #[test]
+    fn the_error_of_a_restriction_is_added() {
+        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, 5.0 * DVec3::X);
+        let controls = [DVec4::W; 4];
+        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let sphere = Sphere { center: DVec3::ZERO, radius: 2.0, deviation: 0.0 };
+        let bound = upper_bound(&Cell::whole(0), &patch, &RigidTransform::IDENTITY, &sphere);
+        let excess = (bound - sphere.distance_bound(&patch)) / (UNIT_ROUNDOFF * 8.0 * 5.0);
+        assert!((0.9..=1.1).contains(&excess), "{excess} of the lemma");
     }
 }

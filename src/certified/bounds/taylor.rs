@@ -187,10 +187,15 @@ impl Difference<'_> {
             };
             (taylor_remainder(&of_b, extent), b.jet_scale(foot.patch))
         };
-        (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * (taylor_remainder(of_a, half) + of_b)
+        remainders(taylor_remainder(of_a, half), of_b)
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
             + scale_of_b.quadratic_error(extent, JET_ROUNDINGS)
     }
+}
+
+/// The sum of the remainders of A and B, with its rounding.
+fn remainders(of_a: f64, of_b: f64) -> f64 {
+    (1.0 + REMAINDER_ROUNDINGS * UNIT_ROUNDOFF) * (of_a + of_b)
 }
 
 /// An upper bound on Taylor's remainder of third order of a surface over a box
@@ -234,5 +239,11 @@ mod tests {
         let allowance = max_length(&quadratic) - size;
         let lemma = 20.0 * UNIT_ROUNDOFF * size;
         assert!(0.9 * lemma <= allowance && allowance <= 1.1 * lemma, "{allowance:e} and {lemma:e}");
+    }
+
+    /// 64 roundings of the sum.
+    #[test]
+    fn the_sum_of_the_remainders_has_its_rounding() {
+        assert_eq!((remainders(3.0, 5.0) - 8.0) / UNIT_ROUNDOFF, 8.0 * 64.0);
     }
 }

@@ -5,6 +5,9 @@ mod frontier;
 mod gains;
 mod incumbent;
 mod node;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
 
 pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;

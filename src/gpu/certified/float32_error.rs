@@ -233,4 +233,18 @@ mod tests {
             }
         }
     }
+
+    /// Equal weights become 1, others at most about 1, by a power of two.
+    #[test]
+    fn weights_are_scaled_to_one() {
+        let scale_of = |weights: [f64; 4], rational: bool| {
+            let controls = weights.map(|w| (w * DVec3::X).extend(w));
+            let (degree, domain, center) = ([1, 1], ParamBox::UNIT, DVec3::ZERO);
+            weight_scale(&Patch { surface: 0, degree, domain, center, controls: &controls, rational })
+        };
+        assert_eq!(scale_of([3.0; 4], false), 1.0 / 3.0);
+        let scale = scale_of([1.0, 24.0, 2.0, 3.0], true);
+        assert_eq!(scale.log2().fract(), 0.0);
+        assert!((0.5..=2.0).contains(&(24.0 * scale)), "{scale}");
+    }
 }

@@ -114,3 +114,23 @@ impl AlignedMap {
         self.image(foot).as_flattened().iter().all(|parameter| (0.0..=1.0).contains(parameter))
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// An image that leaves the patch on any side has the errors of an extrapolation (lemma R6).
+    #[test]
+    fn an_image_beyond_an_edge_is_not_inside() {
+        for swapped in [false, true] {
+            let orientation = Orientation { swapped, backwards: [true, false] };
+            let extent = if swapped { [0.125, -0.25] } else { [-0.25, 0.125] };
+            let map = AlignedMap { p: DVec2::ZERO, q: DVec2::ZERO, orientation, along: extent };
+            assert_eq!(map.image([0.5, 0.5]), [[0.25, 0.75], [0.375, 0.625]]);
+            assert!(map.is_inside([0.5, 0.5]) && map.is_inside([0.25, 0.875]));
+            for foot in [[0.2, 0.5], [0.8, 0.5], [0.5, 0.1], [0.5, 0.9]] {
+                assert!(!map.is_inside(foot), "{foot:?}");
+            }
+        }
+    }
+}

@@ -19,6 +19,22 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// tried: they bring little more than a turn of the difference over the piece.
 const MAX_EXCESS: f64 = 2.0;
 
+/// The number of products that a coefficient of a square sums, of a polynomial of these degrees.
+fn square_terms([p, q]: [usize; 2]) -> f64 {
+    ((p / 2 + 1) * (q + 1)) as f64
+}
+
+/// The bound of lemma R11 by the longest coefficient, whose products are off by this part.
+fn bound_by_lengths(longest: f64, of_products: f64) -> f64 {
+    (1.0 + of_products) * (1.0 + gamma(LENGTH_ROUNDINGS)) * longest
+}
+
+/// The bound of lemma R11 by the largest coefficient of the squared length.
+fn bound_by_squares(largest: f64, longest: f64, of_products: f64, of_squares: f64) -> f64 {
+    let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
+    (1.0 + of_products) * under_root.sqrt()
+}
+
 /// A homogeneous control net, t fastest.
 pub(super) struct Net {
     pub(super) degree: [usize; 2],
@@ -72,7 +88,7 @@ impl Net {
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding =
             of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
-        let by_lengths = (1.0 + of_products) * (1.0 + gamma(LENGTH_ROUNDINGS)) * longest + rounding;
+        let by_lengths = bound_by_lengths(longest, of_products) + rounding;
         let is_decided = by_lengths <= threshold;
         let bound = if is_decided {
             by_lengths
@@ -83,10 +99,8 @@ impl Net {
                 .into_iter()
                 .map(|(length_squared, weight_squared)| length_squared / weight_squared)
                 .fold(0.0, upper_max);
-            let square_terms = ((degree[0] / 2 + 1) * (degree[1] + 1)) as f64;
-            let of_squares = gamma(square_terms + SQUARE_ROUNDINGS);
-            let under_root = (1.0 + of_squares) * largest + of_squares * longest * longest;
-            (1.0 + of_products) * under_root.sqrt() + rounding
+            bound_by_squares(largest, longest, of_products, gamma(square_terms(degree) + SQUARE_ROUNDINGS))
+                + rounding
         };
         (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
     }
@@ -191,14 +205,20 @@ mod tests {
         }
     }
 
-    /// The same for a rational patch of degrees (7, 7) against itself, moved: the distance is
+    /// The same for rational patches of degrees (7, 7) against themselves, moved: the distance is
     /// that of the motion at equal parameters, and all roundings add to it. A threshold just
     /// above the distance is not reached by the coefficients' lengths.
     #[test]
     fn the_bound_of_a_moved_net_adds_its_rounding() {
+        for ratio in [2.0, 1.5] {
+            check_a_moved_net(ratio);
+        }
+    }
+
+    fn check_a_moved_net(ratio: f64) {
         let (mut controls, mut lengths) = ([Vec::new(), Vec::new()], [0.0_f64; 2]);
         for index in 0..64 {
-            let w = 1.0 + f64::from((index / 8 + index) % 2);
+            let w = if (index / 8 + index) % 2 == 0 { 1.0 } else { ratio };
             let point = DVec3::new(f64::from(index / 8), f64::from(index % 8), 0.0) / 8.0;
             for (side, z) in [0.0, 1.0].into_iter().enumerate() {
                 let point = point + z * DVec3::Z;
@@ -216,6 +236,56 @@ mod tests {
             // The products that are bounded are off by some roundings themselves.
             assert!((0.99..=1.05).contains(&part), "{part} of the lemma, threshold {threshold}");
         }
+    }
+
+    /// What lemmas R6 and R11 take of one net, relative to its weights: its largest point, about its
+    /// centre and about the origin, and the spread of its weights.
+    #[test]
+    fn a_net_is_measured_by_its_points() {
+        let weights = [4.0, 1.0, 2.0, 2.0];
+        let points = [DVec3::ZERO, DVec3::new(3.0, 4.0, 0.0), DVec3::ZERO, DVec3::ZERO];
+        let controls = points.iter().zip(weights).map(|(point, w)| (w * *point).extend(w)).collect();
+        let net = Net::new([1, 1], controls, DVec3::new(0.0, 0.0, 12.0), 1.0);
+        assert_eq!([net.radius, net.weight_spread], [13.0, 3.0]);
+        assert_eq!(net.point_error, gamma((16.0 * 2.0 + 8.0) * 5.0 + 4.0 * 12.0));
+    }
+
+    /// A net of equal points, of which one weight is greater by `spread`.
+    fn point_net(degree: [usize; 2], distance: f64, spread: f64) -> Net {
+        let mut controls = vec![DVec4::new(distance, 0.0, 0.0, 1.0); (degree[0] + 1) * (degree[1] + 1)];
+        controls[0] *= 1.0 + spread;
+        Net::new(degree, controls, DVec3::ZERO, 1.0)
+    }
+
+    /// The terms and the error of lemma R11: an elevation takes three roundings, and weights that
+    /// are taken as equal twice their spread; a product of nets has a term for each pair of
+    /// controls that it sums.
+    #[test]
+    fn differences_have_the_terms_of_the_lemma() {
+        let spread = 2.0_f64.powi(-41);
+        let (x, y) = (point_net([1, 2], 4.0, spread), point_net([3, 1], 16.0, 0.5 * spread));
+        let polynomial = Difference::new(&x, &y);
+        assert_eq!((polynomial.degree, polynomial.product_terms), ([3, 2], 1 + 3 * (2 + 1)));
+        assert_eq!(polynomial.error, 2.0 * (4.0 + 8.0) * spread);
+        let rational = Difference::new(&point_net([2, 3], 1.0, 1.0), &point_net([4, 1], 1.0, 0.0));
+        assert_eq!((rational.degree, rational.product_terms), ([6, 4], 3 * 2));
+        assert_eq!(rational.error, 0.0);
+        // That error is more than all roundings.
+        let bound = point_net([1, 1], 4.0, spread).max_difference(&point_net([1, 1], 4.0, spread), 1.0);
+        let part = bound.unwrap() / (16.0 * spread);
+        assert!((1.0..1.1).contains(&part), "{part}");
+    }
+
+    /// Lemma R11 with roundings that are large, to see each of them.
+    #[test]
+    fn both_bounds_of_a_difference_are_those_of_the_lemma() {
+        assert_eq!(square_terms([14, 14]), 120.0);
+        assert_eq!(square_terms([6, 2]), 12.0);
+        // 1.25 · 4 and 8 roundings of it.
+        let excess = (bound_by_lengths(4.0, 0.25) - 5.0) / (5.0 * UNIT_ROUNDOFF);
+        assert!((7.0..=9.0).contains(&excess), "{excess}");
+        // (1 + 1/2) √((1 + 1/4) 8 + 1/4 · 24²) = 3/2 √154
+        assert_eq!(bound_by_squares(8.0, 24.0, 0.5, 0.25), 1.5 * 154.0_f64.sqrt());
     }
 
     /// Beyond its edges a rational patch may have weights that are not positive: no bound.

@@ -1,0 +1,168 @@
+//! What an interval is made of.
+
+use super::*;
+use crate::bezier::{LocalDerivativeBounds, extract};
+use crate::certified::Operand;
+use crate::closest::Target;
+use crate::model::{Model, RigidTransform, SurfaceArrays};
+use crate::param_box::ParamBox;
+
+/// How far from the origin the models are, so that rounding is seen.
+const AWAY: f64 = 1e6;
+
+/// A model with its patches as they are.
+struct Whole {
+    target: Target,
+    bounds: Vec<LocalDerivativeBounds>,
+}
+
+impl Whole {
+    /// A unit square at this height.
+    fn square(height: f64) -> Self {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        let square = SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: corners.map(|[x, y]| [AWAY + x, y, height, 1.0]).to_vec(),
+        };
+        let target = Target::new(extract(&Model::from_arrays(None, vec![square]).unwrap()).patches);
+        let bounds = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+        Self { target, bounds }
+    }
+
+    fn operand(&self) -> Operand<'_> {
+        Operand::new(&self.target, &self.bounds)
+    }
+}
+
+/// Two parallel squares at distance 1.
+fn with_squares(look: impl FnOnce(Pair<'_>)) {
+    let [a, b] = [Whole::square(1.0), Whole::square(0.0)];
+    look(Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY });
+}
+
+fn run(search: &mut BranchAndBound<'_>) -> Stop {
+    loop {
+        if let Some(stop) = search.advance(1000) {
+            search.finish();
+            return stop;
+        }
+    }
+}
+
+/// Rounding widens both ends, and slack the upper one, which also is rounded up.
+#[test]
+fn rounding_and_slack_widen_the_interval() {
+    with_squares(|pair| {
+        let rounding = point_error(&pair);
+        let certificate = closest_point_error(&pair);
+        assert!(rounding > 1e-10);
+        for slack in [0.0, 0.25] {
+            let mut search = BranchAndBound::new(pair, 1.0, None, slack);
+            assert_eq!(run(&mut search), Stop::Converged);
+            let Interval { lower, upper } = search.interval();
+            let lost = slack + 2.0 * rounding + certificate;
+            assert!((upper - 1.0 - slack) / rounding >= 0.99, "{upper} with slack {slack}");
+            assert!((1.0 - lower) / rounding >= 0.99, "{lower}");
+            assert!(upper - lower <= 1.0 + lost);
+            assert_eq!(search.goal.lost, lost);
+            assert_eq!(search.min_tolerance(), 2.0 * lost);
+            // What is requested is the width with all that rounding and slack take.
+            assert_eq!(search.tolerance(), 1.0 - lost);
+            // Less than twice of that cannot be had: the search stops there.
+            assert_eq!(BranchAndBound::new(pair, 1.5 * lost, None, slack).tolerance(), lost);
+        }
+    });
+}
+
+/// A limit is decided by both ends, and is undecided between them.
+#[test]
+fn a_limit_is_decided_by_the_interval() {
+    with_squares(|pair| {
+        for slack in [0.0, 0.125] {
+            for (limit, within) in [(1.5, Some(true)), (0.5, Some(false))] {
+                let mut search = BranchAndBound::new(pair, 1e-3, Some(limit), slack);
+                run(&mut search);
+                assert_eq!(search.within(), within, "{limit}");
+            }
+            let search = BranchAndBound::new(pair, 1e-3, Some(1.5), slack);
+            // No node is pruned whose bound does not keep the limit with rounding and slack.
+            let threshold = search.prune_threshold();
+            assert!(rounded_up(threshold) + slack + search.goal.rounding <= 1.5);
+            assert!(threshold > 1.5 - slack - 1.01e-3);
+        }
+        let between = BranchAndBound {
+            frontier: Frontier::new(SearchNode::root(2.0)),
+            ..BranchAndBound::new(pair, 1e-3, Some(1.5), 0.0)
+        };
+        assert_eq!(between.within(), None);
+        assert_eq!(BranchAndBound::new(pair, 1e-3, None, 0.0).within(), None);
+    });
+}
+
+/// Nodes that a kernel leaves, for another one or for float64, stay in the interval, and so does
+/// what it pruned.
+#[test]
+fn a_batch_that_returns_stays_in_the_interval() {
+    with_squares(|pair| {
+        let node = SearchNode { upper: 3.0, ..SearchNode::root(f64::INFINITY) };
+        let empty = || BranchAndBound {
+            frontier: Frontier::new(SearchNode::root(0.0)),
+            ..BranchAndBound::new(pair, 1e-3, None, 0.0)
+        };
+        for batch in [
+            BatchResult { waiting: vec![node], ..BatchResult::default() },
+            BatchResult { undecided: vec![node], ..BatchResult::default() },
+            BatchResult { dropped: 3.0, ..BatchResult::default() },
+        ] {
+            let mut search = empty();
+            assert!(search.interval().upper < 3.0);
+            search.return_batch(batch);
+            assert!(search.interval().upper >= 3.0);
+        }
+    });
+}
+
+/// The children of a node cover it: both nodes of the tree below, the patch of a leaf, the parts of
+/// a cell, and all domains given.
+#[test]
+fn children_cover_their_node() {
+    let square = |height: f64| {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: corners.map(|[x, y]| [x, y, height, 1.0]).to_vec(),
+        }
+    };
+    let model = Model::from_arrays(None, vec![square(0.0), square(1.0)]).unwrap();
+    let target = Target::new(extract(&model).patches);
+    let bounds: Vec<_> = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
+    let operand = Operand::new(&target, &bounds);
+    let children = |node: &SearchNode| {
+        let mut children = Vec::new();
+        node.branch(&operand, node.foot, &mut children);
+        assert!(children.iter().all(|child| child.upper == node.upper && child.level == node.level + 1));
+        children
+    };
+    let nodes = children(&SearchNode::root(3.0));
+    let mut patches: Vec<u32> = Vec::new();
+    for leaf in nodes.iter().flat_map(children) {
+        let Domain::Cell(cell) = leaf.domain else { panic!("a leaf holds a patch") };
+        assert!(cell.is_whole());
+        patches.push(cell.patch);
+        let area = |node: &SearchNode| match node.domain {
+            Domain::Cell(part) => part.half[0] * part.half[1],
+            _ => 0.0,
+        };
+        assert_eq!(children(&leaf).iter().map(area).sum::<f64>(), cell.half[0] * cell.half[1]);
+    }
+    patches.sort_unstable();
+    assert_eq!(patches, [0, 1]);
+    let (node, mut given) = (SearchNode::root(3.0), Vec::new());
+    node.push_children(nodes.iter().map(|node| node.domain), node.foot, &mut given);
+    assert_eq!(given.len(), 2);
+    assert!(given.iter().all(|child| child.upper == 3.0 && child.level == 1));
+}
