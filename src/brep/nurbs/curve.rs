@@ -215,7 +215,7 @@ impl Curve {
                 let (basis, _, _) = basis.spline(range)?;
                 let mut breaks = basis.knots;
                 breaks.dedup();
-                interpolation::curve(|t| self.point(t), &breaks)
+                interpolation::curve(&|t| self.point(t), &breaks)
             }
         }
     }

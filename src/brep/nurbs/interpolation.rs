@@ -104,7 +104,7 @@ fn within([start, end]: [f64; 2], fraction: f64) -> f64 {
 /// # Errors
 /// [`Unconvertible::Offset`] where the points are not finite, or too many pieces are needed.
 pub(super) fn curve(
-    point: impl Fn(f64) -> DVec3,
+    point: &dyn Fn(f64) -> DVec3,
     breaks: &[f64],
 ) -> Result<(Spline, ParameterMap, f64), Unconvertible> {
     let interpolation = Interpolation::new();
@@ -144,7 +144,7 @@ pub(super) fn curve(
 /// # Errors
 /// As of [`curve`].
 pub(super) fn surface(
-    point: impl Fn(f64, f64) -> DVec3,
+    point: &dyn Fn(f64, f64) -> DVec3,
     mut breaks: [Vec<f64>; 2],
 ) -> Result<SurfaceNet, Unconvertible> {
     let interpolation = Interpolation::new();
@@ -162,7 +162,7 @@ pub(super) fn surface(
                 let rows = values.map(|row| interpolation.coefficients(&row));
                 let columns = transposed(&rows).map(|column| interpolation.coefficients(&column));
                 let controls = transposed(&columns);
-                cells.push(Cell::new(controls, &values, &interpolation, at));
+                cells.push(Cell::new(controls, &values, &interpolation, &at));
             }
         }
         let size = size(cells.iter().flat_map(|cell| cell.controls.as_flattened().iter().copied()));
@@ -203,7 +203,7 @@ impl Cell {
         controls: [[DVec3; DEGREE + 1]; DEGREE + 1],
         values: &[[DVec3; DEGREE + 1]; DEGREE + 1],
         interpolation: &Interpolation,
-        point: impl Fn(f64, f64) -> DVec3,
+        point: &dyn Fn(f64, f64) -> DVec3,
     ) -> Self {
         let mut deviation = 0.0_f64;
         let at_checks = checks().map(bernstein);

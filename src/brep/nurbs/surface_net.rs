@@ -85,7 +85,7 @@ impl Surface {
                     breaks.dedup();
                     breaks
                 });
-                interpolation::surface(|u, v| self.point(u, v), breaks)
+                interpolation::surface(&|u, v| self.point(u, v), breaks)
             }
         }
     }

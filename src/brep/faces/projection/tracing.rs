@@ -121,8 +121,7 @@ impl<'a> Traced<'a> {
 
     /// Returns the cubic spline of the parameters that passes through points of the edge with
     /// its tangents, from 8 pieces halved until the deviation at three points of each is within
-    /// the tolerance, and the largest distance measured between both curves' points of equal
-    /// parameter, which contains that of the edge from the surface.
+    /// the tolerance.
     ///
     /// # Errors
     /// `BREP_NO_P_CURVE` if the edge leaves the surface, or deeper halving would be needed.
