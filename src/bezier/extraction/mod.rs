@@ -1,5 +1,6 @@
 //! The Bézier patches of NURBS surfaces.
 
+mod common_polynomial;
 pub(in crate::bezier) mod extract;
 mod knot_removal;
 
