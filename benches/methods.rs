@@ -30,14 +30,14 @@ struct Pair {
 }
 
 fn main() {
-    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let requested = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     let engine = pollster::block_on(Engine::new(Backend::Auto)).expect("an engine");
     println!("Adapter: {}\n", engine.adapter().unwrap_or_else(|| "none, on the CPU".to_owned()));
     println!(
         "| pair | patches of B | certified 1e-6, ms | cells | with the GPU, ms (cells there) | iteration 64, ms (ratio) | as published, ms (ratio) |"
     );
     println!("|---|---|---|---|---|---|---|");
-    for pair in pairs().into_iter().filter(|pair| pair.name.contains(&wanted)) {
+    for pair in pairs().into_iter().filter(|pair| pair.name.contains(&requested)) {
         measure(&engine, &pair);
     }
 }

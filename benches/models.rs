@@ -30,7 +30,7 @@ const TURN: f64 = 1.0;
 const TOLERANCES: [f64; 2] = [1e-6, 1e-9];
 
 fn main() {
-    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let requested = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     let Some(folder) = shared::folder() else {
         println!("SKIPPED models: there is no ../shared/models");
         return;
@@ -39,7 +39,7 @@ fn main() {
     let shelf: BTreeMap<&str, PreparedModel> =
         names.iter().map(|name| (name.as_str(), shared::load(&folder, name))).collect();
     let bench =
-        Bench { engine: pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine"), shelf, wanted };
+        Bench { engine: pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine"), shelf, requested };
     bench.copies();
     let references = shared::references(&folder);
     for tolerance in TOLERANCES {
@@ -63,7 +63,7 @@ struct Bench<'a> {
     engine: Engine,
     shelf: BTreeMap<&'a str, PreparedModel>,
     /// What names of pairs contain.
-    wanted: String,
+    requested: String,
 }
 
 impl Bench<'_> {
@@ -111,7 +111,7 @@ impl Bench<'_> {
         tolerance: f64,
         judge: &dyn Fn([f64; 2]) -> &'static str,
     ) {
-        if !name.contains(&self.wanted) {
+        if !name.contains(&self.requested) {
             return;
         }
         let options = Options { tolerance, transform, backend: Backend::Cpu, ..Options::default() };

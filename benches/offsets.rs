@@ -25,12 +25,12 @@ struct Pair {
 }
 
 fn main() {
-    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let requested = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     let engine = pollster::block_on(Engine::new(Backend::Auto)).expect("an engine");
     println!("Adapter: {}\n", engine.adapter().unwrap_or_else(|| "none, on the CPU".to_owned()));
     println!("| pair | float64, s | cells | with kernels, s | cells |");
     println!("|---|---|---|---|---|");
-    for pair in pairs().into_iter().filter(|pair| pair.name.contains(&wanted)) {
+    for pair in pairs().into_iter().filter(|pair| pair.name.contains(&requested)) {
         let on_cpu = measure(&engine, &pair, Backend::Cpu);
         let with_kernels = match engine.adapter() {
             Some(_) => measure(&engine, &pair, Backend::Gpu),

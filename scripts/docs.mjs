@@ -1,15 +1,12 @@
 // npm run docs: the pages of the JavaScript API, by typedoc, and of the crate, by
 // rustdoc, in docs/site. Needs the built package: npm run build.
-import { cpSync, existsSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { buildSite } from "./build/site.mjs";
 import { inRoot } from "./paths.mjs";
 import { environment, Failure, must } from "./process.mjs";
+import { siteGenerator } from "./setup/packages.mjs";
 
 const site = inRoot("docs", "site");
-const generator = inRoot("tools", "site");
-
-/** The entries of the package that have an API. */
-const entries = ["index", "worker/index", "cad/index", "worker/cad/index", "adapters/index"];
-
 const index = `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
@@ -24,26 +21,6 @@ const index = `<!doctype html>
 </ul>
 `;
 
-/** Makes the pages of the JavaScript API, from the declarations that are published. */
-async function javascript() {
-  if (!existsSync(inRoot("dist", "index.d.ts"))) throw new Failure("npm run build first");
-  if (!existsSync(inRoot("tools", "site", "node_modules"))) {
-    await must("npm", ["ci", "--no-audit", "--no-fund"], { cwd: generator });
-  }
-  const typedoc = inRoot("tools", "site", "node_modules", "typedoc", "bin", "typedoc");
-  const languages = ["javascript", "rust", "sh"].flatMap((name) => ["--highlightLanguages", name]);
-  const files = entries.flatMap((name) => ["--entryPoints", inRoot("dist", `${name}.d.ts`)]);
-  await must("node", [
-    typedoc,
-    ...files,
-    ...languages,
-    ...["--tsconfig", inRoot("tools", "site", "tsconfig.json")],
-    ...["--name", "nurbs-hausdorff", "--out", inRoot("docs", "site", "js")],
-    ...["--projectDocuments", inRoot("examples", "js", "README.md")],
-    ...["--readme", inRoot("README.md"), "--disableSources", "--treatWarningsAsErrors"],
-  ]);
-}
-
 /** Makes the pages of the crate. */
 async function rust() {
   await must("cargo", ["doc", "--release", "--locked", "--no-deps"], {
@@ -55,7 +32,8 @@ async function rust() {
 try {
   rmSync(site, { recursive: true, force: true });
   mkdirSync(site, { recursive: true });
-  await javascript();
+  await siteGenerator();
+  await buildSite(inRoot("docs", "site", "js"));
   await rust();
   writeFileSync(inRoot("docs", "site", "index.html"), index);
   console.log("docs: docs/site/index.html");

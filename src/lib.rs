@@ -163,9 +163,9 @@ pub use axis::Axis;
 pub use brep::{ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClosestPointOptions, ClosestPoints, Details, DiffOptions, DiffResult, DistanceResult, Engine,
-    FaceDifference, FaceState, Method, ModelInfo, Options, PreparedModel, Statistics, SurfaceInfo,
-    SurfacePoint, Witness,
+    Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,
+    DistanceResult, Engine, FaceDifference, FaceState, FieldOptions, Method, ModelInfo, Options,
+    PreparedModel, Statistics, SurfaceInfo, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
@@ -174,8 +174,9 @@ pub use progress::{Monitor, NoMonitor};
 
 /// The trimming of faces.
 pub mod trim {
+    pub use crate::error::TrimFault;
     pub use crate::model::trim::{
-        FaceArrays, RESOLUTION, Trim, TrimCurveArrays, TrimFault, TrimPiece, Winding, oriented,
+        FaceArrays, RESOLUTION, Trim, TrimCurveArrays, TrimPiece, Winding, oriented,
     };
 }
 

@@ -1,6 +1,6 @@
 //! Rounding errors of float64, and bounds that they or an overflow may spoil.
 
-/// What underflow may take off a length or add to it.
+/// An upper bound on what underflow takes off a length or adds to it.
 ///
 /// A sum of at most 512 products, each rounded by at most 2^-1074 where it is
 /// subnormal, is off by 2.6e-321. A squared length is such a sum, divided by

@@ -16,7 +16,7 @@ wasm_bindgen_test_configure!(run_in_browser);
 /// Few: Chromium's software adapter is slow.
 const SAMPLES: usize = 8;
 
-/// Agreement asked of the two backends, relative to the diagonal.
+/// The largest difference of the two backends, relative to the diagonal.
 const AGREEMENT: f64 = 1e-5;
 
 async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {

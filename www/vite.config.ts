@@ -1,9 +1,30 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { defineConfig, type HtmlTagDescriptor, type Plugin } from "vite";
 
 const page = (name: string) => fileURLToPath(new URL(name, import.meta.url));
 
+const tag = (tag: string, attrs: HtmlTagDescriptor["attrs"]): HtmlTagDescriptor => ({
+  ...{ tag, attrs, injectTo: "head-prepend" },
+});
+
+/** What the heads of all pages begin with. */
+const commonHead: Plugin = {
+  name: "common-head",
+  transformIndexHtml: {
+    // Before the style sheet is bundled.
+    order: "pre",
+    handler: () => [
+      tag("meta", { charset: "utf-8" }),
+      tag("meta", { name: "viewport", content: "width=device-width, initial-scale=1" }),
+      // No icon, and no request for one.
+      tag("link", { rel: "icon", href: "data:," }),
+      tag("link", { rel: "stylesheet", href: "/src/style.css" }),
+    ],
+  },
+};
+
 export default defineConfig({
+  plugins: [commonHead],
   base: "./",
   build: {
     target: "es2022",

@@ -27,11 +27,11 @@ REFERENCE_SECONDS = 5
 
 def main():
     arguments = parsed()
-    runners = started([name for name in NAMES if wanted(name, arguments.peers) or name == "ours"])
+    runners = started([name for name in NAMES if requested(name, arguments.peers) or name == "ours"])
     tessellation = Runner("triangles")
     results = []
     for pair in catalogue():
-        if wanted(pair.name, arguments.pairs):
+        if requested(pair.name, arguments.pairs):
             results.append((pair, *measured(pair, tessellation, runners, arguments)))
             write(arguments.out, runners, results, arguments.rounds)
     for runner in (tessellation, *runners):
@@ -56,7 +56,7 @@ def parsed():
     return parser.parse_args()
 
 
-def wanted(name, texts):
+def requested(name, texts):
     return any(text in name for text in texts.split(","))
 
 
@@ -93,8 +93,8 @@ def measured(pair, tessellation, runners, arguments):
             if best[index] is None or answer.get("seconds", 0) < best[index]["seconds"]:
                 best[index] = answer
     for runner, answer in zip(runners, best, strict=True):
-        told = answer.get("failed") or f"{answer['value']:.9g} in {answer['seconds']:.4f} s"
-        print(f"{pair.name:20} {runner.about['name']:16} {told}", flush=True)
+        text = answer.get("failed") or f"{answer['value']:.9g} in {answer['seconds']:.4f} s"
+        print(f"{pair.name:20} {runner.about['name']:16} {text}", flush=True)
     return reference, best
 
 
@@ -104,7 +104,7 @@ def limit(runner, seconds):
 
 
 def final(answer):
-    """Whether another round would tell nothing new."""
+    """Whether another round would add nothing."""
     return answer is not None and ("failed" in answer or answer["seconds"] > SLOW)
 
 

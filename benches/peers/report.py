@@ -85,7 +85,7 @@ def line(row):
 
 
 def findings(table):
-    """The figures asked for, and every row that misses one."""
+    """The required figures, and every row that misses one."""
     own = {row["pair"]: row for row in table if row["peer"] == OURS}
     peers = [row for row in table if row["peer"] != OURS]
     answered = [row for row in peers if row["seconds"] and own[row["pair"]]["seconds"]]

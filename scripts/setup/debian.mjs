@@ -38,6 +38,11 @@ export const firefox = [
     what: "Firefox",
     present: () => which("firefox") ?? which("firefox-esr"),
   },
+  {
+    packages: ["xvfb", "libgl1-mesa-dri"],
+    what: "a screen for WebGL in Firefox",
+    present: () => which("Xvfb"),
+  },
 ];
 
 /** Returns the fields of /etc/os-release. */

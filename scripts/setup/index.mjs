@@ -2,7 +2,7 @@
 import { Failure } from "../process.mjs";
 import { browser, compiler, debian, firefox } from "./debian.mjs";
 import { lavapipe } from "./lavapipe.mjs";
-import { packages } from "./packages.mjs";
+import { packages, siteGenerator } from "./packages.mjs";
 import { rust } from "./rust.mjs";
 import { tools } from "./tools.mjs";
 
@@ -43,5 +43,6 @@ export async function setUpForTests() {
   await step("lavapipe", lavapipe);
   await step("Rust target and components", () => rust("target", "components"));
   await step("npm packages", packages);
+  await step("generator of the API's pages", siteGenerator);
   await step("wasm tools", tools);
 }

@@ -1,13 +1,21 @@
-// The npm packages, exactly as in package-lock.json.
+// The npm packages, exactly as in their lock files.
+import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
 
-const made = "node_modules/.installed-from";
-
-export async function packages() {
-  const lock = digest(["package-lock.json"]);
+/** Installs the packages of a folder with a lock file. */
+async function install(...folder) {
+  const path = (name) => [...folder, name].join("/");
+  const made = path("node_modules/.installed-from");
+  const lock = digest([path("package-lock.json")]);
   if (stamped(made, lock)) return "present";
-  await must("npm", ["ci", "--no-audit", "--no-fund"]);
+  await must("npm", ["ci", "--no-audit", "--no-fund"], { cwd: inRoot(...folder) });
   stamp(made, lock);
   return "installed";
 }
+
+/** Installs the packages of this one. */
+export const packages = () => install();
+
+/** Installs the generator of the API's pages. */
+export const siteGenerator = () => install("tools", "site");

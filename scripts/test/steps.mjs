@@ -2,6 +2,7 @@
 // passed. A step with `tests` fails if it ran none.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
+import { buildSite } from "../build/site.mjs";
 import { buildWasm } from "../build/wasm.mjs";
 import { inRoot } from "../paths.mjs";
 import { environment, Failure, must, which } from "../process.mjs";
@@ -118,6 +119,12 @@ export const steps = [
     what: "the packed package in bundlers, a browser, Node and judges of packages",
     needs: ["wasm", "types"],
     run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
+  },
+  {
+    name: "site",
+    what: "the pages of the JavaScript API, without a broken link or reference",
+    needs: ["wasm", "types"],
+    run: () => buildSite(inRoot("docs", "site", "js")),
   },
   {
     name: "page-build",

@@ -4,6 +4,7 @@ use super::faces::convert;
 use super::report::{FaceCounts, ReadReport, Skipped};
 use super::text::{BrepFile, Orientation, ShapeKind};
 use crate::error::{Error, Result};
+use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
 use glam::DAffine3;
 use std::collections::HashMap;
@@ -24,12 +25,16 @@ impl Assembled {
     /// Returns the report on these faces.
     pub(super) fn report(&self) -> ReadReport {
         let curves = || self.model.faces.iter().filter_map(|face| face.trim.as_ref()).flatten().flatten();
+        let gap = |face: &FaceArrays| {
+            let curves = face.trim.iter().flatten().flatten();
+            face.gap + curves.map(|curve| curve.gap).fold(0.0, f64::max)
+        };
         ReadReport {
             surfaces: self.counts.len(),
             trims: curves().count(),
             exact: self.counts.iter().map(|face| face.exact).sum(),
             fitted: self.counts.iter().map(|face| face.fitted).sum(),
-            gap: curves().map(|curve| curve.gap).fold(0.0, f64::max),
+            gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
             sources: self.sources(),

@@ -2,11 +2,12 @@
 //!
 //! The stages: [`text`] reads the sections into curves, surfaces and shapes as they
 //! stand in the file; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
-//! turns a face into a surface and closed loops in its parameters; [`assembly`] collects
-//! the faces and their placements.
+//! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
+//! their distance from the edges; [`assembly`] collects the faces and their placements.
 
 mod assembly;
 mod faces;
+mod gap;
 mod nurbs;
 mod report;
 mod text;
@@ -24,8 +25,10 @@ impl Model {
     /// trimmed as it is.
     ///
     /// Elementary and swept surfaces become exact NURBS over the region that their loops
-    /// cover. Trimming curves stay exact on planes and B-splines and along parameter
-    /// lines; others are fitted, with the bound of the difference in their gap. A face
+    /// cover; offsets that are not rational are approximated, with the deviation in the
+    /// face's gap. Trimming curves stay exact on planes and B-splines, along parameter lines
+    /// and as plane sections of ruled surfaces; others are fitted, with the deviation in
+    /// their gap. Edges without a curve in the parameters are projected. A face
     /// that cannot be read is in the report, never dropped silently; a face that cannot be cut
     /// into patches is left out by [`crate::PreparedModel::of_read`]. O(size).
     ///

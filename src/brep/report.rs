@@ -15,12 +15,13 @@ pub struct ReadReport {
     pub trims: usize,
     /// The number of trimming curves that are exact images of the file's.
     pub exact: usize,
-    /// The number of trimming curves fitted to the file's, with a proven bound in their gaps.
+    /// The number of trimming curves fitted to the file's, with the deviation in their gaps,
+    /// and of those on surfaces that are approximated.
     pub fitted: usize,
-    /// The largest gap of a trimming curve, in model units: the distance between the curve
-    /// on its surface and the edge of the file, of which the part that the file itself
-    /// causes is measured at [`ReadReport::GAP_SAMPLES`] points of an edge, unless the
-    /// curve was made from the edge.
+    /// The largest gap of a face, in model units: an upper bound on the distance between a
+    /// trimming curve on its surface and the edge of the file, plus the deviation of an
+    /// approximated surface. Plane sections of ruled surfaces, and curves and surfaces that
+    /// are offsets but not rational, are measured at points instead.
     pub gap: f64,
     /// Metres per model unit; `None` where the file does not state it, as in BREP.
     pub unit: Option<f64>,
@@ -41,9 +42,6 @@ pub(crate) struct FaceCounts {
 }
 
 impl ReadReport {
-    /// The number of points of an edge at which its distance to the curve in the file is measured.
-    pub const GAP_SAMPLES: usize = 17;
-
     /// Returns the report on a model that was read without a change, as interchange JSON is.
     #[must_use]
     pub fn of_exact(model: &Model) -> Self {

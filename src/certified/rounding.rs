@@ -32,13 +32,13 @@ pub(super) fn point_error(pair: &Pair<'_>) -> f64 {
     pair.a.point_error + pair.b.point_error + moved + VANISHING_LENGTH
 }
 
-/// What the lower bound of a certified closest-point query loses.
+/// The rounding that the lower bound of a certified closest-point query subtracts.
 pub(super) fn closest_point_error(pair: &Pair<'_>) -> f64 {
     let length = pair.a.control_box.farthest_from_origin() + pair.transform.offset().length();
     closest_rounding(length.max(pair.b.control_box.farthest_from_origin()))
 }
 
-/// What the error of a patch's derivatives depends on (lemma R7).
+/// The quantities on which the error of a patch's derivatives depends (lemma R7).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JetScale {
     pub(super) degree: [usize; 2],

@@ -1,20 +1,19 @@
 //! The closest point of a whole model by best-first branch and bound.
 
-use super::{CriticalPoint, Foot, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
-use crate::axis::Axis;
+use super::{CriticalPoint, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::closest_rounding;
-use glam::{DVec3, DVec4, Vec4Swizzles};
+use glam::{DVec3, DVec4};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// The largest number of Newton steps from one start; on a flat patch about five suffice.
 const MAX_ITERATIONS: u32 = 32;
 
-/// The largest number of sub-patches examined. A few dozen suffice unless the
-/// target point is almost equally near to a whole curve or surface of points;
-/// then the interval stays wider than requested.
+/// The largest number of sub-patches examined. A few dozen suffice, and a few hundred
+/// where the target point is equally near to a whole curve of points, unless rounding
+/// keeps such points apart; then the interval stays wider than requested.
 const MAX_SUB_PATCHES: usize = 4096;
 
 /// A point of a model near a target point, with bounds on the distance.
@@ -41,11 +40,14 @@ enum Region {
     SubPatch(Box<SubPatch>),
 }
 
-/// A part of a patch, with the nearest point found on the whole patch.
+/// A part of a patch, with a foot on the patch: the nearest point found of this part or, as
+/// long as none is known, of the part that it was cut from.
 struct SubPatch {
     patch: u32,
     controls: Vec<DVec4>,
     range: ParamBox,
+    /// Its squared distance.
+    form: SquaredDistance,
     foot: CriticalPoint,
 }
 
@@ -131,10 +133,10 @@ pub(crate) fn closest_above(
         match region {
             Region::Node(node) => search.expand_node(node as usize),
             Region::Patch(patch) => search.bound_patch(patch),
-            Region::BoundedPatch(patch, form) => search.expand_patch(patch, &form),
+            Region::BoundedPatch(patch, form) => search.expand_patch(patch, *form),
             Region::SubPatch(sub_patch) => {
                 sub_patches += 1;
-                search.expand_sub_patch(&sub_patch);
+                search.expand_sub_patch(*sub_patch, lower_bound);
             }
         }
     }
@@ -205,63 +207,66 @@ impl<'a> ClosestPointSearch<'a> {
         self.push(form.lower_bound(), Region::BoundedPatch(index, Box::new(form)));
     }
 
-    fn expand_patch(&mut self, index: u32, form: &SquaredDistance) {
+    fn expand_patch(&mut self, index: u32, form: SquaredDistance) {
         let patch = self.patch(index);
         let start = nearest_control(&patch, self.point);
-        let foot = self.critical_point(index, newton(&patch, self.point, start, MAX_ITERATIONS));
+        let found = newton(&patch, self.point, start, MAX_ITERATIONS);
+        let foot = self.critical_point(index, found.parameters);
         let controls = patch.controls.to_vec();
-        self.push_sub_patch(SubPatch { patch: index, controls, range: ParamBox::UNIT, foot }, form);
+        self.push_sub_patch(SubPatch { patch: index, controls, range: ParamBox::UNIT, form, foot });
     }
 
-    fn expand_sub_patch(&mut self, sub_patch: &SubPatch) {
-        let &SubPatch { patch: index, ref controls, range, foot: known } = sub_patch;
+    /// Bounds a part of a patch about the nearest point found of its own, and halves it where
+    /// that does not raise its bound.
+    ///
+    /// Where a curve of points is as near, every part of it is bounded about a point in it; cut
+    /// across the curve alone, the parts become narrow enough long before they are short.
+    fn expand_sub_patch(&mut self, mut sub_patch: SubPatch, lower_bound: f64) {
+        let SubPatch { patch: index, ref controls, range, .. } = sub_patch;
         let patch = self.patch(index);
-        let middle = range.middle();
-        let mut foot = known;
-        if patch.point(middle).distance_squared(self.point) < self.upper_squared() {
-            let found = self.critical_point(index, newton(&patch, self.point, middle, MAX_ITERATIONS));
-            if found.distance_squared < known.distance_squared {
-                foot = found;
+        let piece = Patch { controls, domain: range, ..patch };
+        let is_inside = range.contains(sub_patch.foot.parameters);
+        let middle = patch.point(range.middle()).distance_squared(self.point);
+        if !is_inside || middle < self.upper_squared() {
+            let found = newton(&piece, self.point, [0.5; 2], MAX_ITERATIONS);
+            let foot = self.critical_point(index, range.at(found.parameters));
+            if !is_inside || foot.distance_squared < sub_patch.foot.distance_squared {
+                sub_patch.foot = foot;
+                if sub_patch.lower_bound() > lower_bound {
+                    self.push_sub_patch(sub_patch);
+                    return;
+                }
             }
         }
-        let piece = Patch { controls, domain: range, ..patch };
-        let axis = longer_axis(&piece);
+        let axis = sub_patch.form.curved_axis(self.upper_squared());
+        let SubPatch { foot, .. } = sub_patch;
         for (controls, range) in piece.halves(axis).into_iter().zip(range.halves(axis)) {
             let form = SquaredDistance::new(patch.degree, &controls, self.point - patch.center);
-            self.push_sub_patch(SubPatch { patch: index, controls, range, foot }, &form);
+            self.push_sub_patch(SubPatch { patch: index, controls, range, form, foot });
         }
     }
 
-    /// Proposes the end of an iteration, and returns it with its gradient.
-    fn critical_point(&mut self, index: u32, foot: Foot) -> CriticalPoint {
-        self.propose(index, foot.parameters, foot.distance_squared);
-        CriticalPoint::new(&self.patch(index), self.point, foot.parameters)
+    /// Proposes a point of a patch, and returns it with its gradient.
+    fn critical_point(&mut self, index: u32, parameters: [f64; 2]) -> CriticalPoint {
+        let point = CriticalPoint::new(&self.patch(index), self.point, parameters);
+        self.propose(index, parameters, point.distance_squared);
+        point
     }
 
-    /// Queues a sub-patch, whose squared distance is `form`.
-    fn push_sub_patch(&mut self, sub_patch: SubPatch, form: &SquaredDistance) {
-        let SubPatch { range, foot, .. } = &sub_patch;
-        let local = foot.on_piece(range.low(), range.lengths());
-        let mut lower_bound = form.lower_bound();
-        if ParamBox::UNIT.contains(local.parameters) {
-            lower_bound = lower_bound.max(form.lower_bound_about(&local));
-        }
-        self.push(lower_bound, Region::SubPatch(Box::new(sub_patch)));
+    /// Queues a sub-patch.
+    fn push_sub_patch(&mut self, sub_patch: SubPatch) {
+        self.push(sub_patch.lower_bound(), Region::SubPatch(Box::new(sub_patch)));
     }
 }
 
-/// Returns the axis along which the net is longer, by its largest single leg.
-fn longer_axis(piece: &Patch<'_>) -> Axis {
-    let columns = piece.degree[1] + 1;
-    let point = |index: usize| piece.controls[index].xyz() / piece.controls[index].w;
-    let mut leg = [0.0_f64; 2];
-    for index in 0..piece.controls.len() {
-        if index + columns < piece.controls.len() {
-            leg[0] = leg[0].max(point(index + columns).distance_squared(point(index)));
+impl SubPatch {
+    /// Returns a lower bound on its squared distance.
+    fn lower_bound(&self) -> f64 {
+        let local = self.foot.on_piece(self.range.low(), self.range.lengths());
+        let lower_bound = self.form.lower_bound();
+        if ParamBox::UNIT.contains(local.parameters) {
+            return lower_bound.max(self.form.lower_bound_about(&local));
         }
-        if (index + 1) % columns != 0 {
-            leg[1] = leg[1].max(point(index + 1).distance_squared(point(index)));
-        }
+        lower_bound
     }
-    Axis::of_larger([0, 1].map(|axis| leg[axis] * (piece.degree[axis] * piece.degree[axis]) as f64))
 }

@@ -2,6 +2,7 @@
 //! form of the squared distance.
 
 use super::CriticalPoint;
+use crate::axis::Axis;
 use crate::bezier::{relative, squares};
 use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -62,10 +63,10 @@ impl SquaredDistance {
     /// and the largest absolute value `m_st` of the mixed one, all from
     /// differences of coefficients, and a step δ of at most 1 along each axis,
     ///
-    /// `P >= w² g·δ + ½ m_ss δ_s² + ½ m_tt δ_t² - m_st |δ_s δ_t|`,
+    /// `P >= w² g·δ + ½ m_ss δ_s² - m_st |δ_s δ_t| + ½ m_tt δ_t²`,
     ///
-    /// where for positive m_ss, m_tt the sum of the two squares is at least
-    /// `sqrt(m_ss m_tt) |δ_s δ_t|`; and `|Y|² / w² = λ + P / w²`.
+    /// of which the last three terms have a least value for such steps; and
+    /// `|Y|² / w² = λ + P / w²`.
     ///
     /// The computed λ is off by Δλ at most, which adds `Δλ (w² + ∇w²·δ)` to P and its
     /// linear part, and the gradient by its own error (docs/method.md, section 6.6).
@@ -81,7 +82,7 @@ impl SquaredDistance {
         let [p, q] = self.degree.map(|degree| degree as f64);
         let (ss, tt) = (p * (p - 1.0) * (ss - 4.0 * rounding), q * (q - 1.0) * (tt - 4.0 * rounding));
         let st = p * q * (st + 4.0 * rounding);
-        let quadratic = least_quadratic([ss, tt, st]);
+        let quadratic = least_form(ss, st, tt);
         let linear = |axis: usize| {
             let (gradient, parameter) = (known.gradient[axis], known.parameters[axis]);
             (-gradient * parameter).min(gradient * (1.0 - parameter)) - known.gradient_error[axis]
@@ -117,6 +118,32 @@ impl SquaredDistance {
         [ss, tt, st]
     }
 
+    /// Returns the axis along which `|Y|² - λ w²` is more curved, by its second differences:
+    /// halving the patch along it takes more off the gaps of both lower bounds. O(p q).
+    #[must_use]
+    pub(super) fn curved_axis(&self, lambda: f64) -> Axis {
+        let columns = self.degree[1] + 1;
+        let at = |index: usize| {
+            let (numerator, denominator) = self.coefficients[index];
+            numerator - lambda * denominator
+        };
+        let curved =
+            |first: usize, step: usize| (at(first + 2 * step) - 2.0 * at(first + step) + at(first)).abs();
+        let mut largest = [0.0_f64; 2];
+        for index in 0..self.coefficients.len() {
+            if index + 2 * columns < self.coefficients.len() {
+                largest[0] = largest[0].max(curved(index, columns));
+            }
+            if index % columns + 2 < columns {
+                largest[1] = largest[1].max(curved(index, 1));
+            }
+        }
+        Axis::of_larger([0, 1].map(|axis| {
+            let degree = self.degree[axis] as f64;
+            degree * (degree - 1.0) * largest[axis]
+        }))
+    }
+
     /// Returns an upper bound on `|∇w²·δ|` for steps δ of at most 1 along each axis,
     /// from differences of coefficients. Every coefficient is at most `heaviest`. O(p q).
     fn denominator_change(&self, heaviest: f64) -> f64 {
@@ -136,16 +163,41 @@ impl SquaredDistance {
     }
 }
 
-/// A lower bound on `½ m_ss δ_s² + ½ m_tt δ_t² - m_st |δ_s δ_t|` for steps δ of at most 1.
-fn least_quadratic([ss, tt, st]: [f64; 3]) -> f64 {
-    // The root of the product could overflow.
-    let convexity = ss.max(0.0).sqrt() * tt.max(0.0).sqrt();
-    0.5 * (ss.min(0.0) + tt.min(0.0)) - (st - convexity).max(0.0)
+/// Returns the least value of `½ a x² - b x y + ½ c y²` for x and y in [0, 1], with b >= 0.
+///
+/// As the form is homogeneous, a negative least value is attained where x or y is 1, for
+/// (x, y) may be scaled up until one of them is. There it is a parabola in the other.
+fn least_form(a: f64, b: f64, c: f64) -> f64 {
+    let at_end = |whole: f64, part: f64| {
+        if part > b { 0.5 * (whole - b * (b / part)) } else { 0.5 * (whole + part) - b }
+    };
+    lower_min(lower_min(0.0, at_end(a, c)), at_end(c, a))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+
+    /// The least value on a grid that has all the places where it is attained.
+    #[test]
+    fn the_least_value_of_a_form_is_that_of_a_grid() {
+        let places: Vec<f64> = (0..=12).map(|place| f64::from(place) / 12.0).collect();
+        for a in -4..=6 {
+            for (b, c) in (0..=4).flat_map(|b| [-3, 0, 4, 6].map(|c| (b, c))) {
+                let [a, b, c] = [a, b, c].map(f64::from);
+                let form = |x: f64, y: f64| 0.5 * a * x * x - b * x * y + 0.5 * c * y * y;
+                // On the edges it is least at their ends or at b/a and b/c, of which all but some are on the grid.
+                let inner = [b / a, b / c].into_iter().filter(|place| (0.0..=1.0).contains(place));
+                let places: Vec<f64> = places.iter().copied().chain(inner).collect();
+                let values = places.iter().flat_map(|&x| places.iter().map(move |&y| form(x, y)));
+                let least = values.fold(f64::INFINITY, f64::min);
+                assert!((least_form(a, b, c) - least).abs() <= 1e-15 * 16.0, "{a} {b} {c}: {least}");
+            }
+        }
+        assert_eq!(least_form(f64::NEG_INFINITY, f64::INFINITY, 1.0), f64::NEG_INFINITY);
+        assert_eq!(least_form(f64::NAN, 1.0, 1.0), f64::NEG_INFINITY);
+        assert_eq!(least_form(1.0, 1.0, f64::NAN), f64::NEG_INFINITY);
+    }
 
     /// A patch that is one point at distance 1, of degrees (2, 2) and weights 1, 2 and 4
     /// along s: `P = |Y|² - w²` and its derivatives are 0, so that the bound is 1 less the
@@ -249,22 +301,6 @@ mod tests {
             let expected = [least(&columns), least(&rows), mixed.fold(0.0, f64::max)];
             let form = SquaredDistance { degree: [p, q], coefficients, unit: 0.0, largest: 0.0 };
             assert_eq!(form.second_differences(3.0), expected);
-        }
-    }
-
-    /// The least of the quadratic: a mixed part that convexity outweighs, one that it does not, and
-    /// second derivatives of either sign.
-    #[test]
-    fn the_quadratic_part_is_bounded_from_below() {
-        for (parts, least) in [
-            ([16.0, 9.0, 12.0], 0.0),
-            ([0.25, 0.25, 1.25], -1.0),
-            ([16.0, 9.0, 20.0], -8.0),
-            ([-2.0, 9.0, 1.0], -2.0),
-            ([4.0, -6.0, 1.0], -4.0),
-            ([-2.0, -6.0, 0.5], -4.5),
-        ] {
-            assert_eq!(least_quadratic(parts), least, "{parts:?}");
         }
     }
 

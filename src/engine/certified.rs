@@ -97,7 +97,7 @@ pub(super) async fn certified(
     Ok(Some((directed, notice)))
 }
 
-/// How far the width has come from the first to the one asked for, in orders
+/// The progress of the width from the first to the requested one, in orders
 /// of magnitude, as each takes about as long as the one before or longer.
 fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
@@ -105,12 +105,12 @@ fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }
 }
 
-/// Cells waiting from which on a GPU is worth its set-up, which takes tenths of
-/// a second: float64 came here in less.
-const WORTH_SETUP: usize = 8192;
+/// The number of waiting cells from which on the GPU is set up, which takes tenths of a
+/// second: float64 reaches this number in less.
+const MIN_CELLS_FOR_SETUP: usize = 8192;
 
-/// Cells waiting from which on a submission is worth its latency.
-const WORTH_SUBMISSION: usize = 512;
+/// The number of waiting cells from which on the GPU gains more than a submission's latency.
+const MIN_CELLS_FOR_SUBMISSION: usize = 512;
 
 /// The GPU's part in a search.
 struct Kernels<'a> {
@@ -118,9 +118,9 @@ struct Kernels<'a> {
     /// Whether an error of the GPU ends the search; else float64 does the rest.
     needed: bool,
     driver: Option<GpuCertified>,
-    /// What ended the GPU's part early.
+    /// The failure that ended the GPU's part early.
     failure: Option<Error>,
-    /// Seconds a cell that the GPU may take: a software adapter can be slower
+    /// The largest time of a cell on the GPU, in seconds: a software adapter can be slower
     /// than float64.
     slowest: f64,
 }
@@ -132,7 +132,7 @@ impl Kernels<'_> {
     /// size.
     async fn advance(&mut self, search: &mut BranchAndBound<'_>, max_cells: usize) -> Result<Option<Stop>> {
         let (started, before) = (Instant::now(), search.work().cells);
-        let worth = if self.driver.is_some() { WORTH_SUBMISSION } else { WORTH_SETUP };
+        let worth = if self.driver.is_some() { MIN_CELLS_FOR_SUBMISSION } else { MIN_CELLS_FOR_SETUP };
         let many = search.waiting() >= worth && search.begins_with_cell() && !search.has_undecided();
         let Some(gpu) = self.gpu.filter(|_| many) else {
             let stop = search.advance(max_cells);

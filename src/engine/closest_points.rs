@@ -24,7 +24,7 @@ const DISTANCE_ROUNDINGS: f64 = 7.0;
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct ClosestPointOptions {
-    /// How much a distance may exceed the least one, relative to the diagonal of the
+    /// The largest excess of a distance over the least one, relative to the diagonal of the
     /// model's control-net box; positive.
     pub tolerance: f64,
     /// Whether the tolerance is in model units.

@@ -1,13 +1,7 @@
-//! The deviation field: the foot and the distance of every sample, and their statistics.
+//! Signed deviations, and their statistics over an area.
 
 use super::Field;
-use super::iteration::SampledDirection;
 use crate::bezier::Jet;
-use crate::closest::closest_above;
-use crate::error::Result;
-use crate::iteration::{Projected, SampleGrid, sample};
-use crate::parallel::map;
-use crate::progress::Progress;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -77,80 +71,6 @@ impl Statistics {
     }
 }
 
-/// The width of the certified interval of a sample's distance, relative to the models'
-/// diagonal: below what any colour or statistic shows.
-const FIELD_GAP: f64 = 1e-9;
-
-/// The number of samples between two checkpoints: some milliseconds of work.
-const SAMPLES_AT_ONCE: usize = 2048;
-
-impl SampledDirection<'_> {
-    /// Returns one field a surface.
-    ///
-    /// Guarantee: every distance exceeds the sample's distance to the other model by at
-    /// most [`FIELD_GAP`] of the diagonal and is not below it, up to rounding. The
-    /// projections are only starting points: each sample's closest point is searched
-    /// on the whole of the other model in float64. O(samples log patches) in general
-    /// position.
-    ///
-    /// # Errors
-    /// [`crate::Error::Cancelled`].
-    pub(super) async fn field(
-        &self,
-        projected: &[Projected],
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<Field>> {
-        // What the threads share; the models around it are not made for that.
-        let (model, sampling, target) = (self.from.bezier(), &self.sampling.sampling, &self.target.target);
-        let gap = FIELD_GAP * self.diagonal;
-        let transform = self.transform;
-        let nearest_foot = |index: usize| {
-            let projected = projected[index];
-            let point = sample(model, sampling, index, &transform);
-            let known = Some((projected.patch as u32, projected.parameters));
-            closest_above(target, point, gap, known, 0.0, None).map_or(projected, |closest| Projected {
-                patch: closest.patch,
-                parameters: closest.parameters,
-                distance_squared: closest.upper * closest.upper,
-                ..projected
-            })
-        };
-        let mut feet = Vec::with_capacity(projected.len());
-        while feet.len() < projected.len() {
-            let first = feet.len();
-            let count = SAMPLES_AT_ONCE.min(projected.len() - first);
-            feet.extend(map(count, |index| nearest_foot(first + index)));
-            progress.checkpoint(1.0).await?;
-        }
-        let grids = self.sampling.sampling.grids.iter().enumerate();
-        Ok(grids.map(|(surface, grid)| self.field_of_surface(surface, grid, &feet)).collect())
-    }
-
-    fn field_of_surface(&self, surface: usize, grid: &SampleGrid, feet: &[Projected]) -> Field {
-        let face = self.from.pieces().face(surface);
-        let mut field = Field { surface: face, counts: grid.counts(), ..Field::default() };
-        let bezier = self.from.bezier();
-        let patches = &bezier.grids[surface];
-        for (index, projected) in feet.iter().enumerate().skip(grid.first).take(grid.len()) {
-            let (i, j) = grid.row_and_column(index);
-            let ((row, s), (column, t)) = (grid.locations[0][i], grid.locations[1][j]);
-            let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);
-            let jet = patch.jet([s, t]);
-            let point = self.transform.apply(jet.point);
-            let foot = self.target.target.patches.patch(projected.patch).jet(projected.parameters);
-            let [u, v] = patch.domain.lengths();
-            let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
-            field.points.extend_from_slice(&point.to_array());
-            field.feet.extend_from_slice(&foot.point.to_array());
-            field.distances.push(point.distance(foot.point));
-            field.signed.push(signed(point, &foot));
-            field.areas.push(jet.s.cross(jet.t).length() * weight);
-            field.statuses.push(projected.status as u8);
-        }
-        field
-    }
-}
-
 impl Field {
     /// Limits the distances to an upper bound on the distance of the whole model, which
     /// they may exceed by the gap of their search.
@@ -165,13 +85,6 @@ impl Field {
             }
         }
     }
-}
-
-/// The parameter range that a sample stands for: half of both its neighbours'.
-fn weight(parameters: &[f64], index: usize) -> f64 {
-    let before = parameters[index.saturating_sub(1)];
-    let after = parameters[(index + 1).min(parameters.len() - 1)];
-    0.5 * (after - before)
 }
 
 /// The distance, negative behind the foot's normal; NaN where there is no normal.

@@ -7,25 +7,12 @@ use super::{
 };
 use crate::certified::Pair;
 use crate::error::{Error, Result};
-use crate::flatness::{Flatness, MAX_HALVINGS};
 use crate::gpu::Gpu;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;
 use std::rc::Rc;
 use web_time::Instant;
-
-/// The smallest number of Bézier patches of A for which method `certified` does
-/// not subdivide them into flat patches.
-///
-/// For more patches the subdivision takes longer than the search, which requires
-/// flat patches of B only. Fewer patches are subdivided, for closer bounds on
-/// their derivatives.
-const MIN_UNCUT_PATCHES: usize = 1000;
-
-/// The number of halvings of a patch of B where B has so many patches: the search
-/// looks at few of them, and a start on a smaller piece saves less than cutting takes.
-const LARGE_MODEL_HALVINGS: u32 = 2;
 
 /// The largest ratio of the reach of a pair, from the farther end of one model to that of the
 /// other, to the smaller model's radius up to which kernels measure it. Their coordinates are in
@@ -68,13 +55,9 @@ impl Direction<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let uncut = self.from.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let flatness = if uncut { Flatness::None } else { Flatness::Loose };
-        let is_large = self.to.bezier().patches.len() >= MIN_UNCUT_PATCHES;
-        let halvings = if is_large { LARGE_MODEL_HALVINGS } else { MAX_HALVINGS };
-        let (from, to) = (self.from.target(flatness), self.to.target_within(Flatness::Loose, halvings));
+        let (from, to) = (self.from.certified_target(), self.to.certified_target());
         let (a, mut b) = (from.operand(self.from), to.operand(self.to));
-        if uncut {
+        if self.from.is_left_uncut() {
             b = b.with_uncut(&self.to.bezier().patches);
         }
         let prepare = started.elapsed().as_secs_f64();
@@ -134,13 +117,6 @@ impl DirectedRun {
             Some(other) => format!("{other}; {notice}"),
             None => notice.to_owned(),
         });
-    }
-
-    /// Returns this run with the samples of another, and the time of both.
-    pub(super) fn with_field_of(mut self, sampled: Self) -> Self {
-        self.result.field = sampled.result.field;
-        self.seconds += sampled.seconds;
-        self
     }
 
     /// Returns the result of the direction from A to B.

@@ -8,6 +8,7 @@ use crate::progress::Monitor;
 use crate::progress::Progress;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use web_time::Instant;
 
 /// The number of lost devices after which the CPU takes over; a second loss is
 /// unlikely to be an accident.
@@ -101,19 +102,22 @@ impl Engine {
         Ok(DistanceResult::symmetric(forward, reverse))
     }
 
-    /// Runs one direction, and the sampling for the field if the options request it.
+    /// Runs one direction, and samples the field if the options request it; method
+    /// `iteration` samples its own.
     async fn directed(
         &self,
         direction: &Direction<'_>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
-        let run = self.run(direction, options.method, options, progress).await?;
-        if !options.field || options.method == Method::Iteration || run.is_cancelled() {
-            return Ok(run);
+        let mut run = self.run(direction, options.method, options, progress).await?;
+        if options.field && options.method != Method::Iteration && !run.is_cancelled() {
+            let started = Instant::now();
+            let sampling = direction.from.sampling(options.samples, options.sampling);
+            run.result.field = direction.field(&sampling.sampling, progress).await?;
+            run.seconds.solve += started.elapsed().as_secs_f64();
         }
-        let sampled = self.run(direction, Method::Iteration, options, progress).await?;
-        Ok(run.with_field_of(sampled))
+        Ok(run)
     }
 
     /// Returns the GPU for a requested backend, or `None` for the CPU.

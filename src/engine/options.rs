@@ -7,8 +7,9 @@ use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
 use serde::Deserialize;
 use std::fmt::Debug;
+use std::ops::RangeInclusive;
 
-/// How the distance is computed.
+/// The method that computes the distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
@@ -41,7 +42,7 @@ pub enum Backend {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Options {
-    /// How the distance is computed.
+    /// The method that computes the distance.
     pub method: Method,
     /// `certified`: the requested width of the interval, positive. `hierarchy`
     /// only reports whether its interval is as narrow.
@@ -58,19 +59,19 @@ pub struct Options {
     /// `certified`: cells a direction after which the interval so far is
     /// returned, 1 or more.
     pub max_cells: Option<usize>,
-    /// `iteration`: samples along each direction of every surface, 2 to 1024.
+    /// `iteration` and the field: samples along each direction of every surface, 2 to 1024.
     pub samples: usize,
-    /// `iteration`: the rule by which they are spread.
+    /// `iteration` and the field: the rule by which they are spread.
     pub sampling: SamplingRule,
-    /// The flatness to which patches of B are cut.
+    /// `iteration`: the flatness to which patches of B are cut.
     pub flatness: Flatness,
-    /// The step of the projection.
+    /// `iteration`: the step of the projection.
     pub projection: Projection,
-    /// The patches on which a sample is projected.
+    /// `iteration`: the patches on which a sample is projected.
     pub culling: Culling,
-    /// Steps on one patch, 1 to 300.
+    /// `iteration`: steps on one patch, 1 to 300.
     pub iterations: u32,
-    /// Change of distance that ends the tangent-plane iteration, in model
+    /// `iteration`: change of distance that ends the tangent-plane iteration, in model
     /// units, positive; also the paper's `E_B` in `k_b`.
     pub step_tolerance: f64,
     /// `hierarchy`: cells along each direction of every surface, 2 to 1024,
@@ -104,7 +105,7 @@ impl Default for Options {
             limit: None,
             max_seconds: None,
             max_cells: None,
-            samples: 64,
+            samples: DEFAULT_SAMPLES,
             sampling: SamplingRule::default(),
             flatness: Flatness::default(),
             projection: Projection::default(),
@@ -122,11 +123,14 @@ impl Default for Options {
     }
 }
 
+/// The number of samples along a direction unless the options name another.
+pub(super) const DEFAULT_SAMPLES: usize = 64;
+
 /// Largest memory for pairs, in MiB: two lists, each in one binding of the GPU.
 const MAX_MEMORY: usize = 256;
 
-/// Largest number of samples or cells along a direction: a million a surface.
-const MAX_SAMPLES: usize = 1024;
+/// Numbers of samples or cells along a direction: up to a million a surface.
+const COUNTS: RangeInclusive<usize> = 2..=1024;
 
 /// Largest number of steps on one patch: far beyond any that still help, and few
 /// enough that one patch of the highest degree stays within a kernel's turns.
@@ -144,23 +148,34 @@ fn positive(option: &'static str, found: f64) -> Result<()> {
     require(option, found.is_finite() && found > 0.0, found, "a positive finite number")
 }
 
+/// # Errors
+/// [`Error::OptionOutOfRange`] unless the option is 0 or more and finite.
+pub(super) fn at_least_zero(option: &'static str, found: f64) -> Result<()> {
+    require(option, found.is_finite() && found >= 0.0, found, "a finite number of at least 0")
+}
+
+/// # Errors
+/// [`Error::OptionOutOfRange`] unless a grid may have so many samples along a direction.
+pub(super) fn require_samples(found: usize) -> Result<()> {
+    require("samples", COUNTS.contains(&found), found, "2 to 1024")
+}
+
 impl Options {
     /// Checks every range.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option.
     pub fn validate(&self) -> Result<()> {
-        let counts = 2..=MAX_SAMPLES;
         let memory = (1..=MAX_MEMORY).contains(&self.memory_budget);
         let iterations = (1..=MAX_ITERATIONS).contains(&self.iterations);
-        require("samples", counts.contains(&self.samples), self.samples, "2 to 1024")?;
-        require("grid", counts.contains(&self.grid), self.grid, "2 to 1024")?;
+        require_samples(self.samples)?;
+        require("grid", COUNTS.contains(&self.grid), self.grid, "2 to 1024")?;
         require("memory budget", memory, self.memory_budget, "1 to 256 MiB")?;
         require("iterations", iterations, self.iterations, "1 to 300")?;
         positive("tolerance", self.tolerance)?;
         positive("step tolerance", self.step_tolerance)?;
         if let Some(limit) = self.limit {
-            require("limit", limit.is_finite() && limit >= 0.0, limit, "a finite number of at least 0")?;
+            at_least_zero("limit", limit)?;
         }
         if let Some(seconds) = self.max_seconds {
             positive("max seconds", seconds)?;

@@ -8,10 +8,10 @@ use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::{Error, Result};
-use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten_within, recut};
+use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
-use crate::iteration::{Sampling, SamplingRule};
+use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::model::Model;
 use crate::param_box::ParamBox;
 use crate::pieces::{Cuttable, FacePieces};
@@ -37,7 +37,7 @@ pub struct PreparedModel {
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     control_box: Aabb,
-    targets: RefCell<Vec<(TargetKey, Rc<PreparedTarget>)>>,
+    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
     /// The number of updates since cuts and trees were chosen.
@@ -50,10 +50,15 @@ const SCALE_ROUNDINGS: f64 = 4.0;
 /// the model has by then; they are chosen for an older one meanwhile.
 const MAX_REFITS: u32 = 32;
 
-type SamplingKey = (usize, SamplingRule);
+/// The smallest number of Bézier patches of a model for which method `certified` does not
+/// subdivide them into flat patches.
+///
+/// For more patches the subdivision takes longer than it saves: the search looks at few of
+/// them, and patches of which a model has so many are mostly flat. Fewer patches are
+/// subdivided, A's for closer bounds on their derivatives and B's for better starts.
+const MIN_UNCUT_PATCHES: usize = 1000;
 
-/// The criterion of flatness, and the number of halvings of a patch.
-type TargetKey = (Flatness, u32);
+type SamplingKey = (usize, SamplingRule);
 
 /// Flat patches, with their copy on the GPU.
 #[derive(Debug)]
@@ -100,7 +105,16 @@ impl PreparedTarget {
 #[derive(Debug)]
 pub(crate) struct PreparedSampling {
     pub(crate) sampling: Sampling,
+    /// The samples' covering radius, which only method `iteration` needs, computed at first use.
+    radius: OnceCell<CoveringRadius>,
     pub(crate) resident: Resident<GpuSampling>,
+}
+
+impl PreparedSampling {
+    /// Returns the covering radius over all surfaces of `model`, whose samples these are.
+    pub(crate) fn radius(&self, model: &PreparedModel) -> CoveringRadius {
+        *self.radius.get_or_init(|| self.sampling.radius(&model.bezier))
+    }
 }
 
 /// A tree of cells, with its copy on the GPU.
@@ -181,10 +195,10 @@ impl PreparedModel {
             return Ok(updated);
         }
         updated.refits = self.refits + 1;
-        for (key, kept) in &*self.targets.borrow() {
+        for (flatness, kept) in &*self.targets.borrow() {
             let flat = recut(&updated.bezier.patches, &kept.cuts);
             let target = PreparedTarget::new(flat, |patches| kept.target.refitted(patches));
-            updated.targets.get_mut().push((*key, Rc::new(target)));
+            updated.targets.get_mut().push((*flatness, Rc::new(target)));
         }
         if let Some(kept) = &*self.cells.borrow() {
             let tree = kept.tree.refitted(&updated.bezier);
@@ -293,21 +307,25 @@ impl PreparedModel {
         self.control_box
     }
 
-    /// Returns the flat patches, computed at first use.
-    pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
-        self.target_within(flatness, MAX_HALVINGS)
+    /// Returns whether method `certified` does not cut the model into flat patches.
+    pub(super) fn is_left_uncut(&self) -> bool {
+        self.bezier.patches.len() >= MIN_UNCUT_PATCHES
     }
 
-    /// Returns patches that are flat or halved so many times, computed at first use.
-    pub(crate) fn target_within(&self, flatness: Flatness, halvings: u32) -> Rc<PreparedTarget> {
-        let key = (flatness, halvings);
+    /// Returns the patches that method `certified` and closest points search.
+    pub(super) fn certified_target(&self) -> Rc<PreparedTarget> {
+        self.target(if self.is_left_uncut() { Flatness::None } else { Flatness::Loose })
+    }
+
+    /// Returns the flat patches, computed at first use.
+    pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
         let mut targets = self.targets.borrow_mut();
-        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == key) {
+        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == flatness) {
             return Rc::clone(target);
         }
-        let flat = flatten_within(&self.bezier.patches, flatness, halvings);
+        let flat = flatten(&self.bezier.patches, flatness);
         let prepared = Rc::new(PreparedTarget::new(flat, Target::new));
-        targets.push((key, Rc::clone(&prepared)));
+        targets.push((flatness, Rc::clone(&prepared)));
         prepared
     }
 
@@ -337,7 +355,8 @@ impl PreparedModel {
             return Rc::clone(sampling);
         }
         let sampling = Sampling::new(&self.bezier, samples, rule);
-        let prepared = Rc::new(PreparedSampling { sampling, resident: Resident::default() });
+        let prepared =
+            Rc::new(PreparedSampling { sampling, radius: OnceCell::new(), resident: Resident::default() });
         if samplings.len() == MAX_SAMPLINGS {
             samplings.remove(0);
         }

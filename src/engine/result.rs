@@ -119,11 +119,11 @@ impl DistanceResult {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "method", rename_all = "kebab-case")]
 pub enum Details {
-    /// Of method `certified`.
+    /// The details of method `certified`.
     Certified(CertifiedDetails),
-    /// Of method `iteration`.
+    /// The details of method `iteration`.
     Iteration(IterationDetails),
-    /// Of method `hierarchy`.
+    /// The details of method `hierarchy`.
     Hierarchy(HierarchyDetails),
 }
 
@@ -240,9 +240,9 @@ pub struct SurfacePoint {
 /// Numbers of patches after cutting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct PatchCounts {
-    /// Of A.
+    /// The number of patches of A.
     pub a: usize,
-    /// Of B.
+    /// The number of patches of B.
     pub b: usize,
 }
 

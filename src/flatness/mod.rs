@@ -123,21 +123,15 @@ impl Cuts {
 }
 
 /// Returns `patches` with each replaced, in place, by flat pieces that together
-/// are the same surface. O(pieces p q (p + q)).
+/// are the same surface, of at most [`MAX_HALVINGS`] halvings each. O(pieces p q (p + q)).
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
-    flatten_within(patches, flatness, MAX_HALVINGS)
-}
-
-/// Returns `patches` as [`flatten`] does, with every patch halved at most so many
-/// times, up to [`MAX_HALVINGS`].
-pub(crate) fn flatten_within(patches: &PatchSet, flatness: Flatness, halvings: u32) -> FlatPatches {
     if flatness == Flatness::None {
         let extensions = vec![ParamBox::UNIT; patches.len()];
         let places = (0..patches.len()).map(Place::whole).collect();
         return FlatPatches { patches: patches.clone(), extensions, places, cuts: Cuts::default() };
     }
-    cut(patches, &Rule::Flat(flatness, halvings))
+    cut(patches, &Rule::Flat(flatness))
 }
 
 /// Returns `patches` cut as others were by [`flatten`], of which they are as many of the
@@ -153,20 +147,10 @@ pub fn recut(patches: &PatchSet, cuts: &Cuts) -> FlatPatches {
 
 /// The rule by which patches are cut.
 enum Rule<'a> {
-    /// Where a piece is not flat, at most so many times.
-    Flat(Flatness, u32),
+    /// Where a piece is not flat.
+    Flat(Flatness),
     /// Where others were.
     Recorded(&'a Cuts),
-}
-
-impl Rule<'_> {
-    /// Returns the largest number of halvings of a patch.
-    fn max_halvings(&self) -> u32 {
-        match self {
-            Self::Flat(_, halvings) => *halvings,
-            Self::Recorded(_) => MAX_HALVINGS,
-        }
-    }
 }
 
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
@@ -185,7 +169,7 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
                 of_degree.recorded = &cuts.axes[cuts.starts[index]..];
             }
             let place = Place::whole(index);
-            of_degree.append_pieces(&mut part, patch, place, [[false; 2]; 2], rule.max_halvings());
+            of_degree.append_pieces(&mut part, patch, place, [[false; 2]; 2], MAX_HALVINGS);
             subdivision = Some(of_degree);
         }
         part
@@ -240,7 +224,7 @@ impl<'a> Subdivision<'a> {
     /// Returns the axis along which to halve a piece next, or `None` to keep it.
     fn split_axis(&mut self, patch: &Patch<'_>, halvings: u32) -> Option<Axis> {
         match self.rule {
-            Rule::Flat(flatness, _) if halvings > 0 => flatness.split_axis(patch, &self.basis),
+            Rule::Flat(flatness) if halvings > 0 => flatness.split_axis(patch, &self.basis),
             Rule::Flat(..) => None,
             Rule::Recorded(_) => {
                 let (&next, rest) = self.recorded.split_first()?;

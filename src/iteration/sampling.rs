@@ -30,13 +30,11 @@ pub struct SampleGrid {
     pub first: usize,
 }
 
-/// All samples of a model, with their covering radius.
+/// All samples of a model.
 #[derive(Debug, Clone)]
 pub struct Sampling {
     /// One grid a surface.
     pub grids: Vec<SampleGrid>,
-    /// The covering radius over all surfaces.
-    pub radius: CoveringRadius,
 }
 
 /// The largest number of samples of a page, unless one row has more: buffers of a
@@ -72,8 +70,14 @@ impl Sampling {
             grids.push(SampleGrid { parameters, locations, first });
             first += grids.last().map_or(0, SampleGrid::len);
         }
-        let radius = CoveringRadius::of_model(model, &grids);
-        Self { grids, radius }
+        Self { grids }
+    }
+
+    /// Returns the covering radius over all surfaces of `model`, which must be that of the
+    /// samples. O(cells + patches) times p q (p + q).
+    #[must_use]
+    pub fn radius(&self, model: &BezierModel) -> CoveringRadius {
+        CoveringRadius::of_model(model, &self.grids)
     }
 
     /// Returns the number of samples.

@@ -5,6 +5,7 @@ import { load, type ModuleSource, requireLoaded } from "./load.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
+import type { DeviationField, FieldOptions } from "./measure/field.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
 import { fromBrepText, isBrepText } from "./model/brep-text.js";
@@ -123,6 +124,11 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) => engine.distance(...models, call));
   }
 
+  async field(a: NurbsModel, b: NurbsModel, options: FieldOptions = {}): Promise<DeviationField> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.field(...models, call));
+  }
+
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.diff(...models, call));
@@ -142,7 +148,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   /** Runs a method of the engine when no other is running. */
   async #inTurn<Result>(
-    options: DistanceOptions | DiffOptions | ClosestPointOptions,
+    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions,
     run: (engine: Engine, call: Call) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();

@@ -1,9 +1,12 @@
 // The types and the error class that the package's entries share.
 export { type ErrorCode, HausdorffError } from "./error.js";
+export { type BestFit, type BestFitOptions, bestFit } from "./fit/best-fit.js";
+export type { Rigid } from "./fit/rigid.js";
 export type { ModuleSource } from "./load.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
+export type { DeviationField, FieldOptions } from "./measure/field.js";
 export type {
   Backend,
   DistanceOptions,

@@ -5,7 +5,7 @@ use super::trim::{FaceArrays, Trim, TrimCurveArrays, extended_surface};
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 
-/// What a face has beside its surface.
+/// The properties of a face beside its surface.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct FaceData {
     /// The loops as given, for writing, and as validated.

@@ -17,7 +17,6 @@ pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
-pub use trim::TrimFault;
 
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};

@@ -13,6 +13,8 @@ mod revolved;
 pub use catalogue::{ShapeInfo, list, shape};
 pub use curves::{Naca4, PlaneCurve, circle, half_circle};
 pub use figure5::{FIGURE5_NEAREST_SAMPLE, FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
+#[cfg(all(test, not(target_arch = "wasm32")))]
+pub(crate) use freeform::bicubic_patch;
 pub use freeform::{WavySheet, Wing, wavy_sheet, wigley_hull, wing};
 pub use revolved::{bottle, cone, cylinder, disc, glass, lateral, revolve, sphere, sphere_parts, torus};
 

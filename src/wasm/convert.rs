@@ -1,7 +1,10 @@
 //! Values on their way between Rust and JavaScript: options, results,
 //! tessellations and errors.
 
-use crate::engine::{ClosestPointOptions, ClosestPoints, DiffOptions, DistanceResult, Field, Options};
+use crate::engine::{
+    ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceResult, Field, FieldOptions,
+    Options, Statistics,
+};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tessellate::Tessellation;
@@ -43,6 +46,16 @@ pub(super) fn closest_point_options(options: &JsValue, transform: &JsValue) -> R
     let transform = rigid_transform(transform)?;
     let options: ClosestPointOptions = properties(options).map_err(invalid)?;
     Ok(ClosestPointOptions { transform, ..options })
+}
+
+/// The options of a field, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<FieldOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: FieldOptions = properties(options).map_err(invalid)?;
+    Ok(FieldOptions { transform, ..options })
 }
 
 /// The transform of an object; undefined is the identity.
@@ -149,10 +162,33 @@ pub(super) fn result(result: &DistanceResult) -> std::result::Result<JsValue, Js
 
 fn set_field(object: &JsValue, result: &DistanceResult) -> std::result::Result<(), JsValue> {
     if !result.field.is_empty() {
-        let field: Vec<FieldArrays> = result.field.iter().map(FieldArrays::from).collect();
-        Reflect::set(object, &"field".into(), &to_object(&field)?)?;
+        Reflect::set(object, &"field".into(), &to_object(&field_arrays(&result.field))?)?;
     }
     Ok(())
+}
+
+fn field_arrays(field: &[Field]) -> Vec<FieldArrays> {
+    field.iter().map(FieldArrays::from).collect()
+}
+
+/// A field with its statistics.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn deviation_field(found: &DeviationField) -> std::result::Result<JsValue, JsValue> {
+    to_object(&DeviationArrays {
+        diagonal: found.diagonal,
+        statistics: found.statistics,
+        field: field_arrays(&found.field),
+    })
+}
+
+#[derive(Serialize)]
+struct DeviationArrays {
+    diagonal: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    statistics: Option<Statistics>,
+    field: Vec<FieldArrays>,
 }
 
 #[derive(Serialize)]

@@ -45,6 +45,15 @@ impl Engine {
         call.run(async move |monitor| convert::result(&engine.distance(&a, &b, &options?, monitor).await?))
     }
 
+    /// The deviation of `a` from `b` at samples of `a`.
+    pub fn field(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::field_options);
+        call.run(async move |monitor| {
+            convert::deviation_field(&engine.field(&a, &b, &options?, monitor).await?)
+        })
+    }
+
     /// The comparison of all faces of two models.
     pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());

@@ -8,6 +8,8 @@ mod support;
 mod area;
 mod elementary;
 mod loops;
+mod missing;
+mod offsets;
 mod placement;
 mod real_files;
 mod splines;

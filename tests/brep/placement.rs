@@ -21,8 +21,9 @@ fn a_face_in_several_places_becomes_instances() {
     let mut text = BrepText::new();
     text.location(TURN);
     text.location(MOVE);
-    // The square of the move after the turn, then the inverse of the move.
-    text.location("2  2 2 1 1 0");
+    // The square of the move after the turn, as OpenCASCADE lists them: the first is applied
+    // first. Then the inverse of the move.
+    text.location("2  1 1 2 2 0");
     text.location("2  2 -1 0");
     let plane = text.surface(PLANE);
     let face = text.region(plane, &[rectangle([0.0, 0.0], [3.0, 1.0])]);

@@ -1,9 +1,8 @@
 //! Extrusions, revolutions, trimmed and offset surfaces.
 
 use crate::area::surface_points;
-use crate::support::brep::{BrepText, plus, rectangle};
+use crate::support::brep::rectangle;
 use crate::{area_of, assert_near, region};
-use nurbs_hausdorff::Model;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 #[test]
@@ -91,18 +90,4 @@ fn trimmed_surfaces_keep_the_parameters_of_their_basis() {
     let (model, report) = region(trimmed, &[rectangle([5.0, 1.0], [7.0, 3.0])]);
     assert_eq!((report.exact, model.faces().next().unwrap().kind()), (4, Some("cylinder")));
     assert_near(area_of(&model), 20.0 * 2.0 * 2.0, 1e-12);
-}
-
-#[test]
-fn offsets_that_are_not_rational_are_reported() {
-    let mut text = BrepText::new();
-    let patch = "8 0 0 1 1 0 0 0 0 1 0 1 0 0 1 1 1";
-    let surface = text.surface(format!("11 0.5\n{patch}"));
-    let plain = text.surface(patch);
-    let square = [rectangle([0.0, 0.0], [1.0, 1.0])];
-    let faces = [text.region(surface, &square), text.region(plain, &square)];
-    let shell = text.shape("Sh\n", &faces.map(plus));
-    let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
-    assert_eq!((model.faces().len(), report.skipped.len()), (1, 1));
-    assert_eq!((report.skipped[0].face, report.skipped[0].code), (0, "BREP_OFFSET"));
 }

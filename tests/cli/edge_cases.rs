@@ -72,6 +72,15 @@ fn errors_name_the_file() {
 }
 
 #[test]
+fn binary_brep_is_named() {
+    let path = file(
+        "binary.brep",
+        b"\nOpen CASCADE Topology V4, (c) Open Cascade\nLocations 0\nCurve2ds 1\n\x01\xff",
+    );
+    assert_refused(&run(&["info", &path]), "BREP_SYNTAX", &["in binary", "BRepTools::Write"]);
+}
+
+#[test]
 fn files_over_the_limit_are_not_read() {
     // All holes: it takes no room on the disk.
     let path = file("large", b"");

@@ -77,6 +77,9 @@ export async function elsewhere(text: string): Promise<number> {
   const { within } = await hd.distance(a, await hd.shape("sphere"), { limit: 1 });
   const points = new Float64Array(3);
   const { distances } = await hd.closestPoints(a, points, { transfer: true });
+  const { transform, rms } = await away.bestFit(hd, a, a, { samples: 8 });
+  const { statistics, field } = await hd.field(a, a, { transform, upper: rms });
+  if (statistics !== undefined && field[0]?.areas.length === 0) return statistics.mean;
   // @ts-expect-error models are the worker's
   await hd.distance(a, inHere().shape("sphere"));
   return within ? (distances[0] ?? 0) : a.surfaceCount;

@@ -167,7 +167,7 @@ fn weights_of_any_scale_are_the_same_surface() {
 #[test]
 fn far_from_the_origin_the_kernels_lose_no_digit() {
     let Some(engine) = engine("far_from_the_origin") else { return };
-    // As far as float64 leaves 1e-9: float32 alone would see one point.
+    // Float64 leaves 1e-9 between the points; float32 alone would see one point.
     let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::new(4e6, -3e6, 2e6), radius).unwrap());
     let result = on(&engine, Backend::Gpu, &a, &b, &Options { field: true, ..iteration() });
     assert!((result.computed - 0.5).abs() < ROUNDING, "{}", result.computed);
@@ -243,7 +243,7 @@ fn every_flatness_gives_the_same_distance() {
     for result in &measured {
         assert!((result.computed - measured[0].computed).abs() < 1e-9 * result.diagonal);
     }
-    // Cutting went on where asked to.
+    // Cutting went on where the options request it.
     let patches = measured.map(|result| result.patches.b);
     assert!(patches[0] < patches[1] && patches[1] < patches[2] && patches[0] < patches[3], "{patches:?}");
 }

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// Bytes of the process, at most, for 99,000 patches against themselves.
 const MAX_BYTES: u64 = 1 << 30;
 
-/// How often the system is asked for the process' peak so far.
+/// How often the system is queried for the process' peak so far.
 const INTERVAL: Duration = Duration::from_millis(5);
 
 /// The largest resident size of the process so far, once the system knows it.

@@ -15,7 +15,7 @@ const own = [
 ];
 
 test("the error codes are Rust's, then those of JavaScript", () => {
-  const files = ["src/error.rs", "src/model/trim/fault.rs"];
+  const files = ["src/error/mod.rs", "src/error/trim_fault.rs"];
   const rust = [
     ...files
       .map(text)

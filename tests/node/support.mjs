@@ -43,6 +43,10 @@ export function interchangeSquare(z = 0) {
   };
 }
 
+/** An engine of a worker's class `Hausdorff` and one of the main entry, both on the CPU. */
+export const createBoth = (Away) =>
+  Promise.all([Away, Hausdorff].map((type) => type.create({ backend: "cpu" })));
+
 /** A check for `assert.throws` and `assert.rejects`. */
 export const withCode = (code, message) => (error) => {
   assert.ok(error instanceof HausdorffError, `${error?.stack ?? error}`);

@@ -45,6 +45,41 @@ test("Firefox measures the first preset", { skip }, async () => {
   assert.ok(await opened.evaluate(() => document.getElementById("error").hidden));
 });
 
+/** The share of a picture's left half, where the view is, that is of a strong colour. */
+async function coloured(picture) {
+  const image = new Image();
+  image.src = `data:image/png;base64,${picture}`;
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [image.width / 2, image.height];
+  const context = canvas.getContext("2d");
+  context.drawImage(image, 0, 0);
+  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  for (let place = 0; place < data.length; place += 4) {
+    const [red, green, blue] = data.subarray(place, place + 3);
+    if (Math.max(red, green, blue) - Math.min(red, green, blue) > 100) count += 1;
+  }
+  return (4 * count) / data.length;
+}
+
+test("Firefox draws the models and the deviation in its colours", { skip }, async (context) => {
+  const without = await opened.evaluate(() => document.getElementById("tools").hidden);
+  if (without) return context.skip("this Firefox has no WebGL");
+  const models = await opened.screenshot("firefox");
+  assert.ok((await opened.evaluate(coloured, models)) > 0.05);
+  await done(() => document.getElementById("deviation").click());
+  assert.ok(await opened.evaluate(() => !document.getElementById("legend").hidden));
+  // It is drawn on the next frame.
+  await opened.evaluate(
+    () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))),
+  );
+  const deviation = await opened.screenshot("firefox-deviation");
+  assert.notEqual(deviation, models);
+  assert.ok((await opened.evaluate(coloured, deviation)) > 0.05);
+  await done(() => document.getElementById("deviation").click());
+});
+
 test("Firefox measures concentric spheres by every method", { skip }, async () => {
   await done(select, "preset", "Concentric spheres");
   for (const method of ["certified", "iteration", "hierarchy"]) {

@@ -108,6 +108,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
       median: "≈ 0.10000",
       "95th percentile": "≈ 0.10000",
       "99th percentile": "≈ 0.10000",
+      "maximum of the samples": "≈ 0.10000",
     });
     assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
     // The deviation has one sign, and so has the scale.

@@ -63,8 +63,13 @@ impl BrepText {
         self.shapes.len() - 1
     }
 
-    pub fn vertex(&mut self, [x, y, z]: [f64; 3]) -> usize {
-        self.shape(format!("Ve\n1e-07\n{x:?} {y:?} {z:?}\n0 0\n"), &[])
+    pub fn vertex(&mut self, point: [f64; 3]) -> usize {
+        self.loose_vertex(point, 1e-7)
+    }
+
+    /// A vertex of this tolerance.
+    pub fn loose_vertex(&mut self, [x, y, z]: [f64; 3], tolerance: f64) -> usize {
+        self.shape(format!("Ve\n{tolerance:?}\n{x:?} {y:?} {z:?}\n0 0\n"), &[])
     }
 
     /// An edge of these representations, such as `1 curve location first last`.

@@ -5,7 +5,7 @@ use nurbs_hausdorff::{Axis, NurbsSurface};
 
 pub type Vector = [f64; 3];
 
-/// A point, relative to the origin asked for, and derivatives by u and v.
+/// A point, relative to the given origin, and derivatives by u and v.
 #[derive(Debug, Clone, Copy)]
 pub struct Evaluation {
     pub point: Vector,

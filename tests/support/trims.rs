@@ -2,16 +2,22 @@
 
 use nurbs_hausdorff::SurfaceArrays;
 use nurbs_hausdorff::model::trim::{FaceArrays, TrimCurveArrays};
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
+/// A Bézier curve with control points `[u, v, w]`.
+pub fn bezier(control_points: &[[f64; 3]]) -> TrimCurveArrays {
+    let degree = control_points.len() - 1;
+    TrimCurveArrays {
+        degree,
+        knots: [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat(),
+        control_points: control_points.to_vec(),
+        ..TrimCurveArrays::default()
+    }
+}
 
 /// A straight line.
 pub fn line(from: [f64; 2], to: [f64; 2]) -> TrimCurveArrays {
-    TrimCurveArrays {
-        degree: 1,
-        knots: vec![0.0, 0.0, 1.0, 1.0],
-        control_points: vec![[from[0], from[1], 1.0], [to[0], to[1], 1.0]],
-        ..TrimCurveArrays::default()
-    }
+    bezier(&[[from[0], from[1], 1.0], [to[0], to[1], 1.0]])
 }
 
 /// The closed polygon through these points.
@@ -43,6 +49,19 @@ pub fn ellipse([u, v]: [f64; 2], [a, b]: [f64; 2]) -> Vec<TrimCurveArrays> {
 /// A circle, counterclockwise.
 pub fn circle(center: [f64; 2], radius: f64) -> Vec<TrimCurveArrays> {
     ellipse(center, [radius, radius])
+}
+
+/// A circle of `count` rational quadratic arcs, counterclockwise from the angle `start`.
+pub fn arcs(center: [f64; 2], radius: f64, start: f64, count: usize) -> Vec<TrimCurveArrays> {
+    let half = PI / count as f64;
+    let at = |angle: f64, radius: f64| [center[0] + radius * angle.cos(), center[1] + radius * angle.sin()];
+    let corner = |k: usize| at(start + 2.0 * half * (k % count) as f64, radius);
+    let arc = |k: usize| {
+        let middle = at(start + half * (2 * k + 1) as f64, radius / half.cos());
+        let ([a, b], [c, d]) = (corner(k), corner(k + 1));
+        bezier(&[[a, b, 1.0], [middle[0], middle[1], half.cos()], [c, d, 1.0]])
+    };
+    (0..count).map(arc).collect()
 }
 
 /// The same loop in the other direction.

@@ -1,6 +1,7 @@
 // The main page: connects the panel, the worker, the view and the results.
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
+import { clearFit, isFitting, onFit, showFit } from "./controls/bestFit.ts";
 import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
@@ -19,7 +20,7 @@ import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import type { PlainOptions, Reply } from "./worker/protocol.ts";
+import type { FitReply, PlainOptions, Reply } from "./worker/protocol.ts";
 
 const canvas = element("canvas", HTMLCanvasElement);
 // The worker starts first; its replies wait until the page is complete.
@@ -65,6 +66,10 @@ options.onChange(() => {
   measure();
 });
 position.onPosition(moved);
+onFit(
+  () => client.fit({ transform: pose().transform, scaleUnits: scalesUnits() }),
+  () => client.cancelFit(),
+);
 onScaleUnits(() => {
   view.models.scale = unitScale();
   moved();
@@ -98,6 +103,8 @@ function measured(): PlainOptions {
 
 function moved(): void {
   resultPanel.hideError();
+  if (isFitting()) client.cancelFit();
+  clearFit();
   probing.clear();
   if (faces.active) {
     client.cancelDiff();
@@ -129,9 +136,22 @@ function measure(): void {
   client.measure(measured());
 }
 
+function showFitted(reply: FitReply): void {
+  // A fit that ended because A was moved is no longer shown.
+  if (!isFitting()) return;
+  if (reply.state === "done") {
+    const { move, rotation } = Pose.of(reply.fit.transform, view.models.middle);
+    clearFit();
+    position.setComputedPosition(move, degreesOf(rotation));
+    moved();
+  } else if (reply.state === "failed") resultPanel.showError(reply.code, reply.message);
+  showFit(reply, view.models.diagonal);
+}
+
 function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
   faces.clear("idle", "");
   probing.clear();
+  clearFit();
   view.showModels(models);
   showSources(models, placement);
   showFileNotes(models);
@@ -155,9 +175,11 @@ function hideResult(): void {
   deviation.hideDeviation();
 }
 
-function showMeasured({ result, field }: Extract<Reply, { kind: "measured" }>): void {
-  view.showResult(result);
-  deviation.hideDeviation();
+function showMeasured({ result, field, pending }: Extract<Reply, { kind: "measured" }>): void {
+  // The colours before stay until new ones replace them.
+  const replaced = field !== undefined || !pending;
+  view.showResult(result, replaced);
+  if (replaced) deviation.hideDeviation();
   if (field === undefined) return;
   const { scale, largest } = deviation.showDeviation(result, field);
   view.showField(field, scale, largest);
@@ -186,7 +208,10 @@ function onReply(reply: Reply): void {
       });
       break;
     case "measured":
-      resultPanel.showResult(reply.result, client.isNewest(reply.run));
+      resultPanel.showResult(reply.result, {
+        last: client.isNewest(reply.run),
+        pending: reply.pending,
+      });
       showMeasured(reply);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);
@@ -194,6 +219,9 @@ function onReply(reply: Reply): void {
     case "diff":
       // A comparison that ended because A was moved is no longer shown.
       if (faces.active || reply.state === "working") faces.show(reply);
+      break;
+    case "fit":
+      showFitted(reply);
       break;
     case "probed":
       probing.show(reply.id, reply.probe);

@@ -47,7 +47,7 @@ def fitted(surface, count=8):
 
 
 def offset_spheres():
-    """Every point is as far as every other."""
+    """All points have the same distance."""
     return Pair(
         "spheres-1-1.1", "concentric spheres of radius 1 and 1.1", [sphere()], [sphere(1.1)], truth=0.1
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 class Answer:
     """A directed distance and the seconds from arrays in memory to it.
 
-    `parts` tells where the time went, in seconds by name; `interval` is what a
+    `parts` states where the time went, in seconds by name; `interval` is what a
     peer with a guarantee says contains the distance of the surfaces.
     """
 

@@ -24,7 +24,7 @@ def kept():
 
 
 class MeshPeer(Base):
-    """Tessellates, then calls `distance`, which tells the value and its own seconds."""
+    """Tessellates, then calls `distance`, which returns the value and its own seconds."""
 
     how = f"triangles by BRepMesh_IncrementalMesh, deflection {DEFLECTION:g} of the diagonal, angle {ANGLE:g}"
 

@@ -3,17 +3,14 @@
 mod chart;
 mod convergence;
 mod figure5;
+mod inputs;
 mod methods;
-mod models;
 mod nurbs_evaluation;
 mod order;
-mod pairs;
 mod patch_count;
-mod plan;
 mod sampling_rule;
 mod split_rule;
 mod sweep;
-mod sweep_figure;
 mod table;
 
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
@@ -74,7 +71,7 @@ type Experiment = fn(&Setup) -> Anyhow<()>;
 
 /// Every experiment with the name of its files; a sweep's pair follows a hyphen.
 const EXPERIMENTS: [(&str, Experiment); 8] = [
-    ("sweep", sweep_figure::run),
+    ("sweep", sweep::run),
     ("figure5", figure5::run),
     ("nurbs-evaluation", nurbs_evaluation::run),
     ("split-rule", split_rule::run),

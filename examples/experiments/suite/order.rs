@@ -1,8 +1,8 @@
 //! The growth of the work of `certified` with the requested tolerance.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::inputs::models::models_of;
 use super::methods::certified;
-use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Options, PreparedModel};

@@ -1,8 +1,8 @@
 //! The growth of the work of `certified` with the number of B's patches.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::inputs::models::shared;
 use super::methods::certified;
-use super::models::shared;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Options, PreparedModel};

@@ -2,8 +2,8 @@
 //! parameter, an open question of the 2012 paper.
 
 use super::chart::{Axis, Panel, Series, Style};
+use super::inputs::models::models_of;
 use super::methods::certified;
-use super::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Method, Options, PreparedModel};

@@ -6,5 +6,5 @@ mod grid_basis;
 mod power_form;
 
 pub use bernstein::MAX_ORDER;
-pub(crate) use bernstein_product::{length_bounds, scaled, squares, unscale};
+pub(crate) use bernstein_product::{binomials, length_bounds, scaled, squares, unscale};
 pub(crate) use grid_basis::GridBasis;

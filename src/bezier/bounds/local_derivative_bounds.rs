@@ -49,15 +49,15 @@ const CENTRING_ROUNDINGS: f64 = 2.0;
 const DEGENERATE_EXTENT: f64 = 1e-12;
 
 /// Bounds over a patch, over its extension, and over parts of it, each computed
-/// at its first use.
+/// at its first use. Large models have many patches of which none is used.
 #[derive(Debug)]
 pub struct LocalDerivativeBounds {
-    whole: OnceLock<DerivativeBounds>,
-    extended: OnceLock<DerivativeBounds>,
+    whole: OnceLock<Box<DerivativeBounds>>,
+    extended: OnceLock<Box<DerivativeBounds>>,
     /// The parameters on which the patch's controls give points of the model:
     /// [0, 1]², and a little more beyond edges at which the patch was cut.
     pub extension: ParamBox,
-    parts: OnceLock<Parts>,
+    parts: OnceLock<Box<Parts>>,
 }
 
 /// The grid of parts, and the bounds over each.
@@ -77,7 +77,7 @@ impl LocalDerivativeBounds {
     /// Returns bounds over [0, 1]². `patch` must be the patch of these bounds.
     /// O(p q) at the first use.
     pub fn whole(&self, patch: &Patch<'_>) -> &DerivativeBounds {
-        self.whole.get_or_init(|| patch.derivative_bounds())
+        self.whole.get_or_init(|| Box::new(patch.derivative_bounds()))
     }
 
     /// Returns bounds over [0, 1]², or over the whole extension if the box
@@ -87,7 +87,7 @@ impl LocalDerivativeBounds {
         if ParamBox::UNIT.contains(low) && ParamBox::UNIT.contains(high) {
             return self.whole(patch);
         }
-        self.extended.get_or_init(|| patch.bounds_over(self.extension[0], self.extension[1]))
+        self.extended.get_or_init(|| Box::new(patch.bounds_over(self.extension[0], self.extension[1])))
     }
 
     /// Returns bounds over the box [low, high], which must lie in the extension:
@@ -99,7 +99,8 @@ impl LocalDerivativeBounds {
             return *self.about(patch, low, high);
         }
         let radius = self.whole(patch).radius;
-        let Parts { lines, bounds } = self.parts.get_or_init(|| Parts::new(patch, radius, self.extension));
+        let parts = || Box::new(Parts::new(patch, radius, self.extension));
+        let Parts { lines, bounds } = &**self.parts.get_or_init(parts);
         let touched = [0, 1].map(|axis| {
             let lines = &lines[axis];
             let first = lines.partition_point(|&line| line <= low[axis]).clamp(1, lines.len() - 1) - 1;

@@ -10,9 +10,9 @@ use crate::rounding::gamma;
 pub struct PointError {
     /// On patches as extracted.
     uncut: f64,
-    /// What the new centre of a piece adds.
+    /// The error that the new centre of a piece adds.
     recentring: f64,
-    /// What every halving adds.
+    /// The error that every halving adds.
     halving: f64,
     /// The distance between the patches and the model that they stand for.
     deviation: f64,

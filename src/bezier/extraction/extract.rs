@@ -1,6 +1,7 @@
 //! Bézier extraction: one patch per non-empty rectangle of knots.
 
 use crate::axis::Axis;
+use crate::bezier::patch::evaluate::contract;
 use crate::bezier::{MAX_ORDER, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
@@ -179,29 +180,30 @@ impl Extraction<'_> {
         let mut controls = vec![DVec4::ZERO; rows * columns];
         for place in range {
             let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
-            let points = |i: usize, j: usize| {
-                surface.control_points()[(u.first_control + i) * surface.counts()[1] + v.first_control + j]
-            };
-            let positions = (0..rows * columns).map(|k| {
-                let [x, y, z, _] = points(k / columns, k % columns);
-                DVec3::new(x, y, z)
-            });
-            let center = center_of(positions.clone(), grid);
+            let first = u.first_control * surface.counts()[1] + v.first_control;
+            let row = |i: usize| &surface.control_points()[first + i * surface.counts()[1]..][..columns];
+            let position = |&[x, y, z, _]: &[f64; 4]| DVec3::new(x, y, z);
+            let center = center_of((0..rows).flat_map(|i| row(i).iter().map(position)), grid);
             let mut radius = 0.0_f64;
-            for (k, point) in positions.enumerate() {
-                let weight = weight_scale * points(k / columns, k % columns)[3];
-                let local = point - center;
-                net[k] = (weight * local).extend(weight);
-                radius = radius.max(local.length());
-            }
-            for i in 0..rows {
-                for k in 0..columns {
-                    partial[i * columns + k] = combined(&v.operator[k][..columns], &net[i * columns..], 1);
+            for (i, controls) in net.chunks_exact_mut(columns).enumerate() {
+                for (control, point) in controls.iter_mut().zip(row(i)) {
+                    let weight = weight_scale * point[3];
+                    let local = position(point) - center;
+                    *control = (weight * local).extend(weight);
+                    radius = radius.max(local.length());
                 }
             }
-            for k in 0..rows {
-                for j in 0..columns {
-                    controls[k * columns + j] = combined(&u.operator[k][..rows], &partial[j..], columns);
+            for (row, sums) in net.chunks_exact(columns).zip(partial.chunks_exact_mut(columns)) {
+                for (sum, coefficients) in sums.iter_mut().zip(&v.operator) {
+                    *sum = contract(row, coefficients);
+                }
+            }
+            controls.fill(DVec4::ZERO);
+            for (sums, coefficients) in controls.chunks_exact_mut(columns).zip(&u.operator) {
+                for (row, &coefficient) in partial.chunks_exact(columns).zip(coefficients) {
+                    for (sum, &control) in sums.iter_mut().zip(row) {
+                        *sum += coefficient * control;
+                    }
                 }
             }
             // The net's weights decide, as rounding can make equal weights of controls differ.
@@ -218,15 +220,6 @@ impl Extraction<'_> {
         }
         (patches, point_error)
     }
-}
-
-/// Returns the sum of every `step`-th control point times its coefficient.
-fn combined(coefficients: &[f64], controls: &[DVec4], step: usize) -> DVec4 {
-    let mut sum = DVec4::ZERO;
-    for (coefficient, control) in coefficients.iter().zip(controls.iter().step_by(step)) {
-        sum += coefficient * control;
-    }
-    sum
 }
 
 /// Returns the ends of consecutive spans, each once.

@@ -470,7 +470,7 @@ mod tests {
     use super::*;
     use crate::bezier::extract;
     use crate::shapes::operations::{elevate_degree, insert_knot, refit_model};
-    use crate::shapes::{shape, wavy_sheet};
+    use crate::shapes::{bicubic_patch, shape};
 
     /// The largest distance of points of equal parameters.
     fn difference(a: &Model, b: &Model) -> f64 {
@@ -531,14 +531,7 @@ mod tests {
 
     #[test]
     fn an_exact_refit_has_the_patches_of_its_original() {
-        let sheet = wavy_sheet(&crate::shapes::WavySheet {
-            counts: [4, 4],
-            size: [1.0, 2.0],
-            amplitude: 0.5,
-            waves: [0.5, 0.5],
-            phase: 0.1,
-        })
-        .unwrap();
+        let sheet = bicubic_patch();
         for count in [5, 12, 60] {
             let refit = refit_model(&sheet, count).unwrap();
             let reduced = without_removable_knots(&refit).unwrap();

@@ -99,14 +99,13 @@ impl Patch<'_> {
         let columns = degree[1] + 1;
         let [mut h, mut s, mut t, mut ss, mut st, mut tt] = [DVec4::ZERO; 6];
         for (i, row) in self.controls.chunks_exact(columns).enumerate() {
-            let value = contract(row, &basis[1][0]);
-            let first = contract(row, &basis[1][1]);
+            let [value, first, second] = contract_thrice(row, &basis[1]);
             h += basis[0][0][i] * value;
             s += basis[0][1][i] * value;
             ss += basis[0][2][i] * value;
             t += basis[0][0][i] * first;
             st += basis[0][1][i] * first;
-            tt += basis[0][0][i] * contract(row, &basis[1][2]);
+            tt += basis[0][0][i] * second;
         }
         self.quotient([h, s, t, ss, st, tt])
     }
@@ -179,4 +178,18 @@ fn bases<const N: usize>(degree: [usize; 2], parameters: [f64; 2]) -> [Basis<N>;
 #[inline(always)]
 pub(in crate::bezier) fn contract(row: &[DVec4], basis: &[f64]) -> DVec4 {
     row.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &value)| sum + value * control)
+}
+
+/// Returns the sums of the controls times the values of a basis and of its derivatives.
+#[inline(always)]
+fn contract_thrice<const N: usize>(row: &[DVec4], basis: &Basis<N>) -> [DVec4; 3] {
+    let [mut value, mut first, mut second] = [DVec4::ZERO; 3];
+    for (((&control, &of_value), &of_first), &of_second) in
+        row.iter().zip(&basis[0]).zip(&basis[1]).zip(&basis[2])
+    {
+        value += of_value * control;
+        first += of_first * control;
+        second += of_second * control;
+    }
+    [value, first, second]
 }

@@ -17,11 +17,14 @@ pub(super) struct Chain {
 /// the square of their number. A wire in order may have any number.
 const MAX_DISORDERED: usize = 2000;
 
+/// The most walks of which a loop is put together, as each takes a search of all joints.
+const MAX_CIRCUITS: usize = 64;
+
 /// The largest distance between the ends of neighbouring curves, relative to the size of
 /// the loop's box in each parameter, for them to be taken as neighbours without a search.
 const NEAR: f64 = 1e-3;
 
-/// How far ends may lie apart in space, in tolerances of their edges. OpenCASCADE allows
+/// The largest distance of joined ends in space, in tolerances of their edges. OpenCASCADE allows
 /// each of both edges to end its tolerance away from the vertex, whose own is larger.
 const TOLERANCES: f64 = 10.0;
 
@@ -34,7 +37,7 @@ const RELATIVE_TOLERANCE: f64 = 1e-5;
 ///
 /// # Errors
 /// `BREP_LOOP_OPEN` if a curve begins farther from the end of the one before it than the
-/// tolerances of the edges allow.
+/// tolerances of the edges and of their common vertex allow.
 pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, FaceFault> {
     let frame = Frame::of(&uses, surface);
     let uses = if frame.in_order(&uses) { uses } else { frame.ordered(uses)? };
@@ -124,37 +127,56 @@ impl Frame {
     }
 
     /// Returns the curves, each followed by the one that begins nearest to its end, of
-    /// those that begin in its last vertex if there are any. Of curves that are as near
-    /// across a period, as both uses of a seam are, the one that is near without it comes
-    /// first: else the loop would run around the period before its other curves.
+    /// those that begin in its last vertex if there are any. Of curves that are near, another
+    /// edge than the last one comes first, then one that is near without crossing a period:
+    /// else the loop would return along a seam, or run around the period, before its other
+    /// curves. Curves left over when the walk has closed are a walk of their own from one of
+    /// its joints (C. Hierholzer, Math. Ann. 6 (1873)), as of a ring that the seam ends at.
     fn ordered(&self, mut uses: Vec<TrimUse>) -> Result<Vec<TrimUse>, FaceFault> {
         if uses.len() > MAX_DISORDERED {
             let why = format!("{} curves are out of order, expected at most {MAX_DISORDERED}", uses.len());
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }
         let mut ordered = vec![uses.remove(0)];
+        let (mut last, mut circuits) = (0, 0);
         while !uses.is_empty() {
-            let last = &ordered[ordered.len() - 1];
-            let vertex = last.vertices[1];
-            let connected = |next: &TrimUse| vertex.is_some() && next.vertices[0] == vertex;
-            let any = uses.iter().any(connected);
-            let distance = |next: &TrimUse| self.distance(last.curve.end(), next.curve.start());
-            let candidates = uses.iter().enumerate().filter(|(_, next)| !any || connected(next));
-            let shifted = |next: &TrimUse| self.shift(last.curve.end(), next.curve.start()) != DVec3::ZERO;
-            let rank = |next: &TrimUse| {
-                let near = distance(next) <= NEAR;
-                (!near, near && shifted(next))
-            };
-            let nearest = candidates
-                .min_by(|(_, a), (_, b)| rank(a).cmp(&rank(b)).then(distance(a).total_cmp(&distance(b))));
-            let index = nearest.map_or(0, |(index, _)| index);
-            ordered.push(uses.remove(index));
+            let (mut index, near) = self.next(&ordered[last], &uses);
+            if !near && circuits < MAX_CIRCUITS {
+                circuits += 1;
+                // The walk came back to a joint that it had passed: the others begin at one.
+                let joints = ordered.iter().map(|joint| self.next(joint, &uses));
+                let joint = joints.enumerate().find(|(_, (_, near))| *near);
+                (last, index) =
+                    joint.map_or((ordered.len() - 1, index), |(joint, (index, _))| (joint, index));
+            }
+            ordered.insert(last + 1, uses.remove(index));
+            last += 1;
         }
         Ok(ordered)
     }
 
+    /// Returns the index of the curve to follow another one, and whether it begins near the
+    /// end of that.
+    fn next(&self, last: &TrimUse, uses: &[TrimUse]) -> (usize, bool) {
+        let vertex = last.vertices[1];
+        let connected = |next: &TrimUse| vertex.is_some() && next.vertices[0] == vertex;
+        let any = uses.iter().any(connected);
+        let distance = |next: &TrimUse| self.distance(last.curve.end(), next.curve.start());
+        let candidates = uses.iter().enumerate().filter(|(_, next)| !any || connected(next));
+        let shifted = |next: &TrimUse| self.shift(last.curve.end(), next.curve.start()) != DVec3::ZERO;
+        let returns = |next: &TrimUse| next.edge.is_some() && next.edge == last.edge;
+        let rank = |next: &TrimUse| {
+            let near = distance(next) <= NEAR;
+            (!near, near && returns(next), near && shifted(next))
+        };
+        let nearest = candidates
+            .min_by(|(_, a), (_, b)| rank(a).cmp(&rank(b)).then(distance(a).total_cmp(&distance(b))));
+        nearest.map_or((0, false), |(index, next)| (index, distance(next) <= NEAR))
+    }
+
     /// Returns the segment that joins two curves where they are far apart in the
-    /// parameters and equal in space, as at a pole; none where they are near.
+    /// parameters, and equal in space, as at a pole, or within the tolerance, which is its
+    /// gap; none where they are near.
     fn bridge(
         &self,
         surface: &Surface,
@@ -165,13 +187,16 @@ impl Frame {
         let in_space = |point: DVec3| surface.point(point.x, point.y);
         let found = in_space(from).distance(in_space(to));
         let tolerance = TOLERANCES * (last.tolerance + next.tolerance);
-        let allowed = tolerance.max(RELATIVE_TOLERANCE * self.size);
+        // Both ends lie in the ball of a common vertex.
+        let joined = last.vertices[1].is_some() && last.vertices[1] == next.vertices[0];
+        let at_vertex = if joined { 2.0 * last.end_tolerance } else { 0.0 };
+        let allowed = tolerance.max(at_vertex).max(RELATIVE_TOLERANCE * self.size);
         if found.is_nan() || found > allowed {
             let why = format!("a loop is open by {found:e}, expected at most {allowed:e}");
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }
         let apart = [0, 1].map(|axis| (from[axis] - to[axis]).abs() / self.extents[axis]);
         let near = apart[0].max(apart[1]) <= NEAR;
-        Ok((!near).then(|| TrimUse::segment(from, to)))
+        Ok((!near).then(|| TrimUse { gap: found, ..TrimUse::segment(from, to) }))
     }
 }

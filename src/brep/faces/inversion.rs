@@ -1,7 +1,10 @@
 //! Curves made from edges in space where the file has none in the parameters.
 
+use super::projection::{Projector, Traced};
+use super::section::Section;
+use super::uses::{FoundCurve, gap};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
-use crate::brep::report::{FaceFault, ReadReport};
+use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
@@ -10,38 +13,85 @@ use std::f64::consts::TAU;
 /// edge, within which an edge is a parameter line.
 const LINE_TOLERANCE: f64 = 1e-7;
 
-/// Makes the curve of an edge, in the direction of the edge, and its gap: on planes the
-/// image of any edge, and on surfaces of revolution of lines and circles the parameter
-/// lines. OpenCASCADE leaves out the former alone.
+/// Makes the curve of an edge, in the direction of the edge: on planes the image of any
+/// edge; on other surfaces the parameter line or the plane section that the edge is, else a
+/// cubic fitted to its projection. OpenCASCADE leaves out the first alone.
+///
+/// `reversed` is whether the loop uses the edge against its direction.
 ///
 /// # Errors
-/// `BREP_NO_P_CURVE` for another edge or surface, else those of the edge's own curve.
+/// `BREP_NO_P_CURVE` if the edge does not lie on the surface, else those of the edge's own
+/// curve.
 pub(super) fn invert(
     file: &BrepFile,
     face: &Face,
     surface: &Surface,
     edge: &Edge,
     location: &DAffine3,
-) -> Result<(Spline, f64), FaceFault> {
+    reversed: bool,
+) -> Result<FoundCurve, FaceFault> {
     let Some(space) = &edge.curve else {
         return Err(FaceFault::new("BREP_NO_P_CURVE", "neither a curve in the parameters nor one in space"));
     };
     let curve = &file.curves[space.curve];
     let to_face = face.location.inverse() * *location * space.location;
     let scale = face.location.matrix3.determinant().abs().cbrt();
-    match surface.elementary() {
-        Surface::Plane(frame) => {
-            let (spline, _) = curve.spline(space.range)?;
-            Ok(on_plane(spline, frame, &to_face, scale))
-        }
-        Surface::Revolution { frame, profile, .. } => {
-            let points = samples(space.range).map(|t| to_face.transform_point3(curve.point(t))).collect();
-            parameter_line(points, surface, frame, profile)
-                .map(|(line, gap)| (line, scale * gap))
-                .ok_or_else(|| FaceFault::new("BREP_NO_P_CURVE", "the edge is no parameter line"))
-        }
-        _ => Err(FaceFault::new("BREP_NO_P_CURVE", format!("no curve on the {}", surface.kind()))),
+    if let Surface::Plane(frame) = surface.elementary() {
+        let (spline, _, error) = curve.spline(space.range)?;
+        let (curve, gap) = on_plane(spline, frame, &to_face, scale);
+        // The error is one of the edge's own coordinates.
+        let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
+        return Ok(FoundCurve { curve, gap, fitted: error > 0.0, section: None, deviation: 0.0 });
     }
+    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale);
+    let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
+    let mut projector = Projector::new(surface, traced.size);
+    let line = match surface.elementary() {
+        Surface::Revolution { frame, profile, .. } => {
+            revolution_parameters(&points, surface, frame, profile, traced.size)
+        }
+        _ => None,
+    };
+    let line = line.and_then(|parameters| parameter_line(&points, &parameters, surface, traced.size));
+    let line = match line {
+        Some(line) => Some(line),
+        None => {
+            let parameters = traced.parameters(&mut projector)?;
+            parameter_line(&points, &parameters, surface, traced.size)
+        }
+    };
+    if let Some(ends) = line {
+        let [start, end] = on_side(surface, ends, reversed);
+        let line = Curve::Line { point: start, direction: end - start };
+        let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]));
+        let curve = Spline::segment([0.0, 1.0], start, end);
+        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0 });
+    }
+    let fit = traced.fit(surface, &mut projector)?;
+    let gap = gap(file, face, edge, location, (&Curve::Spline(fit.clone().into()), space.range));
+    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0 };
+    Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
+}
+
+/// Moves a parameter line along a seam of a surface that is closed but not periodic to the
+/// side on which the loop has the material on its left: a line with increasing v to the end
+/// of u, one with increasing u to the start of v.
+fn on_side(surface: &Surface, mut ends: [DVec3; 2], reversed: bool) -> [DVec3; 2] {
+    let (closures, periods, natural) = (surface.closures(), surface.periods(), surface.natural_ranges());
+    for axis in [0, 1] {
+        let (Some(length), None, Some([low, high])) = (closures[axis], periods[axis], natural[axis]) else {
+            continue;
+        };
+        let value = ends[0][axis];
+        let at_seam = (value - low).min(high - value) <= LINE_TOLERANCE * length;
+        if value == ends[1][axis] && at_seam {
+            let rises = (ends[1][1 - axis] > ends[0][1 - axis]) != reversed;
+            let side = if rises == (axis == 0) { high } else { low };
+            ends[0][axis] = side;
+            ends[1][axis] = side;
+        }
+    }
+    ends
 }
 
 /// Returns the affine image of a curve in a plane, exact, and the gap, proven: the edge
@@ -57,28 +107,28 @@ fn on_plane(mut spline: Spline, frame: &Frame, to_face: &DAffine3, scale: f64) -
     (spline, gap)
 }
 
+/// The points of an edge by which a parameter line is recognised.
+const SAMPLES: usize = 17;
+
 /// Returns equally spaced parameters of a range.
 pub(super) fn samples([start, end]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
-    (0..ReadReport::GAP_SAMPLES).map(move |sample| {
-        let fraction = sample as f64 / (ReadReport::GAP_SAMPLES - 1) as f64;
+    (0..SAMPLES).map(move |sample| {
+        let fraction = sample as f64 / (SAMPLES - 1) as f64;
         (1.0 - fraction) * start + fraction * end
     })
 }
 
-/// Returns the parameter line through points of a surface of revolution, and the largest
-/// distance of a point from the line's point of equal parameter; `None` where the points
-/// do not lie on one parameter line.
-fn parameter_line(
-    points: Vec<DVec3>,
+/// Returns the parameters of points of a surface of revolution in closed form, each beside
+/// the one before it; `None` for profiles that are neither lines nor circles.
+fn revolution_parameters(
+    points: &[DVec3],
     surface: &Surface,
     frame: &Frame,
     profile: &Curve,
-) -> Option<(Spline, f64)> {
-    let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-    let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
-    let size = low.distance(high);
+    size: f64,
+) -> Option<Vec<DVec3>> {
     let mut parameters: Vec<DVec3> = Vec::with_capacity(points.len());
-    for &point in &points {
+    for &point in points {
         let local = frame.local_point(point);
         let radius = local.x.hypot(local.y);
         let v = on_profile(profile, DVec3::new(radius, 0.0, local.z))?;
@@ -104,6 +154,17 @@ fn parameter_line(
             first.x = second.x;
         }
     }
+    Some(parameters)
+}
+
+/// Returns the ends of the parameter line through points with these parameters; `None` where
+/// a point is farther from the line's point of equal parameter than the tolerance.
+fn parameter_line(
+    points: &[DVec3],
+    parameters: &[DVec3],
+    surface: &Surface,
+    size: f64,
+) -> Option<[DVec3; 2]> {
     [0, 1].into_iter().find_map(|axis| {
         let value = parameters[parameters.len() / 2][axis];
         let on_line = |parameter: &DVec3| {
@@ -115,15 +176,15 @@ fn parameter_line(
             let moved = on_line(parameter);
             point.distance(surface.point(moved.x, moved.y))
         };
-        let gap = points.iter().zip(&parameters).map(distance).fold(0.0, f64::max);
+        let gap = points.iter().zip(parameters).map(distance).fold(0.0, f64::max);
         let (start, end) = (on_line(&parameters[0]), on_line(&parameters[parameters.len() - 1]));
-        (gap <= LINE_TOLERANCE * size && start != end).then(|| (Spline::segment([0.0, 1.0], start, end), gap))
+        (gap <= LINE_TOLERANCE * size && start != end).then_some([start, end])
     })
 }
 
 /// Returns the parameter of a profile's point nearest to a point of the plane y = 0, for
 /// lines and circles.
-fn on_profile(profile: &Curve, point: DVec3) -> Option<f64> {
+pub(super) fn on_profile(profile: &Curve, point: DVec3) -> Option<f64> {
     match profile {
         Curve::Line { point: origin, direction } => {
             Some((point - *origin).dot(*direction) / direction.length_squared())

@@ -15,6 +15,10 @@ const FIT_TOLERANCE: f64 = 1e-9;
 /// state parameters to 15 digits, and joints are made to meet within as much.
 const LINE_TOLERANCE: f64 = 1e-9;
 
+/// An upper bound on the derivatives of parameter maps: a / sin a ≤ 1.12 of circles' pieces of
+/// half range a ≤ π / 4, less of hyperbolas'.
+const LARGEST_SLOPE: f64 = 2.0;
+
 /// A trimming curve in the parameters of the NURBS.
 #[derive(Debug, Clone)]
 pub(super) struct Mapped {
@@ -28,7 +32,8 @@ pub(super) struct Mapped {
 
 /// Maps a curve. None for a curve of no length.
 pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Option<Mapped> {
-    let TrimUse { curve, edge, gap, .. } = trim_use;
+    let TrimUse { curve, edge, gap, fitted, section, deviation, .. } = trim_use;
+    let gap = gap + metric.length(DVec3::splat(LARGEST_SLOPE * deviation));
     let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
     let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let domain = net.domain();
@@ -46,21 +51,26 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
             point[axis] = value;
             image(point)
         };
-        // Where the line moves both ends by less than files resolve, it is exact.
-        let moved = |point: DVec3| {
-            let (from, to) = (image(point), end(point));
-            net.point(from.x, from.y).distance(net.point(to.x, to.y))
-        };
-        let moved = moved(curve.start()).max(moved(curve.end()));
+        // Every point of the curve moves to the line along one parameter: maps are monotone.
+        let map = |value: f64| net.maps[axis].apply(value);
+        let mut moved = DVec3::ZERO;
+        moved[axis] = (map(high[axis]) - map(value)).max(map(value) - map(low[axis]));
+        let moved = metric.length(moved);
         let mut constant = [false; 2];
         constant[axis] = true;
         let curve = Spline::segment(curve.domain(), end(curve.start()), end(curve.end()));
         return Some(Mapped { curve, edge, gap: gap + moved, fitted: false, constant });
     }
     let constant = [false; 2];
+    if let Some((section, gap)) = section {
+        let ends = [curve.start(), curve.end()].map(|end| net.maps[0].apply(end.x));
+        if let Some(curve) = section.on_net(net, ends) {
+            return Some(Mapped { curve, edge, gap, fitted: false, constant });
+        }
+    }
     let exact = net.maps.iter().all(|map| *map == ParameterMap::Identity);
     if exact && curve.degree <= MAX_DEGREE {
-        return Some(Mapped { curve, edge, gap, fitted: false, constant });
+        return Some(Mapped { curve, edge, gap, fitted, constant });
     }
     let fit = fit(&curve, &net.maps, metric, FIT_TOLERANCE * metric.size);
     Some(Mapped { curve: fit.curve, edge, gap: gap + fit.error, fitted: true, constant })

@@ -1,7 +1,8 @@
 //! From a face of the file to a surface and closed loops in its parameters.
 //!
-//! The stages: [`uses`] finds the curve of each edge in the parameter plane; [`chain`]
-//! orders them head to tail across periods; [`rings`] closes loops that run around a
+//! The stages: [`uses`] finds the curve of each edge in the parameter plane, made by
+//! [`inversion`] and [`projection`] where the file has none, or the plane
+//! [`section`] that it is; [`chain`] orders them head to tail across periods; [`rings`] closes loops that run around a
 //! period; [`nesting`] decides orientations and adds a missing outer loop; [`mapping`]
 //! takes the curves to the parameters of the exact NURBS; [`joints`] makes the loops
 //! meet in equal floats.
@@ -9,12 +10,13 @@
 mod chain;
 mod fit;
 mod inversion;
-mod jet;
 mod joints;
 mod mapping;
 mod metric;
 mod nesting;
+mod projection;
 mod rings;
+mod section;
 mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};
@@ -53,13 +55,14 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
     };
     let surface = &file.surfaces[index];
     let loops = loops(file, shape, surface)?;
+    let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim| FaceArrays {
+        gap: scale * net.error,
         surface: net.into_arrays(&face.location),
         trim,
         reversed: false,
         part: None,
         kind: Some(surface.kind().to_owned()),
-        gap: 0.0,
     };
     if loops.is_empty() {
         let [Some(u), Some(v)] = surface.natural_ranges() else {
@@ -76,7 +79,8 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
         .collect();
     joints::join(&mut mapped, &net);
     let curves = || mapped.iter().flatten();
-    let fitted = curves().filter(|curve| curve.fitted).count();
+    // On a surface that is approximated every curve is.
+    let fitted = curves().filter(|curve| curve.fitted || net.error > 0.0).count();
     let exact = curves().count() - fitted;
     let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
     Ok(Converted { face: arrays(net, Some(trim)), exact, fitted })
@@ -105,7 +109,8 @@ fn ranges(surface: &Surface, loops: &[Vec<TrimUse>]) -> Result<[[f64; 2]; 2], Fa
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     // Control points inside of the domain need no cuts later; but beyond a pole, and where a
     // B-spline would have to be extended to them, the curves themselves are bounded.
-    let tight = matches!(surface, Surface::Spline(_)) || !surface.poles().is_empty();
+    let bounded = matches!(surface.elementary(), Surface::Spline(_) | Surface::Offset { .. });
+    let tight = bounded || !surface.poles().is_empty();
     for curve in loops.iter().flatten() {
         let [curve_low, curve_high] = if tight { curve.bounds() } else { curve.hull() };
         (low, high) = (low.min(curve_low), high.max(curve_high));

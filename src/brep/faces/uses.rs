@@ -1,6 +1,9 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
 use super::inversion::{invert, samples};
+use super::projection::{Projector, Traced};
+use super::section::Section;
+use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
@@ -15,17 +18,70 @@ pub(super) struct TrimUse {
     pub(super) edge: Option<u32>,
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
+    /// The tolerance of the edge, and that of the vertex at its end.
     pub(super) tolerance: f64,
-    /// The distance between the curve on the surface and the edge: measured, unless the
-    /// curve was made from the edge.
+    pub(super) end_tolerance: f64,
+    /// An upper bound on the distance between the curve on the surface and the edge.
     pub(super) gap: f64,
+    /// Whether the curve is a fit, and not the file's or exact.
+    pub(super) fitted: bool,
+    /// The plane whose section with the surface the edge is, between the curve's ends, and the
+    /// distance between both.
+    pub(super) section: Option<(Section, f64)>,
+    /// The distance in the parameters by which the curve deviates from the file's.
+    pub(super) deviation: f64,
+}
+
+/// The curve of an edge, in its direction, with the fields of [`TrimUse`].
+pub(super) struct FoundCurve {
+    pub(super) curve: Spline,
+    pub(super) gap: f64,
+    pub(super) fitted: bool,
+    pub(super) section: Option<(Section, f64)>,
+    pub(super) deviation: f64,
+}
+
+impl FoundCurve {
+    /// Adds the section if it is nearer to the edge than the curve, of which it then takes the
+    /// ends. Distances of the face's coordinates are multiplied by `scale`.
+    pub(super) fn with_section(
+        self,
+        section: Option<Section>,
+        surface: &Surface,
+        traced: &Traced<'_>,
+        scale: f64,
+    ) -> Self {
+        let Some(section) = section else { return self };
+        let distance = |t: f64| {
+            let point = traced.point(t);
+            let u = section_parameter(surface, point);
+            u.and_then(|u| section.point(surface, u)).map_or(f64::INFINITY, |found| point.distance(found))
+        };
+        let gap = samples(traced.range).map(distance).fold(0.0, f64::max) * scale;
+        if gap > self.gap { self } else { Self { section: Some((section, gap)), ..self } }
+    }
+}
+
+/// Returns the parameter u of the straight line on which a point of a ruled surface lies.
+fn section_parameter(surface: &Surface, point: DVec3) -> Option<f64> {
+    Projector::new(surface, 1.0).global(point).map(|found| found.x)
 }
 
 impl TrimUse {
     /// A segment that no edge of the file is.
     pub(super) fn segment(start: DVec3, end: DVec3) -> Self {
         let curve = Spline::segment([0.0, 1.0], start, end);
-        Self { curve, edge: None, vertices: [None; 2], tolerance: 0.0, gap: 0.0 }
+        Self {
+            curve,
+            edge: None,
+            vertices: [None; 2],
+            tolerance: 0.0,
+            end_tolerance: 0.0,
+            gap: 0.0,
+            fitted: false,
+            section: None,
+            deviation: 0.0,
+        }
     }
 
     /// Returns the box of the control points.
@@ -71,14 +127,24 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
         let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
             FaceFault { code, why: format!("edge {}: {why}", child.shape) }
         })?;
-        let Some((curve, gap)) = found else { continue };
-        let vertices = vertices(file, child.shape);
+        let Some(FoundCurve { curve, gap, fitted, section, deviation }) = found else { continue };
+        let mut vertices = vertices(file, child.shape);
+        if reversed {
+            vertices.reverse();
+        }
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
             edge: u32::try_from(child.shape).ok(),
-            vertices: if reversed { [vertices[1], vertices[0]] } else { vertices },
+            vertices,
             tolerance: edge.tolerance,
+            end_tolerance: vertices[1].map_or(0.0, |vertex| match file.shapes[vertex].kind {
+                ShapeKind::Vertex(tolerance) => tolerance,
+                _ => 0.0,
+            }),
             gap,
+            fitted,
+            section,
+            deviation,
         });
     }
     if wire.orientation == Orientation::Reversed {
@@ -95,34 +161,42 @@ fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
     })
 }
 
-/// Returns the curve of an edge in the direction of the edge, and its gap. `None` for an
-/// edge of no length.
+/// Returns the curve of an edge in the direction of the edge. `None` for an edge of no
+/// length.
 fn of_edge(
     file: &BrepFile,
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
     reversed: bool,
-) -> Result<Option<(Spline, f64)>, FaceFault> {
+) -> Result<Option<FoundCurve>, FaceFault> {
     let Some(index) = face.surface else { return Ok(None) };
     let surface = &file.surfaces[index];
     let Some(p_curve) = p_curve(edge, index, location, &face.location) else {
         if edge.degenerate {
             return Ok(None);
         }
-        return invert(file, face, surface, edge, location).map(Some);
+        return invert(file, face, surface, edge, location, reversed).map(Some);
     };
     let curve = &file.p_curves[p_curve.curves[usize::from(reversed)]];
     let [start, end] = p_curve.range;
     if start >= end {
         return Ok(None);
     }
-    let (spline, _) = curve.spline(p_curve.range)?;
+    let (spline, _, deviation) = curve.spline(p_curve.range)?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
-    let gap = measured_gap(file, face, surface, edge, location, curve, p_curve.range);
-    Ok(Some((spline, gap)))
+    let gap = gap(file, face, edge, location, (curve, p_curve.range));
+    let found = FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation };
+    let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
+        return Ok(Some(found));
+    };
+    let to_face = face.location.inverse() * *location * space.location;
+    let curve = &file.curves[space.curve];
+    let scale = face.location.matrix3.determinant().abs().cbrt();
+    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale);
+    Ok(Some(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale)))
 }
 
 /// Returns the curve of an edge on a surface. An edge moved by `location` lies on the
@@ -142,49 +216,25 @@ fn p_curve<'a>(
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
 
-/// Returns the largest distance from points of the curve on the surface, at equally spaced
-/// parameters, to the edge: to its point of equal parameter, as the file relates both, or
-/// to a nearer one if that is another point.
-fn measured_gap(
+/// Returns an upper bound on the distance between a curve on the surface, over a range, and
+/// the edge; the largest distance measured where no bound is found, as on offsets that are
+/// not rational.
+pub(super) fn gap(
     file: &BrepFile,
     face: &Face,
-    surface: &Surface,
     edge: &Edge,
     location: &DAffine3,
-    curve: &Curve,
-    range: [f64; 2],
+    (curve, range): (&Curve, [f64; 2]),
 ) -> f64 {
-    let Some(space) = &edge.curve else { return 0.0 };
-    let space_location = *location * space.location;
-    let in_space = &file.curves[space.curve];
-    let mut gap = 0.0_f64;
-    for (t_curve, t_space) in samples(range).zip(samples(space.range)) {
-        let parameters = curve.point(t_curve);
-        let on_surface = face.location.transform_point3(surface.point(parameters.x, parameters.y));
-        let distance = |t: f64| on_surface.distance(space_location.transform_point3(in_space.point(t)));
-        let mut t = t_space;
-        let mut nearest = distance(t);
-        // Curves of unequal parametrization are nearer to each other elsewhere.
-        for _ in 0..NEAREST_STEPS {
-            if nearest <= SAME_POINT {
-                break;
-            }
-            let tangent = space_location.transform_vector3(in_space.tangent(t));
-            let difference = on_surface - space_location.transform_point3(in_space.point(t));
-            let step = difference.dot(tangent) / tangent.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            t = (t + step).clamp(space.range[0].min(space.range[1]), space.range[1].max(space.range[0]));
-            nearest = nearest.min(distance(t));
-        }
-        gap = gap.max(nearest);
-    }
-    gap
+    let (Some(surface), Some(space)) = (face.surface, &edge.curve) else { return 0.0 };
+    let lifted = Lifted {
+        surface: &file.surfaces[surface],
+        surface_location: face.location,
+        curve,
+        range,
+        edge: &file.curves[space.curve],
+        edge_location: *location * space.location,
+        edge_range: space.range,
+    };
+    lifted.gap().unwrap_or_else(|| lifted.measured())
 }
-
-/// The distance at which OpenCASCADE takes two points for one, `Precision::Confusion`.
-const SAME_POINT: f64 = 1e-7;
-
-/// The Gauss-Newton steps towards the nearest point of an edge.
-const NEAREST_STEPS: usize = 4;

@@ -1,6 +1,7 @@
 //! Knot vectors, clamped or periodic.
 
 use super::conversion::{Unconvertible, check_range};
+use super::spline;
 
 /// The B-spline basis of one parameter.
 #[derive(Debug, Clone)]
@@ -26,8 +27,12 @@ struct Cycle {
 impl Basis {
     /// The basis of a Bézier curve over [0, 1].
     pub(crate) fn bezier(degree: usize) -> Self {
-        let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
-        Self { degree, knots, poles: (0..=degree).collect(), cycle: None }
+        Self::with_knots(degree, [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat(), degree + 1)
+    }
+
+    /// The basis of clamped knots for `count` control points.
+    pub(crate) fn with_knots(degree: usize, knots: Vec<f64>, count: usize) -> Self {
+        Self { degree, knots, poles: (0..count).collect(), cycle: None }
     }
 
     /// The basis of pairs of increasing knot and multiplicity, at most degree + 1 each,
@@ -40,7 +45,7 @@ impl Basis {
         if !periodic {
             let knots = flat(pairs);
             let fits = count > degree && knots.len() == count + degree + 1 && knots[degree] < knots[count];
-            return fits.then(|| Self { degree, knots, poles: (0..count).collect(), cycle: None });
+            return fits.then(|| Self::with_knots(degree, knots, count));
         }
         let knots = flat(&pairs[..pairs.len() - 1]);
         if pairs.len() < 2 || first != last || first > degree || knots.len() != count {
@@ -116,6 +121,21 @@ impl Basis {
             Some(Cycle { knots, period, .. }) => knots[0] + (parameter - knots[0]).rem_euclid(*period),
             None => parameter,
         }
+    }
+
+    /// Returns the interval around a parameter on which the same polynomial is used; the outer
+    /// ones of a basis without period are unbounded.
+    pub(crate) fn cell(&self, parameter: f64) -> [f64; 2] {
+        let (knots, degree, count) = (&self.knots, self.degree, self.poles.len());
+        let reduced = self.reduced(parameter);
+        let span = spline::span(knots, degree, count, reduced);
+        let shift = parameter - reduced;
+        let is_outer = |end: f64, last: f64| self.cycle.is_none() && end == last;
+        let [start, end] = self.domain();
+        [
+            if is_outer(knots[span], start) { f64::NEG_INFINITY } else { knots[span] + shift },
+            if is_outer(knots[span + 1], end) { f64::INFINITY } else { knots[span + 1] + shift },
+        ]
     }
 
     /// Returns the knots and control point indices of [`Basis::domain`].

@@ -3,7 +3,8 @@
 /// A conversion's failure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unconvertible {
-    /// The offset of a curve or surface is not rational.
+    /// The offset of a curve or surface is not rational, and no piecewise polynomial of the
+    /// size allowed follows it, as where it has cusps.
     Offset,
     /// The range is too long, or too far from the first period, to be that of an edge.
     Range,
@@ -21,7 +22,9 @@ impl Unconvertible {
     /// The reason in words.
     pub(crate) fn why(self) -> &'static str {
         match self {
-            Self::Offset => "the offset of this kind of curve or surface is not rational",
+            Self::Offset => {
+                "the offset is not rational, and no NURBS of the size allowed is within the tolerance of it"
+            }
             Self::Range => "the range is longer than 16 periods, or a million periods from 0",
         }
     }

@@ -4,8 +4,9 @@ use super::basis::Basis;
 use super::conic::Conic;
 use super::conversion::{Unconvertible, check_range};
 use super::frame::Frame;
+use super::interpolation;
 use super::parameter_map::ParameterMap;
-use super::spline::{Spline, project};
+use super::spline::{self, Spline, project};
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -47,6 +48,14 @@ pub(crate) struct SplineCurve {
     one_period: Spline,
 }
 
+impl From<Spline> for SplineCurve {
+    /// The clamped spline over its whole domain.
+    fn from(spline: Spline) -> Self {
+        let basis = Basis::with_knots(spline.degree, spline.knots.clone(), spline.controls.len());
+        Self { basis, poles: spline.controls.clone(), one_period: spline }
+    }
+}
+
 impl SplineCurve {
     pub(crate) fn new(basis: Basis, poles: Vec<DVec4>) -> Self {
         let (knots, indices) = basis.one_period();
@@ -62,6 +71,18 @@ impl SplineCurve {
         let spline = Spline { degree: self.basis.degree, knots, controls };
         let clamped = self.basis.clamped(range);
         if clamped == spline.knots { spline } else { spline.with_knots(&clamped) }
+    }
+}
+
+impl SplineCurve {
+    /// Returns the homogeneous Taylor coefficients at `center` of the polynomial used around
+    /// `inside`.
+    pub(crate) fn taylor(&self, center: f64, inside: f64) -> Vec<DVec4> {
+        let Spline { degree, knots, controls } = &self.one_period;
+        let reduced = self.basis.reduced(inside);
+        let span = spline::span(knots, *degree, controls.len(), reduced);
+        let active = &controls[span - degree..=span];
+        spline::taylor(knots, *degree, span, active, center + (reduced - inside))
     }
 }
 
@@ -98,6 +119,31 @@ impl Curve {
         }
     }
 
+    /// Returns the offset as a curve of the same kind if it is one, else as [`Curve::Offset`].
+    pub(crate) fn any_offset(&self, distance: f64, normal: DVec3) -> Self {
+        let inexact = || Self::Offset { distance, normal, basis: Box::new(self.clone()) };
+        self.offset(distance, normal).unwrap_or_else(inexact)
+    }
+
+    /// Returns whether the curve lies in the plane y = 0.
+    pub(crate) fn is_in_plane(&self) -> bool {
+        match self {
+            Self::Line { point, direction } => point.y == 0.0 && direction.y == 0.0,
+            Self::Conic { center, x, y, .. } => center.y == 0.0 && x.y == 0.0 && y.y == 0.0,
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.is_in_plane(),
+            Self::Spline(spline) => spline.poles.iter().all(|pole| pole.y == 0.0),
+        }
+    }
+
+    /// Returns whether the curve is part of a conic.
+    pub(crate) fn is_conic(&self) -> bool {
+        match self {
+            Self::Conic { .. } => true,
+            Self::Trimmed { basis, .. } => basis.is_conic(),
+            _ => false,
+        }
+    }
+
     /// Returns the period of a closed periodic curve.
     pub(crate) fn period(&self) -> Option<f64> {
         match self {
@@ -105,6 +151,24 @@ impl Curve {
             Self::Spline(spline) => spline.basis.period(),
             Self::Offset { basis, .. } => basis.period(),
             _ => None,
+        }
+    }
+
+    /// Returns the interval around a parameter on which the curve is analytic.
+    pub(crate) fn cell(&self, t: f64) -> [f64; 2] {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::Spline(spline) => spline.basis.cell(t),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.cell(t),
+        }
+    }
+
+    /// Returns the degree of the polynomials that the curve is evaluated by.
+    pub(crate) fn degree(&self) -> usize {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => 2,
+            Self::Spline(spline) => spline.basis.degree,
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.degree(),
         }
     }
 
@@ -119,32 +183,39 @@ impl Curve {
         }
     }
 
-    /// Returns the exact rational curve over `range`, a clamped spline, and the map from
-    /// this curve's parameter to the spline's.
+    /// Returns the rational curve over `range`, a clamped spline, the map from this curve's
+    /// parameter to the spline's, and the deviation: 0 unless the curve is an offset that is
+    /// not rational, of which [`interpolation::curve`] makes one.
     ///
     /// # Errors
     /// [`Unconvertible`], also for a range that is empty.
-    pub(crate) fn spline(&self, range: [f64; 2]) -> Result<(Spline, ParameterMap), Unconvertible> {
+    pub(crate) fn spline(&self, range: [f64; 2]) -> Result<(Spline, ParameterMap, f64), Unconvertible> {
         match self {
             Self::Line { .. } => {
                 let [start, end] = range.map(|t| self.point(t));
                 if range[0] >= range[1] {
                     return Err(Unconvertible::Range);
                 }
-                Ok((Spline::segment(range, start, end), ParameterMap::Identity))
+                Ok((Spline::segment(range, start, end), ParameterMap::Identity, 0.0))
             }
             Self::Conic { conic, center, x, y } => {
                 check_range(range, conic.longest_range())?;
                 let breaks = conic.breaks(range);
-                Ok((conic.spline(&breaks, *center, *x, *y), conic.map(breaks)))
+                Ok((conic.spline(&breaks, *center, *x, *y), conic.map(breaks), 0.0))
             }
             Self::Spline(spline) => {
                 spline.basis.check_range(range)?;
-                Ok((spline.over(range), ParameterMap::Identity))
+                Ok((spline.over(range), ParameterMap::Identity, 0.0))
             }
             Self::Trimmed { basis, .. } => basis.spline(range),
             Self::Offset { distance, normal, basis } => {
-                basis.offset(*distance, *normal).ok_or(Unconvertible::Offset)?.spline(range)
+                if let Some(exact) = basis.offset(*distance, *normal) {
+                    return exact.spline(range);
+                }
+                let (basis, _, _) = basis.spline(range)?;
+                let mut breaks = basis.knots;
+                breaks.dedup();
+                interpolation::curve(|t| self.point(t), &breaks)
             }
         }
     }

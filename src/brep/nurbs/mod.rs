@@ -5,6 +5,7 @@ mod conic;
 mod conversion;
 mod curve;
 mod frame;
+mod interpolation;
 mod parameter_map;
 mod spline;
 mod surface;

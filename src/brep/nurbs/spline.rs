@@ -124,6 +124,28 @@ impl Spline {
     }
 }
 
+/// Returns the Taylor coefficients, at a parameter, of the polynomial of the span that begins
+/// with knot `span` and has these degree + 1 active control points.
+///
+/// The j-th one is `binomial(degree, j) Δʲ b_0 / lengthʲ` for the control points b of the
+/// polynomial over an interval of this length that begins at the parameter. O(degree³).
+pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &[DVec4], at: f64) -> Vec<DVec4> {
+    let length = knots[span + 1] - knots[span];
+    let argument = |index, argument| if argument < index { at + length } else { at };
+    let mut work: Vec<DVec4> =
+        (0..=degree).map(|index| blossom(knots, degree, span, controls, |k| argument(index, k))).collect();
+    let mut factor = 1.0;
+    for order in 0..=degree {
+        for index in (order + 1..=degree).rev() {
+            let previous = work[index - 1];
+            work[index] -= previous;
+        }
+        work[order] *= factor;
+        factor *= (degree - order) as f64 / ((order + 1) as f64 * length);
+    }
+    work
+}
+
 /// Returns the point of homogeneous coordinates.
 pub(crate) fn project(point: DVec4) -> DVec3 {
     point.xyz() / point.w
@@ -151,7 +173,23 @@ pub(crate) fn blossom(
     controls: &[DVec4],
     argument: impl Fn(usize) -> f64,
 ) -> DVec4 {
-    let mut work = [DVec4::ZERO; MAX_ORDER];
+    // Most degrees are small, and clearing unused control points takes longer than the rest.
+    match degree {
+        0..=3 => blossom_within::<4>(knots, degree, span, controls, argument),
+        4..=7 => blossom_within::<8>(knots, degree, span, controls, argument),
+        _ => blossom_within::<MAX_ORDER>(knots, degree, span, controls, argument),
+    }
+}
+
+/// [`blossom`] for a degree below N.
+fn blossom_within<const N: usize>(
+    knots: &[f64],
+    degree: usize,
+    span: usize,
+    controls: &[DVec4],
+    argument: impl Fn(usize) -> f64,
+) -> DVec4 {
+    let mut work = [DVec4::ZERO; N];
     work[..=degree].copy_from_slice(controls);
     for level in 1..=degree {
         let parameter = argument(level - 1);
@@ -174,9 +212,24 @@ pub(crate) fn tensor_point(
 ) -> DVec3 {
     let row = span(knots_u, p, knots_u.len() - p - 1, u);
     let column = span(knots_v, q, knots_v.len() - q - 1, v);
-    let mut across = [DVec4::ZERO; MAX_ORDER];
+    if p.max(q) < 4 {
+        tensor_within::<4>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
+    } else {
+        tensor_within::<MAX_ORDER>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
+    }
+}
+
+/// [`tensor_point`] in these spans, for degrees below N.
+fn tensor_within<const N: usize>(
+    [p, q]: [usize; 2],
+    [knots_u, knots_v]: [&[f64]; 2],
+    [row, column]: [usize; 2],
+    [u, v]: [f64; 2],
+    control: impl Fn(usize, usize) -> DVec4,
+) -> DVec3 {
+    let mut across = [DVec4::ZERO; N];
+    let mut along = [DVec4::ZERO; N];
     for (i, point) in across[..=p].iter_mut().enumerate() {
-        let mut along = [DVec4::ZERO; MAX_ORDER];
         for (j, value) in along[..=q].iter_mut().enumerate() {
             *value = control(row - p + i, column - q + j);
         }

@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{project, tensor_point};
+use super::spline::{self, Spline, blossom, project, span, tensor_point};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -30,8 +30,9 @@ pub(crate) enum Surface {
         bounds: [[f64; 2]; 2],
         basis: Box<Self>,
     },
-    /// An offset that is not rational, which no NURBS equals.
+    /// `S + distance N`, N the unit normal along `S_u × S_v`, which no NURBS equals.
     Offset {
+        distance: f64,
         basis: Box<Self>,
     },
 }
@@ -59,6 +60,58 @@ impl SplineSurface {
         tensor_point(self.bases.each_ref().map(|basis| basis.degree), [knots_u, knots_v], [u, v], control)
     }
 
+    /// Returns the tangents in u and v.
+    fn tangents(&self, u: f64, v: f64) -> [DVec3; 2] {
+        let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
+        let [u, v] = [self.bases[0].reduced(u), self.bases[1].reduced(v)];
+        let [p, q] = self.bases.each_ref().map(|basis| basis.degree);
+        let row = span(knots_u, p, knots_u.len() - p - 1, u);
+        let column = span(knots_v, q, knots_v.len() - q - 1, v);
+        // The curve v = const as a spline in u, and u = const as one in v.
+        let control = |i: usize, j: usize| self.poles[rows[i] * self.columns + columns[j]];
+        let in_u = (row - p..=row).map(|i| {
+            let along: Vec<DVec4> = (column - q..=column).map(|j| control(i, j)).collect();
+            blossom(knots_v, q, column, &along, |_| v)
+        });
+        let in_v = (column - q..=column).map(|j| {
+            let along: Vec<DVec4> = (row - p..=row).map(|i| control(i, j)).collect();
+            blossom(knots_u, p, row, &along, |_| u)
+        });
+        let local =
+            |knots: &[f64], span: usize, degree: usize| knots[span - degree..=span + degree + 1].to_vec();
+        let curves = [
+            Spline { degree: p, knots: local(knots_u, row, p), controls: in_u.collect() },
+            Spline { degree: q, knots: local(knots_v, column, q), controls: in_v.collect() },
+        ];
+        [curves[0].tangent(u), curves[1].tangent(v)]
+    }
+
+    /// Returns the homogeneous Taylor coefficients at `center`, of orders (i, j), of the
+    /// polynomial used around `inside`.
+    pub(crate) fn taylor(&self, center: [f64; 2], inside: [f64; 2]) -> Vec<Vec<DVec4>> {
+        let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
+        let [p, q] = self.bases.each_ref().map(|basis| basis.degree);
+        let reduced = [0, 1].map(|axis| self.bases[axis].reduced(inside[axis]));
+        let [u, v] = [0, 1].map(|axis| center[axis] + (reduced[axis] - inside[axis]));
+        let row = span(knots_u, p, rows.len(), reduced[0]);
+        let column = span(knots_v, q, columns.len(), reduced[1]);
+        let along_v: Vec<Vec<DVec4>> = rows[row - p..=row]
+            .iter()
+            .map(|&i| {
+                let active = columns[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]);
+                spline::taylor(knots_v, q, column, &active.collect::<Vec<_>>(), v)
+            })
+            .collect();
+        let mut grid = vec![vec![DVec4::ZERO; q + 1]; p + 1];
+        for j in 0..=q {
+            let active: Vec<DVec4> = along_v.iter().map(|orders| orders[j]).collect();
+            for (i, order) in spline::taylor(knots_u, p, row, &active, u).into_iter().enumerate() {
+                grid[i][j] = order;
+            }
+        }
+        grid
+    }
+
     /// Returns whether the first and last row of control points along an axis coincide.
     fn closed(&self, axis: usize) -> bool {
         let rows = self.poles.len() / self.columns;
@@ -77,8 +130,16 @@ impl SplineSurface {
 /// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
 const CLOSED: f64 = 1e-9;
 
+/// The sine of the angle between the tangents, or the one of rounding, below which a normal
+/// has no digits.
+const SINGULAR: f64 = 1e-10;
+
+/// The step from a singular point to those by whose normals its own is found, relative to
+/// half the range: both the parabola's error and that of rounding are about 1e-12.
+const BESIDE: f64 = 1e-4;
+
 impl Surface {
-    /// Returns the point at parameters; of an offset that is not rational, its basis's.
+    /// Returns the point at parameters.
     pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
         match self {
             Self::Plane(frame) => frame.point(DVec3::new(u, v, 0.0)),
@@ -91,12 +152,14 @@ impl Surface {
             Self::Extrusion { direction, profile } => profile.point(u) + v * *direction,
             Self::Spline(spline) => spline.point(u, v),
             Self::Trimmed { basis, .. } => basis.point(u, v),
-            Self::Offset { basis, .. } => basis.point(u, v),
+            Self::Offset { distance, basis } => {
+                basis.point(u, v) + *distance * basis.normal(u, v).unwrap_or(DVec3::ZERO)
+            }
         }
     }
 
     /// Returns the surface `S + distance (S_u × S_v) / |S_u × S_v|`, of the same kind where
-    /// that is exact.
+    /// that is exact, and a surface of revolution or extrusion of the offset profile.
     ///
     /// The normal `S_u × S_v` of a revolution is that of its profile in the plane through
     /// the axis, and of an extrusion `C' × direction`, so that the offset is made of the
@@ -109,20 +172,79 @@ impl Surface {
             }
             Self::Revolution { frame, ref profile, kind } => {
                 // At u = 0 the normal is y × C' = C' × -y, in a plane that contains the axis.
-                let local = profile.offset(frame.handedness() * distance, -DVec3::Y);
-                match local.filter(|_| in_plane(profile)) {
-                    Some(profile) => Self::Revolution { frame, profile, kind },
-                    None => Self::Offset { basis: Box::new(self) },
+                if profile.is_in_plane() {
+                    let profile = profile.any_offset(frame.handedness() * distance, -DVec3::Y);
+                    return Self::Revolution { frame, profile, kind };
                 }
+                Self::Offset { distance, basis: Box::new(self) }
             }
-            Self::Extrusion { direction, ref profile } => match profile.offset(distance, direction) {
-                Some(profile) => Self::Extrusion { direction, profile },
-                None => Self::Offset { basis: Box::new(self) },
-            },
+            Self::Extrusion { direction, profile } => {
+                let profile = profile.any_offset(distance, direction);
+                Self::Extrusion { direction, profile }
+            }
             Self::Trimmed { bounds, basis } => {
                 Self::Trimmed { bounds, basis: Box::new(basis.offset(distance)) }
             }
-            Self::Spline(_) | Self::Offset { .. } => Self::Offset { basis: Box::new(self) },
+            Self::Spline(_) => Self::Offset { distance, basis: Box::new(self) },
+            // Both normals are equal unless the inner offset folds.
+            Self::Offset { distance: inner, basis } => basis.offset(inner + distance),
+        }
+    }
+
+    /// Returns the tangents in u and v.
+    fn tangents(&self, u: f64, v: f64) -> [DVec3; 2] {
+        match self {
+            Self::Plane(frame) => [frame.x, frame.y],
+            Self::Revolution { frame, profile, .. } => {
+                let ((sin, cos), point, along) = (u.sin_cos(), profile.point(v), profile.tangent(v));
+                let turned = |x: f64, y: f64| DVec3::new(cos * x - sin * y, sin * x + cos * y, 0.0);
+                let across = turned(-point.y, point.x);
+                [across, turned(along.x, along.y).with_z(along.z)].map(|tangent| frame.vector(tangent))
+            }
+            Self::Extrusion { direction, profile } => [profile.tangent(u), *direction],
+            Self::Spline(spline) => spline.tangents(u, v),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.tangents(u, v),
+        }
+    }
+
+    /// Returns the unit normal along `S_u × S_v`; where a tangent vanishes, as at a pole, the
+    /// limit along the diagonal into the surface, by the parabola through three points of it.
+    /// `None` where there is none either.
+    fn normal(&self, u: f64, v: f64) -> Option<DVec3> {
+        let at = |u: f64, v: f64| {
+            let [a, b] = self.tangents(u, v);
+            let normal = a.cross(b);
+            (normal.length() > SINGULAR * a.length() * b.length()).then(|| normal.normalize_or_zero())
+        };
+        let beside = |steps: f64| {
+            let inside = [(0, u), (1, v)].map(|(axis, value)| match self.natural_ranges()[axis] {
+                Some([start, end]) => value + steps * BESIDE * (0.5 * (start + end) - value),
+                None => value + steps * BESIDE,
+            });
+            at(inside[0], inside[1])
+        };
+        at(u, v).or_else(|| (3.0 * beside(1.0)? - 3.0 * beside(2.0)? + beside(3.0)?).try_normalize())
+    }
+
+    /// Returns the intervals around parameters on which the surface is analytic.
+    pub(crate) fn cells(&self, [u, v]: [f64; 2]) -> [[f64; 2]; 2] {
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        match self {
+            Self::Plane(_) | Self::Offset { .. } => [whole; 2],
+            Self::Revolution { profile, .. } => [whole, profile.cell(v)],
+            Self::Extrusion { profile, .. } => [profile.cell(u), whole],
+            Self::Spline(spline) => [spline.bases[0].cell(u), spline.bases[1].cell(v)],
+            Self::Trimmed { basis, .. } => basis.cells([u, v]),
+        }
+    }
+
+    /// Returns the sum of the degrees of the polynomials that the surface is evaluated by.
+    pub(crate) fn total_degree(&self) -> usize {
+        match self {
+            Self::Plane(_) | Self::Offset { .. } => 2,
+            Self::Revolution { profile, .. } | Self::Extrusion { profile, .. } => 2 + profile.degree(),
+            Self::Spline(spline) => spline.bases.iter().map(|basis| basis.degree).sum(),
+            Self::Trimmed { basis, .. } => basis.total_degree(),
         }
     }
 
@@ -170,7 +292,7 @@ impl Surface {
     pub(crate) fn poles(&self) -> Vec<f64> {
         match self {
             Self::Revolution { kind: "sphere", .. } => vec![-FRAC_PI_2, FRAC_PI_2],
-            Self::Revolution { profile, .. } if !in_plane(profile) => Vec::new(),
+            Self::Revolution { profile, .. } if !profile.is_in_plane() => Vec::new(),
             Self::Revolution { profile: Curve::Line { point, direction }, .. } if direction.x != 0.0 => {
                 vec![-point.x / direction.x]
             }
@@ -191,21 +313,22 @@ impl Surface {
         }
     }
 
+    /// Returns whether the lines u = const are straight and u is an angle or another parameter
+    /// of a conic, in which curves of the file have no exact image.
+    pub(crate) fn is_ruled_by_angles(&self) -> bool {
+        match self {
+            Self::Revolution { profile, .. } => matches!(profile, Curve::Line { .. }),
+            Self::Extrusion { profile, .. } => profile.is_conic(),
+            Self::Trimmed { basis, .. } => basis.is_ruled_by_angles(),
+            _ => false,
+        }
+    }
+
     /// Returns the surface without the bounds of trimmed ones.
     pub(crate) fn elementary(&self) -> &Self {
         match self {
             Self::Trimmed { basis, .. } => basis.elementary(),
             other => other,
         }
-    }
-}
-
-/// Returns whether a profile lies in the plane y = 0.
-fn in_plane(profile: &Curve) -> bool {
-    match profile {
-        Curve::Line { point, direction } => point.y == 0.0 && direction.y == 0.0,
-        Curve::Conic { center, x, y, .. } => center.y == 0.0 && x.y == 0.0 && y.y == 0.0,
-        Curve::Trimmed { basis, .. } | Curve::Offset { basis, .. } => in_plane(basis),
-        Curve::Spline(_) => false,
     }
 }

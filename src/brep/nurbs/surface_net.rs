@@ -2,6 +2,7 @@
 
 use super::conic::Conic;
 use super::conversion::{Unconvertible, check_range};
+use super::interpolation;
 use super::parameter_map::ParameterMap;
 use super::spline::{Spline, blossom, project, support_spans, tensor_point};
 use super::surface::{SplineSurface, Surface};
@@ -17,11 +18,13 @@ pub(crate) struct SurfaceNet {
     /// Homogeneous control points, v fastest.
     pub(crate) controls: Vec<DVec4>,
     pub(crate) maps: [ParameterMap; 2],
+    /// The deviation from the surface of the file: 0 unless that is an offset.
+    pub(crate) error: f64,
 }
 
 impl Surface {
-    /// Returns the exact NURBS over these ranges of u and v. Where a B-spline is not
-    /// periodic, it keeps its domain and is extended to the ranges.
+    /// Returns the NURBS over these ranges of u and v, exact but for offsets. Where a B-spline
+    /// is not periodic, it keeps its domain and is extended to the ranges.
     ///
     /// # Errors
     /// [`Unconvertible`].
@@ -33,10 +36,10 @@ impl Surface {
                     Spline::segment(ranges[0], start, end)
                 };
                 let sides = ranges[1].map(edge);
-                Ok(ruled(&sides, ranges[1], ParameterMap::Identity))
+                Ok(ruled(&sides, ranges[1], ParameterMap::Identity, 0.0))
             }
             Self::Revolution { frame, profile, .. } => {
-                let (profile, map) = profile.spline(ranges[1])?;
+                let (profile, map, error) = profile.spline(ranges[1])?;
                 check_range(ranges[0], TAU)?;
                 let breaks = Conic::Elliptic.breaks(ranges[0]);
                 let circle = Conic::Elliptic.spline(&breaks, DVec3::ZERO, DVec3::X, DVec3::Y);
@@ -58,12 +61,13 @@ impl Surface {
                     knots: [circle.knots, profile.knots],
                     controls,
                     maps: [ParameterMap::Circular(breaks), map],
+                    error,
                 })
             }
             Self::Extrusion { direction, profile } => {
-                let (profile, map) = profile.spline(ranges[0])?;
+                let (profile, map, error) = profile.spline(ranges[0])?;
                 let sides = ranges[1].map(|v| profile.clone().translated(v * *direction));
-                Ok(ruled(&sides, ranges[1], map))
+                Ok(ruled(&sides, ranges[1], map, error))
             }
             Self::Spline(spline) => {
                 for axis in [0, 1] {
@@ -72,18 +76,29 @@ impl Surface {
                 Ok(spline.net(ranges))
             }
             Self::Trimmed { basis, .. } => basis.net(ranges),
-            Self::Offset { .. } => Err(Unconvertible::Offset),
+            Self::Offset { basis, .. } => {
+                let exact = basis.net(ranges)?;
+                let breaks = [0, 1].map(|axis| {
+                    let [start, end] = ranges[axis];
+                    let inner = exact.knots[axis].iter().copied().filter(|&knot| knot > start && knot < end);
+                    let mut breaks: Vec<f64> = std::iter::once(start).chain(inner).chain([end]).collect();
+                    breaks.dedup();
+                    breaks
+                });
+                interpolation::surface(|u, v| self.point(u, v), breaks)
+            }
         }
     }
 }
 
 /// Returns the ruled surface between two splines over equal knots.
-fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap) -> SurfaceNet {
+fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap, error: f64) -> SurfaceNet {
     SurfaceNet {
         degrees: [low.degree, 1],
         knots: [low.knots.clone(), vec![start, start, end, end]],
         controls: low.controls.iter().zip(&high.controls).flat_map(|(&a, &b)| [a, b]).collect(),
         maps: [map, ParameterMap::Identity],
+        error,
     }
 }
 
@@ -122,7 +137,8 @@ impl SplineSurface {
                 knots[axis] = clamped;
             }
         }
-        SurfaceNet { degrees, knots, controls, maps: [ParameterMap::Identity, ParameterMap::Identity] }
+        let maps = [ParameterMap::Identity, ParameterMap::Identity];
+        SurfaceNet { degrees, knots, controls, maps, error: 0.0 }
     }
 }
 

@@ -42,7 +42,8 @@ fn elementary(lexer: &mut Lexer<'_>) -> Result<DAffine3> {
     Ok(DAffine3 { matrix3: matrix, translation: column(3) })
 }
 
-/// Reads pairs of index and power up to the index 0.
+/// Reads pairs of index and power up to the index 0. Each factor is applied after those
+/// listed before it.
 fn product(lexer: &mut Lexer<'_>, locations: &[DAffine3]) -> Result<DAffine3> {
     let mut product = DAffine3::IDENTITY;
     loop {
@@ -57,7 +58,7 @@ fn product(lexer: &mut Lexer<'_>, locations: &[DAffine3]) -> Result<DAffine3> {
         }
         let factor = if power < 0 { locations[index].inverse() } else { locations[index] };
         for _ in 0..power.abs() {
-            product *= factor;
+            product = factor * product;
         }
     }
 }

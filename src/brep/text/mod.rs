@@ -6,7 +6,7 @@ mod locations;
 mod surfaces;
 mod topology;
 
-pub(crate) use topology::{Edge, Face, Orientation, PCurve, Shape, ShapeKind, Use};
+pub(crate) use topology::{Edge, Face, Orientation, PCurve, Shape, ShapeKind, SpaceCurve, Use};
 
 use super::nurbs::{Curve, Surface};
 use crate::error::Result;

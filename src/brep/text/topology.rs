@@ -13,7 +13,8 @@ pub(crate) struct Shape {
 
 #[derive(Debug)]
 pub(crate) enum ShapeKind {
-    Vertex,
+    /// A vertex with its tolerance.
+    Vertex(f64),
     Edge(Edge),
     Wire,
     Face(Face),
@@ -163,16 +164,16 @@ fn kind(lexer: &mut Lexer<'_>, sections: &Sections<'_>) -> Result<ShapeKind> {
     })
 }
 
-/// Reads a vertex and skips its parameters on curves and surfaces.
+/// Reads a vertex and its tolerance, and skips its parameters on curves and surfaces.
 fn vertex(lexer: &mut Lexer<'_>, sections: &Sections<'_>) -> Result<ShapeKind> {
     const KINDS: &str = "the kind of a vertex's parameter, 0 to 3";
-    lexer.number("a tolerance")?;
+    let tolerance = lexer.number("a tolerance")?;
     lexer.point(Dimension::Three)?;
     loop {
         lexer.number("a vertex's parameter")?;
         let kind = lexer.word(KINDS)?;
         match kind {
-            "0" => return Ok(ShapeKind::Vertex),
+            "0" => return Ok(ShapeKind::Vertex(tolerance)),
             "1" => drop(lexer.index(sections.curves_3d, "the index of a curve")?),
             "2" => {
                 lexer.index(sections.curves_2d, "the index of a curve")?;

@@ -5,6 +5,7 @@ mod cpu;
 
 use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
+use super::field::FieldSearch;
 use super::{
     Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
     Processor, Seconds, SurfacePoint,
@@ -99,16 +100,16 @@ impl Direction<'_> {
 }
 
 /// One direction with the samples of one model and the flat patches of the other.
-pub(super) struct SampledDirection<'a> {
-    pub(super) from: &'a PreparedModel,
-    pub(super) to: &'a PreparedModel,
-    pub(super) sampling: &'a PreparedSampling,
-    pub(super) target: &'a PreparedTarget,
-    pub(super) transform: RigidTransform,
-    pub(super) diagonal: f64,
+struct SampledDirection<'a> {
+    from: &'a PreparedModel,
+    to: &'a PreparedModel,
+    sampling: &'a PreparedSampling,
+    target: &'a PreparedTarget,
+    transform: RigidTransform,
+    diagonal: f64,
     /// [`Direction::box_bound`].
-    pub(super) box_bound: f64,
-    pub(super) options: &'a Options,
+    box_bound: f64,
+    options: &'a Options,
 }
 
 /// The farthest sample found, with its foot.
@@ -153,7 +154,11 @@ impl SampledDirection<'_> {
                 projected.append(&mut backend.field().await?);
             }
         }
-        let field = if self.options.field { self.field(&projected, progress).await? } else { Vec::new() };
+        let field = if self.options.field {
+            self.field_search().run(Some(&projected), progress).await?
+        } else {
+            Vec::new()
+        };
         Ok(farthest
             .map(|farthest| self.bound(backend.distance_error(), farthest, unrefined, statuses, field)))
     }
@@ -194,6 +199,17 @@ impl SampledDirection<'_> {
                     *farthest = Some(sample);
                 }
             }
+        }
+    }
+
+    fn field_search(&self) -> FieldSearch<'_> {
+        FieldSearch {
+            bezier: self.from.bezier(),
+            pieces: self.from.pieces(),
+            sampling: &self.sampling.sampling,
+            target: &self.target.target,
+            transform: self.transform,
+            diagonal: self.diagonal,
         }
     }
 
@@ -250,7 +266,7 @@ impl SampledDirection<'_> {
         statuses: StatusCounts,
         field: Vec<Field>,
     ) -> DirectedResult {
-        let radius = self.sampling.sampling.radius;
+        let radius = self.sampling.radius(self.from);
         let patches = &self.target.target.patches;
         let patch = patches.patch(farthest.patch);
         let start = nearest_control(&patch, farthest.point);

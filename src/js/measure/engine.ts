@@ -1,6 +1,7 @@
 import type { Numbers } from "../model/surface.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
+import type { DeviationField, FieldOptions } from "./field.js";
 import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
 
@@ -35,6 +36,19 @@ export interface DistanceEngine<Model> {
     b: Model,
     options?: DistanceOptions & { method?: Method },
   ): Promise<Results[Method]>;
+
+  /**
+   * The deviation of `a`, moved by `transform`, from `b` at a grid of samples: distances,
+   * signs, closest points, and statistics over the area. As `distance` with `field`, but
+   * without the distance, so that a picture can follow a result, coarse and then fine.
+   *
+   * Guarantee: a sample's distance is not below its true one up to rounding, and exceeds it
+   * by at most 1e-9 of the larger diagonal.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`, `UNITS_DIFFER`.
+   */
+  field(a: Model, b: Model, options?: FieldOptions): Promise<DeviationField>;
 
   /**
    * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`

@@ -14,7 +14,8 @@ export interface Transform {
 
 /**
  * Options of `Hausdorff.distance`. Those from `samples` to `stepTolerance` are
- * for method `iteration` and the `field`; their defaults are the 2012 paper's.
+ * for method `iteration`, `samples` and `sampling` also for the `field`; their
+ * defaults are the 2012 paper's.
  */
 export interface DistanceOptions {
   /**

@@ -53,7 +53,7 @@ export class NurbsModel {
     return this.prepared.unit ?? null;
   }
 
-  /** The model's distance from its source, in model units, as its reader bounded or measured it. */
+  /** An upper bound on the model's distance from its source, in model units, as its reader states it. */
   get gap(): number {
     return this.prepared.gap;
   }

@@ -30,7 +30,7 @@ export interface SurfaceArrays {
   part?: string;
   /** The kind of surface in its source, such as `cylinder`. */
   kind?: string;
-  /** The surface's distance from its source, in model units, bounded or measured; default 0. */
+  /** An upper bound on the surface's distance from its source, in model units; default 0. */
   gap?: number;
 }
 
@@ -42,7 +42,7 @@ export interface TrimCurveArrays {
   knots: Numbers;
   /** u, v, w of every control point; u, v not multiplied by w. */
   controlPoints: Numbers;
-  /** Distance to the edge that the curve stands for, in model units, bounded or measured; default 0. */
+  /** An upper bound on the distance to the edge that the curve stands for, in model units; default 0. */
   gap?: number;
   /** The edge's number, from 0; neighbouring faces share it. */
   edge?: number;

@@ -6,6 +6,7 @@ import type { ModuleSource } from "../load.js";
 import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
 import type { DiffOptions, DiffResult } from "../measure/diff.js";
 import type { DistanceEngine } from "../measure/engine.js";
+import type { DeviationField, FieldOptions } from "../measure/field.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
 import {
@@ -121,6 +122,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("distance", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
+  async field(a: NurbsModel, b: NurbsModel, options: FieldOptions = {}): Promise<DeviationField> {
+    return this.#measure("field", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     return this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
@@ -175,7 +180,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async #measure<Result>(
     method: string,
     args: unknown[],
-    options: DistanceOptions | DiffOptions | ClosestPointOptions,
+    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {
     const { plain, transform, signal, onProgress } = split(options);

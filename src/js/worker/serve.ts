@@ -89,6 +89,8 @@ class Server {
     },
     distance: ([, a, b, options], watch) =>
       this.#open.distance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    field: ([, a, b, options], watch) =>
+      this.#open.field(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     diff: ([, a, b, options], watch) =>
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     closestPoints: ([, model, points, options], watch) =>

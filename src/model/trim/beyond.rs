@@ -1,8 +1,9 @@
 //! Surfaces extended to the trimming curves that leave their domain.
 
+use super::TrimCurveArrays;
 use super::confinement::{MAX_CLAMPED, extents};
 use super::curve::Place;
-use super::{TrimCurveArrays, TrimFault};
+use crate::error::TrimFault;
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
 

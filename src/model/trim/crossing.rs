@@ -1,8 +1,8 @@
 //! Loops that cross each other or themselves.
 
-use super::fault::TrimFault;
 use super::piece::TrimPiece;
 use super::winding::Winding;
+use crate::error::TrimFault;
 use glam::DVec2;
 
 /// The depth, as a fraction of the domain, up to which curves may overlap: that of ends

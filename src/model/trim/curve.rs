@@ -1,9 +1,9 @@
 //! Validation of one trimming curve, and its Bézier pieces.
 
 use super::TrimCurveArrays;
-use super::fault::TrimFault;
 use super::piece::{TrimPiece, homogeneous, point_of};
 use crate::bezier::{MAX_ORDER, spans};
+use crate::error::TrimFault;
 use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
 use crate::model::knots;
 use crate::rounding::gamma;

@@ -5,20 +5,18 @@ mod closing;
 mod confinement;
 mod crossing;
 mod curve;
-mod fault;
 mod nesting;
 mod orientation;
 mod piece;
 mod winding;
 
 pub(super) use beyond::extended_surface;
-pub use fault::TrimFault;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
 pub use winding::{RESOLUTION, Winding};
 
 use crate::axis::Axis;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TrimFault};
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
 use confinement::Confined;
@@ -34,11 +32,9 @@ pub struct TrimCurveArrays {
     pub knots: Vec<f64>,
     /// The control points `[u, v, w]`; u and v are not multiplied by w > 0.
     pub control_points: Vec<[f64; 3]>,
-    /// The distance, in model units, between the curve on the surface and the edge of the
-    /// source that it represents, as the reader knows it. What a fit or a move causes is
-    /// bounded; what the source itself causes, whose curve and edge differ, the reader of BREP
-    /// text measures at [`crate::ReadReport::GAP_SAMPLES`] points of the edge, and 3DM files
-    /// state.
+    /// An upper bound, in model units, on the distance between the curve on the surface and the
+    /// edge of the source that it represents. The reader of BREP text proves it; that of 3DM
+    /// files takes the tolerance that the file states of the edge.
     pub gap: f64,
     /// The number of the source's edge; curves of equal numbers bound neighbours.
     pub edge: Option<u32>,

@@ -1,7 +1,7 @@
 //! The nesting of loops: material on the left of each, once.
 
-use super::fault::TrimFault;
 use super::winding::Winding;
+use crate::error::TrimFault;
 use glam::DVec2;
 
 /// The smallest mean width of a loop, twice its area over its length, in fractions of the

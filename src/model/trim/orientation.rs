@@ -1,9 +1,9 @@
 //! Loops of unknown direction, directed by area and nesting.
 
-use super::fault::TrimFault;
 use super::nesting::{others, turn};
 use super::winding::Winding;
 use super::{TrimCurveArrays, closed_loops};
+use crate::error::TrimFault;
 use crate::model::NurbsSurface;
 
 /// Returns the loops with material on the left: a loop inside an even number of others

@@ -74,3 +74,11 @@ pub fn wavy_sheet(sheet: &WavySheet) -> Result<Model> {
     })?;
     named("wavy sheet", vec![sheet])
 }
+
+/// Returns a sheet of 1 by 2 that is a single bicubic patch, for tests.
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+pub(crate) fn bicubic_patch() -> Model {
+    let sheet = WavySheet { counts: [4, 4], size: [1.0, 2.0], amplitude: 0.5, waves: [0.5, 0.5], phase: 0.1 };
+    wavy_sheet(&sheet).unwrap()
+}

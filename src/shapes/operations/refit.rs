@@ -103,7 +103,7 @@ fn point(surface: &NurbsSurface, basis_u: &[f64], basis_v: &[f64]) -> DVec3 {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::shapes::{shape, wavy_sheet};
+    use crate::shapes::{bicubic_patch, shape};
 
     fn at(surface: &NurbsSurface, [u, v]: [f64; 2]) -> DVec3 {
         let [basis_u, basis_v] = Axis::BOTH.map(|axis| {
@@ -135,14 +135,7 @@ mod tests {
 
     #[test]
     fn a_single_bicubic_patch_is_refitted_exactly() {
-        let sheet = wavy_sheet(&crate::shapes::WavySheet {
-            counts: [4, 4],
-            size: [1.0, 2.0],
-            amplitude: 0.5,
-            waves: [0.5, 0.5],
-            phase: 0.1,
-        })
-        .unwrap();
+        let sheet = bicubic_patch();
         let patch = &sheet.surfaces()[0];
         let refit = refit_surface(patch, [7, 9]).unwrap();
         for k in 0..50 {

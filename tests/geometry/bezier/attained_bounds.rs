@@ -264,3 +264,26 @@ fn a_convex_squared_distance_has_no_gap() {
     let bound = form.lower_bound_about(&known);
     assert!(bound < 1.0 && bound > 1.0 - 1e-12, "{bound}");
 }
+
+/// The saddle z = 1 - k s t over the plane x = l s, y = 0 from the origin, whose squared distance
+/// is 1 + l² s² - 2 k s t + k² s² t². Of the first three terms the least value for s, t in [0, 1] is
+/// at t = 1 and s = k/l², or at s = 1 where k exceeds l²; the last is at most k². From a corner, with
+/// either parameter in the place of the other.
+#[test]
+fn the_least_value_of_the_quadratic_form_is_nearly_attained() {
+    const K: f64 = 1e-3;
+    for (leg, swapped) in
+        [0.0, 0.01, 0.02, 0.05, 0.1, 1.0].into_iter().flat_map(|leg| [(leg, false), (leg, true)])
+    {
+        let control = |s: f64, t: f64| DVec4::new(leg * s, 0.0, 1.0 - K * s * t, 1.0);
+        let controls = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]]
+            .map(|[s, t]| if swapped { control(t, s) } else { control(s, t) });
+        let known = CriticalPoint { distance_squared: 1.0, ..CriticalPoint::default() };
+        let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
+        let least = |s: f64| leg * leg * s * s - 2.0 * K * s;
+        let bound = form.lower_bound_about(&known);
+        let truth = 1.0 + if K < leg * leg { least(K / (leg * leg)) } else { least(1.0) };
+        assert!(bound <= truth + K * K, "{leg}: {bound} is above {truth}");
+        assert!(bound >= truth - 4.0 * K * K, "{leg}: {bound} is far below {truth}");
+    }
+}

@@ -11,7 +11,7 @@ use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Width asked of the intervals.
+/// The requested width of the intervals.
 const GAP: f64 = 1e-9;
 
 /// Rounding of points and distances of size 1 to 10.
@@ -60,14 +60,14 @@ fn points_as_near_to_everything() {
     // The centre of a sphere; the axis of a torus, as near to a circle of points.
     let (ball, ring) = (sphere(DVec3::ZERO, 2.0).unwrap(), torus(3.0, 1.0).unwrap());
     assert_contains(&find(&ball, &target_of(&ball, Flatness::Loose), DVec3::ZERO), 2.0, GAP, "centre");
-    // Where a circle of points is as near, pieces run out before they are distinguished.
+    // A circle of points is as near.
     for height in [0.0, 0.5, -4.0] {
         let found = find(&ring, &target_of(&ring, Flatness::Loose), DVec3::new(0.0, 0.0, height));
-        assert_contains(&found, 3.0_f64.hypot(height) - 1.0, 1e-4, "axis");
+        assert_contains(&found, 3.0_f64.hypot(height) - 1.0, GAP, "axis");
     }
     // Along a torus' inner circle all its meridians' centres of curvature lie.
     let found = find(&ring, &target_of(&ring, Flatness::Loose), DVec3::new(3.0, 0.0, 0.0));
-    assert_contains(&found, 1.0, 1e-4, "middle of the tube");
+    assert_contains(&found, 1.0, GAP, "middle of the tube");
 }
 
 #[test]

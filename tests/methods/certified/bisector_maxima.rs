@@ -4,8 +4,9 @@
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DistanceResult, Options};
-use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::shapes::operations::reduce_degree;
+use nurbs_hausdorff::shapes::{shape, torus};
+use nurbs_hausdorff::{Axis, Model, RigidTransform, SurfaceArrays};
 
 const ROUNDING: f64 = 1e-12;
 
@@ -73,6 +74,23 @@ fn a_point_as_far_from_three_walls() {
         }
         println!("{pieces}: {counts:?}");
         assert!(counts[2] - counts[0] <= MAX_MORE, "{counts:?}");
+    }
+}
+
+/// A chord of a torus' circles crosses the middle of its tube, where the distance is the tube's
+/// radius and a whole circle of points of the torus is as near: the witness's certificate must be
+/// far narrower than the tolerance nevertheless, or the search cannot end.
+#[test]
+fn a_point_as_far_from_a_circle_of_points() {
+    const RADIUS: f64 = 0.8;
+    let ring = torus(2.0, RADIUS).unwrap();
+    let chords = Model::new(None, vec![reduce_degree(&ring.surfaces()[0], Axis::U).unwrap()]).unwrap();
+    for tolerance in [1e-6, 1e-8, 1e-10] {
+        let options = Options { tolerance, max_cells: Some(6000), ..Options::default() };
+        let (result, cells) = measured(&chords, &ring, &options);
+        println!("{tolerance:e}: {cells} cells");
+        assert!(result.converged, "{result:?}");
+        assert!(result.lower <= RADIUS + ROUNDING && RADIUS - ROUNDING <= result.upper, "{result:?}");
     }
 }
 

@@ -24,7 +24,7 @@ fn details(result: &DistanceResult) -> CertifiedDetails {
     result.certified().unwrap()
 }
 
-/// Converges, is as narrow as asked, and contains the truth.
+/// Converges, is as narrow as requested, and contains the truth.
 fn contains(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
     let options = Options { tolerance, transform, ..Options::default() };
     let result = measure(a, b, &options, &mut NoMonitor);

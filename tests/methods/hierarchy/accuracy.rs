@@ -195,7 +195,7 @@ fn the_farthest_cell_is_on_the_surface_that_is_the_farthest() {
 fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
     let Some(engine) = engine("a_budget_of_memory") else { return };
     let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
-    let wanted = [Backend::Gpu, Backend::Cpu].map(|backend| {
+    let requested = [Backend::Gpu, Backend::Cpu].map(|backend| {
         let run = |memory_budget| {
             let options = Options { backend, memory_budget, grid: 128, ..hierarchy() };
             pollster::block_on(engine.distance(&ball, &ball, &options, &mut NoMonitor))
@@ -207,13 +207,13 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
         // Two lists of pairs of 8 bytes.
         assert_eq!((expected, mebibytes), ((1 << 20) / 16, 1));
         assert!(found > expected && text.contains(&format!("requires {found} pairs")), "{text}");
-        // With room for it the level has as many pairs as were wanted.
+        // With room for it the level has as many pairs as were required.
         let pairs = run(256).unwrap().hierarchy().unwrap().pairs.clone();
         assert_eq!(pairs[level], found);
         assert!(pairs[..level].iter().all(|&pairs| pairs <= expected));
         found
     });
-    assert!(wanted[0].abs_diff(wanted[1]) < wanted[1] / 20, "{wanted:?}");
+    assert!(requested[0].abs_diff(requested[1]) < requested[1] / 20, "{requested:?}");
 }
 
 #[test]

@@ -53,3 +53,33 @@ fn distances_are_those_of_the_nearest_points() {
         }
     }
 }
+
+/// Without a distance the same samples come, within an upper bound that is given.
+#[test]
+fn a_field_without_its_distance_is_that_of_the_distance() {
+    use nurbs_hausdorff::engine::{Engine, FieldOptions};
+    use nurbs_hausdorff::shapes::{sphere, torus};
+    use nurbs_hausdorff::{NoMonitor, PreparedModel};
+    let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
+    let with_distance = measured(&ball, &ring, Method::Certified);
+    let engine = pollster::block_on(Engine::new(nurbs_hausdorff::Backend::Cpu)).unwrap();
+    let [a, b] = [&ball, &ring].map(|model| PreparedModel::new(model).unwrap());
+    let field = |options| pollster::block_on(engine.field(&a, &b, &options, &mut NoMonitor));
+    let options = FieldOptions { samples: SAMPLES, ..FieldOptions::default() };
+
+    let limited = field(FieldOptions { upper: Some(with_distance.upper), ..options.clone() }).unwrap();
+    assert_eq!(limited.field, with_distance.field);
+    assert_eq!(limited.statistics, with_distance.statistics);
+    assert_eq!(limited.diagonal.to_bits(), with_distance.diagonal.to_bits());
+
+    let upper = 0.5 * with_distance.upper;
+    let cut = field(FieldOptions { upper: Some(upper), ..options.clone() }).unwrap();
+    let largest = cut.field.iter().flat_map(|field| &field.distances).fold(0.0_f64, |a, &b| a.max(b));
+    assert_eq!(largest.to_bits(), upper.to_bits());
+
+    for wrong in
+        [FieldOptions { samples: 1, ..options.clone() }, FieldOptions { upper: Some(-1.0), ..options }]
+    {
+        assert_eq!(field(wrong).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+    }
+}

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { create, near, square } from "../support.mjs";
 
-/** Asked of both backends' agreement, relative to the diagonal. */
+/** The largest difference of both backends, relative to the diagonal. */
 const agreement = 1e-5;
 
 let hd;
@@ -75,7 +75,7 @@ test("concentric spheres are the difference of their radii apart", async () => {
   }
 });
 
-test("the certified interval is as narrow as asked", async () => {
+test("the certified interval is as narrow as requested", async () => {
   const a = hd.shape("sphere");
   const b = hd.shape("sphere-larger");
   const intervals = [];

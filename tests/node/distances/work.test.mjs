@@ -152,7 +152,7 @@ test("after cancelled and refused work the next is right", async () => {
   await Promise.all(next);
 });
 
-test("distances asked for at once are computed in turn", async () => {
+test("distances requested at once are computed in turn", async () => {
   const running = new Set();
   let most = 0;
   const one = async (index) => {

@@ -25,7 +25,7 @@ test("the GPU is found and named", async () => {
   assert.equal(hd.notice, null);
 });
 
-test("the CPU can be asked for", async () => {
+test("the CPU can be requested", async () => {
   const hd = await create({ backend: "cpu" });
   assert.equal(hd.backend, "cpu");
   assert.equal(hd.adapter, null);

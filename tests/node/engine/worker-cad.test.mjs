@@ -1,19 +1,15 @@
 // The entry `nurbs-hausdorff/worker/cad`: files read in the worker.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import * as plain from "nurbs-hausdorff";
 import * as cad from "nurbs-hausdorff/cad";
 import { Hausdorff, NurbsModel, readCad } from "nurbs-hausdorff/worker/cad";
 import { missing, sharedGzip } from "../files/files.mjs";
-import { blocksAtMost, interchangeSquare, withCode } from "../support.mjs";
+import { blocksAtMost, createBoth, interchangeSquare, withCode } from "../support.mjs";
 
 let hd;
 let direct;
 before(async () => {
-  [hd, direct] = await Promise.all([
-    Hausdorff.create({ backend: "cpu" }),
-    plain.Hausdorff.create({ backend: "cpu" }),
-  ]);
+  [hd, direct] = await createBoth(Hausdorff);
 });
 after(() => {
   hd.dispose();

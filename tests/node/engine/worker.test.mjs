@@ -2,28 +2,18 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import * as plain from "nurbs-hausdorff";
-import { Hausdorff, HausdorffError, NurbsModel } from "nurbs-hausdorff/worker";
-import { blocksAtMost, interchangeSquare, square } from "../support.mjs";
+import { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
+import { blocksAtMost, createBoth, interchangeSquare, square, withCode } from "../support.mjs";
 
 let hd;
 let direct;
 before(async () => {
-  [hd, direct] = await Promise.all([
-    Hausdorff.create({ backend: "cpu" }),
-    plain.Hausdorff.create({ backend: "cpu" }),
-  ]);
+  [hd, direct] = await createBoth(Hausdorff);
 });
 after(() => {
   hd.dispose();
   direct.dispose();
 });
-
-const withCode = (code, message) => (error) => {
-  assert.ok(error instanceof HausdorffError, `${error?.stack ?? error}`);
-  assert.equal(error.code, code, error.message);
-  if (message !== undefined) assert.match(error.message, message);
-  return true;
-};
 
 /** The result without its times. */
 const timeless = ({ seconds: _, forward, reverse, ...rest }) => ({
@@ -42,6 +32,15 @@ test("both entries have the same methods", () => {
   assert.equal(hd.backend, "cpu");
   assert.equal(hd.adapter, null);
   assert.equal(hd.notice, null);
+});
+
+test("a field is that of the main entry", async () => {
+  const names = ["torus", "sphere"];
+  const far = await Promise.all(names.map((name) => hd.shape(name)));
+  const near = names.map((name) => direct.shape(name));
+  const options = { samples: 7, transform: { translation: [0, 0, 1] } };
+  assert.deepEqual(await hd.field(...far, options), await direct.field(...near, options));
+  for (const model of [...far, ...near]) model.dispose();
 });
 
 for (const options of [

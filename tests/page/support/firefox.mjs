@@ -1,16 +1,22 @@
 // Opens the built page in headless Firefox, driven by its own protocol, Marionette:
 // JSON with its length before it on a TCP port (https://firefox-source-docs.mozilla.org/testing/marionette/).
 import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { setTimeout as wait } from "node:timers/promises";
 import { preview } from "vite";
+import { which } from "../../../scripts/process.mjs";
+import { saveScreenshot } from "./screenshots.mjs";
 
 /** Milliseconds in which Firefox has to listen, and in which a condition has to hold. */
 const START = 60_000;
 const TIMEOUT = 60_000;
+
+/** Lets WebGL run on Mesa's software, which Firefox otherwise takes for too slow. */
+const SOFTWARE_WEBGL = { "webgl.force-enabled": true };
 
 /** A port that nothing listens on. */
 function freePort() {
@@ -20,6 +26,20 @@ function freePort() {
       server.close(() => resolve(port));
     });
   });
+}
+
+/** A screen that nobody sees: without one, Firefox has no WebGL. Undefined where Xvfb is not installed. */
+async function virtualScreen() {
+  const program = which("Xvfb");
+  if (program === undefined) return undefined;
+  const args = ["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp"];
+  const server = spawn(program, args, { stdio: ["ignore", "pipe", "ignore"] });
+  // It writes the number of the display, which it chooses, once it listens.
+  const [number] = await once(server.stdout, "data");
+  return {
+    environment: { DISPLAY: `:${`${number}`.trim()}`, LIBGL_ALWAYS_SOFTWARE: "1" },
+    close: () => server.kill(),
+  };
 }
 
 async function connected(port) {
@@ -73,11 +93,16 @@ export async function openFirefox(executable, path = "") {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
   const port = await freePort();
   const profile = mkdtempSync(join(tmpdir(), "firefox-"));
-  writeFileSync(join(profile, "user.js"), `user_pref("marionette.port", ${port});\n`);
-  const args = ["--headless", "--marionette", "--no-remote", "--profile", profile];
-  const firefox = spawn(executable, args, {
+  const preferences = { "marionette.port": port, ...SOFTWARE_WEBGL };
+  const lines = Object.entries(preferences).map(
+    ([name, value]) => `user_pref("${name}", ${value});\n`,
+  );
+  writeFileSync(join(profile, "user.js"), lines.join(""));
+  const screen = await virtualScreen();
+  const args = [...(screen ? [] : ["--headless"]), "--marionette", "--no-remote"];
+  const firefox = spawn(executable, [...args, "--profile", profile], {
     stdio: "ignore",
-    env: { ...process.env, HOME: profile },
+    env: { ...process.env, HOME: profile, ...screen?.environment },
   });
   const ended = new Promise((resolve) => firefox.once("exit", resolve));
   const command = commands(await connected(port));
@@ -107,9 +132,16 @@ export async function openFirefox(executable, path = "") {
       const [id] = Object.values(value);
       await command("WebDriver:ElementSendKeys", { id, text: file });
     },
+    /** Keeps a picture of the window, and returns it, a PNG in base64. */
+    async screenshot(name) {
+      const { value } = await command("WebDriver:TakeScreenshot", { full: false });
+      saveScreenshot(name, Buffer.from(value, "base64"));
+      return value;
+    },
     async close() {
       await command("Marionette:Quit", { flags: ["eForceQuit"] }).catch(() => {});
       await ended;
+      screen?.close();
       rmSync(profile, { recursive: true, force: true });
       await server.close();
     },

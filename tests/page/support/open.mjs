@@ -1,13 +1,11 @@
 // Serves the built page and opens it in headless Chromium.
-import { mkdirSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { launchOptions } from "../../../scripts/test/browser.mjs";
+import { saveScreenshot } from "./screenshots.mjs";
 
 /** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
 const TIMEOUT = 60_000;
-
-const screenshots = "tests/screenshots";
 
 /**
  * Opens the page. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
@@ -50,9 +48,8 @@ export async function open({
       return Object.fromEntries(terms.map((term, index) => [term, texts[index]]));
     },
     async screenshot(name) {
-      mkdirSync(screenshots, { recursive: true });
       await page.waitForTimeout(500);
-      await page.screenshot({ path: `${screenshots}/${name}.png` });
+      saveScreenshot(name, await page.screenshot());
     },
     async close() {
       await browser.close();

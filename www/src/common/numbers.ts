@@ -7,9 +7,15 @@ const MAX_DIGITS = 100;
 /** Digits of a distance below the models' order of magnitude. */
 const RELATIVE_DIGITS = 5;
 
-/** A distance, to `RELATIVE_DIGITS` digits below the order of magnitude of the diagonal. */
+/**
+ * A distance, to `RELATIVE_DIGITS` digits below the order of magnitude of the diagonal. One
+ * that would read 0, and is no rounding of the models' size, has two significant digits.
+ */
 export function distanceText(distance: number, diagonal: number): string {
-  return distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)));
+  const size = magnitude(diagonal);
+  const fixed = distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - size));
+  const isSmall = Number(fixed) === 0 && Math.abs(distance) > 10 ** (size - SIGNIFICANT_DIGITS);
+  return isSmall ? distance.toExponential(1) : fixed;
 }
 
 /** An upper bound to two significant digits, rounded up, such as 1.1e-11. */

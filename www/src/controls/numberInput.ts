@@ -34,9 +34,28 @@ export class NumberInput {
   }
 
   set value(value: number) {
-    this.#exact.value = short(value);
+    this.#show(value, short(value));
+  }
+
+  /** Sets a computed value, rounded to this resolution: no less is 0. */
+  setComputed(value: number, resolution: number): void {
+    this.#show(value, rounded(value, resolution));
+  }
+
+  #show(value: number, text: string): void {
+    this.#exact.value = text;
     this.#slider.value = `${value / this.unit}`;
   }
+}
+
+/** The largest number of decimals that numbers can be written with. */
+const MAX_DECIMALS = 100;
+
+/** The value with as many decimals as the resolution gives sense, and no exponent. */
+function rounded(value: number, resolution: number): string {
+  const decimals = Math.min(Math.max(Math.ceil(-Math.log10(resolution)), 0), MAX_DECIMALS);
+  const text = value.toFixed(decimals);
+  return text.includes(".") ? text.replace(/\.?0+$/, "").replace(/^-0$/, "0") : text;
 }
 
 const short = (value: number): string => `${Number(value.toPrecision(DIGITS))}`;

@@ -3,6 +3,10 @@ import { Vector3 } from "three";
 import type { Placement } from "../worker/protocol.ts";
 import { NumberInput } from "./numberInput.ts";
 
+/** The resolution of a computed position, in diagonals and in degrees: the accuracy of a distance. */
+const RESOLUTION = 1e-9;
+const ANGLE_RESOLUTION = 1e-7;
+
 const AXES = ["x", "y", "z"] as const;
 const moves = AXES.map((axis) => new NumberInput(`move-${axis}`));
 const turns = AXES.map((axis) => new NumberInput(`turn-${axis}`));
@@ -25,6 +29,16 @@ export function setPlacement({ move, turn }: Placement, diagonal: number): void 
 export function setPosition(move: Vector3, angles: Vector3): void {
   for (const [axis, input] of moves.entries()) input.value = move.getComponent(axis);
   for (const [axis, input] of turns.entries()) input.value = angles.getComponent(axis);
+}
+
+/** Shows a computed position, which the few digits of a slider would not hold. */
+export function setComputedPosition(move: Vector3, angles: Vector3): void {
+  for (const [axis, input] of moves.entries()) {
+    input.setComputed(move.getComponent(axis), RESOLUTION * input.unit);
+  }
+  for (const [axis, input] of turns.entries()) {
+    input.setComputed(angles.getComponent(axis), ANGLE_RESOLUTION);
+  }
 }
 
 /** Calls back on every change of the position. */

@@ -52,7 +52,7 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
 }
 
 function picture({ view, canvas }: ExportedState): Promise<Blob> {
-  view.render();
+  view.renderForExport();
   return pictureOf(canvas);
 }
 

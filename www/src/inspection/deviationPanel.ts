@@ -115,7 +115,10 @@ function draw({ field, result, extent }: Shown): ColorScale {
     : "Signed deviation of A (+ along B’s normals)";
   element("histogram").replaceChildren(histogram(field.distribution, scale, chosen.absolute));
   element("out-of-tolerance").textContent = outOfTolerance(field, diagonal);
-  showDetails(element("statistics"), statisticsOf(result));
+  showDetails(element("statistics"), [
+    ...statisticsOf(result),
+    ["maximum of the samples", `≈ ${distanceText(extent.largest, diagonal)}`],
+  ]);
   legend.hidden = false;
   section.hidden = false;
   range.placeholder = `${Number(extent.largest.toPrecision(3))}`;

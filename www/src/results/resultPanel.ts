@@ -37,16 +37,24 @@ export function showWorking(
   diagonal: number,
   { symmetric, stalled }: { symmetric: boolean; stalled: boolean },
 ): void {
-  section.dataset.state = "working";
   progress.value = fraction;
+  // The result is there, and its colours are being computed.
+  if (section.dataset.state === "colouring") return;
+  section.dataset.state = "working";
   if (current === undefined) return;
   const note = symmetric ? ONE_DIRECTION : SO_FAR;
   showInterval(current[0], current[1], diagonal, note);
   if (stalled) width.textContent += STALLED;
 }
 
-/** Shows a result; `last` states that no newer measurement was requested. */
-export function showResult(result: DistanceResult, last: boolean): void {
+/**
+ * Shows a result; `last` states that no newer measurement was requested, `pending` that
+ * its colours follow.
+ */
+export function showResult(
+  result: DistanceResult,
+  { last, pending }: { last: boolean; pending: boolean },
+): void {
   kind.textContent = kindOf(result);
   unit.textContent = commonUnit() ?? "model units";
   const ends = [result.lower, result.upper] as const;
@@ -63,8 +71,13 @@ export function showResult(result: DistanceResult, last: boolean): void {
     a: a.point.join(" "),
     b: b.point.join(" "),
     from: farthestSide(result),
-    state: last ? "done" : "live",
+    state: stateOf(last, pending),
   });
+}
+
+function stateOf(last: boolean, pending: boolean): string {
+  if (!last) return "live";
+  return pending ? "colouring" : "done";
 }
 
 /** Clears the result: the measurement was cancelled or failed, or the models are new. */

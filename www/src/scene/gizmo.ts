@@ -38,6 +38,15 @@ export class Gizmo {
     this.#viewport.draw();
   }
 
+  /** Calls `work` while the handles are hidden. */
+  without(work: () => void): void {
+    const handles = this.#controls.getHelper();
+    const { visible } = handles;
+    handles.visible = false;
+    work();
+    handles.visible = visible;
+  }
+
   /** Whether a handle is held. */
   get dragging(): boolean {
     return this.#controls.dragging;

@@ -21,6 +21,15 @@ export class Pose {
     this.#translation = middle.clone().sub(middle.clone().applyQuaternion(this.rotation)).add(move);
   }
 
+  /** Returns the pose of a transform. */
+  static of({ rotation, translation }: Transform, middle: Vector3): Pose {
+    const quaternion = new Quaternion(...(rotation ?? [0, 0, 0, 1]));
+    const move = new Vector3(...(translation ?? [0, 0, 0]))
+      .add(middle.clone().applyQuaternion(quaternion))
+      .sub(middle);
+    return new Pose(move, degreesOf(quaternion), middle);
+  }
+
   /** The pose as the package's transform. */
   get transform(): Transform {
     const { x, y, z, w } = this.rotation;

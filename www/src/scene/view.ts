@@ -3,7 +3,7 @@ import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdor
 import { Vector3 } from "three";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { distanceText } from "../common/numbers.ts";
+import { certifiedText, distanceText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
@@ -117,9 +117,10 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Draws at once, so that the canvas can be read in the same task. */
-  render(): void {
-    this.#viewport?.render();
+  /** Draws at once and without handles, so that the canvas can be read in the same task. */
+  renderForExport(): void {
+    this.#gizmo?.without(() => this.#viewport?.render());
+    this.#viewport?.draw();
   }
 
   approachArrow(): void {
@@ -143,11 +144,11 @@ export class View {
     }
   }
 
-  /** Shows the arrow of a result, and no deviation. */
-  showResult(result: DistanceResult): void {
+  /** Shows the arrow of a result; `replaced` removes the deviation of the one before. */
+  showResult(result: DistanceResult, replaced: boolean): void {
     this.#result = result;
     if (this.#diff === undefined) this.#showArrow();
-    this.#hideField();
+    if (replaced) this.#hideField();
     this.#viewport?.draw();
   }
 
@@ -215,10 +216,10 @@ export class View {
       this.#arrow.hide();
       return;
     }
-    const { witness, computed, diagonal } = this.#result;
+    const { witness, computed, lower, upper, diagonal } = this.#result;
     const [from, to] =
       farthestSide(this.#result) === "a" ? [witness.a, witness.b] : [witness.b, witness.a];
-    const text = distanceText(computed, diagonal);
+    const text = certifiedText(computed, [lower, upper], diagonal);
     this.#arrow.show(from.point, to.point, text, this.models.center);
   }
 

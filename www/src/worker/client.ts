@@ -3,6 +3,7 @@ import type { Transform, Vector3 } from "nurbs-hausdorff";
 import type {
   Placement,
   PlainDiffOptions,
+  PlainFitOptions,
   PlainOptions,
   Reply,
   Request,
@@ -56,6 +57,15 @@ export class Client {
 
   cancelDiff(): void {
     this.#post({ kind: "cancelDiff" });
+  }
+
+  /** Requests the best fit of A to B. */
+  fit(options: PlainFitOptions): void {
+    this.#post({ kind: "fit", options });
+  }
+
+  cancelFit(): void {
+    this.#post({ kind: "cancelFit" });
   }
 
   /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */

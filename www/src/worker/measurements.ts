@@ -1,12 +1,12 @@
 // The queue of measurements: one runs, and only the newest request waits.
 import {
-  type DistanceOptions,
   type DistanceResult,
   type Field,
   type Hausdorff,
   HausdorffError,
   type NurbsModel,
   type OnProgress,
+  type Statistics,
 } from "nurbs-hausdorff";
 import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
 import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
@@ -18,6 +18,16 @@ import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
  * other methods return nothing, so they are given time to finish.
  */
 const GRACE = { certified: 120, others: 4000 };
+
+/** The number of samples of a side of a surface unless the options name another. */
+const DEFAULT_SAMPLES = 64;
+
+/** More samples than these take so long that coarse ones are shown first. */
+const MANY_SAMPLES = 20_000;
+
+/** The part of the samples along each side that the coarse colours have, and their least number. */
+const COARSE_FACTOR = 5;
+const MIN_COARSE = 5;
 
 interface Requested {
   run: number;
@@ -83,65 +93,109 @@ export class Measurements {
     }
   }
 
-  /**
-   * Measures the distance; only A is sampled for a field. The samples of B, which
-   * the page does not draw, would take the most time where B has more faces.
-   */
-  async #distance(a: NurbsModel, b: NurbsModel, options: DistanceOptions): Promise<DistanceResult> {
-    const sampled = options.method === "iteration";
-    if (!options.symmetric || !options.field || sampled)
-      return this.#engine.distance(a, b, options);
-    const { onProgress } = options;
-    const [symmetric, forward] = [
-      await this.#engine.distance(a, b, {
-        ...options,
-        field: false,
-        onProgress: halfOf(onProgress, 0),
-      }),
-      await this.#engine.distance(a, b, {
-        ...options,
-        symmetric: false,
-        onProgress: halfOf(onProgress, 0.5),
-      }),
-    ];
-    // Both are results of the method that the options name.
-    return { ...symmetric, forward } as DistanceResult;
-  }
-
-  async #measure({ run, options, abort }: Requested): Promise<void> {
+  async #measure(requested: Requested): Promise<void> {
+    const { run, options, abort } = requested;
     const { a, b } = this.#models;
     if (a === undefined || b === undefined) return;
-    const begin = performance.now();
+    this.#fields = undefined;
+    // Method `iteration` has its samples at once; those of the others come after the
+    // distance, of A only, which alone the page draws.
+    const colours = options.field === true && options.method !== "iteration";
+    const part = colours ? 0.5 : 1;
     try {
-      const result = await this.#distance(a, b, {
+      const result = await this.#engine.distance(a, b, {
         ...options,
+        field: options.field === true && !colours,
         signal: abort.signal,
-        onProgress: (fraction, interval, stalled = false) => {
-          this.#reply({ kind: "progress", run, fraction, interval, stalled });
-          if (this.#waiting === undefined) return;
-          if (mayCancel(options, performance.now() - begin, interval)) abort.abort();
-        },
+        onProgress: this.#progress(requested, graceOf(options), { begin: 0, part }),
       });
-      const transform = options.transform ?? {};
-      this.#fields = (result.forward ?? result).field;
-      const field = this.#fields && fieldDisplay(this.#fields, transform);
-      const engine = engineState(this.#engine);
-      const plain = withoutField(result);
-      this.#reply(
-        { kind: "measured", run, result: plain, field, transform, engine },
-        field && buffersOf(field),
-      );
+      const pending = colours && !abort.signal.aborted;
+      this.#show(requested, result, (result.forward ?? result).field, pending);
+      if (pending) await this.#colour(requested, result);
     } catch (error) {
       if (error instanceof HausdorffError && error.code === "CANCELLED") {
         this.#reply({ kind: "cancelled", run });
       } else this.#fail(error, run);
     }
   }
+
+  /** Samples the deviation of A, coarsely first where that shows colours much sooner. */
+  async #colour(requested: Requested, result: DistanceResult): Promise<void> {
+    const { a, b } = this.#models;
+    const { options, abort } = requested;
+    if (a === undefined || b === undefined) return;
+    const { samples = DEFAULT_SAMPLES, transform, scaleUnits } = options;
+    const { upper } = result.forward ?? result;
+    const common = { upper, ...(transform && { transform }), ...(scaleUnits && { scaleUnits }) };
+    const many = a.surfaceCount * samples ** 2 > MANY_SAMPLES;
+    const coarse = many ? [Math.max(MIN_COARSE, Math.round(samples / COARSE_FACTOR))] : [];
+    try {
+      for (const count of [...coarse, samples]) {
+        const fine = count === samples;
+        const found = await this.#engine.field(a, b, {
+          ...common,
+          samples: count,
+          signal: abort.signal,
+          // A newer request ends the refinement of colours that are shown.
+          onProgress: this.#progress(requested, fine && many ? 0 : GRACE.others, {
+            begin: fine ? 0.5 : 0,
+            part: fine ? 0.5 : 0,
+          }),
+        });
+        this.#show(requested, withStatistics(result, found.statistics), found.field, !fine);
+      }
+    } catch (error) {
+      if (!(error instanceof HausdorffError && error.code === "CANCELLED")) throw error;
+      // The result stays, without colours that are not those of the samples requested.
+      this.#show(requested, result, undefined, false);
+    }
+  }
+
+  /**
+   * Returns the function that reports the progress of a part of a measurement, and cancels
+   * it for a newer request after `grace` milliseconds.
+   */
+  #progress(
+    { run, abort }: Requested,
+    grace: number,
+    { begin, part }: { begin: number; part: number },
+  ): OnProgress {
+    const started = performance.now();
+    return (fraction, interval, stalled = false) => {
+      const done = begin + part * fraction;
+      this.#reply({ kind: "progress", run, fraction: done, interval, stalled });
+      if (this.#waiting === undefined || performance.now() - started <= grace) return;
+      // A certified search that is cancelled returns its interval, once it has one.
+      if (grace !== GRACE.certified || interval !== undefined) abort.abort();
+    };
+  }
+
+  /** Replies with a result; `pending` states that colours, or finer ones, follow. */
+  #show(
+    { run, options }: Requested,
+    result: DistanceResult,
+    fields: Field[] | undefined,
+    pending: boolean,
+  ): void {
+    const transform = options.transform ?? {};
+    this.#fields = fields;
+    const field = fields && fieldDisplay(fields, transform);
+    const engine = engineState(this.#engine);
+    const plain = withoutField(result);
+    this.#reply(
+      { kind: "measured", run, result: plain, field, pending, transform, engine },
+      field && buffersOf(field),
+    );
+  }
 }
 
-/** Passes on the progress of one of two measurements as that of both. */
-function halfOf(onProgress: OnProgress | undefined, begin: 0 | 0.5): OnProgress {
-  return (fraction, ...rest) => onProgress?.(begin + 0.5 * fraction, ...rest);
+/** Returns a result with statistics of the samples of A. */
+function withStatistics(result: DistanceResult, statistics?: Statistics): DistanceResult {
+  if (statistics === undefined) return result;
+  const { forward } = result;
+  // Of the same method as before.
+  if (forward === undefined) return { ...result, statistics };
+  return { ...result, forward: { ...forward, statistics } } as DistanceResult;
 }
 
 function withoutField<Result extends DistanceResult>(result: Result): Result {
@@ -153,15 +207,8 @@ function withoutField<Result extends DistanceResult>(result: Result): Result {
   } as Result;
 }
 
-/** Returns whether a measurement may be cancelled for a newer one. */
-function mayCancel(
-  { method, field }: PlainOptions,
-  milliseconds: number,
-  interval: [number, number] | undefined,
-): boolean {
-  if (method !== "certified" || field === true) return milliseconds > GRACE.others;
-  return milliseconds > GRACE.certified && interval !== undefined;
-}
+const graceOf = ({ method }: PlainOptions): number =>
+  method === "certified" ? GRACE.certified : GRACE.others;
 
 /** The state of the engine, which changes when it loses its device. */
 export function engineState({ backend, adapter, notice }: Hausdorff): EngineState {

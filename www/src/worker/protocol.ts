@@ -1,5 +1,7 @@
 // The messages between the page and its worker.
 import type {
+  BestFit,
+  BestFitOptions,
   DiffOptions,
   DiffResult,
   DistanceOptions,
@@ -38,6 +40,9 @@ export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 /** The options of a comparison face by face that can be posted to a worker. */
 export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
 
+/** The options of a best fit that can be posted to a worker. */
+export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onStep">;
+
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
   side: Side;
@@ -61,6 +66,8 @@ export type Request =
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
   | { kind: "cancelDiff" }
+  | { kind: "fit"; options: PlainFitOptions }
+  | { kind: "cancelFit" }
   /** `near` is in the model's own coordinates; `scale` is A's units in one of B's. */
   | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform; scale: number }
   | { kind: "csv" };
@@ -98,8 +105,17 @@ export type DiffReply = { kind: "diff" } & (
   | { state: "failed"; code: Code; message: string }
 );
 
+/** The state of the best fit. */
+export type FitReply = { kind: "fit" } & (
+  | { state: "working"; step: number; rms: number }
+  | { state: "done"; fit: BestFit }
+  | { state: "cancelled" }
+  | { state: "failed"; code: Code; message: string }
+);
+
 export type Reply =
   | DiffReply
+  | FitReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }
@@ -117,6 +133,8 @@ export type Reply =
       /** Without its field, of which the page draws `field`. */
       result: DistanceResult;
       field: FieldDisplay | undefined;
+      /** Whether the same result follows with colours, or with finer ones. */
+      pending: boolean;
       /** The transform of A with which the result was computed. */
       transform: Transform;
       engine: EngineState;

@@ -3,6 +3,7 @@ import { Hausdorff } from "nurbs-hausdorff";
 import { Differences } from "./differences.ts";
 import { codeOf, messageOf } from "./failure.ts";
 import { csvOf } from "./field/csv.ts";
+import { Fitting } from "./fitting.ts";
 import { engineState, Measurements } from "./measurements.ts";
 import { load } from "./models/load.ts";
 import { probe } from "./probe.ts";
@@ -21,7 +22,7 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     fail(error);
     return;
   }
-  const { measurements, differences } = started;
+  const { measurements, differences, fitting } = started;
   switch (data.kind) {
     case "measure":
       measurements.request(data.run, data.options);
@@ -35,6 +36,12 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancelDiff":
       differences.cancel();
       break;
+    case "fit":
+      void fitting.fit(measurements.models, data.options);
+      break;
+    case "cancelFit":
+      fitting.cancel();
+      break;
     case "probe":
       void reportProbe(started, data);
       break;
@@ -47,7 +54,7 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
 };
 
 async function replace(
-  { engine, measurements, differences }: Awaited<typeof ready>,
+  { engine, measurements, differences, fitting }: Awaited<typeof ready>,
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
@@ -55,6 +62,7 @@ async function replace(
       reply({ kind: "loading", text }),
     );
     differences.drop();
+    fitting.cancel();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
       tessellation.positions.buffer,
@@ -81,7 +89,8 @@ async function start() {
   const engine = await Hausdorff.create();
   reply({ kind: "ready", engine: engineState(engine), shapes: Hausdorff.shapes() });
   const measurements = new Measurements(engine, reply, fail);
-  return { engine, measurements, differences: new Differences(engine, reply) };
+  const differences = new Differences(engine, reply);
+  return { engine, measurements, differences, fitting: new Fitting(engine, reply) };
 }
 
 function reply(message: Reply, transfer: Transferable[] = []): void {

@@ -12,6 +12,11 @@ pub(crate) fn is_brep(text: &str) -> bool {
     text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")
 }
 
+/// Whether bytes are what OpenCASCADE writes of a shape in binary.
+pub(crate) fn is_binary_brep(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"Open CASCADE Topology V")
+}
+
 /// The name of a format that the package's command line in Node reads and this one does
 /// not.
 pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {

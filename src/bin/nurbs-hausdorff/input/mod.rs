@@ -70,6 +70,13 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     if let Some(found) = format::unsupported(&bytes) {
         return Err(Error::FormatUnsupported { found, path: path.display().to_string() });
     }
+    if format::is_binary_brep(&bytes) {
+        return Err(Error::BrepSyntax {
+            line: 1,
+            found: "an OpenCASCADE BREP file in binary".to_owned(),
+            expected: "BREP text, as BRepTools::Write writes it".to_owned(),
+        });
+    }
     let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
     if format::is_brep(&text) {
         let (model, mut read) = Model::from_brep(&text)?;

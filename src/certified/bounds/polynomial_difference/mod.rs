@@ -16,6 +16,7 @@
 mod across_knots;
 mod aligned_map;
 mod block;
+mod difference;
 mod knot_line_map;
 mod net;
 mod piece;

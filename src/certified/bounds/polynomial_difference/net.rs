@@ -1,6 +1,7 @@
 //! The difference of two patches as a rational function.
 
-use crate::bezier::{power_of_two_below, scaled, squares, unscale};
+use super::difference::Difference;
+use crate::bezier::{power_of_two_below, squares};
 use crate::certified::rounding::gamma;
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -14,29 +15,9 @@ const SQUARE_ROUNDINGS: f64 = 19.0;
 /// Roundings of the length of a coefficient of `X v - Y w` over that of `w v`.
 const LENGTH_ROUNDINGS: f64 = 8.0;
 
-/// The largest spread of weights at which a net is taken as one of a polynomial: some times
-/// what rounding makes of equal weights.
-const MAX_WEIGHT_SPREAD: f64 = 1e-12;
-
 /// The largest coefficient, relative to the threshold, at which the squares of lengths are
 /// tried: they bring little more than a turn of the difference over the piece.
 const MAX_EXCESS: f64 = 2.0;
-
-/// Roundings of a coefficient by one elevation of the degree.
-const ELEVATION_ROUNDINGS: usize = 3;
-
-/// Control `index` of the representation of degree `degree` of a polynomial, given its
-/// controls for the degree below.
-fn raised(degree: usize, index: usize, below: impl Fn(usize) -> DVec3) -> DVec3 {
-    if index == 0 {
-        return below(0);
-    }
-    if index == degree {
-        return below(degree - 1);
-    }
-    let degree = degree as f64;
-    (index as f64 / degree) * below(index - 1) + ((degree - index as f64) / degree) * below(index)
-}
 
 /// The number of products that a coefficient of a square sums, of a polynomial of these degrees.
 fn square_terms([p, q]: [usize; 2]) -> f64 {
@@ -54,25 +35,14 @@ fn bound_by_squares(largest: f64, longest: f64, of_products: f64, of_squares: f6
     (1.0 + of_products) * under_root.sqrt()
 }
 
-/// The difference of the functions of two nets.
-struct Difference {
-    degree: [usize; 2],
-    /// Its homogeneous coefficients: `X v - Y w` and `w v`, or the differences of points and 1.
-    quotient: Vec<DVec4>,
-    /// The number of products that a coefficient sums.
-    product_terms: usize,
-    /// What it may be off by, besides rounding.
-    error: f64,
-}
-
 /// A homogeneous control net, t fastest.
 pub(super) struct Net {
-    degree: [usize; 2],
-    controls: Vec<DVec4>,
+    pub(super) degree: [usize; 2],
+    pub(super) controls: Vec<DVec4>,
     /// How far, relative to the smallest weight, the weights are from each other.
-    weight_spread: f64,
+    pub(super) weight_spread: f64,
     /// The largest distance of a control point from the origin.
-    radius: f64,
+    pub(super) radius: f64,
     /// The rounding error of its points: restriction and change of origin.
     point_error: f64,
 }
@@ -105,17 +75,16 @@ impl Net {
     /// An upper bound on the distance between points of equal parameters, by
     /// lemma R11: the bound by the coefficients' lengths where that is at most the
     /// threshold, else the closer one by those of the squared length. `None` where a weight
-    /// is not positive or a number overflows, and where the threshold is out of reach.
+    /// is not positive or a number overflows, and where the threshold is out of reach: where
+    /// corners are farther apart, or the lengths far exceed it.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
-        let Difference { degree, quotient, product_terms, error } = self.difference(other);
-        let length = |control: &DVec4| control.xyz().length() / control.w;
-        let longest = quotient.iter().map(length).fold(0.0, upper_max);
-        // Coefficients at the corners are distances.
-        let [last_row, last_column] = [degree[0] * (degree[1] + 1), degree[1]];
-        let corners = [0, last_column, last_row, last_row + last_column];
-        if corners.iter().any(|&corner| length(&quotient[corner]) > threshold) {
+        let [corners, others] = [self, other].map(Net::corners);
+        if corners.iter().zip(&others).any(|(corner, other)| corner.distance(*other) > threshold) {
             return None;
         }
+        let Difference { degree, quotient, product_terms, error } = Difference::new(self, other);
+        let length = |control: &DVec4| control.xyz().length() / control.w;
+        let longest = quotient.iter().map(length).fold(0.0, upper_max);
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding =
             of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
@@ -136,59 +105,13 @@ impl Net {
         (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
     }
 
-    fn difference(&self, other: &Self) -> Difference {
-        let ([p, q], [m, n]) = (self.degree, other.degree);
-        let are_polynomial = [self, other].iter().all(|net| net.weight_spread <= MAX_WEIGHT_SPREAD);
-        if are_polynomial {
-            let degree = [p.max(m), q.max(n)];
-            let (x, y) = (self.elevated(degree), other.elevated(degree));
-            let steps = (degree[0] - p.min(m)) + (degree[1] - q.min(n));
-            return Difference {
-                degree,
-                quotient: x.iter().zip(&y).map(|(x, y)| (x - y).extend(1.0)).collect(),
-                product_terms: 1 + ELEVATION_ROUNDINGS * steps,
-                error: 2.0 * (self.weight_spread * self.radius + other.weight_spread * other.radius),
-            };
-        }
-        let (degree, columns) = ([p + m, q + n], q + n + 1);
-        let mut quotient = vec![DVec4::ZERO; (p + m + 1) * columns];
-        let (of_x, of_y) = (scaled(self.degree, &self.controls), scaled(other.degree, &other.controls));
-        for (a, x) in of_x.iter().enumerate() {
-            let (i, j) = (a / (q + 1), a % (q + 1));
-            for (b, y) in of_y.iter().enumerate() {
-                let (k, l) = (b / (n + 1), b % (n + 1));
-                let product = (y.w * x.xyz() - x.w * y.xyz()).extend(x.w * y.w);
-                quotient[(i + k) * columns + j + l] += product;
-            }
-        }
-        unscale(degree, &mut quotient);
-        Difference { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
-    }
-
-    /// The control points of a polynomial in a representation of these degrees, which are not
-    /// lower than its own.
-    fn elevated(&self, [rows, columns]: [usize; 2]) -> Vec<DVec3> {
-        let [mut p, mut q] = self.degree;
-        let mut points: Vec<DVec3> = self.controls.iter().map(|control| control.xyz() / control.w).collect();
-        while q < columns {
-            q += 1;
-            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
-            for row in points.chunks_exact(q) {
-                raised_points.extend((0..=q).map(|j| raised(q, j, |j| row[j])));
-            }
-            points = raised_points;
-        }
-        while p < rows {
-            p += 1;
-            let mut raised_points = Vec::with_capacity((p + 1) * (q + 1));
-            for i in 0..=p {
-                for j in 0..=q {
-                    raised_points.push(raised(p, i, |i| points[i * (q + 1) + j]));
-                }
-            }
-            points = raised_points;
-        }
-        points
+    /// The points at the corners.
+    fn corners(&self) -> [DVec3; 4] {
+        let [last_row, last_column] = [self.degree[0] * (self.degree[1] + 1), self.degree[1]];
+        [0, last_column, last_row, last_row + last_column].map(|corner| {
+            let control = self.controls[corner];
+            control.xyz() / control.w
+        })
     }
 
     fn is_positive(&self) -> bool {
@@ -204,20 +127,21 @@ mod tests {
     use crate::certified::rounding::UNIT_ROUNDOFF;
     use crate::param_box::ParamBox;
 
-    /// Both forms, elevated polynomials and products, bound the difference at random points and
-    /// are attained where one net is the other one moved.
+    /// All forms, of elevated polynomials, of products along one axis and along both, bound the
+    /// difference at random points and are attained where one net is the other one moved.
     #[test]
     fn differences_of_nets_of_any_degrees_are_bounded() {
         let random = &mut fastrand::Rng::with_seed(5);
-        for case in 0..300 {
-            let is_rational = case % 3 == 0;
+        for case in 0..400 {
             let mut net = || {
                 let degree = [random.usize(1..6), random.usize(1..6)];
                 let count = (degree[0] + 1) * (degree[1] + 1);
                 let mut number = || random.f64() - 0.5;
+                let weights: Vec<f64> = (0..count).map(|_| 1.0 + number()).collect();
                 let controls: Vec<DVec4> = (0..count)
-                    .map(|_| {
-                        let weight = if is_rational { 1.0 + number() } else { 1.5 };
+                    .map(|index| {
+                        let [i, j] = [index / (degree[1] + 1), index % (degree[1] + 1)];
+                        let weight = weights[[index, 0, i, j][case % 4]];
                         weight * DVec4::new(number(), number(), number(), 1.0)
                     })
                     .collect();
@@ -255,14 +179,17 @@ mod tests {
     }
 
     /// Lemmas R6, R10 and R11 for a patch against itself: the difference is 0, and the
-    /// bound is the rounding alone. With equal weights a coefficient is one difference,
-    /// else the sum of four products.
+    /// bound is the rounding alone. With equal weights a coefficient is one difference, the sum of two
+    /// products where they are equal along one axis, else of four.
     #[test]
     fn the_bound_of_equal_nets_is_their_rounding() {
         let radius = 5.0_f64.sqrt();
-        for (ratio, terms) in [(1.0, 1.0), (2.0, 4.0)] {
-            let corners = [[-1.0, -2.0, 1.0], [-1.0, 2.0, ratio], [1.0, -2.0, 1.0], [1.0, 2.0, ratio]];
-            let controls = corners.map(|[x, y, w]| DVec4::new(w * x, w * y, 0.0, w)).to_vec();
+        let weights = [[1.0; 4], [1.0, 2.0, 1.0, 2.0], [1.0, 1.0, 2.0, 2.0], [1.0, 2.0, 2.0, 2.0]];
+        for (weights, terms) in weights.into_iter().zip([1.0, 2.0, 2.0, 4.0]) {
+            let ratio = weights[3];
+            let corners = [[-1.0, -2.0], [-1.0, 2.0], [1.0, -2.0], [1.0, 2.0]];
+            let control = |([x, y], w): ([f64; 2], f64)| DVec4::new(w * x, w * y, 0.0, w);
+            let controls: Vec<DVec4> = corners.into_iter().zip(weights).map(control).collect();
             for (shift, growth) in [(0.0, 1.0), (0.0, 1.5), (8.0, 1.0)] {
                 let shift = DVec3::new(0.0, 0.0, shift);
                 let net = || Net::new([1, 1], controls.clone(), shift, growth);
@@ -291,7 +218,7 @@ mod tests {
     fn check_a_moved_net(ratio: f64) {
         let (mut controls, mut lengths) = ([Vec::new(), Vec::new()], [0.0_f64; 2]);
         for index in 0..64 {
-            let w = if index % 2 == 0 { 1.0 } else { ratio };
+            let w = if (index / 8 + index) % 2 == 0 { 1.0 } else { ratio };
             let point = DVec3::new(f64::from(index / 8), f64::from(index % 8), 0.0) / 8.0;
             for (side, z) in [0.0, 1.0].into_iter().enumerate() {
                 let point = point + z * DVec3::Z;
@@ -337,10 +264,10 @@ mod tests {
     fn differences_have_the_terms_of_the_lemma() {
         let spread = 2.0_f64.powi(-41);
         let (x, y) = (point_net([1, 2], 4.0, spread), point_net([3, 1], 16.0, 0.5 * spread));
-        let polynomial = x.difference(&y);
+        let polynomial = Difference::new(&x, &y);
         assert_eq!((polynomial.degree, polynomial.product_terms), ([3, 2], 1 + 3 * (2 + 1)));
         assert_eq!(polynomial.error, 2.0 * (4.0 + 8.0) * spread);
-        let rational = point_net([2, 3], 1.0, 1.0).difference(&point_net([4, 1], 1.0, 0.0));
+        let rational = Difference::new(&point_net([2, 3], 1.0, 1.0), &point_net([4, 1], 1.0, 0.0));
         assert_eq!((rational.degree, rational.product_terms), ([6, 4], 3 * 2));
         assert_eq!(rational.error, 0.0);
         // That error is more than all roundings.

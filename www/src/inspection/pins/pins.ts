@@ -9,6 +9,9 @@ import type { Probe } from "../../worker/protocol.ts";
 const layer = element("pins");
 const hover = element("hover");
 
+/** The label's offset from its point, 12 in the style sheet, and a gap to the view's edges. */
+const OFFSET = 20;
+
 interface Pin {
   probe: Probe;
   node: HTMLElement;
@@ -22,8 +25,7 @@ export class Pins {
     hover.hidden = probe === undefined;
     if (probe === undefined) return;
     hover.replaceChildren(...lines(probe, diagonal));
-    hover.style.left = `${at[0]}px`;
-    hover.style.top = `${at[1]}px`;
+    place(hover, at);
   }
 
   /** Keeps a point until its button or `clear` removes it. */
@@ -62,12 +64,21 @@ export class Pins {
   /** Moves the labels to their points on the screen; `center` is the scene's origin. */
   update(viewport: Viewport, center: Vector3): void {
     for (const { probe, node } of this.#pins) {
-      const place = viewport.project(new Vector3(...probe.point).sub(center));
-      node.hidden = place === undefined;
-      node.style.left = `${place?.[0] ?? 0}px`;
-      node.style.top = `${place?.[1] ?? 0}px`;
+      const at = viewport.project(new Vector3(...probe.point).sub(center));
+      node.hidden = at === undefined;
+      if (at !== undefined) place(node, at);
     }
   }
+}
+
+/** Places a label beside a point of the view, and shifted where it would reach over an edge. */
+function place(node: HTMLElement, [x, y]: readonly [number, number]): void {
+  const shift = (at: number, length: number, size: number) =>
+    `${Math.min(0, size - (at + OFFSET + length))}px`;
+  node.style.left = `${x}px`;
+  node.style.top = `${y}px`;
+  node.style.setProperty("--across", shift(x, node.offsetWidth, layer.clientWidth));
+  node.style.setProperty("--down", shift(y, node.offsetHeight, layer.clientHeight));
 }
 
 function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, diagonal: number) {

@@ -1,6 +1,6 @@
 // What the page draws of the samples of A: triangles, lines and the distribution.
 import type { Field, Transform, Vector3 } from "nurbs-hausdorff";
-import { movedBack } from "../rigid.ts";
+import { backwards, movedBack, placeBack } from "../rigid.ts";
 import { type Distribution, distributionOf } from "./distribution.ts";
 
 /** The largest number of lines drawn; more would hide the models. */
@@ -31,21 +31,20 @@ export function fieldDisplay(fields: Field[], transform: Transform): FieldDispla
   const origin = movedBack(lineOrigin, transform);
   const positions = new Float32Array(3 * count);
   const [signed, distances] = [new Float32Array(count), new Float32Array(count)];
-  const indices: number[] = [];
-  let first = 0;
+  const cells = fields.reduce((sum, { counts: [u, v] }) => sum + (u - 1) * (v - 1), 0);
+  const indices = new Uint32Array(6 * cells);
+  const back = backwards(transform);
+  let [first, cell] = [0, 0];
   for (const field of fields) {
-    for (let index = 0; index < field.distances.length; index++) {
-      const own = movedBack(pointAt(field.points, index), transform);
-      positions.set(relative(own, origin), 3 * (first + index));
-    }
+    placeBack(field.points, back, origin, positions.subarray(3 * first));
     signed.set(field.signed, first);
     distances.set(field.distances, first);
-    pushTriangles(indices, first, field.counts);
+    cell = setTriangles(indices, cell, first, field.counts);
     first += field.distances.length;
   }
   return {
     ...{ positions, normals: normalsOf(positions, indices), signed, distances },
-    ...{ indices: new Uint32Array(indices), origin },
+    ...{ indices, origin },
     ...linesOf(fields, lineOrigin),
     distribution: distributionOf(fields),
   };
@@ -85,39 +84,54 @@ function* thinned([rows, columns]: [number, number], step: number): Generator<nu
   }
 }
 
-function pushTriangles(indices: number[], first: number, [rows, columns]: [number, number]): void {
+/** Sets two triangles for every four neighbouring samples; returns the number of cells set so far. */
+function setTriangles(
+  indices: Uint32Array,
+  cellsBefore: number,
+  first: number,
+  [rows, columns]: [number, number],
+): number {
+  let cell = cellsBefore;
   for (let row = 0; row + 1 < rows; row++) {
     for (let column = 0; column + 1 < columns; column++) {
       const corner = first + row * columns + column;
       const across = corner + columns;
-      indices.push(corner, across, across + 1, corner, across + 1, corner + 1);
+      const at = 6 * cell;
+      indices[at] = corner;
+      indices[at + 1] = across;
+      indices[at + 2] = across + 1;
+      indices[at + 3] = corner;
+      indices[at + 4] = across + 1;
+      indices[at + 5] = corner + 1;
+      cell += 1;
     }
   }
+  return cell;
 }
 
 /** Unit normals: sums of the normals of the triangles at each vertex, by their areas. */
-function normalsOf(positions: Float32Array, indices: number[]): Float32Array<ArrayBuffer> {
+function normalsOf(positions: Float32Array, indices: Uint32Array): Float32Array<ArrayBuffer> {
   const normals = new Float32Array(positions.length);
-  for (let at = 0; at < indices.length; at += 3) {
-    const corners = [0, 1, 2].map((corner) => indices[at + corner] ?? 0);
-    const [a, b, c] = corners.map((corner) => pointAt(positions, corner));
-    if (a === undefined || b === undefined || c === undefined) continue;
-    const [e, f] = [relative(b, a), relative(c, a)];
-    const normal = [
-      e[1] * f[2] - e[2] * f[1],
-      e[2] * f[0] - e[0] * f[2],
-      e[0] * f[1] - e[1] * f[0],
-    ];
-    for (const corner of corners) {
-      for (const [axis, value] of normal.entries()) {
-        const place = 3 * corner + axis;
-        normals[place] = (normals[place] ?? 0) + value;
-      }
+  const at = (place: number) => positions[place] ?? 0;
+  for (let corner = 0; corner < indices.length; corner += 3) {
+    const a = 3 * (indices[corner] ?? 0);
+    const b = 3 * (indices[corner + 1] ?? 0);
+    const c = 3 * (indices[corner + 2] ?? 0);
+    const [ex, ey, ez] = [at(b) - at(a), at(b + 1) - at(a + 1), at(b + 2) - at(a + 2)];
+    const [fx, fy, fz] = [at(c) - at(a), at(c + 1) - at(a + 1), at(c + 2) - at(a + 2)];
+    const [x, y, z] = [ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx];
+    for (const place of [a, b, c]) {
+      normals[place] = (normals[place] ?? 0) + x;
+      normals[place + 1] = (normals[place + 1] ?? 0) + y;
+      normals[place + 2] = (normals[place + 2] ?? 0) + z;
     }
   }
-  for (let at = 0; at < normals.length; at += 3) {
-    const length = Math.hypot(...pointAt(normals, at / 3)) || 1;
-    for (let axis = 0; axis < 3; axis++) normals[at + axis] = (normals[at + axis] ?? 0) / length;
+  for (let place = 0; place < normals.length; place += 3) {
+    const [x = 0, y = 0, z = 0] = normals.subarray(place, place + 3);
+    const length = Math.hypot(x, y, z) || 1;
+    normals[place] = x / length;
+    normals[place + 1] = y / length;
+    normals[place + 2] = z / length;
   }
   return normals;
 }

@@ -8,8 +8,9 @@ const SMOOTH_COSINE = Math.cos((20 * Math.PI) / 180);
 
 /** Returns whether two vertices have nearly the same normal. */
 export function smooth(normals: Float32Array, one: number, other: number): boolean {
-  const axes = [0, 1, 2].map(
-    (axis) => (normals[3 * one + axis] ?? 0) * (normals[3 * other + axis] ?? 0),
-  );
-  return axes.reduce((sum, product) => sum + product, 0) >= SMOOTH_COSINE;
+  let cosine = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    cosine += (normals[3 * one + axis] ?? 0) * (normals[3 * other + axis] ?? 0);
+  }
+  return cosine >= SMOOTH_COSINE;
 }

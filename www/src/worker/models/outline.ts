@@ -68,13 +68,16 @@ function withoutDoubled(edges: Edge[], { positions, normals }: Tessellation): Ed
 }
 
 function diagonalOf(positions: Float32Array): number {
-  const [low, high] = [new Array<number>(3).fill(Infinity), new Array<number>(3).fill(-Infinity)];
-  for (const [index, value] of positions.entries()) {
-    const axis = index % 3;
-    low[axis] = Math.min(low[axis] ?? 0, value);
-    high[axis] = Math.max(high[axis] ?? 0, value);
-  }
-  return Math.hypot(...high.map((value, axis) => value - (low[axis] ?? 0)));
+  const lengths = [0, 1, 2].map((axis) => {
+    let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+    for (let place = axis; place < positions.length; place += 3) {
+      const value = positions[place] ?? 0;
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    return high - low;
+  });
+  return Math.hypot(...lengths);
 }
 
 /** Returns whether the edge has a positive length; at poles some have none. */

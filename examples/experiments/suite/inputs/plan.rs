@@ -1,6 +1,6 @@
 //! The plan of the sweeps in `sweep.json`, which the page in `www` reads as well.
 
-use super::Anyhow;
+use super::super::Anyhow;
 use serde::Deserialize;
 
 /// The content of the file.
@@ -53,6 +53,6 @@ pub(crate) struct Source {
 
 impl Plan {
     pub(crate) fn read() -> Anyhow<Self> {
-        Ok(serde_json::from_str(include_str!("../sweep.json"))?)
+        Ok(serde_json::from_str(include_str!("../../sweep.json"))?)
     }
 }

@@ -17,7 +17,7 @@ pub enum TrimFault {
         loop_index: usize,
         /// The index of the curve in its loop.
         curve: usize,
-        /// What was found and what was expected, in words.
+        /// The value found and the value expected, in words.
         found: String,
     },
     /// A weight of a curve is not positive, or too small beside the others.

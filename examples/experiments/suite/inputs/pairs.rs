@@ -1,8 +1,8 @@
 //! The pairs of the 2012 paper's Table 1, and the path of A past B.
 
+use super::super::{Anyhow, Setup};
 use super::models::model;
 use super::plan::{PairPlan, Plan};
-use super::{Anyhow, Setup};
 use glam::DVec3;
 use nurbs_hausdorff::{Model, RigidTransform};
 

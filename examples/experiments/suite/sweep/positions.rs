@@ -1,9 +1,9 @@
 //! The results of all methods on one pair at all positions.
 
-use super::methods::{Entry, methods};
-use super::pairs::Pair;
-use super::plan::Plan;
-use super::{Anyhow, Cell, Setup, Table};
+use super::super::inputs::pairs::Pair;
+use super::super::inputs::plan::Plan;
+use super::super::methods::{Entry, methods};
+use super::super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
 use nurbs_hausdorff::engine::{DistanceResult, Options, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;

@@ -1,10 +1,12 @@
 //! Quintic curves fitted to images of curves under the parameter maps, with a proven bound.
 
-use super::jet::{Interval, Jet, ORDER};
+mod jet;
+
 use super::metric::Metric;
 use super::rings::crossing;
 use crate::brep::nurbs::{ParameterMap, Spline};
 use glam::{DVec3, DVec4};
+use jet::{Interval, Jet, ORDER};
 
 /// The degree of the fit: values and two derivatives at both ends. A cubic would take
 /// about six times the pieces at the tolerance used.

@@ -1,7 +1,7 @@
 //! Models of the papers' sizes, read from a folder next to the project, or shapes in
 //! their place.
 
-use super::Anyhow;
+use super::super::Anyhow;
 use super::plan::{Plan, Source};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;

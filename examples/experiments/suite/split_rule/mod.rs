@@ -4,7 +4,7 @@
 mod rules;
 
 use super::chart::{Axis, Panel, Series, Style};
-use super::models::models_of;
+use super::inputs::models::models_of;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
 use nurbs_hausdorff::bezier::{PatchSet, extract};

@@ -1,11 +1,13 @@
 //! Trimming loops are validated once: what they enclose, what they are closed by, and
 //! what is refused, by a stable code and a text that names surface, loop and curve.
 
+mod placed;
+mod winding;
+
 use crate::support::trims::{circle, ellipse, face, line, plane, polygon, rectangle, reversed};
-use nurbs_hausdorff::model::trim::{FaceArrays, Trim, TrimCurveArrays, oriented};
-use nurbs_hausdorff::model::{IDENTITY, InstanceArrays, ModelArrays};
+use nurbs_hausdorff::model::ModelArrays;
+use nurbs_hausdorff::model::trim::{Trim, TrimCurveArrays, oriented};
 use nurbs_hausdorff::{Error, Model, NurbsSurface, SurfaceArrays};
-use proptest::prelude::*;
 
 /// The plane z = 0 with u = x and v = y over [0, 4]².
 fn sheet() -> SurfaceArrays {
@@ -277,171 +279,4 @@ fn a_surface_is_continued_to_curves_two_percent_beyond_it() {
     let error = Model::from_faces(ModelArrays { faces: far, ..ModelArrays::default() }).unwrap_err();
     assert_eq!(error.code(), "TRIM_OUTSIDE_DOMAIN", "{error}");
     assert!(error.to_string().contains("expected at most 5e-2"), "{error}");
-}
-
-/// A model of two trimmed faces, placed twice.
-fn assembly() -> ModelArrays {
-    let mut named = face(sheet(), vec![rectangle([0.0, 0.0], [4.0, 4.0]), reversed(circle([2.0, 2.0], 1.0))]);
-    named.part = Some("plate".to_owned());
-    named.trim.as_mut().unwrap()[1][0].gap = 1e-5;
-    named.trim.as_mut().unwrap()[1][0].edge = Some(17);
-    named.kind = Some("plane".to_owned());
-    named.gap = 1e-6;
-    let mut transform = IDENTITY;
-    transform[3] = 10.0;
-    let instance = |surfaces: Vec<usize>, transform| InstanceArrays {
-        surfaces,
-        transform,
-        name: Some("bolt:2".to_owned()),
-    };
-    ModelArrays {
-        name: Some("assembly".to_owned()),
-        unit: Some(0.001),
-        faces: vec![named, FaceArrays { trim: None, reversed: true, ..face(sheet(), vec![]) }],
-        instances: vec![instance(vec![0, 1], IDENTITY), instance(vec![0], transform)],
-    }
-}
-
-#[test]
-fn instances_place_faces_by_any_affine_map() {
-    let model = Model::from_faces(assembly()).unwrap();
-    assert_eq!((model.surfaces().len(), model.unit()), (3, Some(0.001)));
-    let parts: Vec<_> = model.faces().map(|face| face.part()).collect();
-    assert_eq!(parts, [Some("bolt:2 / plate"), Some("bolt:2"), Some("bolt:2 / plate")]);
-    assert_eq!(model.surfaces()[2].control_points()[0], [10.0, 0.0, 0.0, 1.0]);
-    assert!((model.gap() - 1.1e-5).abs() < 1e-12, "{}", model.gap());
-
-    let mut sheared = assembly();
-    // x doubled and sheared by y: the lengthening is that of the matrix [[2, 1], [0, 1]].
-    sheared.instances[1].transform = [2.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0];
-    let model = Model::from_faces(sheared).unwrap();
-    assert_eq!(model.surfaces()[2].control_points()[3], [12.0, 4.0, 0.0, 1.0]);
-    let exact = (3.0 + 5.0_f64.sqrt()).sqrt();
-    let factor = model.faces().last().unwrap().gap() / 1.1e-5;
-    assert!((exact..1.1 * exact).contains(&factor), "{factor}, expected {exact}");
-    assert!(model.faces().last().unwrap().is_reversed());
-
-    for (index, value) in [(0, f64::NAN), (0, 0.0), (3, 1e200)] {
-        let mut arrays = assembly();
-        arrays.instances[1].transform[index] = value;
-        let error = Model::from_faces(arrays).unwrap_err();
-        assert_eq!(error.code(), "INSTANCE_TRANSFORM", "{error}");
-        assert!(error.to_string().contains("instance 1"), "{error}");
-    }
-    let mut arrays = assembly();
-    arrays.instances[0].surfaces[1] = 2;
-    assert_eq!(Model::from_faces(arrays).unwrap_err().code(), "INSTANCE_SURFACE");
-    let mut arrays = assembly();
-    arrays.unit = Some(-1.0);
-    assert_eq!(Model::from_faces(arrays).unwrap_err().code(), "UNIT_INVALID");
-    let mut arrays = assembly();
-    arrays.faces[1].gap = f64::INFINITY;
-    assert_eq!(Model::from_faces(arrays).unwrap_err().code(), "GAP_INVALID");
-}
-
-#[test]
-fn interchange_json_keeps_trims_names_unit_and_gaps() {
-    let model = Model::from_faces(ModelArrays { instances: vec![], ..assembly() }).unwrap();
-    let text = model.to_json().unwrap();
-    assert_eq!(Model::from_json(&text).unwrap(), model);
-    let placed = Model::from_faces(assembly()).unwrap();
-    let text = placed.to_json().unwrap();
-    assert_eq!(Model::from_json(&text).unwrap().to_json().unwrap(), text);
-    // As in the description of the format, with keys that are ignored.
-    let text = r#"{"unit": 0.001, "source": {"file": "part.stp", "uncertainty": 0.01},
-        "surfaces": [{"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1],
-            "ctrl": [[[0, 0, 0, 1], [0, 1, 0, 1]], [[1, 0, 0, 1], [1, 1, 0, 1]]],
-            "trim": [[
-                {"degree": 1, "knots": [0, 0, 1, 1], "ctrl": [[0, 0, 1], [1, 0, 1]], "gap": 0.0, "edge": 17},
-                {"degree": 1, "knots": [0, 0, 1, 1], "ctrl": [[1, 0, 1], [0, 1, 1]]},
-                {"degree": 1, "knots": [0, 0, 1, 1], "ctrl": [[0, 1, 1], [0, 0, 1]], "degenerate": false}]],
-            "reversed": false, "part": "face 12", "kind": "plane", "gap": 3e-7}],
-        "instances": [{"surfaces": [0, 0], "transform": [1,0,0,0, 0,1,0,0, 0,0,1,5], "name": "bolt:2"}]}"#;
-    let model = Model::from_json(text).unwrap();
-    assert_eq!(model.surfaces()[1].control_points()[0], [0.0, 0.0, 5.0, 1.0]);
-    assert_eq!(model.faces().next().unwrap().kind(), Some("plane"));
-    assert_eq!(model.faces().next().unwrap().trim().unwrap().winding().number([0.3, 0.3]), Some(1));
-    let error = Model::from_json(&text.replace("[1, 0, 1], [0, 1, 1]", "[1, 0, 1], [0, 1, 0]")).unwrap_err();
-    assert_eq!(error.code(), "TRIM_WEIGHT_NOT_POSITIVE");
-    let error = Model::from_json(&text.replace("\"degree\": 1, ", "")).unwrap_err();
-    assert!(error.to_string().contains("surfaces[0].trim[0][0]"), "{error}");
-}
-
-/// Returns 4,000 points of a curve, evaluated by the recurrence of the B-spline basis.
-fn samples(curve: &TrimCurveArrays) -> Vec<[f64; 2]> {
-    let (start, end) = (curve.knots[curve.degree], curve.knots[curve.control_points.len()]);
-    (0..=4000).map(|k| evaluated(curve, start + (end - start) * f64::from(k) / 4000.0)).collect()
-}
-
-/// Returns the winding number around a point by summing the angles of chords, and the
-/// distance to the nearest of their ends.
-fn brute_force(samples: &[[f64; 2]], [u, v]: [f64; 2]) -> (i32, f64) {
-    let (mut angle, mut nearest) = (0.0_f64, f64::INFINITY);
-    for pair in samples.windows(2) {
-        let [a, b] = [pair[0], pair[1]].map(|[x, y]| [x - u, y - v]);
-        angle += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-        nearest = nearest.min(a[0].hypot(a[1]));
-    }
-    ((angle / std::f64::consts::TAU).round() as i32, nearest)
-}
-
-fn evaluated(curve: &TrimCurveArrays, t: f64) -> [f64; 2] {
-    let mut sums = [0.0; 3];
-    for (index, &[u, v, w]) in curve.control_points.iter().enumerate() {
-        let basis = basis(&curve.knots, curve.degree, index, t, curve.control_points.len()) * w;
-        sums = [sums[0] + basis * u, sums[1] + basis * v, sums[2] + basis];
-    }
-    [sums[0] / sums[2], sums[1] / sums[2]]
-}
-
-/// The B-spline basis by Cox's and de Boor's recurrence, closed at the end of the domain.
-fn basis(knots: &[f64], degree: usize, index: usize, t: f64, count: usize) -> f64 {
-    let p = degree;
-    if p == 0 {
-        let last = t >= knots[count] && knots[index + 1] >= knots[count];
-        return f64::from(u8::from(knots[index] <= t && (t < knots[index + 1] || last && knots[index] < t)));
-    }
-    let part = |from: f64, to: f64, at: f64| if to > from { (at - from) / (to - from) } else { 0.0 };
-    part(knots[index], knots[index + p], t) * basis(knots, p - 1, index, t, count)
-        + part(-knots[index + p + 1], -knots[index + 1], -t) * basis(knots, p - 1, index + 1, t, count)
-}
-
-/// A closed clamped rational curve that winds once around (2, 2).
-fn star(degree: usize, radii: &[f64], weights: &[f64]) -> TrimCurveArrays {
-    let count = radii.len();
-    let mut control_points: Vec<[f64; 3]> = (0..count)
-        .map(|k| {
-            let angle = std::f64::consts::TAU * k as f64 / count as f64;
-            [2.0 + radii[k] * angle.cos(), 2.0 + radii[k] * angle.sin(), weights[k]]
-        })
-        .collect();
-    control_points.push(control_points[0]);
-    let inner = count - degree;
-    let mut knots = vec![0.0; degree + 1];
-    knots.extend((1..=inner).map(|k| k as f64));
-    knots.extend(vec![inner as f64 + 1.0; degree + 1]);
-    TrimCurveArrays { degree, knots, control_points, ..TrimCurveArrays::default() }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
-
-    #[test]
-    fn winding_numbers_agree_with_summed_angles(
-        degree in 1_usize..6,
-        radii in proptest::collection::vec(0.3_f64..1.9, 7..12),
-        exponents in proptest::collection::vec(-2.0_f64..2.0, 12),
-        points in proptest::collection::vec([0.0_f64..4.0, 0.0_f64..4.0], 20),
-    ) {
-        let weights: Vec<f64> = exponents.iter().map(|exponent| exponent.exp()).collect();
-        let curve = star(degree, &radii, &weights);
-        let trim = trim(vec![vec![curve.clone()]]).unwrap();
-        let (winding, samples) = (trim.winding(), samples(&curve));
-        for at in points {
-            let (expected, nearest) = brute_force(&samples, at);
-            if nearest > 0.02 {
-                prop_assert_eq!(winding.number(at), Some(expected));
-            }
-        }
-    }
 }

@@ -1,11 +1,13 @@
 //! Times, distances and differences by position, as in the 2012 paper's Figs 6 to 11.
 
+mod positions;
+
 use super::chart::{Axis, Panel, Series, Style};
-use super::pairs::{Pair, pairs};
-use super::plan::Plan;
-use super::sweep::{Curve, sweep, table};
+use super::inputs::pairs::{Pair, pairs};
+use super::inputs::plan::Plan;
 use super::{Anyhow, Setup};
 use nurbs_hausdorff::engine::{DistanceResult, Method};
+use positions::{Curve, sweep, table};
 
 /// `sweep-NAME`: runs every requested pair.
 pub(crate) fn run(setup: &Setup) -> Anyhow<()> {

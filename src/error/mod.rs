@@ -1,8 +1,10 @@
 //! The one error type of the crate, with codes that stay stable across releases.
 
+mod trim_fault;
+
 use crate::axis::Axis;
-use crate::model::TrimFault;
 use thiserror::Error as ThisError;
+pub use trim_fault::TrimFault;
 
 /// The result of functions of this crate that fail on invalid input or a failing machine.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -238,7 +240,7 @@ pub enum Error {
         line: usize,
         /// The word found.
         found: String,
-        /// What the format requires there.
+        /// The word or number that the format requires there.
         expected: String,
     },
     /// A BREP file of which no face can be read.
@@ -292,7 +294,7 @@ pub enum Error {
     /// An option of an unknown name or of a wrong type.
     #[error("options: {found}")]
     OptionInvalid {
-        /// What was found and what was expected, in words.
+        /// The value found and the value expected, in words.
         found: String,
     },
     /// A transform that is not a rotation and a translation of at most 1e100.

@@ -1,0 +1,230 @@
+//! Cubic curves in the parameters of a surface, fitted to projected edges.
+
+use super::{Projection, Projector};
+use crate::brep::nurbs::{Curve, Spline, Surface};
+use crate::brep::report::FaceFault;
+use crate::brep::text::{Edge, SpaceCurve};
+use glam::{DAffine3, DVec3};
+
+/// The tolerance of a fit in space, relative to the size of the edge.
+const FIT_TOLERANCE: f64 = 1e-8;
+
+/// The part of an edge's own tolerance by which a fit may deviate, if that is more.
+const PART_OF_TOLERANCE: f64 = 0.1;
+
+/// The distance from an edge to its surface, relative to the size of the edge, beyond which
+/// the nearest point is searched globally, and the part of that size within which an edge
+/// must lie to be one of the surface.
+const NEAR: f64 = 1e-3;
+
+/// The pieces at the start, and the deepest bisection of a piece.
+const FIRST_PIECES: usize = 8;
+const MAX_DEPTH: usize = 10;
+
+/// The fractions of a piece at which its deviation is measured.
+const CHECKS: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// The difference of an edge's parameters, relative to its range, in difference quotients;
+/// rounding and the third derivative move a tangent by about 1e-10 of it.
+const DIFFERENCE: f64 = 1e-5;
+
+/// The distance, relative to the range, of the points from which a curve is continued into
+/// the singular point of a surface, by a parabola: what it misses is about its cube.
+const BESIDE_SINGULAR: f64 = 1e-3;
+
+/// The image in the face's coordinates of an edge's curve in space.
+pub(in crate::brep::faces) struct Traced<'a> {
+    pub(in crate::brep::faces) curve: &'a Curve,
+    pub(in crate::brep::faces) range: [f64; 2],
+    pub(in crate::brep::faces) to_face: DAffine3,
+    /// The diagonal of the box of its samples.
+    pub(in crate::brep::faces) size: f64,
+    tolerance: f64,
+}
+
+impl<'a> Traced<'a> {
+    /// The curve `space` of an edge, mapped by `to_face`, which enlarges lengths by `scale`.
+    pub(in crate::brep::faces) fn new(
+        curve: &'a Curve,
+        space: &SpaceCurve,
+        to_face: DAffine3,
+        edge: &Edge,
+        scale: f64,
+    ) -> Self {
+        let mut traced = Self { curve, range: space.range, to_face, size: 0.0, tolerance: 0.0 };
+        let points = || super::super::inversion::samples(space.range).map(|t| traced.point(t));
+        let low = points().fold(DVec3::INFINITY, DVec3::min);
+        traced.size = low.distance(points().fold(DVec3::NEG_INFINITY, DVec3::max));
+        traced.tolerance = (FIT_TOLERANCE * traced.size).max(PART_OF_TOLERANCE * scale * edge.tolerance);
+        traced
+    }
+
+    pub(in crate::brep::faces) fn point(&self, t: f64) -> DVec3 {
+        self.to_face.transform_point3(self.curve.point(t))
+    }
+
+    /// Returns the derivative by a difference quotient of second order inside of the range.
+    fn tangent(&self, t: f64) -> DVec3 {
+        let [start, end] = self.range;
+        let step = DIFFERENCE * (end - start);
+        let inner = t.clamp(start + step, end - step);
+        let [a, b, c] = [inner - step, inner, inner + step].map(|t| self.point(t));
+        // The derivative at t of the parabola through the three points.
+        ((c - a) + 2.0 * ((t - inner) / step) * (c - 2.0 * b + a)) / (2.0 * step)
+    }
+
+    /// Returns the parameters of equally spaced points of the edge on the surface, each beside
+    /// the one before it.
+    ///
+    /// # Errors
+    /// `BREP_NO_P_CURVE` if the edge leaves the surface.
+    pub(in crate::brep::faces) fn parameters(
+        &self,
+        projector: &mut Projector<'_>,
+    ) -> Result<Vec<DVec3>, FaceFault> {
+        let samples: Vec<f64> = super::super::inversion::samples(self.range).collect();
+        // From the middle to both ends, which may be singular.
+        let middle = samples.len() / 2;
+        let first = self.project(projector, samples[middle], None)?.parameters;
+        let mut follow = |indices: &mut dyn Iterator<Item = usize>| -> Result<Vec<DVec3>, FaceFault> {
+            let mut last = first;
+            indices
+                .map(|index| {
+                    last = self.project(projector, samples[index], Some(last))?.parameters;
+                    Ok(last)
+                })
+                .collect()
+        };
+        let after = follow(&mut (middle + 1..samples.len()))?;
+        let mut all = follow(&mut (0..middle).rev())?;
+        all.reverse();
+        all.push(first);
+        all.extend(after);
+        Ok(all)
+    }
+
+    fn project(
+        &self,
+        projector: &mut Projector<'_>,
+        t: f64,
+        near: Option<DVec3>,
+    ) -> Result<Projection, FaceFault> {
+        let fault = |why: String| FaceFault::new("BREP_NO_P_CURVE", why);
+        let found = projector
+            .project(self.point(t), near, NEAR * self.size)
+            .ok_or_else(|| fault("no curve in the parameters, and no points to make one of".to_owned()))?;
+        if found.distance.is_nan() || found.distance > NEAR * self.size + self.tolerance / PART_OF_TOLERANCE {
+            return Err(fault(format!("the edge is {:e} from the surface", found.distance)));
+        }
+        Ok(found)
+    }
+
+    /// Returns the cubic spline of the parameters that passes through points of the edge with
+    /// its tangents, from 8 pieces halved until the deviation at three points of each is within
+    /// the tolerance, and the largest distance measured between both curves' points of equal
+    /// parameter, which contains that of the edge from the surface.
+    ///
+    /// # Errors
+    /// `BREP_NO_P_CURVE` if the edge leaves the surface, or deeper halving would be needed.
+    pub(in crate::brep::faces) fn fit(
+        &self,
+        surface: &Surface,
+        projector: &mut Projector<'_>,
+    ) -> Result<Spline, FaceFault> {
+        let samples = self.parameters(projector)?;
+        let [start, end] = self.range;
+        let stride = (samples.len() - 1) / FIRST_PIECES;
+        let mut nodes = Vec::with_capacity(FIRST_PIECES + 1);
+        for piece in 0..=FIRST_PIECES {
+            let t = if piece == FIRST_PIECES {
+                end
+            } else {
+                start + (end - start) * piece as f64 / FIRST_PIECES as f64
+            };
+            nodes.push(self.node(projector, t, samples[piece * stride])?);
+        }
+        let mut spline = Spline { degree: 3, knots: vec![start; 4], controls: Vec::new() };
+        spline.controls.push(nodes[0].at.extend(1.0));
+        for pair in nodes.windows(2) {
+            self.piece(surface, projector, [pair[0], pair[1]], 0, &mut spline)?;
+        }
+        spline.knots.push(end);
+        Ok(spline)
+    }
+
+    /// Appends the cubic between two nodes, or those between its halves.
+    fn piece(
+        &self,
+        surface: &Surface,
+        projector: &mut Projector<'_>,
+        [from, to]: [Node; 2],
+        depth: usize,
+        spline: &mut Spline,
+    ) -> Result<(), FaceFault> {
+        let third = (to.t - from.t) / 3.0;
+        let controls = [from.at, from.at + third * from.velocity, to.at - third * to.velocity, to.at];
+        let mut within = true;
+        for fraction in CHECKS {
+            let at = cubic(controls, fraction);
+            let t = from.t + fraction * (to.t - from.t);
+            let nearest = self.project(projector, t, Some(at))?.parameters;
+            let on_surface = surface.point(at.x, at.y);
+            let moved = on_surface.distance(surface.point(nearest.x, nearest.y));
+            within &= moved <= self.tolerance;
+        }
+        if within {
+            spline.controls.extend(controls[1..].iter().map(|control| control.extend(1.0)));
+            spline.knots.extend([to.t; 3]);
+            return Ok(());
+        }
+        if depth == MAX_DEPTH {
+            let why = format!("no cubic curve on the {} follows the edge", surface.kind());
+            return Err(FaceFault::new("BREP_NO_P_CURVE", why));
+        }
+        let middle = self.node(projector, 0.5 * (from.t + to.t), cubic(controls, 0.5))?;
+        self.piece(surface, projector, [from, middle], depth + 1, spline)?;
+        self.piece(surface, projector, [middle, to], depth + 1, spline)
+    }
+
+    /// Returns the node at a parameter of the edge.
+    fn node(&self, projector: &mut Projector<'_>, t: f64, near: DVec3) -> Result<Node, FaceFault> {
+        let at = self.project(projector, t, Some(near))?.parameters;
+        if let Some(velocity) = projector.velocity(at, self.tangent(t)) {
+            return Ok(Node { t, at, velocity });
+        }
+        // Where a tangent of the surface vanishes, the curve continues that beside the point.
+        let [start, end] = self.range;
+        let step = BESIDE_SINGULAR * (end - start) * if t - start > end - t { -1.0 } else { 1.0 };
+        let mut beside = [near; 3];
+        for index in [2, 1, 0] {
+            let guess = if index == 2 { near } else { beside[index + 1] };
+            beside[index] = self.project(projector, t + (index + 1) as f64 * step, Some(guess))?.parameters;
+        }
+        let [a, b, c] = beside;
+        // The parabola through the points at 1, 2 and 3 steps, at 0.
+        let mut continued =
+            Node { t, at: 3.0 * a - 3.0 * b + c, velocity: (4.0 * b - 2.5 * a - 1.5 * c) / step };
+        // The parameter along the other tangent is exact.
+        let [u, v] = projector.tangents(at);
+        let exact = if u.length() > v.length() { 0 } else { 1 };
+        continued.at[exact] = at[exact];
+        Ok(continued)
+    }
+}
+
+/// A point of the edge in the parameters, with the derivative by the edge's parameter.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    t: f64,
+    at: DVec3,
+    velocity: DVec3,
+}
+
+fn cubic(mut controls: [DVec3; 4], fraction: f64) -> DVec3 {
+    for level in 1..4 {
+        for index in 0..4 - level {
+            controls[index] = controls[index].lerp(controls[index + 1], fraction);
+        }
+    }
+    controls[0]
+}

@@ -1,0 +1,184 @@
+//! A proven upper bound on the distance between a curve on a surface and its edge in space.
+//!
+//! A part of the curve corresponds to a part of the edge by an affine map of the parameters.
+//! The difference f of the points is analytic, so that its polynomial at Chebyshev
+//! nodes and a bound on f at complex parameters bound it at all real ones (docs/trimming.md,
+//! T9). Parts are cut until the bound is near the largest distance found.
+
+mod cells;
+mod chebyshev;
+mod correspondence;
+mod discs;
+mod majorant;
+mod part;
+
+use super::nurbs::{Curve, Surface};
+use glam::{DAffine3, DVec3};
+use part::Part;
+use std::collections::BinaryHeap;
+
+/// The bound is at most this factor above the largest distance found, unless it is below
+/// [`RESOLUTION`] or the parts run out.
+const TIGHTNESS: f64 = 1.1;
+
+/// The accuracy of the bound relative to the size of the edge, below that of any fit.
+const RESOLUTION: f64 = 1e-10;
+
+/// The most parts that are bounded. Curves of real files need from one to a few dozen and
+/// one for each knot that they cross.
+const MAX_PARTS: usize = 1 << 13;
+
+/// The parts that are added for a tighter bound once every part has one.
+const MAX_REFINEMENTS: usize = 256;
+
+/// A curve on a surface, and the edge in space that it stands for.
+pub(super) struct Lifted<'a> {
+    pub(super) surface: &'a Surface,
+    pub(super) surface_location: DAffine3,
+    pub(super) curve: &'a Curve,
+    pub(super) range: [f64; 2],
+    pub(super) edge: &'a Curve,
+    pub(super) edge_location: DAffine3,
+    pub(super) edge_range: [f64; 2],
+}
+
+impl Lifted<'_> {
+    /// Returns an upper bound on the distance from every point of either curve to the other,
+    /// with rounding; `None` if none is found.
+    pub(super) fn gap(&self) -> Option<f64> {
+        Some(self.bound()).filter(|bound| bound.is_finite())
+    }
+
+    /// As [`Self::gap`], but infinite if none is found.
+    fn bound(&self) -> f64 {
+        let whole = [(self.range[0], self.edge_range[0]), (self.range[1], self.edge_range[1])];
+        let mut lower = self.measured();
+        let floor = RESOLUTION * self.size();
+        let first = Part::new(self, whole, floor.max(lower));
+        lower = lower.max(first.lower);
+        let mut parts = BinaryHeap::from([first]);
+        let mut refinements = 0;
+        while let Some(worst) = parts.peek() {
+            let bound = worst.upper;
+            refinements += usize::from(bound.is_finite());
+            if bound <= floor.max(TIGHTNESS * lower)
+                || parts.len() > MAX_PARTS
+                || refinements > MAX_REFINEMENTS
+            {
+                return bound;
+            }
+            let halves = worst.halves(self);
+            if halves.is_empty() {
+                return bound;
+            }
+            parts.pop();
+            for ends in halves {
+                let part = Part::new(self, ends, floor.max(lower));
+                lower = lower.max(part.lower);
+                parts.push(part);
+            }
+        }
+        f64::INFINITY
+    }
+
+    /// Returns about the largest distance of some points of the curve from the edge, below
+    /// which no bound need be tight.
+    pub(super) fn measured(&self) -> f64 {
+        let at = |[start, end]: [f64; 2], index: usize| start + (end - start) * index as f64 / SAMPLES as f64;
+        let distance = |index: usize| {
+            let (t, s) = (at(self.range, index), at(self.edge_range, index));
+            let is_end = index == 0 || index == SAMPLES;
+            self.difference(t, if is_end { s } else { self.nearest(t, s, self.edge_range) }).length()
+        };
+        (0..=SAMPLES).map(distance).fold(0.0, f64::max)
+    }
+
+    /// Returns the point on the surface less the point of the edge, in space.
+    fn difference(&self, t: f64, s: f64) -> DVec3 {
+        self.on_surface(t) - self.on_edge(s)
+    }
+
+    fn on_surface(&self, t: f64) -> DVec3 {
+        let at = self.curve.point(t);
+        self.surface_location.transform_point3(self.surface.point(at.x, at.y))
+    }
+
+    fn on_edge(&self, s: f64) -> DVec3 {
+        self.edge_location.transform_point3(self.edge.point(s))
+    }
+
+    /// Returns the diagonal of the box of points of the edge.
+    fn size(&self) -> f64 {
+        let [start, end] = self.edge_range;
+        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| self.on_edge(start + x * (end - start)));
+        let [low, high] = [
+            points.into_iter().fold(DVec3::INFINITY, DVec3::min),
+            points.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max),
+        ];
+        low.distance(high)
+    }
+
+    /// Returns the parameter of a point of the curve near a point of the edge, as
+    /// [`Self::nearest`] does.
+    fn nearest_on_curve(&self, s: f64, t: f64, [low, high]: [f64; 2]) -> f64 {
+        let on_edge = self.on_edge(s);
+        let ([t0, t1], [s0, s1]) = (self.range, self.edge_range);
+        let other = (t0 + (t1 - t0) * ((s - s0) / (s1 - s0))).clamp(low, high);
+        let is_nearer = self.on_surface(other).distance(on_edge) < self.on_surface(t).distance(on_edge);
+        let t = if is_nearer { other } else { t };
+        let mut nearest = t;
+        for _ in 0..NEAREST_STEPS {
+            let other =
+                nearest + DIFFERENCE * (if nearest - low < high - nearest { high } else { low } - nearest);
+            let tangent = (self.on_surface(other) - self.on_surface(nearest)) / (other - nearest);
+            let step = (on_edge - self.on_surface(nearest)).dot(tangent) / tangent.length_squared();
+            if !step.is_finite() {
+                return t;
+            }
+            nearest = (nearest + step).clamp(low, high);
+        }
+        let is_nearer = self.difference(nearest, s).length() < self.difference(t, s).length();
+        if is_nearer { nearest } else { t }
+    }
+
+    /// Returns the parameter of a point of the edge near a point of the curve, by
+    /// Gauss-Newton steps from `s` within `low` and `high`, which bounds do not depend on.
+    fn nearest(&self, t: f64, s: f64, [low, high]: [f64; 2]) -> f64 {
+        let on_surface = self.on_surface(t);
+        let ([t0, t1], [s0, s1]) = (self.range, self.edge_range);
+        // Most curves have the parameters of their edges.
+        let other = (s0 + (s1 - s0) * ((t - t0) / (t1 - t0))).clamp(low.min(high), low.max(high));
+        let is_nearer = on_surface.distance(self.on_edge(other)) < on_surface.distance(self.on_edge(s));
+        let mut nearest = if is_nearer { other } else { s };
+        let (mut least, mut found) = (f64::INFINITY, nearest);
+        for _ in 0..=NEAREST_STEPS {
+            let difference = on_surface - self.on_edge(nearest);
+            let distance = difference.length();
+            if distance < least {
+                (least, found) = (distance, nearest);
+            }
+            let tangent = self.edge_location.transform_vector3(self.edge.tangent(nearest));
+            let step = difference.dot(tangent) / tangent.length_squared();
+            if !step.is_finite() {
+                break;
+            }
+            nearest = (nearest + step).clamp(low.min(high), low.max(high));
+            if step.abs() <= SMALL_STEP * (high - low).abs() {
+                return nearest;
+            }
+        }
+        found
+    }
+}
+
+/// The points of a curve that the search begins with are one more than this number.
+const SAMPLES: usize = 8;
+
+/// The Gauss-Newton steps towards a nearest point.
+const NEAREST_STEPS: usize = 3;
+
+/// Part of a range after a step of which no other is made.
+const SMALL_STEP: f64 = 1e-8;
+
+/// Part of a range over which a difference quotient is taken.
+const DIFFERENCE: f64 = 1e-6;

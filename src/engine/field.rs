@@ -1,0 +1,227 @@
+//! The deviation field: the samples of one model with their closest points on the other.
+
+use super::deviation::signed;
+use super::direction::Direction;
+use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
+use super::{Engine, Field, PreparedModel, Statistics};
+use crate::bezier::BezierModel;
+use crate::closest::{Status, Target, closest_above};
+use crate::error::{Error, Result};
+use crate::iteration::{Projected, SampleGrid, Sampling, SamplingRule};
+use crate::model::RigidTransform;
+use crate::parallel::map_ranges;
+use crate::pieces::FacePieces;
+use crate::progress::{Monitor, Progress};
+use glam::DVec3;
+use serde::Deserialize;
+use std::ops::Range;
+
+/// The width of the certified interval of a sample's distance, relative to the models'
+/// diagonal: below what any colour or statistic shows.
+const FIELD_GAP: f64 = 1e-9;
+
+/// The number of samples between two checkpoints: some milliseconds of work.
+const SAMPLES_AT_ONCE: usize = 2048;
+
+/// Options of [`Engine::field`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct FieldOptions {
+    /// Samples along each direction of every surface of A, 2 to 1024.
+    pub samples: usize,
+    /// The rule by which they are spread.
+    pub sampling: SamplingRule,
+    /// A known upper bound on the distance from A to B, such as that of a
+    /// [`super::DistanceResult`], 0 or more: no distance of the field exceeds it.
+    pub upper: Option<f64>,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are
+    /// an error.
+    pub scale_units: bool,
+    /// Moves A before it is measured. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl Default for FieldOptions {
+    fn default() -> Self {
+        Self {
+            samples: DEFAULT_SAMPLES,
+            sampling: SamplingRule::default(),
+            upper: None,
+            scale_units: false,
+            transform: RigidTransform::IDENTITY,
+        }
+    }
+}
+
+/// The deviation of A from B at samples of A.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeviationField {
+    /// The larger diagonal of the two models' control-net boxes.
+    pub diagonal: f64,
+    /// Statistics over A's area, where it has one. Estimates.
+    pub statistics: Option<Statistics>,
+    /// One entry a surface of A, or a piece of a trimmed face.
+    pub field: Vec<Field>,
+}
+
+impl Engine {
+    /// Returns the deviation of A, moved by the options' transform, from B at the samples of
+    /// a grid, without a search for the largest one.
+    ///
+    /// Guarantee: every distance is not below the sample's distance to B up to rounding, and
+    /// exceeds it by at most 1e-9 of the larger diagonal. All in float64 on the CPU.
+    /// O(samples log patches) in general position.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]; [`Error::UnitsDiffer`]; [`Error::Cancelled`].
+    pub async fn field(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &FieldOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DeviationField> {
+        require_samples(options.samples)?;
+        if let Some(upper) = options.upper {
+            at_least_zero("upper", upper)?;
+        }
+        let scaled = b.in_unit_of(a, options.scale_units)?;
+        let b = scaled.as_deref().unwrap_or(b);
+        let mut progress = Progress::new(monitor, false);
+        let direction = Direction { from: a, to: b, transform: options.transform };
+        let sampling = a.sampling(options.samples, options.sampling);
+        let mut field = direction.field(&sampling.sampling, &mut progress).await?;
+        if let Some(upper) = options.upper {
+            field.iter_mut().for_each(|part| part.limit(upper));
+        }
+        progress.finish();
+        Ok(DeviationField { diagonal: direction.diagonal(), statistics: Statistics::of(&field), field })
+    }
+}
+
+impl Direction<'_> {
+    /// Returns one field a surface of `from`, as [`FieldSearch::run`] does.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub(super) async fn field(&self, sampling: &Sampling, progress: &mut Progress<'_>) -> Result<Vec<Field>> {
+        let target = self.to.certified_target();
+        let search = FieldSearch {
+            bezier: self.from.bezier(),
+            pieces: self.from.pieces(),
+            sampling,
+            target: &target.target,
+            transform: self.transform,
+            diagonal: self.diagonal(),
+        };
+        search.run(None, progress).await
+    }
+}
+
+/// The samples of one model, and the patches of the other on which their closest points lie.
+pub(super) struct FieldSearch<'a> {
+    pub(super) bezier: &'a BezierModel,
+    pub(super) pieces: &'a FacePieces,
+    pub(super) sampling: &'a Sampling,
+    pub(super) target: &'a Target,
+    pub(super) transform: RigidTransform,
+    pub(super) diagonal: f64,
+}
+
+/// One sample with its foot.
+struct FieldSample {
+    point: DVec3,
+    foot: DVec3,
+    distance: f64,
+    signed: f64,
+    area: f64,
+    status: Status,
+}
+
+impl FieldSearch<'_> {
+    /// Returns one field a surface.
+    ///
+    /// Guarantee: every distance exceeds the sample's distance to the other model by at
+    /// most [`FIELD_GAP`] of the diagonal and is not below it, up to rounding. Each sample's
+    /// closest point is searched on the whole of the other model in float64, from the foot
+    /// that `projected` names, or else from that of the sample before it.
+    /// O(samples log patches) in general position.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`]; [`Error::EmptyModel`].
+    pub(super) async fn run(
+        &self,
+        projected: Option<&[Projected]>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Field>> {
+        let count = self.sampling.len();
+        let mut samples: Vec<FieldSample> = Vec::with_capacity(count);
+        while samples.len() < count {
+            let first = samples.len();
+            let work = |range: Range<usize>| self.samples(first + range.start..first + range.end, projected);
+            for part in map_ranges(SAMPLES_AT_ONCE.min(count - first), work) {
+                samples.append(&mut part.ok_or(Error::EmptyModel)?);
+            }
+            progress.checkpoint(samples.len() as f64 / count as f64).await?;
+        }
+        let grids = self.sampling.grids.iter().enumerate();
+        Ok(grids.map(|(surface, grid)| self.of_surface(surface, grid, &samples)).collect())
+    }
+
+    /// Returns the samples of a range with their closest points; `None` for a target
+    /// without patches.
+    fn samples(&self, range: Range<usize>, projected: Option<&[Projected]>) -> Option<Vec<FieldSample>> {
+        let bezier = self.bezier;
+        let gap = FIELD_GAP * self.diagonal;
+        let mut known = None;
+        let find = |index: usize| {
+            let surface = self.sampling.surface(index);
+            let (grid, patches) = (&self.sampling.grids[surface], &bezier.grids[surface]);
+            let (i, j) = grid.row_and_column(index);
+            let ((row, s), (column, t)) = (grid.locations[0][i], grid.locations[1][j]);
+            let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);
+            let jet = patch.jet([s, t]);
+            let point = self.transform.apply(jet.point);
+            if let Some(projected) = projected {
+                known = Some((projected[index].patch as u32, projected[index].parameters));
+            }
+            let closest = closest_above(self.target, point, gap, known, 0.0, None)?;
+            known = Some((closest.patch as u32, closest.parameters));
+            let foot = self.target.patches.patch(closest.patch).jet(closest.parameters);
+            let [u, v] = patch.domain.lengths();
+            let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
+            Some(FieldSample {
+                point,
+                foot: foot.point,
+                distance: point.distance(foot.point),
+                signed: signed(point, &foot),
+                area: jet.s.cross(jet.t).length() * weight,
+                status: projected.map_or(Status::Converged, |projected| projected[index].status),
+            })
+        };
+        range.map(find).collect()
+    }
+
+    fn of_surface(&self, surface: usize, grid: &SampleGrid, samples: &[FieldSample]) -> Field {
+        let face = self.pieces.face(surface);
+        let mut field = Field { surface: face, counts: grid.counts(), ..Field::default() };
+        for sample in &samples[grid.first..grid.first + grid.len()] {
+            field.points.extend_from_slice(&sample.point.to_array());
+            field.feet.extend_from_slice(&sample.foot.to_array());
+            field.distances.push(sample.distance);
+            field.signed.push(sample.signed);
+            field.areas.push(sample.area);
+            field.statuses.push(sample.status as u8);
+        }
+        field
+    }
+}
+
+/// The parameter range that a sample stands for: half of both its neighbours'.
+fn weight(parameters: &[f64], index: usize) -> f64 {
+    let before = parameters[index.saturating_sub(1)];
+    let after = parameters[(index + 1).min(parameters.len() - 1)];
+    0.5 * (after - before)
+}

@@ -1,0 +1,125 @@
+import { HausdorffError } from "../error.js";
+import type { DistanceEngine } from "../measure/engine.js";
+import type { Transform } from "../measure/options.js";
+import { dampedStep, type LeastSquares, leastSquares } from "./least-squares.js";
+import { complete, followed, type Rigid } from "./rigid.js";
+
+/** Options of `bestFit`. */
+export interface BestFitOptions {
+  /** Samples along each direction of every surface of `a`, 2 to 1024; default 16. */
+  samples?: number;
+  /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
+  sampling?: "uniform" | "arc-length";
+  /** Where `a` is at first; default where it lies. The fit found is a local one, near this. */
+  transform?: Transform;
+  /**
+   * The length, relative to the larger diagonal, below which a step ends the fit;
+   * default 1e-9, which is the accuracy of the distances.
+   */
+  tolerance?: number;
+  /** Largest number of steps; default 100. */
+  maxSteps?: number;
+  /** Whether `b` is scaled to the unit of `a` where both state different ones; else that is an error. */
+  scaleUnits?: boolean;
+  /** Cancels the work: the promise rejects with code `CANCELLED`. */
+  signal?: AbortSignal;
+  /** Called after every step with its number and the root mean square of the distances so far. */
+  onStep?: (step: number, rms: number) => void;
+}
+
+/** The position of one model that fits another best. */
+export interface BestFit {
+  /** Moves `a` to its best fit: what `transform` of `distance` takes. */
+  transform: Rigid;
+  /** The root mean square of the samples' distances there, weighted by area: an estimate. */
+  rms: number;
+  /** The root mean square before. */
+  rmsBefore: number;
+  /** Number of steps taken. */
+  steps: number;
+  /** Whether a step was below the tolerance or had nothing to gain; else the number of steps ended the fit. */
+  converged: boolean;
+}
+
+/** The damping of the first step, relative to unit weights, and how it changes. */
+const FIRST_DAMPING = 1e-3;
+const DAMPING_FACTOR = 10;
+
+/**
+ * The smallest damping: directions from feet are off by 1e-8, and where the samples
+ * determine nothing, a step is that error over the damping.
+ */
+const MIN_DAMPING = 1e-6;
+
+/** The part of the mean square by which a step has to lower it: above its rounding. */
+const MIN_GAIN = 1e-12;
+
+const DEFAULTS = { samples: 16, tolerance: 1e-9, maxSteps: 100 };
+
+/**
+ * Finds the rigid motion of `a` that minimises the mean of the squared distances of its
+ * samples from `b`, weighted by area, as coordinate metrology aligns parts. Each step
+ * searches all closest points anew and solves the linearised problem, after Levenberg and
+ * Marquardt; a step that raises the sum is not taken. Directions in which nothing changes,
+ * such as the rotation of a sphere, stay as they are.
+ *
+ * The minimum found is a local one: start from a position where most samples lie nearest to
+ * the parts of `b` that they belong to. It is no certified result: measure `distance` there.
+ *
+ * @throws {HausdorffError} as `DistanceEngine.field`; `OPTION_OUT_OF_RANGE` for a tolerance
+ * or a number of steps that is not positive.
+ */
+export async function bestFit<Model>(
+  engine: Pick<DistanceEngine<Model>, "field">,
+  a: Model,
+  b: Model,
+  { onStep, tolerance, maxSteps, transform, samples, ...others }: BestFitOptions = {},
+): Promise<BestFit> {
+  const smallest = positive("tolerance", tolerance ?? DEFAULTS.tolerance);
+  const most = positive("maxSteps", maxSteps ?? DEFAULTS.maxSteps);
+  const options = { ...others, samples: samples ?? DEFAULTS.samples };
+  const evaluate = async (transform: Rigid) => {
+    const { field, diagonal } = await engine.field(a, b, { ...options, transform });
+    return { diagonal, at: leastSquares(field) };
+  };
+  let position = complete(transform ?? {});
+  const first = await evaluate(position);
+  const { diagonal } = first;
+  let { at } = first;
+  const before = at.meanSquare;
+  let damping = FIRST_DAMPING;
+  for (let step = 1; step <= most; step++) {
+    const { shift, vector, gain } = dampedStep(at, damping);
+    const length = Math.hypot(...shift) + at.extent * Math.hypot(...vector);
+    if (length <= smallest * diagonal || gain <= MIN_GAIN * at.meanSquare) {
+      return result(position, at, before, step - 1, true);
+    }
+    const moved = followed(position, vector, at.center, shift);
+    const next = await evaluate(moved);
+    if (next.at.meanSquare < at.meanSquare) {
+      [position, at] = [moved, next.at];
+      damping = Math.max(damping / DAMPING_FACTOR, MIN_DAMPING);
+    } else damping *= DAMPING_FACTOR;
+    onStep?.(step, Math.sqrt(at.meanSquare));
+  }
+  return result(position, at, before, most, false);
+}
+
+const result = (
+  transform: Rigid,
+  { meanSquare }: LeastSquares,
+  before: number,
+  steps: number,
+  converged: boolean,
+): BestFit => ({
+  ...{ transform, rms: Math.sqrt(meanSquare), rmsBefore: Math.sqrt(before) },
+  ...{ steps, converged },
+});
+
+function positive(name: string, value: number): number {
+  if (value > 0 && Number.isFinite(value)) return value;
+  throw new HausdorffError(
+    "OPTION_OUT_OF_RANGE",
+    `${name} is ${value}, expected a positive finite number`,
+  );
+}

@@ -1,0 +1,103 @@
+// The best fit: known motions are undone, and residuals are those of geometry.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { bestFit } from "nurbs-hausdorff";
+import { create, near, square, withCode } from "../support.mjs";
+
+let hd;
+before(async () => {
+  hd = await create();
+});
+after(() => hd.dispose());
+
+/** The angle of the rotation of a unit quaternion. */
+const angleOf = ([x, y, z, w]) => 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w));
+
+test("a part that a rigid motion moved returns", async () => {
+  const part = hd.shape("wavy-sheet");
+  const half = 0.05;
+  const axis = [2 / 3, -1 / 3, 2 / 3];
+  const rotation = [...axis.map((part) => part * Math.sin(half)), Math.cos(half)];
+  const transform = { rotation, translation: [0.1, -0.05, 0.08] };
+  const steps = [];
+  const fit = await bestFit(hd, part, part, {
+    transform,
+    onStep: (step, rms) => steps.push([step, rms]),
+  });
+  assert.ok(fit.converged, JSON.stringify(fit));
+  assert.ok(fit.rmsBefore > 0.01, `${fit.rmsBefore}`);
+  assert.ok(fit.rms < 1e-8 && fit.steps < 20, JSON.stringify(fit));
+  // The sheet lies within 10 units of the origin: angles of 1e-8 and lengths of 1e-7.
+  near(angleOf(fit.transform.rotation), 0, 1e-8);
+  for (const length of fit.transform.translation) near(length, 0, 1e-7);
+  assert.deepEqual(
+    steps.map(([step]) => step),
+    steps.map((_, index) => index + 1),
+  );
+  // No step raises the sum.
+  for (const [index, [, rms]] of steps.entries()) {
+    assert.ok(rms <= (steps[index - 1]?.[1] ?? fit.rmsBefore));
+  }
+  const { upper } = await hd.distance(part, part, { transform: fit.transform });
+  assert.ok(upper < 1e-7, `${upper}`);
+  part.dispose();
+});
+
+test("the best fit of a sphere in a larger one is concentric", async () => {
+  // Radii 2.2 and 2: every distance is 0.2 there. Sixteen cells around lie alike in all quarters.
+  const [larger, smaller] = [hd.shape("sphere-larger"), hd.shape("sphere")];
+  const fit = await bestFit(hd, larger, smaller, {
+    samples: 17,
+    transform: { translation: [0.3, -0.2, 0.1] },
+  });
+  assert.ok(fit.converged, JSON.stringify(fit));
+  near(fit.rms, 0.2, 1e-8);
+  for (const length of fit.transform.translation) near(length, 0, 1e-6);
+  for (const model of [larger, smaller]) model.dispose();
+});
+
+test("the best fit of two squares at heights 0 and 1 to a plane is their mean", async () => {
+  // In the plane x, y they are beside each other and above a plane far larger than both:
+  // the least squares of heights 0 and 1 over equal areas is the line through both means.
+  const beside = (z) => {
+    const { controlPoints, ...rest } = square(z);
+    return {
+      ...rest,
+      controlPoints: controlPoints.map((value, at) => (at % 4 === 0 && z > 0 ? value + 1 : value)),
+    };
+  };
+  const steps = hd.model([beside(0), beside(1)]);
+  const wide = square(0);
+  const plane = hd.model([
+    {
+      ...wide,
+      controlPoints: wide.controlPoints.map((value, at) =>
+        at % 4 < 2 ? 40 * (value - 0.5) : value,
+      ),
+    },
+  ]);
+  const fit = await bestFit(hd, steps, plane, { samples: 65 });
+  assert.ok(fit.converged, JSON.stringify(fit));
+  // By the eigenvalues of the covariance of x and z: var x = 1/3, var z = 1/4, cov = 1/4;
+  // the smaller one is the mean square of the orthogonal distances.
+  const [xx, zz, xz] = [1 / 3, 1 / 4, 1 / 4];
+  const smaller = (xx + zz) / 2 - Math.hypot((xx - zz) / 2, xz);
+  // Trapezoidal sums of 65 samples a side are off by 1/6 of the squared spacing.
+  near(fit.rms, Math.sqrt(smaller), 1 / 64 ** 2);
+  for (const model of [steps, plane]) model.dispose();
+});
+
+test("a model on itself stays, and wrong options are refused", async () => {
+  const model = hd.model([square(0)]);
+  const { transform, rms, steps, converged } = await bestFit(hd, model, model);
+  assert.deepEqual(transform, { rotation: [0, 0, 0, 1], translation: [0, 0, 0] });
+  near(rms, 0, 1e-15);
+  assert.deepEqual([steps, converged], [0, true]);
+  const refused = (options, code, message) =>
+    assert.rejects(bestFit(hd, model, model, options), withCode(code, message));
+  await refused({ tolerance: 0 }, "OPTION_OUT_OF_RANGE", /tolerance/);
+  await refused({ maxSteps: -1 }, "OPTION_OUT_OF_RANGE", /maxSteps/);
+  await refused({ samples: 1 }, "OPTION_OUT_OF_RANGE", /samples/);
+  await refused({ signal: AbortSignal.abort() }, "CANCELLED");
+  model.dispose();
+});

@@ -1,0 +1,63 @@
+// The best fit: a shape that was moved and turned returns to itself, and undo takes it back.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open } from "./support/open.mjs";
+
+let opened;
+
+before(async () => {
+  opened = await open();
+  await opened.page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+const POSITION = ["x", "y", "z"].flatMap((axis) => [`move-${axis}`, `turn-${axis}`]);
+
+/** The numbers of the position by their identifiers. */
+const position = async () => {
+  const values = POSITION.map((id) => opened.page.locator(`#${id}-exact`).inputValue());
+  return Object.fromEntries((await Promise.all(values)).map((value, at) => [POSITION[at], +value]));
+};
+
+const moved = {
+  "move-x": 0.08,
+  "move-y": -0.05,
+  "move-z": 0.1,
+  "turn-x": 2,
+  "turn-y": -1,
+  "turn-z": 3,
+};
+
+test("a shape that was moved and turned returns", async () => {
+  const { page } = opened;
+  for (const side of ["a", "b"]) {
+    await opened.until("done", () => page.locator(`#shape-${side}`).selectOption("wavy-sheet"));
+  }
+  for (const [id, value] of Object.entries(moved)) {
+    await opened.until("done", () => page.locator(`#${id}-exact`).fill(`${value}`));
+  }
+  const before = Number((await opened.data()).lower);
+  assert.ok(before > 0.05, `${before}`);
+  // Undo steps over what was recorded: the numbers rest first.
+  await page.waitForTimeout(300);
+  await opened.until("done", () => page.locator("#best-fit").click());
+  await page.waitForFunction(() => /steps\)/.test(document.getElementById("fit-text").textContent));
+  assert.ok(Number((await opened.data()).upper) < 1e-6, JSON.stringify(await opened.data()));
+  for (const [id, value] of Object.entries(await position())) {
+    assert.ok(Math.abs(value) < 1e-6, `${id}: ${value}`);
+  }
+  assert.match(await page.locator("#fit-text").textContent(), /^RMS ≈ 0\.\d+ before, ≈ \S+ now/);
+  await opened.screenshot("best-fit");
+});
+
+test("undo and redo a fit", async () => {
+  const { page } = opened;
+  await page.waitForTimeout(300);
+  await opened.until("done", () => page.locator("#undo").click());
+  assert.deepEqual(await position(), moved);
+  await opened.until("done", () => page.locator("#redo").click());
+  for (const value of Object.values(await position())) assert.ok(Math.abs(value) < 1e-6);
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

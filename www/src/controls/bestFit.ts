@@ -1,0 +1,57 @@
+// The button that fits A to B, and what it found.
+import { element } from "../common/elements.ts";
+import { distanceText } from "../common/numbers.ts";
+import type { FitReply } from "../worker/protocol.ts";
+
+const START = "Best fit";
+const STOP = "Stop fitting";
+
+const button = element("best-fit", HTMLButtonElement);
+const text = element("fit-text");
+
+let running = false;
+
+/** Calls back when the user starts or stops a fit. */
+export function onFit(start: () => void, stop: () => void): void {
+  button.addEventListener("click", () => {
+    if (running) stop();
+    else {
+      setRunning(true);
+      text.textContent = "fitting…";
+      start();
+    }
+  });
+}
+
+/** Shows the state of a fit; lengths are shown with the digits that the diagonal gives sense. */
+export function showFit(reply: FitReply, diagonal: number): void {
+  const length = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  switch (reply.state) {
+    case "working":
+      text.textContent = `step ${reply.step}: RMS ${length(reply.rms)}`;
+      return;
+    case "done": {
+      const { rms, rmsBefore, steps, converged } = reply.fit;
+      const end = converged ? "" : ", not converged";
+      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})`;
+      break;
+    }
+    default:
+      text.textContent = reply.state;
+  }
+  setRunning(false);
+}
+
+/** Forgets a fit, because A was moved or the models were replaced. */
+export function clearFit(): void {
+  text.textContent = "";
+  setRunning(false);
+}
+
+/** Whether a fit is in progress. */
+export const isFitting = (): boolean => running;
+
+function setRunning(now: boolean): void {
+  running = now;
+  button.textContent = now ? STOP : START;
+}
