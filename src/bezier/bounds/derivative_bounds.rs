@@ -238,7 +238,7 @@ mod tests {
                         let mut difference = DVec4::ZERO;
                         for k in 0..=a {
                             for l in 0..=b {
-                                let sign = if (a + b - k - l) % 2 == 0 { 1.0 } else { -1.0 };
+                                let sign = if (a + b - k - l).is_multiple_of(2) { 1.0 } else { -1.0 };
                                 difference +=
                                     sign * BINOMIAL[a][k] * BINOMIAL[b][l] * controls[(i + k) * 4 + j + l];
                             }
