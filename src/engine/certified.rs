@@ -1,6 +1,6 @@
 //! One direction of method `certified`, within its budgets.
 
-use super::directed_result::DirectedResult;
+use super::result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Pair};
 use crate::error::{Error, Result};

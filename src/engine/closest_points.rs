@@ -113,7 +113,7 @@ impl Engine {
                             + gamma(DISTANCE_ROUNDINGS) * closest.upper
                             + VANISHING_LENGTH,
                     );
-                    part.signed.push(super::deviation::signed(point, &foot));
+                    part.signed.push(super::field::signed(point, &foot));
                     part.feet.extend_from_slice(&foot.point.to_array());
                     part.surfaces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);

@@ -1,7 +1,7 @@
 //! The distance in one direction, and its result.
 
 use super::certified::certified;
-use super::directed_result::DirectedResult;
+use super::result::DirectedResult;
 use super::{
     DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, Witness,
 };

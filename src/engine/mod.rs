@@ -3,9 +3,7 @@
 
 mod certified;
 mod closest_points;
-mod deviation;
 mod diff;
-mod directed_result;
 mod direction;
 mod dispatch;
 mod field;
@@ -15,13 +13,11 @@ mod iteration;
 mod options;
 mod prepared;
 mod result;
-mod symmetric;
 
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
-pub use deviation::Statistics;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
-pub use field::{DeviationField, FieldOptions};
+pub use field::{DeviationField, FieldOptions, Statistics};
 pub use info::{ModelInfo, SurfaceInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;

@@ -3,8 +3,8 @@
 mod backend;
 mod cpu;
 
-use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
+use super::result::DirectedResult;
 use super::{Details, HierarchyDetails, Options, PreparedModel, Processor, Seconds};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuHierarchy, Placement};

@@ -3,9 +3,9 @@
 mod backend;
 mod cpu;
 
-use super::directed_result::DirectedResult;
 use super::direction::{DirectedRun, Direction};
 use super::field::FieldSearch;
+use super::result::DirectedResult;
 use super::{
     Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
     Processor, Seconds, SurfacePoint,

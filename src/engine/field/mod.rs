@@ -1,9 +1,10 @@
 //! The deviation field: the samples of one model with their closest points on the other.
 
-use super::deviation::signed;
+mod deviation;
+
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
-use super::{Engine, Field, PreparedModel, Statistics};
+use super::{Engine, Field, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target, closest_above};
 use crate::error::{Error, Result};
@@ -12,6 +13,8 @@ use crate::model::RigidTransform;
 use crate::parallel::map_ranges;
 use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
+pub use deviation::Statistics;
+pub(super) use deviation::signed;
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;

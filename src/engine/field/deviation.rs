@@ -1,7 +1,7 @@
 //! Signed deviations, and their statistics over an area.
 
-use super::Field;
 use crate::bezier::Jet;
+use crate::engine::Field;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -30,7 +30,7 @@ pub struct Statistics {
 
 impl Statistics {
     /// Weighted by the samples' areas; `None` where there is no area. O(n log n).
-    pub(super) fn of(field: &[Field]) -> Option<Self> {
+    pub(in crate::engine) fn of(field: &[Field]) -> Option<Self> {
         let mut samples: Vec<(f64, f64)> = Vec::new();
         let (mut area, mut sum, mut squares) = (0.0, 0.0, 0.0);
         let (mut signed_area, mut signed_sum) = (0.0, 0.0);
@@ -74,7 +74,7 @@ impl Statistics {
 impl Field {
     /// Limits the distances to an upper bound on the distance of the whole model, which
     /// they may exceed by the gap of their search.
-    pub(super) fn limit(&mut self, upper: f64) {
+    pub(in crate::engine) fn limit(&mut self, upper: f64) {
         for distance in &mut self.distances {
             *distance = distance.min(upper);
         }
@@ -88,7 +88,7 @@ impl Field {
 }
 
 /// The distance, negative behind the foot's normal; NaN where there is no normal.
-pub(super) fn signed(point: DVec3, foot: &Jet) -> f64 {
+pub(in crate::engine) fn signed(point: DVec3, foot: &Jet) -> f64 {
     let offset = point - foot.point;
     foot.normal().map_or(f64::NAN, |normal| offset.length().copysign(offset.dot(normal)))
 }

@@ -1,11 +1,13 @@
 //! The symmetric result of two directed ones.
 
-use super::{Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails, Stop};
+use crate::engine::{
+    Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails, Stop,
+};
 
 impl DistanceResult {
     /// The larger of two directed results, both kept: the symmetric distance
     /// is their maximum, so its interval is that of the maxima.
-    pub(super) fn symmetric(forward: Self, reverse: Self) -> Self {
+    pub(in crate::engine) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
         let &Self { backend, diagonal, unit, model_gap, computed, patches, .. } = larger;
         let witness = larger.witness.clone();

@@ -1,8 +1,12 @@
 //! The result of a distance, which the command line and JavaScript pass on as it is.
 
+mod directed_result;
+mod symmetric;
+
 use super::{Method, Statistics};
 pub use crate::certified::Stop;
 use crate::iteration::StatusCounts;
+pub(super) use directed_result::DirectedResult;
 use serde::Serialize;
 use std::fmt::{Display, Formatter};
 
