@@ -21,8 +21,9 @@ export interface CadReport {
   /** Number of trimming curves approximated; `gap` bounds their deviation too. */
   fitted: number;
   /**
-   * The largest distance between a trimming curve on its surface and the edge
-   * that it stands for, in model units; an ambiguity of the file itself.
+   * An upper bound on the distance between a trimming curve on its surface and the
+   * edge that it stands for, in model units: an ambiguity of the file itself. The
+   * few parts that are measured are listed in docs/cad.md.
    */
   gap: number;
   /** Metres per model unit; null where neither the file nor the caller states it. */
