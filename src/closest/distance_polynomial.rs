@@ -132,10 +132,10 @@ impl SquaredDistance {
         let mut largest = [0.0_f64; 2];
         for index in 0..self.coefficients.len() {
             if index + 2 * columns < self.coefficients.len() {
-                largest[0] = largest[0].max(curved(index, columns));
+                largest[0] = upper_max(largest[0], curved(index, columns));
             }
             if index % columns + 2 < columns {
-                largest[1] = largest[1].max(curved(index, 1));
+                largest[1] = upper_max(largest[1], curved(index, 1));
             }
         }
         Axis::of_larger([0, 1].map(|axis| {

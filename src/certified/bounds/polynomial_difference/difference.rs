@@ -3,6 +3,7 @@
 use super::net::Net;
 use crate::axis::Axis;
 use crate::bezier::{binomials, scaled, unscale};
+use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 
 /// The largest spread of weights at which they are taken as equal: some times what rounding
@@ -131,7 +132,7 @@ fn weight_spread(net: &Net, axis: Axis) -> Option<f64> {
             if !(0.0..=MAX_WEIGHT_SPREAD).contains(&spread) {
                 return None;
             }
-            largest = largest.max(spread);
+            largest = upper_max(largest, spread);
         }
     }
     Some(largest)
