@@ -1,6 +1,7 @@
 //! Trimmed models and units on the command line.
 
 use crate::commands::{file, plane, printed, run, status};
+use crate::support::brep::{BrepText, plus, polygon, rectangle};
 use serde_json::{Value, json};
 
 /// The half of the plane's square on one side of a diagonal, as a loop with this gap.
@@ -107,4 +108,27 @@ fn models_of_different_units_are_scaled_only_on_request() {
     }
     assert_eq!(status(&run(&["diff", &a, &b])), 2);
     assert_eq!(status(&run(&["diff", &a, &b, "--scale-units"])), 0);
+}
+
+/// A unit square at the height 2 beside a square whose loop is open: the first one is measured,
+/// the second one named in the result and on standard error.
+#[test]
+fn faces_left_out_are_named_and_the_others_measured() {
+    let mut text = BrepText::new();
+    let surface = text.surface("1 0 0 2 0 0 1 1 0 0 0 1 0");
+    let good = text.region(surface, &[rectangle([-1.0, -1.0], [1.0, 1.0])]);
+    let open = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])[..3].to_vec();
+    let bad = text.region(surface, &[open]);
+    let shell = text.shape("Sh\n", &[plus(bad), plus(good)]);
+    let a = file("left-out-a.brep", &text.text(plus(shell)));
+    let b = file("left-out-b.json", &plane(0.0).to_string());
+    let output = run(&["distance", &a, &b, "--json"]);
+    let result = printed(&output);
+    let [lower, upper] = [&result["lower"], &result["upper"]].map(|end| end.as_f64().unwrap());
+    assert!(lower <= 2.0 && 2.0 <= upper && upper - lower < 1e-5, "{lower} {upper}");
+    let left_out = &result["skipped"]["a"];
+    assert_eq!((left_out.as_array().unwrap().len(), &left_out[0]["face"]), (1, &json!(0)));
+    assert_eq!(result["skipped"]["b"], json!([]));
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(errors.contains("face 0") && errors.contains("open by"), "{errors}");
 }
