@@ -10,9 +10,9 @@ const NEAR_KNOT: f64 = 1e-11;
 /// The most cells that a part may enter by so little, as knots may be as near to each other.
 const MAX_CELLS: usize = 4;
 
-/// What a part of a curve leaves of the cell in which its middle lies, along one parameter.
+/// The knots by which a part of a curve leaves the cell of its middle, along one parameter.
 pub(super) struct Crossed {
-    /// By how much it leaves the cell.
+    /// The length by which it leaves the cell.
     pub(super) by: f64,
     /// A parameter of each cell that it enters, that of its middle first.
     pub(super) cells: Vec<f64>,

@@ -1,4 +1,4 @@
-//! What bounds the difference of a part at complex parameters, and rounding.
+//! The majorants that bound the difference of a part at complex parameters, and rounding.
 
 use super::Lifted;
 use super::cells::Crossed;
@@ -22,10 +22,10 @@ const ROUNDINGS_A_DEGREE: usize = 24;
 /// The majorants about the middle of a part.
 pub(super) struct Discs {
     curve: CurveMajorant,
-    /// Of the surface's cell, and of those beyond the knots that the part passes.
+    /// The majorants of the surface's cell, and of those beyond the knots that the part passes.
     surfaces: Vec<SurfaceMajorant>,
     edge: CurveMajorant,
-    /// By how much the part passes knots.
+    /// The lengths by which the part passes knots.
     passed: [f64; 2],
     /// Half of the range of the curve.
     half: f64,

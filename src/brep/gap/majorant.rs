@@ -67,7 +67,7 @@ impl CurveMajorant {
 
 /// An upper bound on `|S(z) - S(c)|` for complex z around real parameters c.
 pub(super) enum SurfaceMajorant {
-    /// By the lengths of the derivatives of an affine surface.
+    /// The lengths of the derivatives of an affine surface.
     Affine([f64; 2]),
     /// A profile, by its distance from the axis at the centre.
     Revolution {

@@ -1,4 +1,4 @@
-//! What an interval is made of.
+//! The parts of an interval of the search.
 
 use super::*;
 use crate::bezier::{LocalDerivativeBounds, extract};

@@ -1,4 +1,4 @@
-//! What the experiments measure: models, the pairs of them and their paths, as planned
+//! The models that the experiments measure, the pairs of them and their paths, as planned
 //! in `sweep.json`.
 
 pub(super) mod models;

@@ -20,7 +20,7 @@ pub(super) struct Difference {
     pub(super) quotient: Vec<DVec4>,
     /// The number of products that a coefficient sums, and of roundings by elevations.
     pub(super) product_terms: usize,
-    /// What it may be off by besides rounding, where weights are taken as equal.
+    /// The error besides rounding, where weights are taken as equal.
     pub(super) error: f64,
 }
 
@@ -120,7 +120,7 @@ fn lines_along([rows, columns]: [usize; 2], axis: Axis) -> [usize; 4] {
     }
 }
 
-/// How far, relative to the first one of its line, a weight is from that at most; `None` where
+/// The largest distance of a weight from the first one of its line, relative to that; `None` where
 /// the weights along the axis do not count as equal.
 fn weight_spread(net: &Net, axis: Axis) -> Option<f64> {
     let [lines, stride, count, step] = lines_along(net.degree.map(|degree| degree + 1), axis);
@@ -138,12 +138,12 @@ fn weight_spread(net: &Net, axis: Axis) -> Option<f64> {
     Some(largest)
 }
 
-/// How far two nets may move where weights that differ by these spreads are taken as equal.
+/// The largest move of two nets where weights that differ by these spreads are taken as equal.
 fn weight_error(x: &Net, y: &Net, [of_x, of_y]: [f64; 2]) -> f64 {
     2.0 * (of_x * x.radius + of_y * y.radius)
 }
 
-/// What the elevation of one of two nets to the larger degree along an axis counts as.
+/// The roundings of the elevation of one of two nets to the larger degree along an axis.
 fn elevation_roundings(x: &Net, y: &Net, axis: Axis) -> usize {
     ELEVATION_ROUNDINGS * x.degree[axis].abs_diff(y.degree[axis])
 }
