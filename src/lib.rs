@@ -78,6 +78,7 @@ mod param_box;
 pub mod shapes;
 pub mod tessellate;
 
+mod chebyshev;
 mod limits;
 mod parallel;
 mod pieces;

@@ -1,10 +1,10 @@
 //! The composition of a surface with a ruled map, as one Bézier patch.
 
-use super::chebyshev::{MAX_NODES, coefficients, nodes, to_bernstein};
 use super::curve::{Curve, blossom, casteljau, divided};
 use super::face::Face;
 use super::ruling::Ruling;
 use crate::bezier::Patch;
+use crate::chebyshev::{MAX_NODES, coefficients, nodes, to_bernstein};
 use crate::limits::MAX_WEIGHT_RATIO;
 use crate::model::{NurbsSurface, SurfaceArrays};
 use crate::rounding::gamma;
@@ -123,8 +123,8 @@ fn across(face: &Face, patch: &Patch<'_>, ruling: &Ruling, t: f64) -> Vec<DVec4>
     for j in 0..=q {
         let line: Vec<DVec4> = rows.iter().map(|row| row[j]).collect();
         for i in 0..=p {
-            let share = super::chebyshev::binomial(p, i) * super::chebyshev::binomial(q, j)
-                / super::chebyshev::binomial(p + q, i + j);
+            let share = crate::chebyshev::binomial(p, i) * crate::chebyshev::binomial(q, j)
+                / crate::chebyshev::binomial(p + q, i + j);
             controls[i + j] += weight * share * blossom(&line, [from.x, to.x], i);
         }
     }

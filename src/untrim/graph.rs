@@ -1,7 +1,7 @@
 //! Boundaries as graphs u = g(v) of polynomials, with a proven bound on the error.
 
-use super::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use super::curve::{Curve, blossom, casteljau, divided};
+use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use glam::DVec3;
 
 /// The degrees tried, increasing; above 9 more pieces are cheaper than higher degrees.

@@ -9,7 +9,6 @@
 //! surfaces*, Computers & Graphics 70 (2018)). Lemmas and proofs are in docs/trimming.md.
 
 mod arcs;
-mod chebyshev;
 mod compose;
 mod curve;
 mod face;

@@ -1,7 +1,7 @@
 //! Rational curves as polynomial pieces, with a proven bound on the error.
 
-use super::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use super::curve::{Curve, divided};
+use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use glam::DVec3;
 
 /// The degrees tried, increasing.

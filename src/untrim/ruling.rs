@@ -1,11 +1,11 @@
 //! Cells as ruled maps of the unit square, which do not fold.
 
 use super::arcs::Side;
-use super::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use super::curve::{Curve, divided, elevated, halves, product};
 use super::face::{Face, V_ROUNDING};
 use super::graph::Graph;
 use super::sweep::Cell;
+use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use glam::{DVec2, DVec3};
 
 /// The map `φ(s, t) = (1 - s) left(t) + s right(t)` of the unit square onto a cell.

@@ -2,8 +2,8 @@
 
 use super::Lifted;
 use super::cells::Crossed;
-use super::chebyshev::{NODES, Nodes};
 use super::correspondence::Correspondence;
+use super::interpolant::{COUNTS, remainder};
 use super::majorant::{CurveMajorant, SurfaceMajorant};
 use super::part::Ends;
 use glam::{DMat3, DVec3};
@@ -75,18 +75,18 @@ impl Discs {
         }
     }
 
-    /// Returns the fewest nodes whose interpolant is within `allowed` of the difference, and
-    /// the bound on its error; `None` if none is.
-    pub(super) fn nodes(&self, edge: &Correspondence, allowed: f64) -> Option<(&'static Nodes, f64)> {
+    /// Returns the least number of nodes whose interpolant is within `allowed` of the
+    /// difference, and the bound on its error; `None` if none is.
+    pub(super) fn nodes(&self, edge: &Correspondence, allowed: f64) -> Option<(usize, f64)> {
         let moves: Vec<(f64, f64)> = (1..=MAX_RHO_EXPONENT)
             .map(|exponent| f64::from(2_u32.pow(exponent.unsigned_abs())))
             .map(|rho| (rho, self.moved(rho, edge)))
             .collect();
-        NODES.iter().find_map(|nodes| {
-            let error = |&(rho, moved): &(f64, f64)| nodes.remainder(rho) * moved;
+        COUNTS.into_iter().find_map(|count| {
+            let error = |&(rho, moved): &(f64, f64)| remainder(count, rho) * moved;
             // f64::min leaves out NaN, which a majorant of no bound gives.
             let least = moves.iter().map(error).fold(f64::INFINITY, f64::min);
-            (least <= allowed).then_some((nodes, least))
+            (least <= allowed).then_some((count, least))
         })
     }
 

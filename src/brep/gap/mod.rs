@@ -6,9 +6,9 @@
 //! T9). Parts are cut until the bound is near the largest distance found.
 
 mod cells;
-mod chebyshev;
 mod correspondence;
 mod discs;
+mod interpolant;
 mod majorant;
 mod part;
 

@@ -4,6 +4,7 @@ use super::Lifted;
 use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::discs::Discs;
+use super::interpolant::{largest, points};
 use super::majorant::CurveMajorant;
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -84,13 +85,13 @@ impl Part {
         let mut upper = middle.length() + discs.moved(1.0, edge);
         let (mut lower, mut sampled) = (0.0, f64::INFINITY);
         if upper > found
-            && let Some((nodes, remainder)) = discs.nodes(edge, REMAINDER_PART * found)
+            && let Some((count, remainder)) = discs.nodes(edge, REMAINDER_PART * found)
         {
-            let values: Vec<DVec3> = nodes.points().map(difference).collect();
+            let values: Vec<DVec3> = points(count).map(difference).collect();
             // f64::min leaves out NaN.
-            upper = upper.min(nodes.largest(&values) + remainder);
+            upper = upper.min(largest(&values) + remainder);
             if upper > found {
-                let farthest = values.iter().zip(nodes.points()).map(|(value, x)| (value.length(), x));
+                let farthest = values.iter().zip(points(count)).map(|(value, x)| (value.length(), x));
                 let (distance, x) = farthest.fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
                 let (t, s) = parameters(x);
                 sampled = distance;

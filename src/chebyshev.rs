@@ -5,15 +5,15 @@
 //! sum of `|c_j|` for j > n is an upper bound on the error of its truncation to degree n
 //! (lemma T4 of docs/trimming.md).
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
 /// The largest number of nodes of one interpolation.
-pub(super) const MAX_NODES: usize = 512;
+pub(crate) const MAX_NODES: usize = 512;
 
 /// The highest degree that is converted to the Bernstein basis.
-pub(super) const MAX_BERNSTEIN: usize = crate::limits::MAX_DEGREE;
+pub(crate) const MAX_BERNSTEIN: usize = crate::limits::MAX_DEGREE;
 
 /// Returns `cos(k π / (2 count))` for k below 4 count, computed once for each count.
 fn cosines(count: usize) -> &'static [f64] {
@@ -33,13 +33,13 @@ fn cosines(count: usize) -> &'static [f64] {
 }
 
 /// Returns the zeros of `T_count(2x - 1)` in (0, 1), the largest first.
-pub(super) fn nodes(count: usize) -> impl Iterator<Item = f64> {
+pub(crate) fn nodes(count: usize) -> impl Iterator<Item = f64> {
     let table = cosines(count);
     (0..count).map(move |k| 0.5 + 0.5 * table[2 * k + 1])
 }
 
 /// A value that interpolation forms linear combinations of.
-pub(super) trait Linear:
+pub(crate) trait Linear:
     Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self>
 {
     /// The value 0.
@@ -50,13 +50,17 @@ impl Linear for f64 {
     const ZERO: Self = 0.0;
 }
 
+impl Linear for DVec3 {
+    const ZERO: Self = Self::ZERO;
+}
+
 impl Linear for DVec4 {
     const ZERO: Self = Self::ZERO;
 }
 
 /// Returns the Chebyshev coefficients of the polynomial of degree below
 /// `values.len()` with these values at [`nodes`]. O(values²).
-pub(super) fn coefficients<T: Linear>(values: &[T]) -> Vec<T> {
+pub(crate) fn coefficients<T: Linear>(values: &[T]) -> Vec<T> {
     let count = values.len();
     let table = cosines(count);
     (0..count)
@@ -88,7 +92,7 @@ fn bernstein_matrix(degree: usize) -> &'static [Vec<f64>] {
 }
 
 /// Returns `C(n, k)`, exact for n up to 30.
-pub(super) fn binomial(n: usize, k: usize) -> f64 {
+pub(crate) fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |value, i| value * (n - i) as f64 / (i + 1) as f64)
 }
 
@@ -107,7 +111,7 @@ fn elevated(mut row: Vec<f64>, degree: usize) -> Vec<f64> {
 
 /// Returns the Bernstein coefficients, of degree `degree`, of the Chebyshev series
 /// truncated to that degree, at most [`MAX_BERNSTEIN`].
-pub(super) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<T> {
+pub(crate) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<T> {
     let matrix = bernstein_matrix(degree);
     (0..=degree)
         .map(|i| coefficients.iter().zip(matrix).fold(T::ZERO, |sum, (&c, row)| sum + c * row[i]))
@@ -120,7 +124,7 @@ pub(super) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<
 /// `1 / cos(π degree / (2 count))` (Ehlich and Zeller, *Schwankung von Polynomen
 /// zwischen Gitterpunkten*, Mathematische Zeitschrift 86 (1964); lemma T5 of
 /// docs/trimming.md).
-pub(super) fn node_factor(degree: usize, count: usize) -> f64 {
+pub(crate) fn node_factor(degree: usize, count: usize) -> f64 {
     1.0 / (FRAC_PI_2 * degree as f64 / count as f64).cos()
 }
 
