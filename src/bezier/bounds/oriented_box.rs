@@ -15,6 +15,11 @@ pub struct OrientedBox {
     high: DVec3,
 }
 
+/// The sine of the angle between the net's mean directions from which on they span the plane of
+/// the first two axes. Rounding moves directions by some 2^-53, which is then a part of 2^-26 of
+/// the sine at most; between more nearly parallel ones it may be all that there is.
+const MIN_SINE: f64 = 1.0 / 134_217_728.0;
+
 impl OrientedBox {
     /// Returns the box of the control points. Its first axis is the longer of the
     /// net's two mean directions, its second lies in their plane; where they
@@ -31,12 +36,14 @@ impl OrientedBox {
         let [long, short] = if s.length_squared() > t.length_squared() { [s, t] } else { [t, s] };
         let first = long.normalize_or_zero();
         let across = short - first.dot(short) * first;
-        // A second projection, as little but rounding may remain of nearly parallel directions.
-        let second = (across - first.dot(across) * first).normalize_or_zero();
-        let axes = if second == DVec3::ZERO {
-            [DVec3::X, DVec3::Y, DVec3::Z]
-        } else {
+        // Of parallel directions rounding remains, which may be parallel to the first axis itself.
+        let is_plane = across.length() > MIN_SINE * short.length();
+        let axes = if is_plane {
+            // The second projection removes what rounding left along the first axis.
+            let second = (across - first.dot(across) * first).normalize_or_zero();
             [first, second, first.cross(second)]
+        } else {
+            [DVec3::X, DVec3::Y, DVec3::Z]
         };
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for point in patch.local_points() {
@@ -106,19 +113,34 @@ mod tests {
             [[0.1, 0.2, 0.7], [0.1, 0.2, 0.7], [0.3, 0.3, 0.3], [0.3, 0.3, 0.3]],
         ];
         for net in nets {
-            let controls = net.map(|[x, y, z]| DVec4::new(x, y, z, 1.0));
-            let patch = Patch {
-                surface: 0,
-                degree: [1, 1],
-                domain: ParamBox::UNIT,
-                center: DVec3::ZERO,
-                controls: &controls,
-                rational: false,
-            };
-            let [a, b, c] = OrientedBox::new(&patch).axes;
-            for (one, other) in [(a, b), (b, c), (c, a)] {
-                assert!(one.dot(other).abs() < 1e-15 && (one.length() - 1.0).abs() < 1e-15, "{net:?}");
-            }
+            check_axes(net);
+        }
+        // All along one line: the directions are parallel up to rounding.
+        let random = &mut fastrand::Rng::with_seed(8);
+        let mut number = || 2.0 * random.f64() - 1.0;
+        for _ in 0..1000 {
+            let along = [number(), number(), number()];
+            let places = [0.0, number(), number(), number()];
+            check_axes(places.map(|place| along.map(|value| place * value)));
+        }
+        // As found by fuzzing: rounding alone remained, parallel to the first axis.
+        let on_diagonal = |y: f64| [0.0, y, y];
+        check_axes([-0.0625, 0.0, 0.0, 0.0].map(on_diagonal));
+    }
+
+    fn check_axes(net: [[f64; 3]; 4]) {
+        let controls = net.map(|[x, y, z]| DVec4::new(x, y, z, 1.0));
+        let patch = Patch {
+            surface: 0,
+            degree: [1, 1],
+            domain: ParamBox::UNIT,
+            center: DVec3::ZERO,
+            controls: &controls,
+            rational: false,
+        };
+        let [a, b, c] = OrientedBox::new(&patch).axes;
+        for (one, other) in [(a, b), (b, c), (c, a)] {
+            assert!(one.dot(other).abs() < 1e-15 && (one.length() - 1.0).abs() < 1e-15, "{net:?}");
         }
     }
 }
