@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { modelFile, planes } from "./support/models.mjs";
-import { open } from "./support/open.mjs";
+import { modelFile, planes } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
 
-const shared = (name) => new URL(`../../../shared/models/${name}`, import.meta.url).pathname;
+const shared = (name) => new URL(`../../../../shared/models/${name}`, import.meta.url).pathname;
 
 let opened;
 const fetched = [];

@@ -4,10 +4,10 @@ import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { inRoot } from "../../scripts/paths.mjs";
-import { file, modelFile, planes } from "./support/models.mjs";
-import { open } from "./support/open.mjs";
-import { choose, painted, parsed, run, saved, state } from "./support/sweep.mjs";
+import { inRoot } from "../../../scripts/paths.mjs";
+import { file, modelFile, planes } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
+import { choose, painted, parsed, run, saved, state } from "../support/sweep.mjs";
 
 /** The sweeps of the command line's experiments, and the columns of their tables. */
 const plan = JSON.parse(readFileSync(inRoot("examples/experiments/sweep.json"), "utf8"));

@@ -3,8 +3,8 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { file, modelFile, planes } from "./support/models.mjs";
-import { open } from "./support/open.mjs";
+import { file, modelFile, planes } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
 
 let opened;
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Hausdorff } from "nurbs-hausdorff";
-import { open } from "./support/open.mjs";
+import { open } from "../support/open.mjs";
 
 let opened;
 

@@ -1,8 +1,8 @@
 // The comparison of faces on the page.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { modelFile, row, sphereParts } from "./support/models.mjs";
-import { open } from "./support/open.mjs";
+import { modelFile, row, sphereParts } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
 
 let opened;
 
