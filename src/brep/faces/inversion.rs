@@ -43,7 +43,7 @@ pub(super) fn invert(
         let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
         return Ok(FoundCurve { curve, gap, fitted: error > 0.0, section: None, deviation: 0.0 });
     }
-    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale);
+    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
     let mut projector = Projector::new(surface, traced.size);
     let line = match surface.elementary() {

@@ -195,7 +195,9 @@ fn of_edge(
     let to_face = face.location.inverse() * *location * space.location;
     let curve = &file.curves[space.curve];
     let scale = face.location.matrix3.determinant().abs().cbrt();
-    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale);
+    let Ok(traced) = Traced::new(curve, space, to_face, edge, 1.0 / scale) else {
+        return Ok(Some(found));
+    };
     Ok(Some(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale)))
 }
 

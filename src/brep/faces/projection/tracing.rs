@@ -1,7 +1,7 @@
 //! Cubic curves in the parameters of a surface, fitted to projected edges.
 
 use super::{Projection, Projector};
-use crate::brep::nurbs::{Curve, Spline, Surface};
+use crate::brep::nurbs::{Curve, Spline, Surface, Unconvertible};
 use crate::brep::report::FaceFault;
 use crate::brep::text::{Edge, SpaceCurve};
 use glam::{DAffine3, DVec3};
@@ -44,19 +44,25 @@ pub(in crate::brep::faces) struct Traced<'a> {
 
 impl<'a> Traced<'a> {
     /// The curve `space` of an edge, mapped by `to_face`, which enlarges lengths by `scale`.
+    ///
+    /// # Errors
+    /// [`Unconvertible::Range`] if the range is empty or reversed.
     pub(in crate::brep::faces) fn new(
         curve: &'a Curve,
         space: &SpaceCurve,
         to_face: DAffine3,
         edge: &Edge,
         scale: f64,
-    ) -> Self {
+    ) -> Result<Self, Unconvertible> {
+        if space.range[0] >= space.range[1] {
+            return Err(Unconvertible::Range);
+        }
         let mut traced = Self { curve, range: space.range, to_face, size: 0.0, tolerance: 0.0 };
         let points = || super::super::inversion::samples(space.range).map(|t| traced.point(t));
         let low = points().fold(DVec3::INFINITY, DVec3::min);
         traced.size = low.distance(points().fold(DVec3::NEG_INFINITY, DVec3::max));
         traced.tolerance = (FIT_TOLERANCE * traced.size).max(PART_OF_TOLERANCE * scale * edge.tolerance);
-        traced
+        Ok(traced)
     }
 
     pub(in crate::brep::faces) fn point(&self, t: f64) -> DVec3 {
