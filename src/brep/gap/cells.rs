@@ -21,7 +21,8 @@ pub(super) struct Crossed {
 }
 
 impl Crossed {
-    /// A part about `center` that reaches as far as `reach` from it, along an axis.
+    /// Returns the crossings, along an axis, of a part all of whose points are within `reach` of
+    /// `center` by coordinate.
     pub(super) fn new(lifted: &Lifted<'_>, center: DVec3, reach: DVec3, axis: usize) -> Self {
         let cell = |parameter: f64| {
             let mut at = [center.x, center.y];

@@ -209,7 +209,7 @@ impl Surface {
 
     /// Returns the unit normal along `S_u × S_v`; where a tangent vanishes, as at a pole, the
     /// limit along the diagonal into the surface, by the parabola through three points of it.
-    /// `None` where there is none either.
+    /// `None` if that limit does not exist either.
     fn normal(&self, u: f64, v: f64) -> Option<DVec3> {
         let at = |u: f64, v: f64| {
             let [a, b] = self.tangents(u, v);
