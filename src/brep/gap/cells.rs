@@ -31,15 +31,19 @@ impl Crossed {
         };
         let (middle, reach) = (center[axis], reach[axis]);
         let [low, high] = cell(middle);
+        let (below, above) = (low - (middle - reach), middle + reach - high);
+        let by = below.max(above).max(0.0);
+        let mut crossed = Self { by, cells: vec![middle], far: None };
+        if by == 0.0 {
+            return crossed;
+        }
         let length = if (high - low).is_finite() {
             high - low
         } else {
             lifted.range.map(|t| lifted.curve.point(t)[axis].abs()).into_iter().fold(middle.abs(), f64::max)
         };
-        let (below, above) = (low - (middle - reach), middle + reach - high);
         let knot = if above > below { high } else { low };
-        let by = below.max(above).max(0.0);
-        let mut crossed = Self { by, cells: vec![middle], far: (by > NEAR_KNOT * length).then_some(knot) };
+        crossed.far = (by > NEAR_KNOT * length).then_some(knot);
         if crossed.far.is_some() {
             return crossed;
         }
