@@ -24,7 +24,9 @@ struct Part<'a> {
 
 impl<'a> Part<'a> {
     fn new(patch: Patch<'a>, rectangle: ParamBox, own: ParamBox) -> Self {
-        let bounds = patch.bounds_over(own[0], own[1]).first;
+        let is_whole = own == ParamBox::UNIT;
+        let bounds =
+            if is_whole { patch.derivative_bounds() } else { patch.bounds_over(own[0], own[1]) }.first;
         let lengths = rectangle.lengths();
         Self { patch, rectangle, own, bounds: [0, 1].map(|axis| bounds[axis] / lengths[axis]) }
     }
