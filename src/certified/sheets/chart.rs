@@ -93,6 +93,14 @@ impl<'a> Chart<'a> {
         }
     }
 
+    /// The chart of the patch so many patches away, cyclically, about a point of it.
+    pub(in crate::certified) fn moved(&self, offsets: [isize; 2], parameters: [f64; 2]) -> Self {
+        let index = self.patch_at(offsets);
+        let (columns, local) = (self.grid.counts()[1], index - self.grid.first);
+        let patch = self.sheets.bezier.patches.patch(index);
+        Self { index: [local / columns, local % columns], patch, parameters, ..*self }
+    }
+
     /// The patch's jet at the point.
     pub(in crate::certified) fn jet(&self) -> Jet {
         self.patch.jet(self.parameters)
@@ -139,13 +147,12 @@ impl<'a> Chart<'a> {
     /// The lemma's bound for steps of at most `extent` that stay in the domain, with
     /// the derivatives over the box touched or over all patches touched.
     pub(in crate::certified) fn remainder(&self, reach: &Reach, extent: [f64; 2], is_local: bool) -> f64 {
-        let touched =
-            Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]));
+        let touched = self.all_touched(extent, reach);
         let mut third = [0.0_f64; 4];
         for m in touched[0].clone() {
             for n in touched[1].clone() {
-                let bounds = self.third(extent, [m, n], is_local);
-                for (third, bound) in third.iter_mut().zip(bounds) {
+                let bounds = self.derivatives(extent, [m, n], is_local);
+                for (third, bound) in third.iter_mut().zip(bounds.third) {
                     *third = upper_max(*third, bound);
                 }
             }
@@ -185,7 +192,7 @@ impl<'a> Chart<'a> {
 
     /// The jumps at a seam across an axis by the chart's parameters, `line` of this
     /// axis and patch `other` of the other one.
-    fn seam(&self, axis: Axis, line: isize, other: isize) -> [[f64; 3]; 3] {
+    pub(super) fn seam(&self, axis: Axis, line: isize, other: isize) -> [[f64; 3]; 3] {
         let place = |along: isize| if axis == Axis::U { [along, other] } else { [other, along] };
         let [low, high] = [line - 1, line].map(|along| self.patch_at(place(along)));
         let [before, after] = [line - 1, line].map(|along| self.width(axis, along));
@@ -213,6 +220,11 @@ impl<'a> Chart<'a> {
         j[0][0] <= MAX_GAP * speed && j[1][0] <= MAX_CREASE * speed
     }
 
+    /// The patches within reach that steps of at most `extent` may touch.
+    pub(super) fn all_touched(&self, extent: [f64; 2], reach: &Reach) -> [RangeInclusive<isize>; 2] {
+        Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]))
+    }
+
     /// The patches along an axis, of those within reach, that a step of at most
     /// `extent` may touch.
     fn touched(&self, axis: Axis, extent: f64, reach: &RangeInclusive<isize>) -> RangeInclusive<isize> {
@@ -235,14 +247,19 @@ impl<'a> Chart<'a> {
         first..=last
     }
 
-    /// Bounds on the third derivatives, by the chart's parameters, over the part of
-    /// a patch that steps of at most `extent` may touch, or over the whole patch.
-    fn third(&self, extent: [f64; 2], offsets: [isize; 2], is_local: bool) -> [f64; 4] {
+    /// Bounds on the derivatives, by the chart's parameters, over the part of a patch
+    /// that steps of at most `extent` may touch, or over the whole patch.
+    pub(super) fn derivatives(
+        &self,
+        extent: [f64; 2],
+        offsets: [isize; 2],
+        is_local: bool,
+    ) -> DerivativeBounds {
         let index = self.patch_at(offsets);
         let patch = self.sheets.bezier.patches.patch(index);
         let widths = Axis::BOTH.map(|axis| self.width(axis, offsets[axis.index()]));
         let bounds = self.sheets.bounds(index);
-        let DerivativeBounds { third, .. } = if is_local {
+        let bounds = if is_local {
             let range = Axis::BOTH.map(|axis| {
                 let start = self.line(axis, offsets[axis.index()]);
                 let (at, extent) = (self.parameters[axis], extent[axis.index()]);
@@ -253,9 +270,8 @@ impl<'a> Chart<'a> {
         } else {
             *bounds.whole(&patch)
         };
-        let [s, t] = widths.map(f64::recip);
-        let scales = [s * s * s, s * s * t, s * t * t, t * t * t];
-        [0, 1, 2, 3].map(|k| (1.0 + MARGIN) * scales[k] * third[k])
+        // Widths that are smaller by the margin make bounds larger by it.
+        bounds.rescaled(widths.map(|width| (1.0 - MARGIN) * width))
     }
 
     /// The patch that is so many patches away, cyclically.
