@@ -3,7 +3,7 @@
 mod chart;
 mod slope;
 
-pub(super) use chart::{Chart, Reach};
+pub(super) use chart::{Chart, Over, Reach};
 
 use super::rounding::JetScale;
 use crate::axis::Axis;

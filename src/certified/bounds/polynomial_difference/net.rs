@@ -93,7 +93,7 @@ impl Net {
         let [corners, others] = [self, other].map(Net::corners);
         for (corner, other) in corners.iter().zip(&others) {
             let difference = *corner - *other;
-            if difference.length() > threshold && !(sliding()?.residual(difference) <= threshold) {
+            if difference.length() > threshold && !(sliding()?.residual(difference).length() <= threshold) {
                 return None;
             }
         }
@@ -114,8 +114,7 @@ impl Net {
         if let Some(sliding) = sliding() {
             // The quotient is off by its part of all of the difference, not only of the residual.
             let lost = rounding + of_products * longest;
-            let coefficients: Vec<DVec3> = quotient.iter().map(|control| control.xyz() / control.w).collect();
-            if let Some(bound) = sliding.upper_bound(&coefficients, threshold - lost) {
+            if let Some(bound) = sliding.upper_bound(degree, &quotient, threshold - lost) {
                 return Some(bound + lost);
             }
         }

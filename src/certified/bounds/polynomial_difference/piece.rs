@@ -51,8 +51,11 @@ impl<'a> Piece<'a> {
     }
 
     fn sliding(&self) -> &Sliding<'a> {
-        let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
-        self.sliding.get_or_init(|| Sliding::new(self.chart, offsets, self.image()))
+        self.sliding.get_or_init(|| {
+            let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
+            let ends = self.by_axes_of_b(self.parts.map(|part| part.image));
+            Sliding::new(self.chart, offsets, ends, self.orientation)
+        })
     }
 
     /// The distance of the piece's middle from its image, or where that exceeds the threshold
@@ -63,7 +66,7 @@ impl<'a> Piece<'a> {
         let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
         let difference = self.pair.transform.apply(self.patch.point(from)) - self.image_patch().point(to);
         let distance = difference.length();
-        if distance <= threshold { distance } else { self.sliding().residual(difference) }
+        if distance <= threshold { distance } else { self.sliding().residual(difference).length() }
     }
 
     /// An upper bound on the distance of the piece's points from their images.
