@@ -1,5 +1,6 @@
 //! The closest point of a whole model by best-first branch and bound.
 
+use super::separating_plane::distance_along;
 use super::{CriticalPoint, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
@@ -35,6 +36,8 @@ pub struct Closest {
 enum Region {
     Node(u32),
     Patch(u32),
+    /// A patch that a plane keeps as far as the incumbent, but for the gap.
+    PatchBehindPlane(u32),
     /// A patch with its squared distance in Bernstein form.
     BoundedPatch(u32, Box<SquaredDistance>),
     SubPatch(Box<SubPatch>),
@@ -81,7 +84,7 @@ impl Ord for QueueEntry {
 /// Guarantee: `lower <= d(point, target) <= upper`, and `upper - lower <= gap`
 /// up to rounding, unless the point is so evenly near to many points that
 /// [`MAX_SUB_PATCHES`] do not separate them. The search is best first: it
-/// examines boxes of the tree, then patches, bounded by their own boxes and then
+/// examines boxes of the tree, then patches, bounded by their own boxes, by a plane and
 /// by a [`SquaredDistance`], then halves of patches, in the order of their lower
 /// bounds. O(log patches) in general position.
 #[must_use]
@@ -103,11 +106,13 @@ pub(crate) fn closest_above(
     floor: f64,
     nearby: Option<&NearbyPatches>,
 ) -> Option<Closest> {
-    let mut search = ClosestPointSearch { target, point, queue: BinaryHeap::new(), incumbent: None };
     let root = target.tree.nodes().first()?;
+    // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
+    let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
+    let gap = gap.max(rounding);
+    let mut search = ClosestPointSearch { target, point, gap, queue: BinaryHeap::new(), incumbent: None };
     if let Some((patch, parameters)) = incumbent {
-        let distance_squared = search.patch(patch).point(parameters).distance_squared(point);
-        search.propose(patch, parameters, distance_squared);
+        search.critical_point(patch, parameters);
     }
     let upper = search.upper();
     let moved = |nearby: &&NearbyPatches| nearby.center.distance(point);
@@ -119,9 +124,6 @@ pub(crate) fn closest_above(
     } else {
         search.push(root.aabb.min_distance_squared(point), Region::Node(0));
     }
-    // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
-    let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
-    let gap = gap.max(rounding);
     let mut sub_patches = 0;
     let mut lower_squared = f64::INFINITY;
     while let Some(QueueEntry { lower_bound, region }) = search.queue.pop() {
@@ -133,6 +135,7 @@ pub(crate) fn closest_above(
         match region {
             Region::Node(node) => search.expand_node(node as usize),
             Region::Patch(patch) => search.bound_patch(patch),
+            Region::PatchBehindPlane(patch) => search.bound_patch_by_distance(patch),
             Region::BoundedPatch(patch, form) => search.expand_patch(patch, *form),
             Region::SubPatch(sub_patch) => {
                 sub_patches += 1;
@@ -140,8 +143,8 @@ pub(crate) fn closest_above(
             }
         }
     }
-    let (index, parameters, distance_squared) = search.incumbent?;
-    let upper = distance_squared.sqrt();
+    let (index, CriticalPoint { parameters, .. }) = search.incumbent?;
+    let upper = search.upper();
     let lower = (lower_squared.sqrt().min(upper) - rounding).max(0.0);
     let point = search.patch(index).point(parameters);
     Some(Closest { patch: index as usize, parameters, point, upper, lower })
@@ -151,9 +154,10 @@ pub(crate) fn closest_above(
 struct ClosestPointSearch<'a> {
     target: &'a Target,
     point: DVec3,
+    gap: f64,
     queue: BinaryHeap<QueueEntry>,
-    /// Patch, parameters and squared distance.
-    incumbent: Option<(u32, [f64; 2], f64)>,
+    /// The nearest foot found, and its patch.
+    incumbent: Option<(u32, CriticalPoint)>,
 }
 
 impl<'a> ClosestPointSearch<'a> {
@@ -163,7 +167,7 @@ impl<'a> ClosestPointSearch<'a> {
 
     /// Returns the incumbent's squared distance, +∞ before there is one.
     fn upper_squared(&self) -> f64 {
-        self.incumbent.map_or(f64::INFINITY, |incumbent| incumbent.2)
+        self.incumbent.map_or(f64::INFINITY, |(_, foot)| foot.distance_squared)
     }
 
     fn upper(&self) -> f64 {
@@ -174,13 +178,6 @@ impl<'a> ClosestPointSearch<'a> {
     fn push(&mut self, lower_bound: f64, region: Region) {
         if lower_bound < self.upper_squared() || self.incumbent.is_none() {
             self.queue.push(QueueEntry { lower_bound, region });
-        }
-    }
-
-    /// Makes a point the incumbent if it is nearer.
-    fn propose(&mut self, patch: u32, parameters: [f64; 2], distance_squared: f64) {
-        if distance_squared < self.upper_squared() || self.incumbent.is_none() {
-            self.incumbent = Some((patch, parameters, distance_squared));
         }
     }
 
@@ -200,8 +197,22 @@ impl<'a> ClosestPointSearch<'a> {
         }
     }
 
-    /// Bounds a patch by its squared distance, which usually prunes it.
+    /// Bounds a patch by the direction from the incumbent, which usually suffices, else by its
+    /// squared distance.
     fn bound_patch(&mut self, index: u32) {
+        if let Some((_, foot)) = self.incumbent {
+            let upper = self.upper();
+            let direction = (self.point - foot.point) / upper;
+            let lower_bound = distance_along(&self.patch(index), self.point, direction);
+            if lower_bound >= upper - self.gap {
+                self.push(lower_bound * lower_bound, Region::PatchBehindPlane(index));
+                return;
+            }
+        }
+        self.bound_patch_by_distance(index);
+    }
+
+    fn bound_patch_by_distance(&mut self, index: u32) {
         let patch = self.patch(index);
         let form = SquaredDistance::new(patch.degree, patch.controls, self.point - patch.center);
         self.push(form.lower_bound(), Region::BoundedPatch(index, Box::new(form)));
@@ -209,7 +220,10 @@ impl<'a> ClosestPointSearch<'a> {
 
     fn expand_patch(&mut self, index: u32, form: SquaredDistance) {
         let patch = self.patch(index);
-        let start = nearest_control(&patch, self.point);
+        let start = match self.incumbent {
+            Some((patch, foot)) if patch == index => foot.parameters,
+            _ => nearest_control(&patch, self.point),
+        };
         let found = newton(&patch, self.point, start, MAX_ITERATIONS);
         let foot = self.critical_point(index, found.parameters);
         let controls = patch.controls.to_vec();
@@ -246,11 +260,13 @@ impl<'a> ClosestPointSearch<'a> {
         }
     }
 
-    /// Proposes a point of a patch, and returns it with its gradient.
+    /// Returns a point of a patch, which becomes the incumbent if it is nearer.
     fn critical_point(&mut self, index: u32, parameters: [f64; 2]) -> CriticalPoint {
-        let point = CriticalPoint::new(&self.patch(index), self.point, parameters);
-        self.propose(index, parameters, point.distance_squared);
-        point
+        let foot = CriticalPoint::new(&self.patch(index), self.point, parameters);
+        if foot.distance_squared < self.upper_squared() || self.incumbent.is_none() {
+            self.incumbent = Some((index, foot));
+        }
+        foot
     }
 
     /// Queues a sub-patch.

@@ -10,6 +10,8 @@ use glam::{DVec3, Vec4Swizzles};
 pub struct CriticalPoint {
     /// (s, t) in [0, 1]².
     pub parameters: [f64; 2],
+    /// The point as computed.
+    pub point: DVec3,
     /// The squared distance as computed.
     pub distance_squared: f64,
     /// An upper bound on its error.
@@ -52,6 +54,7 @@ impl CriticalPoint {
         });
         Self {
             parameters,
+            point: jet.point,
             distance_squared,
             distance_error: error_of_square(length, error) + gamma(10.0) * distance_squared,
             gradient: [2.0 * residual.dot(jet.s), 2.0 * residual.dot(jet.t)],

@@ -11,6 +11,7 @@ mod distance_polynomial;
 mod initial_guess;
 mod nearby_patches;
 mod newton;
+mod separating_plane;
 mod tangent_plane;
 mod target;
 

@@ -54,7 +54,7 @@ const MAX_REFITS: u32 = 32;
 /// subdivide them into flat patches.
 ///
 /// For more patches the subdivision takes longer than it saves: the search looks at few of
-/// them, and patches of which a model has so many are mostly flat. Fewer patches are
+/// them, and most patches of so many are flat already. Fewer patches are
 /// subdivided, A's for closer bounds on their derivatives and B's for better starts.
 const MIN_UNCUT_PATCHES: usize = 1000;
 

@@ -9,12 +9,13 @@ const TIMEOUT = 60_000;
 
 /**
  * Opens the page. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
- * `path` selects another page than the main one, and `prepare` receives the
+ * `touch: true` gives the device a touch screen; `path` selects another page than the main one, and `prepare` receives the
  * page before it is loaded.
  */
 export async function open({
   webgpu = true,
   webgl = true,
+  touch = false,
   size = { width: 1280, height: 800 },
   path = "",
   prepare = async () => {},
@@ -23,7 +24,7 @@ export async function open({
   const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
   if (!webgl) args.push("--disable-3d-apis");
   const browser = await chromium.launch({ ...launchOptions, args });
-  const page = await browser.newPage({ viewport: size });
+  const page = await browser.newPage({ viewport: size, hasTouch: touch });
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.setDefaultTimeout(TIMEOUT);

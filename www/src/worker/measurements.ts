@@ -1,13 +1,13 @@
 // The queue of measurements: one runs, and only the newest request waits.
-import {
-  type DistanceResult,
-  type Field,
-  type Hausdorff,
-  HausdorffError,
-  type NurbsModel,
-  type OnProgress,
-  type Statistics,
+import type {
+  DistanceResult,
+  Field,
+  Hausdorff,
+  NurbsModel,
+  OnProgress,
+  Statistics,
 } from "nurbs-hausdorff";
+import { isCancelled } from "./failure.ts";
 import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
 import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
 
@@ -113,9 +113,8 @@ export class Measurements {
       this.#show(requested, result, (result.forward ?? result).field, pending);
       if (pending) await this.#colour(requested, result);
     } catch (error) {
-      if (error instanceof HausdorffError && error.code === "CANCELLED") {
-        this.#reply({ kind: "cancelled", run });
-      } else this.#fail(error, run);
+      if (isCancelled(error)) this.#reply({ kind: "cancelled", run });
+      else this.#fail(error, run);
     }
   }
 
@@ -145,7 +144,7 @@ export class Measurements {
         this.#show(requested, withStatistics(result, found.statistics), found.field, !fine);
       }
     } catch (error) {
-      if (!(error instanceof HausdorffError && error.code === "CANCELLED")) throw error;
+      if (!isCancelled(error)) throw error;
       // The result stays, without colours that are not those of the samples requested.
       this.#show(requested, result, undefined, false);
     }

@@ -97,21 +97,21 @@ export interface EngineState {
   notice: string | null;
 }
 
+/** How a task ends that has no result. */
+export type Ended = { state: "cancelled" } | { state: "failed"; code: Code; message: string };
+
 /** The state of the comparison face by face. */
-export type DiffReply = { kind: "diff" } & (
+export type DiffState =
   | { state: "working"; fraction: number }
-  | { state: "done"; result: DiffResult }
-  | { state: "cancelled" }
-  | { state: "failed"; code: Code; message: string }
-);
+  | { state: "done"; result: DiffResult };
 
 /** The state of the best fit. */
-export type FitReply = { kind: "fit" } & (
+export type FitState =
   | { state: "working"; step: number; rms: number }
-  | { state: "done"; fit: BestFit }
-  | { state: "cancelled" }
-  | { state: "failed"; code: Code; message: string }
-);
+  | { state: "done"; fit: BestFit };
+
+export type DiffReply = { kind: "diff" } & (DiffState | Ended);
+export type FitReply = { kind: "fit" } & (FitState | Ended);
 
 export type Reply =
   | DiffReply

@@ -1,9 +1,8 @@
 // The worker, which owns the engine and the two models: computations do not block the page.
 import { Hausdorff } from "nurbs-hausdorff";
-import { Differences } from "./differences.ts";
+import { Comparisons } from "./comparisons.ts";
 import { codeOf, messageOf } from "./failure.ts";
 import { csvOf } from "./field/csv.ts";
-import { Fitting } from "./fitting.ts";
 import { engineState, Measurements } from "./measurements.ts";
 import { load } from "./models/load.ts";
 import { probe } from "./probe.ts";
@@ -22,7 +21,8 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     fail(error);
     return;
   }
-  const { measurements, differences, fitting } = started;
+  const { measurements, comparisons } = started;
+  const { a, b } = measurements.models;
   switch (data.kind) {
     case "measure":
       measurements.request(data.run, data.options);
@@ -31,16 +31,16 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
       measurements.cancel();
       break;
     case "diff":
-      void differences.compare(measurements.models, data.options);
+      if (a && b) void comparisons.compareFaces({ a, b }, data.options);
       break;
     case "cancelDiff":
-      differences.cancel();
+      comparisons.cancelFaces();
       break;
     case "fit":
-      void fitting.fit(measurements.models, data.options);
+      if (a && b) void comparisons.fit({ a, b }, data.options);
       break;
     case "cancelFit":
-      fitting.cancel();
+      comparisons.cancelFit();
       break;
     case "probe":
       void reportProbe(started, data);
@@ -54,15 +54,14 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
 };
 
 async function replace(
-  { engine, measurements, differences, fitting }: Awaited<typeof ready>,
+  { engine, measurements, comparisons }: Awaited<typeof ready>,
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
     const { models, display } = await load(engine, sources, (text) =>
       reply({ kind: "loading", text }),
     );
-    differences.drop();
-    fitting.cancel();
+    comparisons.drop();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
       tessellation.positions.buffer,
@@ -89,8 +88,7 @@ async function start() {
   const engine = await Hausdorff.create();
   reply({ kind: "ready", engine: engineState(engine), shapes: Hausdorff.shapes() });
   const measurements = new Measurements(engine, reply, fail);
-  const differences = new Differences(engine, reply);
-  return { engine, measurements, differences, fitting: new Fitting(engine, reply) };
+  return { engine, measurements, comparisons: new Comparisons(engine, reply) };
 }
 
 function reply(message: Reply, transfer: Transferable[] = []): void {

@@ -1,6 +1,6 @@
 //! The native side of `npm run bench`: reads one pair a line from standard
 //! input, `{"a", "b", "translation"}` with the models' files, and prints the
-//! seconds of one distance as JSON. `benches/package.mjs` runs it in turn with
+//! seconds of one distance as JSON. `benches/package/package.mjs` runs it in turn with
 //! the built package, in one process each, so that neither start is measured.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]

@@ -1,6 +1,6 @@
 //! Frames a second of a deforming sheet against a fixed part, each frame an update
 //! of its control points and one directed distance: `cargo bench --bench frames`.
-//! `benches/frames.mjs` measures the same in the package.
+//! `benches/frames/frames.mjs` measures the same in the package.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 

@@ -1,6 +1,6 @@
-// node benches/points.mjs: the closest points of occt_linkrods to a million points
+// node benches/points/points.mjs: the closest points of occt_linkrods to a million points
 // near it, as a scan has them, by the built package in Node on one thread, natively
-// (benches/points.rs), and by three-mesh-bvh, Open3D and OpenCASCADE, where they are
+// (benches/points/main.rs), and by three-mesh-bvh, Open3D and OpenCASCADE, where they are
 // installed: the first with npm, the others in the environment of benches/peers, or
 // of the Python that PYTHON names. The meshes are this package's tessellation.
 import { spawnSync } from "node:child_process";
@@ -9,8 +9,8 @@ import { parseArgs } from "node:util";
 import { Hausdorff } from "nurbs-hausdorff";
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { MeshBVH } from "three-mesh-bvh";
-import { inRoot } from "../scripts/paths.mjs";
-import { ask } from "../scripts/process.mjs";
+import { inRoot } from "../../scripts/paths.mjs";
+import { ask } from "../../scripts/process.mjs";
 
 const { values } = parseArgs({
   options: {
@@ -142,7 +142,7 @@ if (native !== undefined) {
 }
 
 const python = process.env.PYTHON ?? inRoot("benches", "peers", ".venv", "bin", "python");
-const script = inRoot("benches", "points.py");
+const script = inRoot("benches", "points", "points.py");
 const run = spawnSync(python, [script, folder, modelFile], { encoding: "utf8", maxBuffer: 1 << 28 });
 if (run.status !== 0) console.log(`Open3D, OpenCASCADE: not measured: ${run.stderr ?? run.error}`);
 for (const line of (run.stdout ?? "").trim().split("\n").filter(Boolean)) {

@@ -1,4 +1,4 @@
-"""Closest points by Open3D and OpenCASCADE, for benches/points.mjs.
+"""Closest points by Open3D and OpenCASCADE, for benches/points/points.mjs.
 
 Usage: points.py FOLDER MODEL. FOLDER holds the points and the mesh that points.mjs
 wrote; every tool prints one line of JSON, with the file of its distances.

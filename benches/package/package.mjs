@@ -17,9 +17,9 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { parseArgs } from "node:util";
 import { Hausdorff } from "nurbs-hausdorff";
-import { wasmFile } from "../scripts/build/wasm.mjs";
-import { inRoot } from "../scripts/paths.mjs";
-import { environment } from "../scripts/process.mjs";
+import { wasmFile } from "../../scripts/build/wasm.mjs";
+import { inRoot } from "../../scripts/paths.mjs";
+import { environment } from "../../scripts/process.mjs";
 
 const folder = inRoot("..", "shared", "models");
 const parts = ["models", "prepare", "solve", "total"];
@@ -64,7 +64,7 @@ async function packaged() {
   };
 }
 
-/** The native library, in a process that benches/package.rs describes. */
+/** The native library, in a process that benches/package/main.rs describes. */
 function native() {
   const args = ["bench", "--bench", "package"];
   const env = environment({ RAYON_NUM_THREADS: "1" });

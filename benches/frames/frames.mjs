@@ -1,6 +1,6 @@
-// node benches/frames.mjs: frames a second of a deforming sheet against a fixed
+// node benches/frames/frames.mjs: frames a second of a deforming sheet against a fixed
 // part, each frame an update of its control points and one directed distance,
-// by the built package in Node on one thread; benches/frames.rs measures the same
+// by the built package in Node on one thread; benches/frames/main.rs measures the same
 // natively. With --chromium in headless Chromium, as a page does.
 import { existsSync } from "node:fs";
 import { parseArgs } from "node:util";
@@ -77,9 +77,9 @@ async function measure(entry, sizes, methods) {
 
 async function inChromium() {
   const { chromium } = await import("playwright-core");
-  const { serve } = await import("../tests/package/serve.mjs");
-  const { inRoot } = await import("../scripts/paths.mjs");
-  const { launchOptions } = await import("../scripts/test/browser.mjs");
+  const { serve } = await import("../../tests/package/serve.mjs");
+  const { inRoot } = await import("../../scripts/paths.mjs");
+  const { launchOptions } = await import("../../scripts/test/browser.mjs");
   const server = await serve(inRoot());
   const browser = await chromium.launch(launchOptions);
   try {
@@ -93,7 +93,7 @@ async function inChromium() {
   }
 }
 
-if (!existsSync(new URL("../dist/index.js", import.meta.url))) {
+if (!existsSync(new URL("../../dist/index.js", import.meta.url))) {
   console.error("frames: npm run build first");
   process.exit(2);
 }

@@ -1,4 +1,4 @@
-//! The native side of `benches/points.mjs`: the closest points of a model, the first
+//! The native side of `benches/points/points.mjs`: the closest points of a model, the first
 //! argument, to the points in the file of float64 numbers that is the second; prints
 //! the seconds by the clock and by the processor, and the widest bound.
 #![cfg(not(target_arch = "wasm32"))]
