@@ -44,6 +44,13 @@ const RESIDUAL_ROUNDINGS: f64 = 16.0;
 /// Roundings of a value of φ + δ, relative to the sizes of its terms.
 const PLACE_ROUNDINGS: f64 = 16.0;
 
+/// The error of steps by derivatives over whole patches, relative to what the threshold leaves, up to
+/// which it is computed over boxes: these cost more than the piece, and are seldom closer by more.
+const MAX_EXCESS: f64 = 4.0;
+
+/// The distance from the ends of a surface at which the rounding of a place is inside.
+const MARGIN: f64 = 16.0 * UNIT_ROUNDOFF;
+
 /// A factor by which boxes, steps and sums of bounds are widened for their rounding.
 const WIDENED: f64 = 1.0 + 16.0 * UNIT_ROUNDOFF;
 
@@ -114,16 +121,21 @@ impl<'a> Sliding<'a> {
         let mut bound = residual;
         for axis in 0..2 {
             let (domain, at) = (reach.domain[axis], self.chart.parameters[axis]);
-            let is_inside = domain[0] <= at - extent[axis] && at + extent[axis] <= domain[1];
+            let is_inside =
+                domain[0] + MARGIN <= at - extent[axis] && at + extent[axis] <= domain[1] - MARGIN;
             if !is_inside {
                 let beyond = self.overshoot(axis, degree, quotient, domain);
                 bound += WIDENED * beyond * self.tangents[axis].length();
             }
         }
-        [Over::Patches, Over::Boxes].into_iter().find_map(|over| {
-            let bound = WIDENED * (bound + self.chart.step_error(&reach, self.half, steps, over));
-            (bound <= threshold).then_some(bound)
-        })
+        let error = |over| self.chart.step_error(&reach, self.half, steps, over);
+        let mut of_steps = error(Over::Patches);
+        let margin = threshold - bound;
+        if of_steps > margin && of_steps <= MAX_EXCESS * margin {
+            of_steps = error(Over::Boxes);
+        }
+        let bound = WIDENED * (bound + of_steps);
+        (bound <= threshold).then_some(bound)
     }
 
     /// How far a parameter of φ + δ is beyond the domain, at most. O(p q).
