@@ -1,5 +1,7 @@
 //! Rounding errors of float64, and bounds that they or an overflow may spoil.
 
+use glam::DVec3;
+
 /// An upper bound on what underflow takes off a length or adds to it.
 ///
 /// A sum of at most 512 products, each rounded by at most 2^-1074 where it is
@@ -31,6 +33,14 @@ pub(crate) fn gamma(operations: f64) -> f64 {
 /// model, all of them at most this far from the origin (lemma R12 of docs/method.md).
 pub(crate) fn closest_rounding(length: f64) -> f64 {
     gamma(CLOSEST_ROUNDINGS) * length + VANISHING_LENGTH
+}
+
+/// Returns the direction of a vector, of length 1 however short the vector is; 0 for 0 and NaN.
+///
+/// Squares of lengths below 1e-154 are subnormal, so that a quotient by their root may be of any
+/// length: the vector is divided by its largest coordinate before.
+pub(crate) fn unit(vector: DVec3) -> DVec3 {
+    (vector / vector.abs().max_element()).normalize_or_zero()
 }
 
 /// Returns the larger of two upper bounds; NaN bounds nothing and counts as +∞.
@@ -69,6 +79,18 @@ mod tests {
         assert_eq!(upper_max(f64::NAN, 1.0), f64::INFINITY);
         assert_eq!([1.0, f64::NAN, 2.0].into_iter().fold(0.0, upper_max), f64::INFINITY);
         assert_eq!([f64::NAN, 3.0].into_iter().fold(0.0, upper_max), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_unit_vector_has_length_1_however_short_the_vector_is() {
+        for exponent in [-1022, -541, -540, -538, -537, 0, 300] {
+            for vector in [DVec3::X, DVec3::new(-2.0, 1.0, 3.0), DVec3::new(0.0, 4.0, -5.0)] {
+                let direction = unit(vector * 2.0_f64.powi(exponent));
+                assert!((direction.length() - 1.0).abs() < 1e-15, "{vector} 2^{exponent}: {direction}");
+                assert!(direction.distance(vector.normalize()) < 1e-15, "{vector} 2^{exponent}: {direction}");
+            }
+        }
+        assert_eq!([DVec3::ZERO, DVec3::NAN, DVec3::INFINITY].map(unit), [DVec3::ZERO; 3]);
     }
 
     #[test]

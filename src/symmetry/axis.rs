@@ -1,6 +1,7 @@
 //! Axes of rotation.
 
 use crate::model::RigidTransform;
+use crate::rounding::unit;
 use glam::DVec3;
 
 /// The oriented line through `origin` along the unit vector `direction`.
@@ -11,13 +12,14 @@ pub(crate) struct RotationAxis {
 }
 
 impl RotationAxis {
-    /// Returns the axis of the circle through three points; NaN where they lie on a line.
+    /// Returns the axis of the circle through three points; its origin is NaN or infinite where
+    /// they lie on a line.
     pub(super) fn of_circle([a, b, c]: [DVec3; 3]) -> Self {
         let (to_b, to_c) = (b - a, c - a);
         let normal = to_b.cross(to_c);
         let square = normal.length_squared();
         let center = (to_b.length_squared() * to_c - to_c.length_squared() * to_b).cross(normal);
-        Self { origin: a + center / (2.0 * square), direction: normal / square.sqrt() }
+        Self { origin: a + center / (2.0 * square), direction: unit(normal) }
     }
 
     /// Returns the axis moved by `transform`.

@@ -1,7 +1,7 @@
 //! Random pairs on which a certified interval could lie; many more are in
 //! `cargo run --release --example honesty`.
 
-use crate::fuzzer::check::{Outcome, check, check_attack, check_trimmed};
+use crate::fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
 use rayon::prelude::*;
 
 /// Pairs, with two that a coarser brute force once raised alarms on.
@@ -44,6 +44,23 @@ fn the_attack_finds_no_false_interval() {
     }
     let refused = outcomes.iter().filter(|outcome| outcome.refusal.is_some()).count() as u64;
     assert!(4 * refused < ATTACKS, "{refused} refused");
+}
+
+/// Pairs of collapsed nets, and those on which boxes with parallel axes once gave a false `lower`.
+const COLLAPSED: u64 = 60;
+const PARALLEL_AXES: [u64; 3] = [204, 309, 327];
+
+#[test]
+fn collapsed_nets_have_no_false_interval() {
+    let seeds: Vec<u64> = (1..=COLLAPSED).chain(PARALLEL_AXES).collect();
+    let outcomes: Vec<Outcome> = seeds.into_par_iter().map(check_collapsed).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert_eq!(outcome.undecided, 0, "a point neither found within `upper` nor proved farther");
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
+    }
+    let refused = outcomes.iter().filter(|outcome| outcome.refusal.is_some()).count() as u64;
+    assert!(4 * refused < COLLAPSED, "{refused} refused");
 }
 
 /// Pairs with trimmed faces.

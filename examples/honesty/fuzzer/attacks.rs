@@ -1,6 +1,7 @@
 //! Pairs at the edge of what is accepted: the families on which an interval was
 //! once false or a search did not end, and those nearest to them.
 
+use super::collapsed::collapsed_nets;
 use super::offsets::{Offset, arrays, offset};
 use super::pairs::{Pair, random_limit};
 use super::partners::{both_sides, cut, near, refined, scale_and_shift};
@@ -42,18 +43,38 @@ const FAMILIES: [(&str, Family); 12] = [
     ("many surfaces", many_surfaces),
 ];
 
+/// Seeds with this remainder are of collapsed nets; those of the other families stay the same.
+const COLLAPSED: [u64; 2] = [5, 13];
+
 /// A, B and the directed distances from A to B and from B to A, if they are known.
-struct Models {
-    a: Vec<SurfaceArrays>,
-    b: Vec<SurfaceArrays>,
-    truth: Option<[f64; 2]>,
+pub(super) struct Models {
+    pub(super) a: Vec<SurfaceArrays>,
+    pub(super) b: Vec<SurfaceArrays>,
+    pub(super) truth: Option<[f64; 2]>,
 }
 
 /// Returns the pair of a seed, deterministically; `None` where a model is refused.
 pub(crate) fn pair(seed: u64) -> Option<Pair> {
+    let [remainder, divisor] = COLLAPSED;
+    if seed % divisor == remainder {
+        return collapsed_pair(seed);
+    }
     let rng = &mut Rng::with_seed(seed);
     let (kind, models) = FAMILIES[rng.usize(0..FAMILIES.len())];
-    let Models { mut a, mut b, truth } = models(rng);
+    let models = models(rng);
+    with_options(seed, kind, models, rng)
+}
+
+/// Returns the pair of collapsed nets of a seed.
+pub(crate) fn collapsed_pair(seed: u64) -> Option<Pair> {
+    let rng = &mut Rng::with_seed(seed);
+    let models = collapsed_nets(rng);
+    with_options(seed, "collapsed nets", models, rng)
+}
+
+/// Places a pair, and draws the options of its computation.
+fn with_options(seed: u64, kind: &'static str, models: Models, rng: &mut Rng) -> Option<Pair> {
+    let Models { mut a, mut b, truth } = models;
     // Far from the origin, or of any size.
     if rng.u8(0..4) == 0 {
         let shift = direction(rng) * magnitude(rng, 6.0, 9.0);

@@ -6,6 +6,7 @@
 pub(crate) mod attacks;
 mod brute;
 pub(crate) mod check;
+mod collapsed;
 mod offsets;
 pub(crate) mod pairs;
 mod partners;

@@ -1,6 +1,7 @@
 //! Boxes aligned with a patch's own directions.
 
 use crate::bezier::Patch;
+use crate::rounding::unit;
 use glam::{DVec3, Vec4Swizzles};
 
 /// A box around a patch along three orthogonal axes. For a nearly flat patch it
@@ -33,14 +34,13 @@ impl OrientedBox {
         };
         let [rising, falling] = [leg(0, last), leg(columns, last - columns)];
         let [s, t] = [rising + falling, rising - falling];
-        let [long, short] = if s.length_squared() > t.length_squared() { [s, t] } else { [t, s] };
-        let first = long.normalize_or_zero();
-        let across = short - first.dot(short) * first;
+        let [long, short] = if s.abs().max_element() > t.abs().max_element() { [s, t] } else { [t, s] };
+        let [first, other] = [long, short].map(unit);
+        let across = other - first.dot(other) * first;
         // Of parallel directions rounding remains, which may be parallel to the first axis itself.
-        let is_plane = across.length() > MIN_SINE * short.length();
-        let axes = if is_plane {
+        let axes = if across.length() > MIN_SINE {
             // The second projection removes what rounding left along the first axis.
-            let second = (across - first.dot(across) * first).normalize_or_zero();
+            let second = (across - first.dot(across) * first).normalize();
             [first, second, first.cross(second)]
         } else {
             [DVec3::X, DVec3::Y, DVec3::Z]
@@ -122,6 +122,11 @@ mod tests {
             let along = [number(), number(), number()];
             let places = [0.0, number(), number(), number()];
             check_axes(places.map(|place| along.map(|value| place * value)));
+        }
+        // Squares of their lengths underflow.
+        for exponent in -545..-500 {
+            let net = [[0.0; 3], [0.0, 1.0, 0.3], [1.3, 0.1, 0.0], [1.0, 1.0, 0.2]];
+            check_axes(net.map(|point| point.map(|value: f64| value * 2.0_f64.powi(exponent))));
         }
         // As found by fuzzing: rounding alone remained, parallel to the first axis.
         let on_diagonal = |y: f64| [0.0, y, y];

@@ -169,3 +169,23 @@ proptest! {
         }
     }
 }
+
+/// Squares of the lengths of one patch are subnormal, which once gave its box axes of other lengths
+/// than 1, and a lower bound of 1.3 at a distance of 1.
+#[test]
+fn a_patch_is_found_however_small() {
+    let unit = 2.0_f64.powi(-540);
+    let [x, y, z] = [0.729_547_882_645_832_5, -0.593_816_449_119_345_1, 0.339_325_672_005_928_4];
+    let tiny = [[-3.0, -4.0, 0.0], [-3.0, 2.0, 4.0], [-3.0, -2.0, -3.0], [2.0, 1.0, -2.0]]
+        .map(|point| point.map(|value: f64| value * unit));
+    let farther = [[2.3 * x, 2.3 * y, 2.3 * z]; 4];
+    let surfaces = [tiny, farther].map(|corners| SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: corners.map(|[x, y, z]| [x, y, z, 1.0]).to_vec(),
+    });
+    let model = Model::from_arrays(None, surfaces.to_vec()).unwrap();
+    let found = closest(&Target::new(extract(&model).patches), DVec3::new(x, y, z), 0.0).unwrap();
+    assert!(found.lower <= 1.0 && (found.upper - 1.0).abs() < 1e-15, "{found:?}");
+}

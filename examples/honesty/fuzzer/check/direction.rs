@@ -21,6 +21,10 @@ const WITNESS_ROUNDING: f64 = 512.0 * f64::EPSILON;
 /// evaluated relative to an origin near it.
 const SIZE_ROUNDING: f64 = 1e-14;
 
+/// What underflow adds to a distance or takes off it, as the models are scaled for the computation:
+/// about the root of the smallest number.
+const VANISHING_LENGTH: f64 = 1e-160;
+
 /// The check of one direction; the models have these poses.
 pub(super) struct Direction<'a> {
     pub(super) from: &'a Model,
@@ -51,6 +55,7 @@ impl<'a> Direction<'a> {
             boxes.iter().map(|aabb| aabb.min.abs().max(aabb.max.abs()).max_element()).fold(0.0, f64::max);
         let rounding = COORDINATE_ROUNDING * (largest + pair.transform.offset().length())
             + SIZE_ROUNDING * (result.diagonal + result.computed)
+            + VANISHING_LENGTH * 2.0_f64.powi(-pair.exponent)
             // Validation moves loops next to the edge of the domain onto it, by this and no more; a
             // region moves by at most twice as much as its loops.
             + 2.0 * result.model_gap;

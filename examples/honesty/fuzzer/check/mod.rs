@@ -42,7 +42,16 @@ pub(crate) fn check(seed: u64) -> Outcome {
 
 /// Checks the pair of a seed of the attack's families.
 pub(crate) fn check_attack(seed: u64) -> Outcome {
-    attacks::pair(seed).map_or_else(
+    check_drawn(seed, attacks::pair(seed))
+}
+
+/// Checks the pair of a seed of collapsed nets.
+pub(crate) fn check_collapsed(seed: u64) -> Outcome {
+    check_drawn(seed, attacks::collapsed_pair(seed))
+}
+
+fn check_drawn(seed: u64, pair: Option<Pair>) -> Outcome {
+    pair.map_or_else(
         || Outcome { refusal: Some(NOT_DRAWN), ..Outcome::default() },
         |pair| check_pair(seed, &pair),
     )
