@@ -119,10 +119,9 @@ impl<'a> Sliding<'a> {
         let extent = [0, 1].map(|axis| WIDENED * (self.half[axis] + steps[axis]));
         let reach = self.chart.reach_over_creases(extent);
         let mut bound = residual;
-        for axis in 0..2 {
+        for (axis, extent) in extent.into_iter().enumerate() {
             let (domain, at) = (reach.domain[axis], self.chart.parameters[axis]);
-            let is_inside =
-                domain[0] + MARGIN <= at - extent[axis] && at + extent[axis] <= domain[1] - MARGIN;
+            let is_inside = domain[0] + MARGIN <= at - extent && at + extent <= domain[1] - MARGIN;
             if !is_inside {
                 let beyond = self.overshoot(axis, degree, quotient, domain);
                 bound += WIDENED * beyond * self.tangents[axis].length();
