@@ -7,7 +7,9 @@ mod extraction;
 mod patch;
 
 pub use basis::MAX_ORDER;
-pub(crate) use basis::{GridBasis, binomials, length_bounds, scaled, squares, unscale};
+pub(crate) use basis::{
+    GridBasis, Interpolation, bernstein, binomials, length_bounds, scaled, squares, unscale,
+};
 pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};

@@ -6,8 +6,9 @@ use super::text::{BrepFile, Orientation, ShapeKind};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
+use crate::parallel;
 use glam::DAffine3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The most shapes visited from the root. A shape can stand in several others, so that
 /// a short file may describe more placements than memory holds.
@@ -62,25 +63,27 @@ struct Placed {
 pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
     let mut model = ModelArrays::default();
     let (mut counts, mut skipped) = (Vec::new(), Vec::new());
-    // The index of each face among those of the file, and among those read.
-    let mut faces: HashMap<usize, Option<usize>> = HashMap::new();
-    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
-    for placed in placed_faces(file)? {
-        let number = faces.len();
-        let index = *faces.entry(placed.shape).or_insert_with(|| match convert(file, placed.shape) {
+    let placed = placed_faces(file)?;
+    let mut seen = HashSet::new();
+    let distinct: Vec<&Placed> = placed.iter().filter(|placed| seen.insert(placed.shape)).collect();
+    let converted = parallel::map(distinct.len(), |number| convert(file, distinct[number].shape));
+    // The index of each shape's face among those read.
+    let mut faces: HashMap<usize, usize> = HashMap::new();
+    for (number, (placed, converted)) in distinct.into_iter().zip(converted).enumerate() {
+        match converted {
             Ok(mut converted) => {
                 counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.part = Some(format!("face {number}"));
+                faces.insert(placed.shape, model.faces.len());
                 model.faces.push(converted.face);
-                Some(model.faces.len() - 1)
             }
-            Err(fault) => {
-                skipped.push(Skipped { face: number, code: fault.code, why: fault.why });
-                None
-            }
-        });
-        let Some(index) = index else { continue };
+            Err(fault) => skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
+        }
+    }
+    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
+    for placed in &placed {
+        let Some(&index) = faces.get(&placed.shape) else { continue };
         let transform = matrix(&placed.location);
         let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
             model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name: None });

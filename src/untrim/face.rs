@@ -1,13 +1,14 @@
 //! A face in normalised parameters, with the bounds that its cutting needs.
 
 use super::curve::Curve;
+use super::derivatives;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, extract, power_of_two_below};
 use crate::error::Result;
 use crate::model::trim::{Trim, TrimPiece};
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 use crate::param_box::ParamBox;
-use crate::rounding::{gamma, upper_max};
+use crate::rounding::gamma;
 use glam::{DVec2, DVec3};
 
 /// The parts of the allowed deviation that each kind of approximation may take; they sum to 1.
@@ -17,9 +18,17 @@ const COMPOSITE_SHARE: f64 = 0.0625;
 const CROSSING_SHARE: f64 = 0.3125;
 const FIT_SHARE: f64 = 0.25;
 
-/// The largest tolerance, in parts of the domain: validation accepts loops that cross each
-/// other by up to 1e-6 of it.
-const MAX_MOVE: f64 = 1e-5;
+/// The largest tolerance of crossings, in parts of the domain: validation accepts loops that
+/// cross each other by up to 1e-6 of it.
+const MAX_CROSSING: f64 = 1e-5;
+
+/// The largest of the other tolerances: two sides that are moved three times each then cross by
+/// at most 6 MAX_MOVE more, which is within half of [`MAX_CROSSING`] with those that validation
+/// accepts.
+const MAX_MOVE: f64 = MAX_CROSSING / 16.0;
+
+/// The margin about the loops within which all moved boundaries stay.
+const MARGIN: f64 = 1e-4;
 
 /// The smallest tolerance in normalised parameters: a few units in the last place of 1.
 const MIN_SNAP: f64 = 8.0 * f64::EPSILON;
@@ -127,29 +136,23 @@ impl Face {
         for [from, to] in hulls {
             (low, high) = (low.min(from), high.max(to));
         }
-        let mut largest = [0.0; 2];
-        for iu in self.span(Axis::U, low.x)..=self.span(Axis::U, high.x) {
-            for iv in self.span(Axis::V, low.y)..=self.span(Axis::V, high.y) {
-                let bounds = self.patch([iu, iv]).derivative_bounds();
-                let lengths = self.rectangle([iu, iv]).lengths();
-                for axis in 0..2 {
-                    largest[axis] = upper_max(largest[axis], bounds.first[axis] / lengths[axis]);
-                }
-            }
-        }
-        self.lipschitz = largest;
-        let tolerance = |axis: usize, share: f64| {
+        let spans = |axis: Axis| self.span(axis, low[axis.index()])..=self.span(axis, high[axis.index()]);
+        let touched = spans(Axis::U).flat_map(|iu| spans(Axis::V).map(move |iv| [iu, iv]));
+        let rectangles = touched.map(|indices| (self.patch(indices), self.rectangle(indices)));
+        let around = [0, 1].map(|axis| [low[axis] - MARGIN, high[axis] + MARGIN]);
+        self.lipschitz = derivatives::bounds(rectangles, ParamBox::new(around[0], around[1]));
+        let tolerance = |axis: usize, share: f64, largest: f64| {
             let allowed = share * max_deviation / self.lipschitz[axis];
             // A surface that is a point moves by nothing: 0 / 0.
-            if allowed.is_nan() { MAX_MOVE } else { allowed.clamp(MIN_SNAP, MAX_MOVE) }
+            if allowed.is_nan() { largest } else { allowed.clamp(MIN_SNAP, largest) }
         };
         // Lemma T2 counts each axis, and each move twice.
-        let snap = [tolerance(0, 0.25 * SNAP_SHARE), tolerance(1, 0.25 * SNAP_SHARE)];
+        let snap = |axis: usize| tolerance(axis, 0.25 * SNAP_SHARE, MAX_MOVE);
         self.tolerances = Tolerances {
-            snap,
-            graph: tolerance(0, GRAPH_SHARE),
-            composite: tolerance(0, COMPOSITE_SHARE),
-            crossing: tolerance(0, CROSSING_SHARE),
+            snap: [snap(0), snap(1)],
+            graph: tolerance(0, GRAPH_SHARE, MAX_MOVE),
+            composite: tolerance(0, COMPOSITE_SHARE, MAX_MOVE),
+            crossing: tolerance(0, CROSSING_SHARE, MAX_CROSSING),
             fit: FIT_SHARE * max_deviation,
         };
         // Normalisation takes three roundings of a parameter and the evaluation of a curve

@@ -11,6 +11,7 @@
 mod arcs;
 mod compose;
 mod curve;
+mod derivatives;
 mod face;
 mod graph;
 mod polynomial;

@@ -1,10 +1,12 @@
-//! Bernstein polynomials: their values, products and power form.
+//! Bernstein polynomials: their values, products, power form and interpolation.
 
 pub(in crate::bezier) mod bernstein;
 mod bernstein_product;
 mod grid_basis;
+mod interpolation;
 mod power_form;
 
 pub use bernstein::MAX_ORDER;
 pub(crate) use bernstein_product::{binomials, length_bounds, scaled, squares, unscale};
 pub(crate) use grid_basis::GridBasis;
+pub(crate) use interpolation::{Interpolation, bernstein};

@@ -20,7 +20,7 @@ pub struct DerivativeBounds {
 
 impl DerivativeBounds {
     /// Makes these bounds hold also where `other` holds; the radius stays.
-    pub(in crate::bezier) fn enclose(&mut self, other: &Self) {
+    pub(crate) fn enclose(&mut self, other: &Self) {
         let pairs = [
             (&mut self.first[..], &other.first[..]),
             (&mut self.second[..], &other.second[..]),
@@ -35,7 +35,7 @@ impl DerivativeBounds {
 
     /// Returns the bounds by other parameters, of which an interval of length 1
     /// of these parameters spans h and k.
-    pub(in crate::bezier) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
+    pub(crate) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
         for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {
             let order = bounds.len() - 1;
             for (index, bound) in bounds.iter_mut().enumerate() {

@@ -170,7 +170,7 @@ impl Patch<'_> {
     ///
     /// The excess of the recursion is proportional to the size of the box, as
     /// weights, and points relative to the box's own centre, vary less over it.
-    fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
+    pub(crate) fn bounds_over(&self, s: [f64; 2], t: [f64; 2]) -> DerivativeBounds {
         let (part, error) = self.centered_part(s, t);
         part.patch(0).derivative_bounds_within(error).rescaled([s[1] - s[0], t[1] - t[0]])
     }

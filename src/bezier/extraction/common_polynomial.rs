@@ -1,5 +1,6 @@
 //! Polynomials that several spans of a spline have in common.
 
+use crate::bezier::basis::Interpolation;
 use crate::bezier::basis::bernstein::MAX_ORDER;
 use crate::bezier::extraction::extract::Span;
 use crate::bezier::patch::subdivide::restrict_line;
@@ -52,51 +53,6 @@ pub(super) fn continues(left: &Span, right: &Span, degree: usize, line: &[DVec4]
     true
 }
 
-/// The places at which a polynomial of some degree is interpolated, and the
-/// inverse of the matrix of the Bernstein polynomials there.
-pub(super) struct Interpolation {
-    places: Vec<f64>,
-    inverse: Vec<Vec<f64>>,
-}
-
-impl Interpolation {
-    /// The extrema of a Chebyshev polynomial, by Gauss-Jordan elimination of the
-    /// totally positive matrix without pivoting. O(degree³).
-    pub(super) fn new(degree: usize) -> Self {
-        let order = degree + 1;
-        let angle = |k: usize| std::f64::consts::PI * k as f64 / degree as f64;
-        let places: Vec<f64> = (0..order).map(|k| (0.5 * angle(k)).sin().powi(2)).collect();
-        let mut rows: Vec<Vec<f64>> = places
-            .iter()
-            .enumerate()
-            .map(|(row, &x)| {
-                let mut values = vec![0.0; 2 * order];
-                values[0] = 1.0;
-                for level in 1..order {
-                    for index in (0..=level).rev() {
-                        let below = if index > 0 { values[index - 1] } else { 0.0 };
-                        values[index] = x * below + (1.0 - x) * values[index];
-                    }
-                }
-                values[order + row] = 1.0;
-                values
-            })
-            .collect();
-        for pivot in 0..order {
-            let scale = rows[pivot][pivot].recip();
-            rows[pivot].iter_mut().for_each(|value| *value *= scale);
-            let done = rows[pivot].clone();
-            for (index, row) in rows.iter_mut().enumerate() {
-                let factor = row[pivot];
-                if index != pivot && factor != 0.0 {
-                    row.iter_mut().zip(&done).for_each(|(value, done)| *value -= factor * done);
-                }
-            }
-        }
-        Self { places, inverse: rows.into_iter().map(|row| row[order..].to_vec()).collect() }
-    }
-}
-
 /// A run of spans as one polynomial, with the controls of all lines.
 pub(super) struct Piece {
     pub(super) spans: Range<usize>,
@@ -107,7 +63,7 @@ pub(super) struct Piece {
 pub(super) struct Pieces<'a> {
     pub(super) degree: usize,
     pub(super) spans: &'a [Span],
-    pub(super) nodes: &'a Interpolation,
+    pub(super) interpolation: &'a Interpolation,
     pub(super) lines: &'a [Vec<DVec4>],
     pub(super) list: Vec<Piece>,
 }
@@ -144,11 +100,11 @@ impl Pieces<'_> {
         let spans = &self.spans[run.clone()];
         let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
         let values: Vec<DVec4> = self
-            .nodes
-            .places
+            .interpolation
+            .nodes()
             .iter()
-            .map(|place| {
-                let parameter = (1.0 - place) * start + place * end;
+            .map(|node| {
+                let parameter = (1.0 - node) * start + node * end;
                 let index = spans.partition_point(|span| span.ends[1] < parameter).min(spans.len() - 1);
                 let [low, high] = spans[index].ends;
                 let local = ((parameter - low) / (high - low)).clamp(0.0, 1.0);
@@ -161,8 +117,7 @@ impl Pieces<'_> {
                 controls[0]
             })
             .collect();
-        let combined = |row: &Vec<f64>| row.iter().zip(&values).map(|(factor, &value)| *factor * value).sum();
-        self.nodes.inverse.iter().map(combined).collect()
+        self.interpolation.coefficients(&values)
     }
 
     /// Includes the differences between the run's spans and a polynomial over all of it.

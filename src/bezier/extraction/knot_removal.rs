@@ -18,7 +18,8 @@
 //! of L. Piegl and W. Tiller, *The NURBS Book*, section 5.4.
 
 use crate::axis::Axis;
-use crate::bezier::extraction::common_polynomial::{Interpolation, Piece, Pieces, continues};
+use crate::bezier::basis::Interpolation;
+use crate::bezier::extraction::common_polynomial::{Piece, Pieces, continues};
 use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
@@ -176,8 +177,8 @@ impl Net {
         }
         let lines: Vec<Vec<DVec4>> =
             (0..self.counts[axis.other()]).map(|line| self.line(axis, line)).collect();
-        let nodes = Interpolation::new(degree);
-        let mut pieces = Pieces { degree, spans: &spans, nodes: &nodes, lines: &lines, list: Vec::new() };
+        let interpolation = &Interpolation::new(degree);
+        let mut pieces = Pieces { degree, spans: &spans, interpolation, lines: &lines, list: Vec::new() };
         let mut differences = [0.0_f64; 2];
         for run in runs {
             pieces.add(run, self.tolerance(), &mut differences);

@@ -92,18 +92,25 @@ impl TrimUse {
 
     /// Returns a box that contains the curve, and little more.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
-        let pieces = self.curve.pieces().into_iter().flat_map(|piece| {
+        let pieces = self.curve.pieces();
+        let ends = || pieces.iter().flat_map(|piece| [piece.start(), piece.end()]);
+        let mut bounds =
+            [ends().fold(DVec3::INFINITY, DVec3::min), ends().fold(DVec3::NEG_INFINITY, DVec3::max)];
+        for piece in &pieces {
+            let [low, high] = bounds;
+            // Most curves stay within the box of the ends, as their control points show.
+            if piece.points().all(|point| point.cmpge(low).all() && point.cmple(high).all()) {
+                continue;
+            }
             let [start, end] = piece.domain();
-            let at = move |index: usize| start + (end - start) * index as f64 / BOX_PARTS as f64;
-            let parts = if piece.degree == 1 { 1 } else { BOX_PARTS };
-            (0..parts).map(move |part| match parts {
-                1 => piece.clone(),
-                _ => piece.sub_piece([at(part), at(part + 1)]),
-            })
-        });
-        pieces.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], piece| {
-            piece.points().fold([low, high], |[low, high], point| [low.min(point), high.max(point)])
-        })
+            let at = |index: usize| start + (end - start) * index as f64 / BOX_PARTS as f64;
+            for part in 0..BOX_PARTS {
+                for point in piece.sub_piece([at(part), at(part + 1)]).points() {
+                    bounds = [bounds[0].min(point), bounds[1].max(point)];
+                }
+            }
+        }
+        bounds
     }
 }
 

@@ -21,7 +21,8 @@ pub(super) struct Crossed {
 }
 
 impl Crossed {
-    /// A part about `center` that reaches as far as `reach` from it, along an axis.
+    /// Returns the crossings, along an axis, of a part all of whose points are within `reach` of
+    /// `center` by coordinate.
     pub(super) fn new(lifted: &Lifted<'_>, center: DVec3, reach: DVec3, axis: usize) -> Self {
         let cell = |parameter: f64| {
             let mut at = [center.x, center.y];
@@ -30,15 +31,19 @@ impl Crossed {
         };
         let (middle, reach) = (center[axis], reach[axis]);
         let [low, high] = cell(middle);
+        let (below, above) = (low - (middle - reach), middle + reach - high);
+        let by = below.max(above).max(0.0);
+        let mut crossed = Self { by, cells: vec![middle], far: None };
+        if by == 0.0 {
+            return crossed;
+        }
         let length = if (high - low).is_finite() {
             high - low
         } else {
             lifted.range.map(|t| lifted.curve.point(t)[axis].abs()).into_iter().fold(middle.abs(), f64::max)
         };
-        let (below, above) = (low - (middle - reach), middle + reach - high);
         let knot = if above > below { high } else { low };
-        let by = below.max(above).max(0.0);
-        let mut crossed = Self { by, cells: vec![middle], far: (by > NEAR_KNOT * length).then_some(knot) };
+        crossed.far = (by > NEAR_KNOT * length).then_some(knot);
         if crossed.far.is_some() {
             return crossed;
         }

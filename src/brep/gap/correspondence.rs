@@ -1,6 +1,7 @@
 //! Parameters of an edge as a function of those of a part of a curve.
 
-use super::Lifted;
+use super::local::Local;
+use super::nearest::nearest;
 use super::part::Ends;
 use std::f64::consts::PI;
 
@@ -25,14 +26,16 @@ impl Correspondence {
 
     /// Returns the interpolant of the parameters of nearest points at the extrema of a
     /// Chebyshev polynomial, with the ends as they are; `None` if it may not be monotone.
-    pub(super) fn nearest(lifted: &Lifted<'_>, [(t0, s0), (t1, s1)]: Ends) -> Option<Self> {
+    pub(super) fn nearest(local: &Local<'_>, [(t0, s0), (t1, s1)]: Ends) -> Option<Self> {
         let angle = PI / DEGREE as f64;
         let mut values = [s1; DEGREE + 1];
         values[DEGREE] = s0;
         let mut near = s1;
         for (k, value) in values.iter_mut().enumerate().take(DEGREE).skip(1) {
             let x = (angle * k as f64).cos();
-            near = lifted.nearest(0.5 * (t0 + t1) + 0.5 * (t1 - t0) * x, near, [s0, s1]);
+            let t = 0.5 * (t0 + t1) + 0.5 * (t1 - t0) * x;
+            let starts = [near, local.lifted.corresponding(t)];
+            near = nearest(local.on_surface(t), starts, [s0, s1], |s| local.edge_jet(s));
             *value = near;
         }
         let halved = |index: usize| if index == 0 || index == DEGREE { 0.5 } else { 1.0 };

@@ -1,15 +1,15 @@
 //! The majorants that bound the difference of a part at complex parameters, and rounding.
 
-use super::Lifted;
 use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::interpolant::{COUNTS, remainder};
+use super::local::{Local, LocalSurface};
 use super::majorant::{CurveMajorant, SurfaceMajorant};
 use super::part::Ends;
 use glam::{DMat3, DVec3};
 
 /// The largest exponent of the ellipses ρ = 2, 4, ….
-const MAX_RHO_EXPONENT: i32 = 12;
+const MAX_RHO_EXPONENT: u32 = 12;
 
 /// The scale on which the slope of a majorant is taken, a power of 2.
 const SLIP_SCALE: f64 = 1_048_576.0;
@@ -43,27 +43,31 @@ pub(super) struct Discs {
 
 impl Discs {
     pub(super) fn new(
-        lifted: &Lifted<'_>,
+        local: &Local<'_>,
         [(t0, s0), (t1, s1)]: Ends,
         center: DVec3,
         curve: CurveMajorant,
         crossed: &[Crossed; 2],
     ) -> Self {
         let [t, s] = [0.5 * (t0 + t1), 0.5 * (s0 + s1)];
+        let at = [center.x, center.y];
         let [us, vs] = crossed.each_ref().map(|one| one.cells.as_slice());
-        let cells = us.iter().flat_map(|&u| vs.iter().map(move |&v| [u, v]));
-        let surface = |cell| SurfaceMajorant::new(lifted.surface, [center.x, center.y], cell);
-        let surfaces = cells.map(surface).collect();
+        let beyond = us.iter().flat_map(|&u| vs.iter().map(move |&v| [u, v])).skip(1);
+        let lifted = local.lifted;
+        let mut surfaces = vec![SurfaceMajorant::new(&local.surface, at)];
+        surfaces.extend(
+            beyond.map(|cell| SurfaceMajorant::new(&LocalSurface::new(lifted.surface, at, cell), at)),
+        );
         let half = 0.5 * (t1 - t0);
         let roundings = |degree: usize| (ROUNDINGS + ROUNDINGS_A_DEGREE * degree) as f64 * f64::EPSILON;
         let degree = lifted.curve.degree();
         let reach = curve.radii(half);
         let parameters = [0, 1].map(|axis| roundings(degree) * (center[axis].abs() + reach[axis]));
-        let size = lifted.on_surface(t).length() + lifted.on_edge(s).length();
+        let size = local.on_surface(t).length() + lifted.on_edge(s).length();
         Self {
             curve,
             surfaces,
-            edge: CurveMajorant::new(lifted.edge, s, s),
+            edge: CurveMajorant::new(&local.edge, s),
             passed: crossed.each_ref().map(|one| one.by),
             half,
             norms: [lifted.surface_location.matrix3, lifted.edge_location.matrix3].map(norm),
@@ -78,15 +82,19 @@ impl Discs {
     /// Returns the least number of nodes whose interpolant is within `allowed` of the
     /// difference, and the bound on its error; `None` if none is.
     pub(super) fn nodes(&self, edge: &Correspondence, allowed: f64) -> Option<(usize, f64)> {
-        let moves: Vec<(f64, f64)> = (1..=MAX_RHO_EXPONENT)
-            .map(|exponent| f64::from(2_u32.pow(exponent.unsigned_abs())))
-            .map(|rho| (rho, self.moved(rho, edge)))
-            .collect();
+        let ellipse = |exponent: u32| {
+            let rho = f64::from(2_u32.pow(exponent));
+            (rho, self.moved(rho, edge))
+        };
+        let mut best = ellipse(1);
+        let mut larger = (2..=MAX_RHO_EXPONENT).map(ellipse).peekable();
         COUNTS.into_iter().find_map(|count| {
-            let error = |&(rho, moved): &(f64, f64)| remainder(count, rho) * moved;
-            // f64::min leaves out NaN, which a majorant of no bound gives.
-            let least = moves.iter().map(error).fold(f64::INFINITY, f64::min);
-            (least <= allowed).then_some((count, least))
+            // The error is unimodal in ρ, and its least place grows with the number of nodes.
+            let error = |(rho, moved): (f64, f64)| remainder(count, rho) * moved;
+            while let Some(next) = larger.next_if(|&next| error(next) < error(best)) {
+                best = next;
+            }
+            (error(best) <= allowed).then(|| (count, error(best)))
         })
     }
 

@@ -1,13 +1,14 @@
 //! Bounds on curves and surfaces at complex parameters, by discs about a real one.
 
+use super::local::{LocalCurve, LocalSurface};
 use crate::brep::nurbs::{Conic, Curve, Surface, project};
-use glam::{DVec3, DVec4, Vec4Swizzles};
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 /// An upper bound on `|C(z) - C(c)|`, by coordinate, for complex z around a real centre c.
 pub(super) enum CurveMajorant {
-    /// From the Taylor coefficients of a polynomial or rational curve: those of order
-    /// 1, 2, … of its numerator less those of its weight times C(c), and of its weight.
-    Power { moves: Vec<DVec3>, weights: Vec<f64>, weight: f64 },
+    /// From the Taylor coefficients of a polynomial or rational curve, the sizes of those of
+    /// order 1, 2, …: of its numerator less C(c) times its weight, and of its weight.
+    Power { orders: Vec<DVec4>, weight: f64 },
     /// `factor (e^r - 1)`, of ellipses and hyperbolas.
     Exponential(DVec3),
     /// No bound is known.
@@ -15,12 +16,23 @@ pub(super) enum CurveMajorant {
 }
 
 impl CurveMajorant {
-    /// The majorant about `center`, of the polynomial used around `inside`.
-    pub(super) fn new(curve: &Curve, center: f64, inside: f64) -> Self {
+    /// The majorant about a parameter, which is the centre of the local curve.
+    pub(super) fn new(local: &LocalCurve<'_>, center: f64) -> Self {
+        match local {
+            LocalCurve::Taylor { orders, .. } => {
+                let at_center = project(orders[0]);
+                let size = |order: &DVec4| (order.xyz() - order.w * at_center).extend(order.w).abs();
+                Self::Power { orders: orders[1..].iter().map(size).collect(), weight: orders[0].w }
+            }
+            LocalCurve::Other(curve) => Self::of(curve, center),
+        }
+    }
+
+    fn of(curve: &Curve, center: f64) -> Self {
         match curve {
-            Curve::Line { direction, .. } => Self::polynomial(vec![direction.abs()]),
+            Curve::Line { direction, .. } => Self::polynomial(vec![*direction]),
             Curve::Conic { conic: Conic::Parabolic, x, y, .. } => {
-                Self::polynomial(vec![(2.0 * center * *x + *y).abs(), x.abs()])
+                Self::polynomial(vec![2.0 * center * *x + *y, *x])
             }
             // |cos(c + z) - cos c| and |sin(c + z) - sin c| are at most cosh r - 1 + sinh r.
             Curve::Conic { conic: Conic::Elliptic, x, y, .. } => Self::Exponential(x.abs() + y.abs()),
@@ -28,36 +40,26 @@ impl CurveMajorant {
             Curve::Conic { conic: Conic::Hyperbolic, x, y, .. } => {
                 Self::Exponential(center.abs().exp() * (x.abs() + y.abs()))
             }
-            Curve::Spline(spline) => Self::rational(&spline.taylor(center, inside)),
-            Curve::Trimmed { basis, .. } => Self::new(basis, center, inside),
+            Curve::Spline(_) | Curve::Trimmed { .. } => {
+                Self::new(&LocalCurve::new(curve, center, center), center)
+            }
             Curve::Offset { distance, normal, basis } => match basis.offset(*distance, *normal) {
-                Some(curve) => Self::new(&curve, center, inside),
+                Some(curve) => Self::of(&curve, center),
                 None => Self::Unbounded,
             },
         }
     }
 
-    fn polynomial(moves: Vec<DVec3>) -> Self {
-        Self::Power { weights: vec![0.0; moves.len()], moves, weight: 1.0 }
-    }
-
-    fn rational(taylor: &[DVec4]) -> Self {
-        let at_center = project(taylor[0]);
-        let moved = |order: &DVec4| (order.xyz() - order.w * at_center).abs();
-        Self::Power {
-            moves: taylor[1..].iter().map(moved).collect(),
-            weights: taylor[1..].iter().map(|order| order.w.abs()).collect(),
-            weight: taylor[0].w,
-        }
+    fn polynomial(orders: Vec<DVec3>) -> Self {
+        Self::Power { orders: orders.into_iter().map(|order| order.abs().extend(0.0)).collect(), weight: 1.0 }
     }
 
     /// Returns the bound for all z within `radius` of the centre.
     pub(super) fn radii(&self, radius: f64) -> DVec3 {
         match self {
-            Self::Power { moves, weights, weight } => {
-                let numerator = moves.iter().rev().fold(DVec3::ZERO, |sum, &order| radius * (sum + order));
-                let lost = weights.iter().rev().fold(0.0, |sum, &order| radius * (sum + order));
-                numerator / positive(weight - lost)
+            Self::Power { orders, weight } => {
+                let sum = orders.iter().rev().fold(DVec4::ZERO, |sum, &order| radius * (sum + order));
+                sum.xyz() / positive(weight - sum.w)
             }
             Self::Exponential(factor) => radius.exp_m1() * *factor,
             Self::Unbounded => DVec3::INFINITY,
@@ -78,46 +80,39 @@ pub(super) enum SurfaceMajorant {
         direction: f64,
         profile: CurveMajorant,
     },
-    /// As [`CurveMajorant::Power`], with the coefficients of order (i, j) in row i.
+    /// As [`CurveMajorant::Power`], with the lengths of the coefficients of orders (i, j), j
+    /// fastest, of the numerator and the weight.
     Power {
-        moves: Vec<Vec<f64>>,
-        weights: Vec<Vec<f64>>,
+        columns: usize,
+        orders: Vec<DVec2>,
         weight: f64,
     },
     Unbounded,
 }
 
 impl SurfaceMajorant {
-    /// The majorant about `center`, of the polynomial used around `inside`.
-    pub(super) fn new(surface: &Surface, center: [f64; 2], inside: [f64; 2]) -> Self {
-        match surface {
-            Surface::Plane(frame) => Self::Affine([frame.x.length(), frame.y.length()]),
-            Surface::Revolution { profile, .. } => {
-                let local = profile.point(center[1]);
-                let profile = CurveMajorant::new(profile, center[1], inside[1]);
-                Self::Revolution { distance: local.x.hypot(local.y), profile }
+    /// The majorant about parameters, which are the centre of the local surface.
+    pub(super) fn new(local: &LocalSurface<'_>, center: [f64; 2]) -> Self {
+        match local {
+            LocalSurface::Taylor { columns, orders, .. } => {
+                let at_center = project(orders[0]);
+                let size =
+                    |order: &DVec4| DVec2::new((order.xyz() - order.w * at_center).length(), order.w.abs());
+                let mut sizes: Vec<DVec2> = orders.iter().map(size).collect();
+                sizes[0] = DVec2::ZERO;
+                Self::Power { columns: *columns, orders: sizes, weight: orders[0].w }
             }
-            Surface::Extrusion { direction, profile } => Self::Extrusion {
+            LocalSurface::Revolution { profile, .. } => {
+                let at_center = profile.point(center[1]);
+                let distance = at_center.x.hypot(at_center.y);
+                Self::Revolution { distance, profile: CurveMajorant::new(profile, center[1]) }
+            }
+            LocalSurface::Extrusion { direction, profile } => Self::Extrusion {
                 direction: direction.length(),
-                profile: CurveMajorant::new(profile, center[0], inside[0]),
+                profile: CurveMajorant::new(profile, center[0]),
             },
-            Surface::Spline(spline) => Self::rational(&spline.taylor(center, inside)),
-            Surface::Trimmed { basis, .. } => Self::new(basis, center, inside),
-            Surface::Offset { .. } => Self::Unbounded,
-        }
-    }
-
-    fn rational(taylor: &[Vec<DVec4>]) -> Self {
-        let at_center = project(taylor[0][0]);
-        let grid = |value: &dyn Fn(&DVec4) -> f64| -> Vec<Vec<f64>> {
-            let mut rows: Vec<Vec<f64>> = taylor.iter().map(|row| row.iter().map(value).collect()).collect();
-            rows[0][0] = 0.0;
-            rows
-        };
-        Self::Power {
-            moves: grid(&|order| (order.xyz() - order.w * at_center).length()),
-            weights: grid(&|order| order.w.abs()),
-            weight: taylor[0][0].w,
+            LocalSurface::Other(Surface::Plane(frame)) => Self::Affine([frame.x.length(), frame.y.length()]),
+            LocalSurface::Other(_) => Self::Unbounded,
         }
     }
 
@@ -132,12 +127,11 @@ impl SurfaceMajorant {
                 u.exp() * profile.radii(v).length() + u.exp_m1() * distance
             }
             Self::Extrusion { direction, profile } => profile.radii(u).length() + v * direction,
-            Self::Power { moves, weights, weight } => {
-                let sum = |grid: &[Vec<f64>]| {
-                    let row = |row: &Vec<f64>| row.iter().rev().fold(0.0, |sum, &order| v * sum + order);
-                    grid.iter().rev().fold(0.0, |sum, orders| u * sum + row(orders))
-                };
-                sum(moves) / positive(weight - sum(weights))
+            Self::Power { columns, orders, weight } => {
+                let row = |row: &[DVec2]| row.iter().rev().fold(DVec2::ZERO, |sum, &order| v * sum + order);
+                let rows = orders.chunks_exact(*columns).rev();
+                let sum = rows.fold(DVec2::ZERO, |sum, orders| u * sum + row(orders));
+                sum.x / positive(weight - sum.y)
             }
             Self::Unbounded => f64::INFINITY,
         }

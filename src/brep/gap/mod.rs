@@ -9,7 +9,9 @@ mod cells;
 mod correspondence;
 mod discs;
 mod interpolant;
+mod local;
 mod majorant;
+mod nearest;
 mod part;
 
 use super::nurbs::{Curve, Surface};
@@ -117,68 +119,7 @@ impl Lifted<'_> {
         ];
         low.distance(high)
     }
-
-    /// Returns the parameter of a point of the curve near a point of the edge, as
-    /// [`Self::nearest`] does.
-    fn nearest_on_curve(&self, s: f64, t: f64, [low, high]: [f64; 2]) -> f64 {
-        let on_edge = self.on_edge(s);
-        let ([t0, t1], [s0, s1]) = (self.range, self.edge_range);
-        let other = (t0 + (t1 - t0) * ((s - s0) / (s1 - s0))).clamp(low, high);
-        let is_nearer = self.on_surface(other).distance(on_edge) < self.on_surface(t).distance(on_edge);
-        let t = if is_nearer { other } else { t };
-        let mut nearest = t;
-        for _ in 0..NEAREST_STEPS {
-            let other =
-                nearest + DIFFERENCE * (if nearest - low < high - nearest { high } else { low } - nearest);
-            let tangent = (self.on_surface(other) - self.on_surface(nearest)) / (other - nearest);
-            let step = (on_edge - self.on_surface(nearest)).dot(tangent) / tangent.length_squared();
-            if !step.is_finite() {
-                return t;
-            }
-            nearest = (nearest + step).clamp(low, high);
-        }
-        let is_nearer = self.difference(nearest, s).length() < self.difference(t, s).length();
-        if is_nearer { nearest } else { t }
-    }
-
-    /// Returns the parameter of a point of the edge near a point of the curve, by
-    /// Gauss-Newton steps from `s` within `low` and `high`, which bounds do not depend on.
-    fn nearest(&self, t: f64, s: f64, [low, high]: [f64; 2]) -> f64 {
-        let on_surface = self.on_surface(t);
-        let ([t0, t1], [s0, s1]) = (self.range, self.edge_range);
-        // Most curves have the parameters of their edges.
-        let other = (s0 + (s1 - s0) * ((t - t0) / (t1 - t0))).clamp(low.min(high), low.max(high));
-        let is_nearer = on_surface.distance(self.on_edge(other)) < on_surface.distance(self.on_edge(s));
-        let mut nearest = if is_nearer { other } else { s };
-        let (mut least, mut found) = (f64::INFINITY, nearest);
-        for _ in 0..=NEAREST_STEPS {
-            let difference = on_surface - self.on_edge(nearest);
-            let distance = difference.length();
-            if distance < least {
-                (least, found) = (distance, nearest);
-            }
-            let tangent = self.edge_location.transform_vector3(self.edge.tangent(nearest));
-            let step = difference.dot(tangent) / tangent.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            nearest = (nearest + step).clamp(low.min(high), low.max(high));
-            if step.abs() <= SMALL_STEP * (high - low).abs() {
-                return nearest;
-            }
-        }
-        found
-    }
 }
 
 /// The points of a curve that the search begins with are one more than this number.
 const SAMPLES: usize = 8;
-
-/// The Gauss-Newton steps towards a nearest point.
-const NEAREST_STEPS: usize = 3;
-
-/// Part of a range after a step of which no other is made.
-const SMALL_STEP: f64 = 1e-8;
-
-/// Part of a range over which a difference quotient is taken.
-const DIFFERENCE: f64 = 1e-6;

@@ -5,6 +5,7 @@ use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::discs::Discs;
 use super::interpolant::{largest, points};
+use super::local::{Local, LocalCurve, LocalSurface};
 use super::majorant::CurveMajorant;
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -47,25 +48,35 @@ impl Part {
         if let Some(knot) = knot_inside(lifted.edge.cell(s), [s0, s1]) {
             return unbounded(Cut::Edge(knot));
         }
-        let center = lifted.curve.point(t);
-        let curve = CurveMajorant::new(lifted.curve, t, t);
+        let local_curve = LocalCurve::new(lifted.curve, t, t);
+        let center = local_curve.point(t);
+        let curve = CurveMajorant::new(&local_curve, t);
         let reach = curve.radii(0.5 * (t1 - t0));
         let crossed = [0, 1].map(|axis| Crossed::new(lifted, center, reach, axis));
         for axis in [0, 1] {
             if let Some(knot) = crossed[axis].far {
-                return unbounded(crossing(lifted, axis, knot, [t0, t1]).map_or(Cut::Middle, Cut::Curve));
+                return unbounded(
+                    crossing(&local_curve, axis, knot, [t0, t1]).map_or(Cut::Middle, Cut::Curve),
+                );
             }
         }
-        let discs = Discs::new(lifted, ends, center, curve, &crossed);
+        let at = [center.x, center.y];
+        let local = Local {
+            lifted,
+            curve: local_curve,
+            surface: LocalSurface::new(lifted.surface, at, at),
+            edge: LocalCurve::new(lifted.edge, s, s),
+        };
+        let discs = Discs::new(&local, ends, center, curve, &crossed);
         let affine = Correspondence::affine([s0, s1]);
-        let mut part = Self::bounded(lifted, ends, &discs, &affine, found);
+        let mut part = Self::bounded(&local, ends, &discs, &affine, found);
         // Curves that coincide with other parameters have a small distance only between
         // their nearest points.
         if part.upper > found
             && part.sampled > super::TIGHTNESS * part.lower
-            && let Some(nearest) = Correspondence::nearest(lifted, ends)
+            && let Some(nearest) = Correspondence::nearest(&local, ends)
         {
-            let other = Self::bounded(lifted, ends, &discs, &nearest, found);
+            let other = Self::bounded(&local, ends, &discs, &nearest, found);
             if other.upper < part.upper {
                 part = other;
             }
@@ -73,15 +84,15 @@ impl Part {
         part
     }
 
-    fn bounded(lifted: &Lifted<'_>, ends: Ends, discs: &Discs, edge: &Correspondence, found: f64) -> Self {
+    fn bounded(local: &Local<'_>, ends: Ends, discs: &Discs, edge: &Correspondence, found: f64) -> Self {
         let [(t0, _), (t1, _)] = ends;
         let parameters = |x: f64| (0.5 * (t0 + t1) + 0.5 * (t1 - t0) * x, edge.parameter(x));
         let difference = |x: f64| {
             let (t, s) = parameters(x);
-            lifted.difference(t, s)
+            local.difference(t, s)
         };
         // No difference is farther from that of the middles than the discs of real parameters.
-        let middle = lifted.difference(0.5 * (t0 + t1), edge.middle);
+        let middle = local.difference(0.5 * (t0 + t1), edge.middle);
         let mut upper = middle.length() + discs.moved(1.0, edge);
         let (mut lower, mut sampled) = (0.0, f64::INFINITY);
         if upper > found
@@ -95,6 +106,7 @@ impl Part {
                 let (distance, x) = farthest.fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
                 let (t, s) = parameters(x);
                 sampled = distance;
+                let lifted = local.lifted;
                 lower = lifted.difference(t, lifted.nearest(t, s, lifted.edge_range)).length();
             }
         }
@@ -154,8 +166,8 @@ fn knot_inside(cell: [f64; 2], [start, end]: [f64; 2]) -> Option<f64> {
 }
 
 /// Returns where a coordinate of the curve crosses a knot, if its ends are on both sides.
-fn crossing(lifted: &Lifted<'_>, axis: usize, knot: f64, [start, end]: [f64; 2]) -> Option<f64> {
-    let value = |t: f64| lifted.curve.point(t)[axis];
+fn crossing(curve: &LocalCurve<'_>, axis: usize, knot: f64, [start, end]: [f64; 2]) -> Option<f64> {
+    let value = |t: f64| curve.point(t)[axis];
     let rising = value(start) < knot;
     if rising == (value(end) < knot) {
         return None;

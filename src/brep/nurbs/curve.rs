@@ -81,8 +81,9 @@ impl SplineCurve {
         let Spline { degree, knots, controls } = &self.one_period;
         let reduced = self.basis.reduced(inside);
         let span = spline::span(knots, *degree, controls.len(), reduced);
-        let active = &controls[span - degree..=span];
-        spline::taylor(knots, *degree, span, active, center + (reduced - inside))
+        let mut orders = controls[span - degree..=span].to_vec();
+        spline::taylor(knots, *degree, span, &mut orders, center + (reduced - inside));
+        orders
     }
 }
 

@@ -24,6 +24,13 @@ impl Frame {
         self.x.cross(self.y).dot(self.z).signum()
     }
 
+    /// Returns the point of local coordinates that are turned about z by an angle.
+    pub(crate) fn turned(&self, local: DVec3, angle: f64) -> DVec3 {
+        let (sin, cos) = angle.sin_cos();
+        let turned = DVec3::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y, local.z);
+        self.point(turned)
+    }
+
     /// Returns a point of the frame's coordinates in space.
     pub(crate) fn point(&self, local: DVec3) -> DVec3 {
         self.origin + self.vector(local)

@@ -4,6 +4,7 @@ use super::conversion::Unconvertible;
 use super::parameter_map::ParameterMap;
 use super::spline::Spline;
 use super::surface_net::SurfaceNet;
+use crate::bezier::{Interpolation, bernstein};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -25,73 +26,28 @@ const MAX_CELLS: usize = 4096;
 /// The most rounds of halving: the deviation falls by up to 2⁸ a round.
 const MAX_ROUNDS: usize = 12;
 
-/// Returns the extrema of the Chebyshev polynomial of [`DEGREE`] on [0, 1].
-fn nodes() -> [f64; DEGREE + 1] {
-    std::array::from_fn(|k| 0.5 - 0.5 * (PI * k as f64 / DEGREE as f64).cos())
-}
-
 /// Returns points between the nodes, near the extrema of the product of their distances.
 fn checks() -> [f64; DEGREE] {
     std::array::from_fn(|k| 0.5 - 0.5 * (PI * (k as f64 + 0.5) / DEGREE as f64).cos())
 }
 
-/// Returns the Bernstein polynomials of [`DEGREE`] at a parameter.
-fn bernstein(t: f64) -> [f64; DEGREE + 1] {
-    let mut values = [0.0; DEGREE + 1];
-    values[0] = 1.0;
-    for degree in 1..=DEGREE {
-        for k in (0..=degree).rev() {
-            let above = if k > 0 { t * values[k - 1] } else { 0.0 };
-            values[k] = (1.0 - t) * values[k] + above;
-        }
-    }
-    values
+/// Points, or Bernstein coefficients, of one piece.
+type Row = [DVec3; DEGREE + 1];
+
+/// Returns the Bernstein coefficients of the polynomial with these values at the nodes.
+fn coefficients(interpolation: &Interpolation, values: &Row) -> Row {
+    let coefficients = interpolation.coefficients(values);
+    std::array::from_fn(|k| coefficients[k])
 }
 
-/// The matrix from values at the nodes to Bernstein coefficients.
-struct Interpolation([[f64; DEGREE + 1]; DEGREE + 1]);
-
-impl Interpolation {
-    /// Inverts the matrix of Bernstein polynomials at the nodes, by Gauss-Jordan elimination
-    /// with pivots. Its condition is below 10³.
-    fn new() -> Self {
-        const ORDER: usize = DEGREE + 1;
-        let mut matrix = nodes().map(bernstein);
-        let mut inverse: [[f64; ORDER]; ORDER] =
-            std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
-        for column in 0..ORDER {
-            let pivot = (column..ORDER)
-                .max_by(|&a, &b| matrix[a][column].abs().total_cmp(&matrix[b][column].abs()))
-                .unwrap_or(column);
-            matrix.swap(column, pivot);
-            inverse.swap(column, pivot);
-            let scale = 1.0 / matrix[column][column];
-            for row in [&mut matrix[column], &mut inverse[column]] {
-                row.iter_mut().for_each(|value| *value *= scale);
-            }
-            let (pivot_row, pivot_inverse) = (matrix[column], inverse[column]);
-            for row in (0..ORDER).filter(|&row| row != column) {
-                let factor = matrix[row][column];
-                for k in 0..ORDER {
-                    matrix[row][k] -= factor * pivot_row[k];
-                    inverse[row][k] -= factor * pivot_inverse[k];
-                }
-            }
-        }
-        Self(inverse)
-    }
-
-    fn coefficients(&self, values: &[DVec3; DEGREE + 1]) -> [DVec3; DEGREE + 1] {
-        let mut coefficients =
-            self.0.map(|row| row.iter().zip(values).map(|(&factor, &value)| factor * value).sum());
-        // The first and last node are the ends.
-        (coefficients[0], coefficients[DEGREE]) = (values[0], values[DEGREE]);
-        coefficients
-    }
+/// Returns the nodes of [`DEGREE`] on [0, 1].
+fn nodes(interpolation: &Interpolation) -> [f64; DEGREE + 1] {
+    std::array::from_fn(|k| interpolation.nodes()[k])
 }
 
-fn combined(weights: &[f64; DEGREE + 1], values: &[DVec3; DEGREE + 1]) -> DVec3 {
-    weights.iter().zip(values).map(|(&weight, &value)| weight * value).sum()
+/// Returns the sum of values with the Bernstein polynomials, which come first, as factors.
+fn combined(weights: &[f64], values: &Row) -> DVec3 {
+    values.iter().zip(weights).map(|(&value, &weight)| weight * value).sum()
 }
 
 fn within([start, end]: [f64; 2], fraction: f64) -> f64 {
@@ -107,15 +63,17 @@ pub(super) fn curve(
     point: &dyn Fn(f64) -> DVec3,
     breaks: &[f64],
 ) -> Result<(Spline, ParameterMap, f64), Unconvertible> {
-    let interpolation = Interpolation::new();
+    let interpolation = Interpolation::new(DEGREE);
+    let nodes = nodes(&interpolation);
     let mut breaks = breaks.to_vec();
     let size =
-        size(breaks.windows(2).flat_map(|pair| nodes().map(|node| point(within([pair[0], pair[1]], node)))));
+        size(breaks.windows(2).flat_map(|pair| nodes.map(|node| point(within([pair[0], pair[1]], node)))));
     let piece = |pair: &[f64]| {
         let range = [pair[0], pair[1]];
-        let coefficients = interpolation.coefficients(&nodes().map(|node| point(within(range, node))));
-        let deviation =
-            |check: f64| combined(&bernstein(check), &coefficients).distance(point(within(range, check)));
+        let coefficients = coefficients(&interpolation, &nodes.map(|node| point(within(range, node))));
+        let deviation = |check: f64| {
+            combined(&bernstein(DEGREE, check), &coefficients).distance(point(within(range, check)))
+        };
         (coefficients, largest(checks().into_iter().map(deviation)))
     };
     for round in 0..=MAX_ROUNDS {
@@ -147,7 +105,8 @@ pub(super) fn surface(
     point: &dyn Fn(f64, f64) -> DVec3,
     mut breaks: [Vec<f64>; 2],
 ) -> Result<SurfaceNet, Unconvertible> {
-    let interpolation = Interpolation::new();
+    let interpolation = Interpolation::new(DEGREE);
+    let nodes = nodes(&interpolation);
     for _ in 0..=MAX_ROUNDS {
         let counts = breaks.each_ref().map(|breaks| breaks.len() - 1);
         if counts[0].saturating_mul(counts[1]) > MAX_CELLS {
@@ -158,9 +117,9 @@ pub(super) fn surface(
             for v in breaks[1].windows(2) {
                 let ranges = [[u[0], u[1]], [v[0], v[1]]];
                 let at = |s: f64, t: f64| point(within(ranges[0], s), within(ranges[1], t));
-                let values = nodes().map(|s| nodes().map(|t| at(s, t)));
-                let rows = values.map(|row| interpolation.coefficients(&row));
-                let columns = transposed(&rows).map(|column| interpolation.coefficients(&column));
+                let values = nodes.map(|s| nodes.map(|t| at(s, t)));
+                let rows = values.map(|row| coefficients(&interpolation, &row));
+                let columns = transposed(&rows).map(|column| coefficients(&interpolation, &column));
                 let controls = transposed(&columns);
                 cells.push(Cell::new(controls, &values, &interpolation, &at));
             }
@@ -192,7 +151,7 @@ pub(super) fn surface(
 
 /// The polynomial over one cell.
 struct Cell {
-    controls: [[DVec3; DEGREE + 1]; DEGREE + 1],
+    controls: [Row; DEGREE + 1],
     deviation: f64,
     /// The deviation of the lines through the nodes along u, and of those along v.
     along: [f64; 2],
@@ -200,29 +159,27 @@ struct Cell {
 
 impl Cell {
     fn new(
-        controls: [[DVec3; DEGREE + 1]; DEGREE + 1],
-        values: &[[DVec3; DEGREE + 1]; DEGREE + 1],
+        controls: [Row; DEGREE + 1],
+        values: &[Row; DEGREE + 1],
         interpolation: &Interpolation,
         point: &dyn Fn(f64, f64) -> DVec3,
     ) -> Self {
         let mut deviation = 0.0_f64;
-        let at_checks = checks().map(bernstein);
+        let at_checks = checks().map(|check| bernstein(DEGREE, check));
         for (u, s) in at_checks.iter().zip(checks()) {
-            let row: [DVec3; DEGREE + 1] = transposed(&controls).map(|column| combined(u, &column));
+            let row: Row = transposed(&controls).map(|column| combined(u, &column));
             for (v, t) in at_checks.iter().zip(checks()) {
                 let found = combined(v, &row).distance(point(s, t));
                 deviation = if found.is_nan() { f64::INFINITY } else { deviation.max(found) };
             }
         }
         let middle = DEGREE / 2;
-        let corners = nodes();
+        let corner = interpolation.nodes()[middle];
         let line = |axis: usize| {
-            let fixed: [DVec3; DEGREE + 1] =
-                if axis == 0 { transposed(values)[middle] } else { values[middle] };
-            let coefficients = interpolation.coefficients(&fixed);
+            let fixed: Row = if axis == 0 { transposed(values)[middle] } else { values[middle] };
+            let coefficients = coefficients(interpolation, &fixed);
             largest(at_checks.iter().zip(checks()).map(|(weights, check)| {
-                let on_surface =
-                    if axis == 0 { point(check, corners[middle]) } else { point(corners[middle], check) };
+                let on_surface = if axis == 0 { point(check, corner) } else { point(corner, check) };
                 combined(weights, &coefficients).distance(on_surface)
             }))
         };

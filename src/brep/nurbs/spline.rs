@@ -1,5 +1,6 @@
 //! Rational B-spline curves in homogeneous coordinates.
 
+use crate::chebyshev::binomial;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A rational B-spline curve `(w x, w y, w z, w)`.
@@ -124,26 +125,46 @@ impl Spline {
     }
 }
 
-/// Returns the Taylor coefficients, at a parameter, of the polynomial of the span that begins
-/// with knot `span` and has these degree + 1 active control points.
+/// Turns the degree + 1 active control points of the span that begins with knot `span` into the
+/// Taylor coefficients of its polynomial at a parameter.
 ///
-/// The j-th one is `binomial(degree, j) Δʲ b_0 / lengthʲ` for the control points b of the
-/// polynomial over an interval of this length that begins at the parameter. O(degree³).
-pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &[DVec4], at: f64) -> Vec<DVec4> {
-    let length = knots[span + 1] - knots[span];
-    let argument = |index, argument| if argument < index { at + length } else { at };
-    let mut work: Vec<DVec4> =
-        (0..=degree).map(|index| blossom(knots, degree, span, controls, |k| argument(index, k))).collect();
-    let mut factor = 1.0;
-    for order in 0..=degree {
-        for index in (order + 1..=degree).rev() {
-            let previous = work[index - 1];
-            work[index] -= previous;
+/// De Boor's algorithm leaves the polar forms `e_j = b(at, …, at, k_1, …, k_j)` with the knots k
+/// beside the span on one of its sides. Coefficient m is `binomial(degree, m)` times the polar
+/// form with m arguments replaced by the unit vector, of which the differences
+/// `(g_(j+1) - g_j) / (k_(j+1) - at)` replace one each, as polar forms are affine in every
+/// argument (L. Ramshaw, *Blossoming: a connect-the-dots approach to splines*). The knots are
+/// those of the farther side, so that no difference is divided by less than half of the span.
+/// O(degree²).
+pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &mut [DVec4], at: f64) {
+    let is_right = knots[span + 1] - at >= at - knots[span];
+    for level in 1..=degree {
+        let moved = |low: DVec4, high: DVec4, index: usize| {
+            let [start, end] = [knots[span - degree + level + index], knots[span + 1 + index]];
+            let fraction = (at - start) / (end - start);
+            (1.0 - fraction) * low + fraction * high
+        };
+        if is_right {
+            for index in 0..=degree - level {
+                controls[index] = moved(controls[index], controls[index + 1], index);
+            }
+        } else {
+            for index in (level..=degree).rev() {
+                controls[index] = moved(controls[index - 1], controls[index], index - level);
+            }
         }
-        work[order] *= factor;
-        factor *= (degree - order) as f64 / ((order + 1) as f64 * length);
     }
-    work
+    if !is_right {
+        controls.reverse();
+    }
+    let beside = |j: usize| knots[if is_right { span + j } else { span + 1 - j }];
+    for order in 0..degree {
+        for j in (1..=degree - order).rev() {
+            controls[order + j] = (controls[order + j] - controls[order + j - 1]) / (beside(j) - at);
+        }
+    }
+    for (order, control) in controls.iter_mut().enumerate() {
+        *control *= binomial(degree, order);
+    }
 }
 
 /// Returns the point of homogeneous coordinates.
@@ -254,4 +275,29 @@ pub(crate) fn support_spans(old: &[f64], degree: usize, count: usize, new: &[f64
             span(old, degree, count, 0.5 * (new[widest] + new[widest + 1]))
         })
         .collect()
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn taylor_coefficients_are_those_of_the_span_on_both_of_its_halves_and_beyond() {
+        let knots = [0.0, 0.0, 0.5, 1.0, 2.0, 2.0, 3.0, 4.5, 5.0, 6.0];
+        let controls = [[1.0, 2.0], [-1.0, 3.0], [0.5, 1.0], [2.0, 4.0], [3.0, 2.0], [0.0, 1.0]]
+            .map(|[x, w]| DVec4::new(x, x * x, 1.0 - x, w));
+        for (degree, span) in [(3, 3), (3, 5), (2, 5), (1, 3), (4, 5)] {
+            let [start, end] = [knots[span], knots[span + 1]];
+            let active = &controls[span - degree..=span];
+            for at in [0.0, 0.1, 0.5, 0.9, 1.0, 1.5, -0.5].map(|x| start + x * (end - start)) {
+                let mut orders = active.to_vec();
+                taylor(&knots, degree, span, &mut orders, at);
+                for moved in [0.0, 0.3, -0.7] {
+                    let found = orders.iter().rev().fold(DVec4::ZERO, |sum, &order| moved * sum + order);
+                    let expected = blossom(&knots, degree, span, active, |_| at + moved);
+                    assert!((found - expected).length() < 1e-12, "{degree} {span} {at} {found} {expected}");
+                }
+            }
+        }
+    }
 }

@@ -86,27 +86,28 @@ impl SplineSurface {
         [curves[0].tangent(u), curves[1].tangent(v)]
     }
 
-    /// Returns the homogeneous Taylor coefficients at `center`, of orders (i, j), of the
-    /// polynomial used around `inside`.
-    pub(crate) fn taylor(&self, center: [f64; 2], inside: [f64; 2]) -> Vec<Vec<DVec4>> {
+    /// Returns the homogeneous Taylor coefficients at `center`, of orders (i, j) with j fastest,
+    /// of the polynomial used around `inside`. O(p q (p + q)).
+    pub(crate) fn taylor(&self, center: [f64; 2], inside: [f64; 2]) -> Vec<DVec4> {
         let [(knots_u, rows), (knots_v, columns)] = self.bases.each_ref().map(Basis::one_period);
         let [p, q] = self.bases.each_ref().map(|basis| basis.degree);
         let reduced = [0, 1].map(|axis| self.bases[axis].reduced(inside[axis]));
         let [u, v] = [0, 1].map(|axis| center[axis] + (reduced[axis] - inside[axis]));
         let row = span(knots_u, p, rows.len(), reduced[0]);
         let column = span(knots_v, q, columns.len(), reduced[1]);
-        let along_v: Vec<Vec<DVec4>> = rows[row - p..=row]
-            .iter()
-            .map(|&i| {
-                let active = columns[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]);
-                spline::taylor(knots_v, q, column, &active.collect::<Vec<_>>(), v)
-            })
-            .collect();
-        let mut grid = vec![vec![DVec4::ZERO; q + 1]; p + 1];
+        let mut grid = Vec::with_capacity((p + 1) * (q + 1));
+        for &i in &rows[row - p..=row] {
+            let start = grid.len();
+            grid.extend(columns[column - q..=column].iter().map(|&j| self.poles[i * self.columns + j]));
+            spline::taylor(knots_v, q, column, &mut grid[start..], v);
+        }
+        let mut along_u = Vec::with_capacity(p + 1);
         for j in 0..=q {
-            let active: Vec<DVec4> = along_v.iter().map(|orders| orders[j]).collect();
-            for (i, order) in spline::taylor(knots_u, p, row, &active, u).into_iter().enumerate() {
-                grid[i][j] = order;
+            along_u.clear();
+            along_u.extend(grid[j..].iter().step_by(q + 1));
+            spline::taylor(knots_u, p, row, &mut along_u, u);
+            for (i, &order) in along_u.iter().enumerate() {
+                grid[i * (q + 1) + j] = order;
             }
         }
         grid
@@ -143,12 +144,7 @@ impl Surface {
     pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
         match self {
             Self::Plane(frame) => frame.point(DVec3::new(u, v, 0.0)),
-            Self::Revolution { frame, profile, .. } => {
-                let ((sin, cos), local) = (u.sin_cos(), profile.point(v));
-                let turned =
-                    DVec3::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y, local.z);
-                frame.point(turned)
-            }
+            Self::Revolution { frame, profile, .. } => frame.turned(profile.point(v), u),
             Self::Extrusion { direction, profile } => profile.point(u) + v * *direction,
             Self::Spline(spline) => spline.point(u, v),
             Self::Trimmed { basis, .. } => basis.point(u, v),
@@ -209,7 +205,7 @@ impl Surface {
 
     /// Returns the unit normal along `S_u × S_v`; where a tangent vanishes, as at a pole, the
     /// limit along the diagonal into the surface, by the parabola through three points of it.
-    /// `None` where there is none either.
+    /// `None` if that limit does not exist either.
     fn normal(&self, u: f64, v: f64) -> Option<DVec3> {
         let at = |u: f64, v: f64| {
             let [a, b] = self.tangents(u, v);

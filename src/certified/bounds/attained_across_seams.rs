@@ -6,7 +6,7 @@ use super::taylor::Taylor;
 use super::{CellContext, UpperBound};
 use crate::bezier::{BezierModel, LocalDerivativeBounds, extract};
 use crate::certified::nearest::{Foot, NearestPoint};
-use crate::certified::sheets::Chart;
+use crate::certified::sheets::{Chart, Over};
 use crate::certified::{Cell, Operand, Pair, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::flatness::{Flatness, Place, flatten};
@@ -247,7 +247,11 @@ fn the_remainder_holds_over_seams() {
                     let at = chart.parameters[axis];
                     extent[axis].min(at - low).min(high - at).max(0.0)
                 });
-                let bound = chart.remainder(&reach, limited, random.bool());
+                let bound = chart.remainder(
+                    &reach,
+                    limited,
+                    [Over::Patches, Over::Parts, Over::Boxes][random.usize(0..3)],
+                );
                 let step = [0, 1].map(|axis| limited[axis] * (2.0 * random.f64() - 1.0));
                 let jet = chart.jet();
                 let [h, k] = step;

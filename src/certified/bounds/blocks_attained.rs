@@ -76,6 +76,32 @@ fn a_level_sheet_is_decided_at_its_height() {
     }
 }
 
+/// The same for a sheet of which the parameters are uneven, by more than its height: its feet
+/// slide along the plane.
+#[test]
+fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {
+    const HEIGHT: f64 = 1e-3;
+    let random = &mut fastrand::Rng::with_seed(3);
+    let mut arrays = sheet(|_, _| HEIGHT);
+    for point in &mut arrays.control_points {
+        point[0] += 20.0 * HEIGHT * (random.f64() - 0.5);
+        point[1] += 20.0 * HEIGHT * (random.f64() - 0.5);
+    }
+    for (swapped, reversed) in [(false, false), (true, false), (false, true), (true, true)] {
+        let a = Surfaces::new(vec![arrays.clone()], Flatness::None);
+        let b = Surfaces::new(vec![plane(swapped, reversed)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let bound = |threshold: f64| {
+            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+        };
+        let decided = bound(HEIGHT * (1.0 + 1e-9));
+        assert!(decided.undecided.iter().all(|undecided| !undecided), "{swapped} {reversed}");
+        assert!((HEIGHT..HEIGHT * (1.0 + 1e-9)).contains(&decided.decided), "{}", decided.decided);
+        assert!(bound(HEIGHT * (1.0 - 1e-9)).undecided.iter().all(|undecided| *undecided));
+    }
+}
+
 /// The patches that are left are those that rise above the threshold: one control point
 /// raises the four by four patches around it.
 #[test]

@@ -14,7 +14,7 @@
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
-use super::super::sheets::{Chart, Reach};
+use super::super::sheets::{Chart, Over, Reach};
 use super::{CellContext, Quadratic, UpperBound};
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
@@ -178,7 +178,8 @@ impl Difference<'_> {
             Bounds::Local => context.local_bounds(),
         };
         let (of_b, scale_of_b) = if let Some((chart, reach)) = &self.sheet {
-            (chart.remainder(reach, extent, bounds == Bounds::Local), chart.jet_scale())
+            let over = if bounds == Bounds::Local { Over::Parts } else { Over::Patches };
+            (chart.remainder(reach, extent, over), chart.jet_scale())
         } else {
             let [low, high] = self.map.image(foot.parameters);
             let of_b = match bounds {

@@ -65,6 +65,28 @@ pub(in crate::certified) struct Chart<'a> {
     pub(in crate::certified) parameters: [f64; 2],
 }
 
+/// What bounds on derivatives are taken over: the more closely, the dearer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::certified) enum Over {
+    /// Whole patches, once for each of them.
+    Patches,
+    /// The parts of patches that are touched, once for each part.
+    Parts,
+    /// Just the box that is touched, or [`MIN_BOX`] where that is narrower.
+    Boxes,
+}
+
+/// The least width of a box over which derivatives are bounded, by a patch's parameters:
+/// in narrower ones rounding dominates.
+const MIN_BOX: f64 = 1.0 / 64.0;
+
+/// The part of [0, 1] about a range that is at least [`MIN_BOX`] wide.
+fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+    let lack = 0.5 * (MIN_BOX - (high - low)).max(0.0);
+    let start = (low - lack).clamp(0.0, 1.0 - MIN_BOX);
+    [start.min(low), (high + lack).max(start + MIN_BOX).min(1.0)]
+}
+
 /// How far a surface is followed from a point.
 #[derive(Debug, Clone)]
 pub(in crate::certified) struct Reach {
@@ -93,6 +115,14 @@ impl<'a> Chart<'a> {
         }
     }
 
+    /// The chart of the patch so many patches away, cyclically, about a point of it.
+    pub(in crate::certified) fn moved(&self, offsets: [isize; 2], parameters: [f64; 2]) -> Self {
+        let index = self.patch_at(offsets);
+        let (columns, local) = (self.grid.counts()[1], index - self.grid.first);
+        let patch = self.sheets.bezier.patches.patch(index);
+        Self { index: [local / columns, local % columns], patch, parameters, ..*self }
+    }
+
     /// The patch's jet at the point.
     pub(in crate::certified) fn jet(&self) -> Jet {
         self.patch.jet(self.parameters)
@@ -112,18 +142,27 @@ impl<'a> Chart<'a> {
     /// How far the surface may be followed from the point for steps of about
     /// `extent`: up to seams that are no smooth joins.
     pub(in crate::certified) fn reach(&self, extent: [f64; 2]) -> Reach {
+        self.reach_over(extent, MAX_CREASE)
+    }
+
+    /// The same up to the ends of the surface, over creases.
+    pub(in crate::certified) fn reach_over_creases(&self, extent: [f64; 2]) -> Reach {
+        self.reach_over(extent, f64::INFINITY)
+    }
+
+    fn reach_over(&self, extent: [f64; 2], max_crease: f64) -> Reach {
         let reached = Axis::BOTH.map(|axis| {
             let (at, extent) = (self.parameters[axis], extent[axis.index()]);
             let mut lines = [0_isize, 1];
             while lines[0] > -MAX_CROSSED
                 && at - extent < self.line(axis, lines[0])
-                && self.is_passable(axis, lines[0])
+                && self.is_passable_over(axis, lines[0], max_crease)
             {
                 lines[0] -= 1;
             }
             while lines[1] <= MAX_CROSSED
                 && at + extent > self.line(axis, lines[1])
-                && self.is_passable(axis, lines[1])
+                && self.is_passable_over(axis, lines[1], max_crease)
             {
                 lines[1] += 1;
             }
@@ -138,14 +177,13 @@ impl<'a> Chart<'a> {
 
     /// The lemma's bound for steps of at most `extent` that stay in the domain, with
     /// the derivatives over the box touched or over all patches touched.
-    pub(in crate::certified) fn remainder(&self, reach: &Reach, extent: [f64; 2], is_local: bool) -> f64 {
-        let touched =
-            Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]));
+    pub(in crate::certified) fn remainder(&self, reach: &Reach, extent: [f64; 2], over: Over) -> f64 {
+        let touched = self.all_touched(extent, reach);
         let mut third = [0.0_f64; 4];
         for m in touched[0].clone() {
             for n in touched[1].clone() {
-                let bounds = self.third(extent, [m, n], is_local);
-                for (third, bound) in third.iter_mut().zip(bounds) {
+                let bounds = self.derivatives(extent, [m, n], over);
+                for (third, bound) in third.iter_mut().zip(bounds.third) {
                     *third = upper_max(*third, bound);
                 }
             }
@@ -185,7 +223,7 @@ impl<'a> Chart<'a> {
 
     /// The jumps at a seam across an axis by the chart's parameters, `line` of this
     /// axis and patch `other` of the other one.
-    fn seam(&self, axis: Axis, line: isize, other: isize) -> [[f64; 3]; 3] {
+    pub(super) fn seam(&self, axis: Axis, line: isize, other: isize) -> [[f64; 3]; 3] {
         let place = |along: isize| if axis == Axis::U { [along, other] } else { [other, along] };
         let [low, high] = [line - 1, line].map(|along| self.patch_at(place(along)));
         let [before, after] = [line - 1, line].map(|along| self.width(axis, along));
@@ -202,6 +240,11 @@ impl<'a> Chart<'a> {
 
     /// Whether the surface is smooth enough at a seam for a map to cross it.
     fn is_passable(&self, axis: Axis, line: isize) -> bool {
+        self.is_passable_over(axis, line, MAX_CREASE)
+    }
+
+    /// Whether it is continuous there, with a crease of at most this size.
+    fn is_passable_over(&self, axis: Axis, line: isize, max_crease: f64) -> bool {
         let widths = [line - 1, line].map(|along| self.width(axis, along));
         let is_similar = |width: &f64| (MAX_WIDTH_RATIO.recip()..=MAX_WIDTH_RATIO).contains(width);
         let own = self.patch_at([0; 2]);
@@ -210,7 +253,12 @@ impl<'a> Chart<'a> {
         }
         let j = self.seam(axis, line, 0);
         let speed = self.sheets.bounds(own).whole(&self.patch).first[axis.index()];
-        j[0][0] <= MAX_GAP * speed && j[1][0] <= MAX_CREASE * speed
+        j[0][0] <= MAX_GAP * speed && j[1][0] <= max_crease * speed
+    }
+
+    /// The patches within reach that steps of at most `extent` may touch.
+    pub(super) fn all_touched(&self, extent: [f64; 2], reach: &Reach) -> [RangeInclusive<isize>; 2] {
+        Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]))
     }
 
     /// The patches along an axis, of those within reach, that a step of at most
@@ -235,27 +283,32 @@ impl<'a> Chart<'a> {
         first..=last
     }
 
-    /// Bounds on the third derivatives, by the chart's parameters, over the part of
-    /// a patch that steps of at most `extent` may touch, or over the whole patch.
-    fn third(&self, extent: [f64; 2], offsets: [isize; 2], is_local: bool) -> [f64; 4] {
+    /// Bounds on the derivatives, by the chart's parameters, over the part of a patch
+    /// that steps of at most `extent` may touch, or over more of it.
+    pub(super) fn derivatives(&self, extent: [f64; 2], offsets: [isize; 2], over: Over) -> DerivativeBounds {
         let index = self.patch_at(offsets);
         let patch = self.sheets.bezier.patches.patch(index);
         let widths = Axis::BOTH.map(|axis| self.width(axis, offsets[axis.index()]));
         let bounds = self.sheets.bounds(index);
-        let DerivativeBounds { third, .. } = if is_local {
-            let range = Axis::BOTH.map(|axis| {
-                let start = self.line(axis, offsets[axis.index()]);
-                let (at, extent) = (self.parameters[axis], extent[axis.index()]);
-                let local = |parameter: f64| (parameter - start) / widths[axis];
-                [(local(at - extent) - MARGIN).clamp(0.0, 1.0), (local(at + extent) + MARGIN).clamp(0.0, 1.0)]
-            });
-            bounds.over(&patch, range.map(|[low, _]| low), range.map(|[_, high]| high))
-        } else {
-            *bounds.whole(&patch)
+        let range = |axis: Axis| {
+            let start = self.line(axis, offsets[axis.index()]);
+            let (at, extent) = (self.parameters[axis], extent[axis.index()]);
+            let local = |parameter: f64| (parameter - start) / widths[axis];
+            [(local(at - extent) - MARGIN).clamp(0.0, 1.0), (local(at + extent) + MARGIN).clamp(0.0, 1.0)]
         };
-        let [s, t] = widths.map(f64::recip);
-        let scales = [s * s * s, s * s * t, s * t * t, t * t * t];
-        [0, 1, 2, 3].map(|k| (1.0 + MARGIN) * scales[k] * third[k])
+        let bounds = match over {
+            Over::Patches => *bounds.whole(&patch),
+            Over::Parts => {
+                let range = Axis::BOTH.map(range);
+                bounds.over(&patch, range.map(|[low, _]| low), range.map(|[_, high]| high))
+            }
+            Over::Boxes => {
+                let [s, t] = Axis::BOTH.map(range).map(widened);
+                patch.bounds_over(s, t)
+            }
+        };
+        // Widths that are smaller by the margin make bounds larger by it.
+        bounds.rescaled(widths.map(|width| (1.0 - MARGIN) * width))
     }
 
     /// The patch that is so many patches away, cyclically.

@@ -1,8 +1,9 @@
 //! Surfaces as sheets of Bézier patches that join along their knot lines.
 
 mod chart;
+mod slope;
 
-pub(super) use chart::{Chart, Reach};
+pub(super) use chart::{Chart, Over, Reach};
 
 use super::rounding::JetScale;
 use crate::axis::Axis;

@@ -162,13 +162,8 @@ fn a_constant_distance_is_nearly_attained() {
     for weights in [[1.0; 4], [1.0, 3.0, 3.0, 1.0], [0.5, 0.25, 8.0, 1.0]] {
         let controls = weights.map(|w| w * DVec4::new(3.0, 4.0, 0.0, 1.0));
         let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
-        let known = CriticalPoint {
-            parameters: [0.5; 2],
-            distance_squared: 25.0,
-            gradient: [0.0; 2],
-            distance_error: 0.0,
-            gradient_error: [0.0; 2],
-        };
+        let known =
+            CriticalPoint { parameters: [0.5; 2], distance_squared: 25.0, ..CriticalPoint::default() };
         for bound in [form.lower_bound(), form.lower_bound_about(&known)] {
             assert!(bound < 25.0 && bound > 25.0 * (1.0 - 1e-9), "{weights:?}: {bound}");
         }
@@ -215,8 +210,7 @@ fn the_expansion_of_the_squared_distance_is_nearly_attained() {
             parameters: if mirrored { [1.0; 2] } else { [0.0; 2] },
             distance_squared: 1.0,
             gradient: [gradient(0), gradient(1)],
-            distance_error: 0.0,
-            gradient_error: [0.0; 2],
+            ..CriticalPoint::default()
         };
         let bound = SquaredDistance::new(degree, &controls, DVec3::ZERO).lower_bound_about(&known);
         assert!(bound <= truth, "{powers:?}: {bound} is above {truth}");
@@ -239,8 +233,7 @@ fn the_expansion_of_a_rational_distance_holds() {
             parameters: [0.0; 2],
             distance_squared: 1.0,
             gradient,
-            distance_error: 0.0,
-            gradient_error: [0.0; 2],
+            ..CriticalPoint::default()
         };
         let bound = SquaredDistance::new([1, 1], &controls, DVec3::ZERO).lower_bound_about(&known);
         let truth = (1.0 - C) * (1.0 - C);
@@ -254,13 +247,7 @@ fn a_convex_squared_distance_has_no_gap() {
     let controls =
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]].map(|[x, y]| DVec4::new(x, y, 1.0, 1.0));
     let form = SquaredDistance::new([1, 1], &controls, DVec3::ZERO);
-    let known = CriticalPoint {
-        parameters: [0.5; 2],
-        distance_squared: 1.0,
-        gradient: [0.0; 2],
-        distance_error: 0.0,
-        gradient_error: [0.0; 2],
-    };
+    let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
     let bound = form.lower_bound_about(&known);
     assert!(bound < 1.0 && bound > 1.0 - 1e-12, "{bound}");
 }

@@ -14,6 +14,7 @@ use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
+use std::cell::OnceCell;
 
 /// The largest number of pieces of a rectangle along one surface of B.
 const MAX_PIECES: usize = 256;
@@ -93,12 +94,13 @@ impl Rectangle<'_> {
                     origin,
                     orientation,
                     parts: [s, t],
+                    sliding: OnceCell::new(),
                 });
             }
         }
         let mut by_distance = Vec::with_capacity(count);
         for piece in pieces {
-            let distance = piece.distance_of_middle();
+            let distance = piece.distance_of_middle(threshold);
             let is_near = distance <= threshold;
             if !is_near {
                 return None;

@@ -15,6 +15,7 @@ use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
 use crate::rounding::upper_max;
 use glam::DVec2;
+use std::cell::OnceCell;
 
 /// The largest number of pieces of one patch of A.
 const MAX_PIECES: usize = 256;
@@ -105,8 +106,9 @@ fn of_patch(
     let mut largest = 0.0_f64;
     for s in parts_s {
         for t in parts_t {
-            let piece = Piece { pair, patch, chart, origin, orientation, parts: [s, t] };
-            if cautious && !(piece.distance_of_middle() <= threshold) {
+            let piece =
+                Piece { pair, patch, chart, origin, orientation, parts: [s, t], sliding: OnceCell::new() };
+            if cautious && !(piece.distance_of_middle(threshold) <= threshold) {
                 return None;
             }
             let bound = piece.upper_bound(threshold)?;

@@ -20,6 +20,7 @@ mod difference;
 mod knot_line_map;
 mod net;
 mod piece;
+mod sliding;
 
 pub(in crate::certified) use block::block;
 

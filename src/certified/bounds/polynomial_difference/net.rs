@@ -1,6 +1,7 @@
 //! The difference of two patches as a rational function.
 
 use super::difference::Difference;
+use super::sliding::Sliding;
 use crate::bezier::{power_of_two_below, squares};
 use crate::certified::rounding::gamma;
 use crate::rounding::upper_max;
@@ -78,8 +79,25 @@ impl Net {
     /// is not positive or a number overflows, and where the threshold is out of reach: where
     /// corners are farther apart, or the lengths far exceed it.
     pub(super) fn max_difference(&self, other: &Self, threshold: f64) -> Option<f64> {
+        self.max_distance(other, threshold, || None)
+    }
+
+    /// As [`Net::max_difference`], or with other feet on B that `sliding` gives where those of
+    /// equal parameters do not suffice.
+    pub(super) fn max_distance<'a, 'b: 'a>(
+        &self,
+        other: &Self,
+        threshold: f64,
+        sliding: impl Fn() -> Option<&'a Sliding<'b>>,
+    ) -> Option<f64> {
         let [corners, others] = [self, other].map(Net::corners);
-        if corners.iter().zip(&others).any(|(corner, other)| corner.distance(*other) > threshold) {
+        for (corner, other) in corners.iter().zip(&others) {
+            let difference = *corner - *other;
+            if difference.length() > threshold && !(sliding()?.residual(difference).length() <= threshold) {
+                return None;
+            }
+        }
+        if !self.is_positive() || !other.is_positive() {
             return None;
         }
         let Difference { degree, quotient, product_terms, error } = Difference::new(self, other);
@@ -88,21 +106,28 @@ impl Net {
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding =
             of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
-        let by_lengths = bound_by_lengths(longest, of_products) + rounding;
-        let is_decided = by_lengths <= threshold;
-        let bound = if is_decided {
-            by_lengths
-        } else if longest > MAX_EXCESS * threshold {
+        let bound = bound_by_lengths(longest, of_products) + rounding;
+        let is_finite = bound < f64::INFINITY;
+        if bound <= threshold || !is_finite {
+            return is_finite.then_some(bound);
+        }
+        if let Some(sliding) = sliding() {
+            // The quotient is off by its part of all of the difference, not only of the residual.
+            let lost = rounding + of_products * longest;
+            if let Some(bound) = sliding.upper_bound(degree, &quotient, threshold - lost) {
+                return Some(bound + lost);
+            }
+        }
+        if longest > MAX_EXCESS * threshold {
             return None;
-        } else {
-            let largest = squares(degree, &quotient)
-                .into_iter()
-                .map(|(length_squared, weight_squared)| length_squared / weight_squared)
-                .fold(0.0, upper_max);
-            bound_by_squares(largest, longest, of_products, gamma(square_terms(degree) + SQUARE_ROUNDINGS))
-                + rounding
-        };
-        (self.is_positive() && other.is_positive() && bound < f64::INFINITY).then_some(bound)
+        }
+        let largest = squares(degree, &quotient)
+            .into_iter()
+            .map(|(length_squared, weight_squared)| length_squared / weight_squared)
+            .fold(0.0, upper_max);
+        let of_squares = gamma(square_terms(degree) + SQUARE_ROUNDINGS);
+        let bound = bound_by_squares(largest, longest, of_products, of_squares) + rounding;
+        (bound < f64::INFINITY).then_some(bound)
     }
 
     /// The points at the corners.

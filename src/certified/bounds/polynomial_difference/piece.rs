@@ -2,10 +2,12 @@
 
 use super::aligned_map::Orientation;
 use super::net::Net;
+use super::sliding::Sliding;
 use crate::bezier::Patch;
 use crate::certified::Pair;
 use crate::certified::sheets::Chart;
 use glam::{DVec3, Vec4Swizzles};
+use std::cell::OnceCell;
 
 /// A part of the range of a parameter of A's patch, and the patch of B, by its offset,
 /// with the range of its parameter that the part is mapped to.
@@ -26,9 +28,11 @@ pub(super) struct Piece<'a> {
     pub(super) orientation: Orientation,
     /// The parts of A's two ranges.
     pub(super) parts: [&'a Part; 2],
+    /// Feet that slide from the image.
+    pub(super) sliding: OnceCell<Sliding<'a>>,
 }
 
-impl Piece<'_> {
+impl<'a> Piece<'a> {
     /// The pair for B's axes, from that for A's.
     fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
         if self.orientation.swapped { [t, s] } else { [s, t] }
@@ -39,25 +43,41 @@ impl Piece<'_> {
         self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)))
     }
 
-    /// The distance of the piece's middle from its image.
-    pub(super) fn distance_of_middle(&self) -> f64 {
+    /// The ranges of the parameters of B's patch that the piece is mapped to, ascending.
+    fn image(&self) -> [[f64; 2]; 2] {
+        // An axis along which B's patch is followed backwards.
+        self.by_axes_of_b(self.parts.map(|part| part.image))
+            .map(|[start, end]| [start.min(end), start.max(end)])
+    }
+
+    fn sliding(&self) -> &Sliding<'a> {
+        self.sliding.get_or_init(|| {
+            let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
+            let ends = self.by_axes_of_b(self.parts.map(|part| part.image));
+            Sliding::new(self.chart, offsets, ends, self.orientation)
+        })
+    }
+
+    /// The distance of the piece's middle from its image, or where that exceeds the threshold
+    /// the part of it that no slide removes.
+    pub(super) fn distance_of_middle(&self, threshold: f64) -> f64 {
         let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
         let from = self.parts.map(|part| middle(part.range));
         let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
-        self.pair.transform.apply(self.patch.point(from)).distance(self.image_patch().point(to))
+        let difference = self.pair.transform.apply(self.patch.point(from)) - self.image_patch().point(to);
+        let distance = difference.length();
+        if distance <= threshold { distance } else { self.sliding().residual(difference).length() }
     }
 
     /// An upper bound on the distance of the piece's points from their images.
     pub(super) fn upper_bound(&self, threshold: f64) -> Option<f64> {
-        let images = self.by_axes_of_b(self.parts.map(|part| part.image));
-        // An axis along which B's patch is followed backwards.
-        let ascending = images.map(|[start, end]| [start.min(end), start.max(end)]);
-        let is_proper = ascending.iter().all(|[start, end]| start < end);
+        let image = self.image();
+        let is_proper = image.iter().all(|[start, end]| start < end);
         if !is_proper {
             return None;
         }
         let (target, transform) = (self.image_patch(), &self.pair.transform);
-        let controls = target.restricted(ascending[0], ascending[1]);
+        let controls = target.restricted(image[0], image[1]);
         let controls = self.orientation.oriented(&controls, target.degree);
         let degree = self.by_axes_of_b(target.degree);
         let y = Net::new(degree, controls, self.origin - target.center, 1.0);
@@ -67,6 +87,7 @@ impl Piece<'_> {
             *control = transform.rotate(control.xyz()).extend(control.w);
         }
         let center = transform.apply(self.patch.center);
-        Net::new(self.patch.degree, controls, self.origin - center, 1.0).max_difference(&y, threshold)
+        let x = Net::new(self.patch.degree, controls, self.origin - center, 1.0);
+        x.max_distance(&y, threshold, || Some(self.sliding()))
     }
 }

@@ -200,3 +200,37 @@ fn a_face_thinner_than_the_tolerance_is_covered() {
         }
     }
 }
+
+#[test]
+fn holes_that_cross_by_rounding_on_a_surface_of_very_different_weights() {
+    let points = (0..16)
+        .map(|k| {
+            let (i, j) = (k / 4, k % 4);
+            let weight = 10.0_f64.powi(-((5 * i + 3 * j) % 5));
+            [i as f64, j as f64, 0.3 * ((i * j) as f64).sin(), weight]
+        })
+        .collect();
+    let surface = surface([3, 3], [[0.0, 1.0]; 2], points);
+    // The holes cross by 4e-8 of the domain, by less than validation sees. Bounds on derivatives
+    // from all weights at once allow no such crossing.
+    let hole = |x: f64| reversed(arcs([x, 0.5], 0.1 + 2e-8, 0.3, 4));
+    let loops = vec![arcs([0.5, 0.5], 0.35, 0.0, 4), hole(0.4), hole(0.6)];
+    let (trim, cut) = cut(&surface, loops, 1e-9);
+    assert!(cut.deviation <= 1.01e-9, "{}", cut.deviation);
+    assert_covers(&surface, &trim, &cut, 0.01);
+    assert_on_surface(&surface, &cut, 1e-12);
+}
+
+#[test]
+fn a_ring_narrower_than_the_deviation_is_covered() {
+    // So large a deviation allows every move of the boundary, and those would cross.
+    let sheet = sheet();
+    let center = [1.044_134, 1.385_037];
+    for (start, hole_start) in [(2.3485, 3.0593), (0.0, 0.3), (0.4, 1.1)] {
+        let hole = reversed(arcs(center, 0.6 - 1e-6, hole_start, 5));
+        let (trim, cut) = cut(&sheet, vec![arcs(center, 0.6, start, 4), hole], 1.0);
+        assert!(cut.deviation <= 1.0, "{}", cut.deviation);
+        assert_on_surface(&sheet, &cut, 1e-12);
+        assert_reaches_boundary(&trim, &cut, 1e-4);
+    }
+}

@@ -1,0 +1,94 @@
+//! Bernstein coefficients of the polynomial through points.
+
+use super::bernstein::MAX_ORDER;
+use crate::chebyshev::Linear;
+use std::f64::consts::PI;
+
+/// Returns the values at `t` in [0, 1] of the Bernstein polynomials of a degree below
+/// [`MAX_ORDER`], in the first degree + 1 entries. O(degree²).
+pub(crate) fn bernstein(degree: usize, t: f64) -> [f64; MAX_ORDER] {
+    let mut values = [0.0; MAX_ORDER];
+    values[0] = 1.0;
+    for level in 1..=degree {
+        for index in (0..=level).rev() {
+            let below = if index > 0 { values[index - 1] } else { 0.0 };
+            values[index] = t * below + (1.0 - t) * values[index];
+        }
+    }
+    values
+}
+
+/// The interpolation of values at the extrema of a Chebyshev polynomial on [0, 1].
+pub(crate) struct Interpolation {
+    nodes: Vec<f64>,
+    /// The inverse of the matrix of the Bernstein polynomials at the nodes.
+    inverse: Vec<Vec<f64>>,
+}
+
+impl Interpolation {
+    /// Inverts the matrix by Gauss-Jordan elimination without pivoting, which is accurate as
+    /// the matrix is totally positive (C. de Boor, A. Pinkus, *Backward error analysis for
+    /// totally positive linear systems*). The degree is at least 1 and below [`MAX_ORDER`].
+    /// O(degree³).
+    pub(crate) fn new(degree: usize) -> Self {
+        let order = degree + 1;
+        let angle = |k: usize| PI * k as f64 / degree as f64;
+        let nodes: Vec<f64> = (0..order).map(|k| (0.5 * angle(k)).sin().powi(2)).collect();
+        let row = |(index, &node): (usize, &f64)| {
+            let mut row = bernstein(degree, node)[..order].to_vec();
+            row.resize(2 * order, 0.0);
+            row[order + index] = 1.0;
+            row
+        };
+        let mut rows: Vec<Vec<f64>> = nodes.iter().enumerate().map(row).collect();
+        for pivot in 0..order {
+            let scale = rows[pivot][pivot].recip();
+            rows[pivot].iter_mut().for_each(|value| *value *= scale);
+            let pivot_row = rows[pivot].clone();
+            for (index, row) in rows.iter_mut().enumerate() {
+                let factor = row[pivot];
+                if index != pivot && factor != 0.0 {
+                    row.iter_mut().zip(&pivot_row).for_each(|(value, pivot)| *value -= factor * pivot);
+                }
+            }
+        }
+        Self { nodes, inverse: rows.into_iter().map(|row| row[order..].to_vec()).collect() }
+    }
+
+    /// Returns the degree + 1 nodes, from 0 to 1.
+    pub(crate) fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+
+    /// Returns the Bernstein coefficients of the polynomial with these values at the nodes. The
+    /// first and the last one are the values there. O(degree²).
+    pub(crate) fn coefficients<T: Linear>(&self, values: &[T]) -> Vec<T> {
+        let combined = |row: &Vec<f64>| {
+            row.iter().zip(values).fold(T::ZERO, |sum, (&factor, &value)| sum + value * factor)
+        };
+        self.inverse.iter().map(combined).collect()
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_is_reproduced_with_its_ends() {
+        // x³ has the Bernstein coefficients C(k, 3) / C(n, 3) of degree n.
+        for degree in [3, 7, 15] {
+            let interpolation = Interpolation::new(degree);
+            let values: Vec<f64> = interpolation.nodes().iter().map(|x| x * x * x).collect();
+            let coefficients = interpolation.coefficients(&values);
+            assert!(coefficients[0] == 0.0 && coefficients[degree] == 1.0);
+            // The condition of the matrix is below 3^degree.
+            let tolerance = 1e-15 * 3.0_f64.powi(degree as i32);
+            for (k, found) in coefficients.iter().enumerate() {
+                let expected = (k as f64 * (k as f64 - 1.0) * (k as f64 - 2.0))
+                    / (degree as f64 * (degree as f64 - 1.0) * (degree as f64 - 2.0));
+                assert!((found - expected).abs() <= tolerance, "{degree} {k} {found} {expected}");
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Upper bounds on the derivatives of a face's surface about its loops.
+
+use crate::bezier::Patch;
+use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
+
+/// The factor between a bound and the largest derivative found at centres of parts above which
+/// parts are cut: bounds from control points are excessive where weights differ much.
+const MAX_EXCESS: f64 = 8.0;
+
+/// The most rounds of cutting, each of which halves both sides of a part, and the number of parts
+/// beyond which there is no other.
+const MAX_ROUNDS: usize = 8;
+const MAX_PARTS: usize = 1024;
+
+/// A part of a rectangle of knots with the bounds over it, by the face's parameters.
+struct Part<'a> {
+    patch: Patch<'a>,
+    rectangle: ParamBox,
+    /// The part in the patch's own parameters.
+    own: ParamBox,
+    bounds: [f64; 2],
+}
+
+impl<'a> Part<'a> {
+    fn new(patch: Patch<'a>, rectangle: ParamBox, own: ParamBox) -> Self {
+        let is_whole = own == ParamBox::UNIT;
+        let bounds =
+            if is_whole { patch.derivative_bounds() } else { patch.bounds_over(own[0], own[1]) }.first;
+        let lengths = rectangle.lengths();
+        Self { patch, rectangle, own, bounds: [0, 1].map(|axis| bounds[axis] / lengths[axis]) }
+    }
+
+    /// Returns the lengths of the derivatives at the centre.
+    fn sampled(&self) -> [f64; 2] {
+        let jet = self.patch.jet(self.own.at([0.5; 2]));
+        let lengths = self.rectangle.lengths();
+        [jet.s.length() / lengths[0], jet.t.length() / lengths[1]]
+    }
+
+    /// Returns the quarters that touch a box of the face's parameters.
+    fn quarters(&self, within: ParamBox) -> impl Iterator<Item = Self> + '_ {
+        let halves = [0, 1].map(|axis| {
+            let [low, high] = self.own[axis];
+            let middle = 0.5 * (low + high);
+            [[low, middle], [middle, high]]
+        });
+        let quarters = halves[0].into_iter().flat_map(move |u| halves[1].map(|v| ParamBox::new(u, v)));
+        quarters
+            .filter(move |own| self.touches(*own, within))
+            .map(|own| Self::new(self.patch, self.rectangle, own))
+    }
+
+    fn touches(&self, own: ParamBox, within: ParamBox) -> bool {
+        let [low, high] = [self.rectangle.at(own.low()), self.rectangle.at(own.high())];
+        (0..2).all(|axis| low[axis] <= within[axis][1] && within[axis][0] <= high[axis])
+    }
+}
+
+/// Returns upper bounds on the derivatives, over the patches of these rectangles of knots, where
+/// those touch a box of the face's parameters. O(parts p q (p + q)).
+pub(super) fn bounds<'a>(patches: impl Iterator<Item = (Patch<'a>, ParamBox)>, within: ParamBox) -> [f64; 2] {
+    let mut parts: Vec<Part<'a>> =
+        patches.map(|(patch, rectangle)| Part::new(patch, rectangle, ParamBox::UNIT)).collect();
+    let (mut settled, mut sampled) = ([0.0_f64; 2], [0.0_f64; 2]);
+    for round in 0.. {
+        for part in &parts {
+            let found = part.sampled();
+            sampled = [0, 1].map(|axis| upper_max(sampled[axis], found[axis]));
+        }
+        let is_last = round == MAX_ROUNDS || parts.len() > MAX_PARTS;
+        let mut cut = Vec::new();
+        for part in &parts {
+            // False for NaN.
+            let is_excessive = (0..2).any(|axis| part.bounds[axis] > MAX_EXCESS * sampled[axis]);
+            if is_excessive && !is_last {
+                cut.extend(part.quarters(within));
+            } else {
+                settled = [0, 1].map(|axis| upper_max(settled[axis], part.bounds[axis]));
+            }
+        }
+        if cut.is_empty() {
+            break;
+        }
+        parts = cut;
+    }
+    settled
+}
