@@ -82,6 +82,11 @@ mod tests {
     }
 
     #[test]
+    fn the_rounding_of_a_closest_point_adds_what_underflow_takes() {
+        assert_eq!(closest_rounding(0.0), VANISHING_LENGTH);
+    }
+
+    #[test]
     fn a_unit_vector_has_length_1_however_short_the_vector_is() {
         for exponent in [-1022, -541, -540, -538, -537, 0, 300] {
             for vector in [DVec3::X, DVec3::new(-2.0, 1.0, 3.0), DVec3::new(0.0, 4.0, -5.0)] {
