@@ -86,6 +86,7 @@ mod tests {
     use crate::rounding::UNIT_ROUNDOFF;
     use crate::shapes::shape;
     use crate::{Model, SurfaceArrays};
+    use glam::DQuat;
     use glam::DVec3;
 
     const SIDE: usize = 24;
@@ -138,6 +139,33 @@ mod tests {
         let target = Target::new(extract(&model).patches);
         let found = closest_above(&target, DVec3::new(0.5, 0.5, 1.0), 0.5, Some((0, [0.0; 2])), 0.0, None);
         assert!(found.is_some_and(|found| found.lower <= 1.0 && found.upper > 1.2), "{found:?}");
+    }
+
+    /// A patch that the plane through the incumbent keeps beyond the gap, but not as far as the
+    /// incumbent: the lower bound is that of the plane, 0.1875 by the control points of a
+    /// parabola, and not above the distance of its end. Boxes are nearer, as it runs askew.
+    #[test]
+    fn a_patch_behind_a_plane_lowers_the_bound() {
+        let turn = DQuat::from_rotation_y(0.7);
+        let extruded = |profile: &[[f64; 2]]| {
+            let points = profile.iter().flat_map(|&[x, z]| [-1.0, 1.0].map(|y| DVec3::new(x, y, z)));
+            let degree = profile.len() - 1;
+            let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
+            SurfaceArrays {
+                degree: [degree, 1],
+                knots: [knots, vec![0.0, 0.0, 1.0, 1.0]],
+                counts: [degree + 1, 2],
+                control_points: points.map(|point| (turn * point).extend(1.0).to_array()).collect(),
+            }
+        };
+        let incumbent = extruded(&[[-0.5, 0.25], [0.5, 0.25]]);
+        let askew = extruded(&[[-1.0, 3.0], [-0.3, 0.1875], [0.05, 0.1875]]);
+        let Ok(model) = Model::from_arrays(None, vec![incumbent, askew]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let known = Some((0, [0.5; 2]));
+        let Some(found) = closest_above(&target, DVec3::ZERO, 0.07, known, 0.0, None) else { unreachable!() };
+        assert!((found.upper - 0.25).abs() < 1e-12, "{found:?}");
+        assert!((found.lower - 0.1875).abs() < 1e-12, "{found:?}");
     }
 
     /// The nearest of a grid of points on a patch is an upper bound on the patch's distance.

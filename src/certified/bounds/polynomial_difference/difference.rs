@@ -174,3 +174,76 @@ fn elevated(mut controls: Vec<DVec4>, degree: [usize; 2], axis: Axis, to: usize)
     }
     controls
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::bezier::Patch;
+    use crate::param_box::ParamBox;
+    use glam::DVec3;
+
+    /// A net of these degrees of which the weights are equal along an axis, relative to the origin.
+    fn net(random: &mut fastrand::Rng, degree: [usize; 2], axis: Axis) -> Net {
+        let weights: Vec<f64> = (0..=degree[axis.other()]).map(|_| 0.5 + random.f64()).collect();
+        let controls = (0..(degree[0] + 1) * (degree[1] + 1)).map(|index| {
+            let place = [index / (degree[1] + 1), index % (degree[1] + 1)];
+            let point = DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+            weights[place[axis.other().index()]] * point.extend(1.0)
+        });
+        Net::new(degree, controls.collect(), DVec3::ZERO, 1.0)
+    }
+
+    fn patch(degree: [usize; 2], controls: &[DVec4]) -> Patch<'_> {
+        let (domain, center) = (ParamBox::UNIT, DVec3::ZERO);
+        Patch { surface: 0, degree, domain, center, controls, rational: true }
+    }
+
+    /// Lemma R11 by lines: the polynomials are those of the difference, their degree is the larger
+    /// one along the axis and the sum across it, and a coefficient has so many terms.
+    #[test]
+    fn a_difference_by_lines_is_that_of_the_points() {
+        let random = &mut fastrand::Rng::with_seed(19);
+        for case in 0..40 {
+            let axis = Axis::BOTH[case % 2];
+            let [x, y] = [0; 2].map(|_| {
+                let degree = [random.usize(1..5), random.usize(1..5)];
+                net(random, degree, axis)
+            });
+            let difference = Difference::of_lines(&x, &y, axis, [0.0; 2]);
+            let (along, across) = (axis.index(), axis.other().index());
+            let mut degree = [0; 2];
+            degree[along] = x.degree[along].max(y.degree[along]);
+            degree[across] = x.degree[across] + y.degree[across];
+            assert_eq!(difference.degree, degree);
+            let elevations = x.degree[along].abs_diff(y.degree[along]);
+            let terms = x.degree[across].min(y.degree[across]) + 1 + 3 * elevations;
+            assert_eq!(difference.product_terms, terms);
+            for _ in 0..10 {
+                let place = [random.f64(), random.f64()];
+                let [of_x, of_y] = [&x, &y].map(|net| patch(net.degree, &net.controls).point(place));
+                let found = patch(difference.degree, &difference.quotient).point(place);
+                assert!(found.distance(of_x - of_y) <= 1e-13, "{found} {}", of_x - of_y);
+            }
+        }
+    }
+
+    /// Weights that are apart by 2^-42 of the first, in units of any size; not by more than 1e-12.
+    #[test]
+    fn the_spread_of_weights_is_relative() {
+        for scale in [1.0, 4.0, 0.125] {
+            let spread = |part: f64| {
+                let weights = [1.0, 1.0 - part, 1.0 + 0.5 * part, 1.0];
+                let controls: Vec<DVec4> =
+                    weights.iter().map(|weight| DVec3::ZERO.extend(scale * weight)).collect();
+                let mut net = Net::new([1, 1], controls.clone(), DVec3::ZERO, 1.0);
+                net.controls = controls;
+                Axis::BOTH.map(|axis| weight_spread(&net, axis))
+            };
+            let part = 2.0_f64.powi(-42);
+            let [along_s, along_t] = spread(part);
+            assert!(along_s.is_some_and(|along_s| (along_s / part - 1.0).abs() < 1e-9), "{along_s:?}");
+            assert_eq!(along_t, Some(part));
+            assert_eq!(spread(1e-11), [None, None]);
+        }
+    }
+}
