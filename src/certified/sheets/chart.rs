@@ -65,7 +65,7 @@ pub(in crate::certified) struct Chart<'a> {
     pub(in crate::certified) parameters: [f64; 2],
 }
 
-/// What bounds on derivatives are taken over: the more closely, the dearer.
+/// The part of a surface over which derivatives are bounded: a smaller one costs more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::certified) enum Over {
     /// Whole patches, once for each of them.
