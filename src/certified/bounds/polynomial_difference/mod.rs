@@ -21,6 +21,8 @@ mod knot_line_map;
 mod net;
 mod piece;
 mod sliding;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod sliding_attained;
 
 pub(in crate::certified) use block::block;
 
