@@ -138,7 +138,13 @@ impl<'a> Sliding<'a> {
     }
 
     /// How far a parameter of φ + δ is beyond the domain, at most. O(p q).
-    fn overshoot(&self, axis: usize, degree: [usize; 2], quotient: &[DVec4], domain: [f64; 2]) -> f64 {
+    pub(super) fn overshoot(
+        &self,
+        axis: usize,
+        degree: [usize; 2],
+        quotient: &[DVec4],
+        domain: [f64; 2],
+    ) -> f64 {
         let (row, [start, end]) = (self.inverse[axis], self.ends[axis]);
         let order = degree[self.axes[axis]] + 1;
         let columns = degree[1] + 1;

@@ -7,7 +7,7 @@ use super::net::Net;
 use super::sliding::Sliding;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::rounding::UNIT_ROUNDOFF;
-use crate::certified::sheets::Chart;
+use crate::certified::sheets::{Chart, Over};
 use crate::flatness::Flatness;
 use crate::model::SurfaceArrays;
 use glam::{DVec2, DVec3, DVec4};
@@ -76,6 +76,44 @@ fn a_step_over_a_seam_leaves_the_bend_behind_it() {
     let b = profile(2, &[0.5], &[[0.0, 1.0], [0.25, 0.0], [0.75, 0.0], [1.0, 0.0]]);
     let bound = over_the_seam(&b, 1, true);
     assert!((0.01..0.2).contains(&bound), "{bound}");
+}
+
+/// Over two creases on one side, the derivatives' jumps add up: slopes 0, 1 and 3 of the height.
+#[test]
+fn the_jumps_of_two_creases_add_up() {
+    const SLOPE: f64 = 1e-3;
+    let points = [[0.0, 0.0], [0.4, 0.0], [0.6, 0.2 * SLOPE], [1.0, 1.4 * SLOPE]];
+    let b = profile(1, &[0.4, 0.6], &points);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let sliding = Sliding::new(&chart, [0, 0], [[0.7, 0.8], [0.25, 0.75]], orientation(false));
+    let quotient = [(0.8 * chart.jet().s).extend(1.0); 4];
+    let bound = sliding.upper_bound([1, 1], &quotient, 1.0).unwrap_or(f64::INFINITY);
+    // A step of 0.8 of the patch, 0.32, at the slope of the last patch.
+    let lemma = 3.0 * SLOPE * 0.32;
+    assert!((lemma..1.000_001 * lemma).contains(&bound), "{bound} {lemma}");
+}
+
+/// Feet that reach just the end of a surface may be beyond it by the rounding of their places.
+#[test]
+fn the_rounding_of_places_is_added() {
+    let b = profile(1, &[], &[[0.0, 0.0], [1.0, 0.0]]);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let sliding = Sliding::new(&chart, [0, 0], [[0.5, 0.75], [0.25, 0.75]], orientation(false));
+    let quotient = [(0.25 * chart.jet().s).extend(1.0); 4];
+    let beyond = sliding.overshoot(0, [1, 1], &quotient, [0.0, 1.0]);
+    let lemma = 16.0 * UNIT_ROUNDOFF * (1.0 + 0.25);
+    assert!((lemma..2.0 * lemma).contains(&beyond), "{beyond:e} {lemma:e}");
+}
+
+/// For short steps from one point the rounding of the tangents is what is left.
+#[test]
+fn the_rounding_of_tangents_is_added() {
+    const STEP: f64 = 1e-8;
+    let b = profile(1, &[], &[[0.0, 0.0], [1.0, 0.0]]);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let reach = chart.reach_over_creases([STEP; 2]);
+    let error = chart.step_error(&reach, [0.0; 2], [STEP; 2], Over::Patches);
+    assert!(error >= 4.0 * UNIT_ROUNDOFF * STEP, "{error:e}");
 }
 
 /// The rounding of nets 1e6 from the origin is in the bound: 10 roundings of either radius.
