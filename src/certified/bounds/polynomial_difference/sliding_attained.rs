@@ -105,6 +105,20 @@ fn the_rounding_of_places_is_added() {
     assert!((lemma..2.0 * lemma).contains(&beyond), "{beyond:e} {lemma:e}");
 }
 
+/// Of a difference across the surface nothing slides, and 16 roundings of each of the three terms
+/// of `N D` are added.
+#[test]
+fn the_rounding_of_residuals_is_added() {
+    const HEIGHT: f64 = 128.0;
+    let b = profile(1, &[], &[[0.0, 0.0], [1.0, 0.0]]);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let sliding = Sliding::new(&chart, [0, 0], [[0.25, 0.75]; 2], orientation(false));
+    let quotient = [(HEIGHT * DVec3::Z).extend(1.0); 4];
+    let bound = sliding.upper_bound([1, 1], &quotient, 2.0 * HEIGHT).unwrap_or(f64::INFINITY);
+    let lemma = 3.0 * 16.0 * UNIT_ROUNDOFF * HEIGHT;
+    assert!((HEIGHT + lemma..HEIGHT + 3.0 * lemma).contains(&bound), "{:e} {lemma:e}", bound - HEIGHT);
+}
+
 /// For short steps from one point the rounding of the tangents is what is left.
 #[test]
 fn the_rounding_of_tangents_is_added() {
