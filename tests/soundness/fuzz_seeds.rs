@@ -8,15 +8,17 @@ use std::path::PathBuf;
 const MUTATIONS: u64 = 8;
 const MAX_CHANGES: usize = 4;
 
-/// The seeds of a target in order of name: those written, and those found by fuzzing.
+/// The seeds of a target in order of path: those written, and those found by fuzzing.
 fn seeds(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/soundness/fuzz/seeds").join(target);
-    let mut paths: Vec<PathBuf> = ["written", "found"]
-        .into_iter()
-        .filter_map(|kind| std::fs::read_dir(folder.join(kind)).ok())
-        .flatten()
-        .map(|entry| entry.unwrap().path())
-        .collect();
+    let mut paths = Vec::new();
+    let mut folders = vec![folder];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            (if path.is_dir() { &mut folders } else { &mut paths }).push(path);
+        }
+    }
     paths.sort();
     paths.into_iter().map(|path| (path.clone(), std::fs::read(path).unwrap())).collect()
 }
