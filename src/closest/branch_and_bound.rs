@@ -36,7 +36,8 @@ pub struct Closest {
 enum Region {
     Node(u32),
     Patch(u32),
-    /// A patch that a plane keeps as far as the incumbent, but for the gap.
+    /// A patch whose lower bound by the plane through the incumbent is within the gap of the
+    /// upper bound.
     PatchBehindPlane(u32),
     /// A patch with its squared distance in Bernstein form.
     BoundedPatch(u32, Box<SquaredDistance>),
@@ -197,8 +198,8 @@ impl<'a> ClosestPointSearch<'a> {
         }
     }
 
-    /// Bounds a patch by the direction from the incumbent, which usually suffices, else by its
-    /// squared distance.
+    /// Bounds a patch by the plane through the incumbent, normal to the direction of the target;
+    /// where that bound is too small, by its squared distance.
     fn bound_patch(&mut self, index: u32) {
         if let Some((_, foot)) = self.incumbent {
             let upper = self.upper();

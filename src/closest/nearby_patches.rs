@@ -141,9 +141,9 @@ mod tests {
         assert!(found.is_some_and(|found| found.lower <= 1.0 && found.upper > 1.2), "{found:?}");
     }
 
-    /// A patch that the plane through the incumbent keeps beyond the gap, but not as far as the
-    /// incumbent: the lower bound is that of the plane, 0.1875 by the control points of a
-    /// parabola, and not above the distance of its end. Boxes are nearer, as it runs askew.
+    /// The plane through the incumbent gives a lower bound of 0.1875 on the distance to a
+    /// parabola, by its control points: within the gap of the upper bound, 0.25, so that the search
+    /// ends with it. The parabola's end is 0.194 away. Its boxes give less, as it is askew to them.
     #[test]
     fn a_patch_behind_a_plane_lowers_the_bound() {
         let turn = DQuat::from_rotation_y(0.7);

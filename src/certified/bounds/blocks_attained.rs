@@ -56,37 +56,12 @@ fn whole(a: &Surfaces) -> Block {
     Block { surface: 0, rows, columns }
 }
 
-/// Over a plane, the distance of a patch is the largest height in it. Patches are decided just
-/// where that is at most the threshold: exactly so for a height that is the same everywhere.
-#[test]
-fn a_level_sheet_is_decided_at_its_height() {
-    const HEIGHT: f64 = 1e-3;
-    for (swapped, reversed) in [(false, false), (true, false), (false, true), (true, true)] {
-        let a = Surfaces::new(vec![sheet(|_, _| HEIGHT)], Flatness::None);
-        let b = Surfaces::new(vec![plane(swapped, reversed)], Flatness::Loose);
-        let pair = pair(&a, &b);
-        let nearest = NearestPoint::new(pair.b);
-        let bound = |threshold: f64| {
-            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
-        };
-        let decided = bound(HEIGHT * (1.0 + 1e-9));
-        assert!(decided.undecided.iter().all(|undecided| !undecided), "{swapped} {reversed}");
-        assert!((HEIGHT..HEIGHT * (1.0 + 1e-9)).contains(&decided.decided), "{}", decided.decided);
-        assert!(bound(HEIGHT * (1.0 - 1e-9)).undecided.iter().all(|undecided| *undecided));
-    }
-}
+/// The height of level sheets over the plane.
+const HEIGHT: f64 = 1e-3;
 
-/// The same for a sheet of which the parameters are uneven, by more than its height: its feet
-/// slide along the plane.
-#[test]
-fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {
-    const HEIGHT: f64 = 1e-3;
-    let random = &mut fastrand::Rng::with_seed(3);
-    let mut arrays = sheet(|_, _| HEIGHT);
-    for point in &mut arrays.control_points {
-        point[0] += 20.0 * HEIGHT * (random.f64() - 0.5);
-        point[1] += 20.0 * HEIGHT * (random.f64() - 0.5);
-    }
+/// Checks that all patches of a level sheet are decided by a threshold just above its height, in
+/// every orientation of the plane, and none by one just below.
+fn check_level(arrays: &SurfaceArrays) {
     for (swapped, reversed) in [(false, false), (true, false), (false, true), (true, true)] {
         let a = Surfaces::new(vec![arrays.clone()], Flatness::None);
         let b = Surfaces::new(vec![plane(swapped, reversed)], Flatness::Loose);
@@ -100,6 +75,26 @@ fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {
         assert!((HEIGHT..HEIGHT * (1.0 + 1e-9)).contains(&decided.decided), "{}", decided.decided);
         assert!(bound(HEIGHT * (1.0 - 1e-9)).undecided.iter().all(|undecided| *undecided));
     }
+}
+
+/// Over a plane, the distance of a patch is the largest height in it. Patches are decided just
+/// where that is at most the threshold: exactly so for a height that is the same everywhere.
+#[test]
+fn a_level_sheet_is_decided_at_its_height() {
+    check_level(&sheet(|_, _| HEIGHT));
+}
+
+/// The same for a sheet of which the parameters are uneven, by more than its height: its feet
+/// slide along the plane.
+#[test]
+fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {
+    let random = &mut fastrand::Rng::with_seed(3);
+    let mut arrays = sheet(|_, _| HEIGHT);
+    for point in &mut arrays.control_points {
+        point[0] += 20.0 * HEIGHT * (random.f64() - 0.5);
+        point[1] += 20.0 * HEIGHT * (random.f64() - 0.5);
+    }
+    check_level(&arrays);
 }
 
 /// The patches that are left are those that rise above the threshold: one control point
