@@ -88,7 +88,6 @@ fn error_of_gradient(length: f64, error: f64, derivative: f64, derivative_error:
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::param_box::ParamBox;
     use crate::rounding::UNIT_ROUNDOFF;
 
     /// Lemmas R5 and R7 and section 6.6 of docs/method.md, with every term of about the
@@ -106,9 +105,7 @@ mod tests {
                 }
             }
             let center = DVec3::new(away, 0.0, 0.0);
-            let domain = ParamBox::UNIT;
-            let patch =
-                Patch { surface: 0, degree: [2, 1], domain, center, controls: &controls, rational: true };
+            let patch = Patch::whole([2, 1], center, &controls);
             let target = center + DVec3::new(0.0, 0.0, height);
             let parameters = [0.25, 0.75];
             let found = CriticalPoint::new(&patch, target, parameters);

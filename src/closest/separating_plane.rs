@@ -19,16 +19,13 @@ pub(super) fn distance_along(patch: &Patch<'_>, target: DVec3, direction: DVec3)
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::param_box::ParamBox;
     use glam::DVec4;
 
     /// A bilinear patch with these corners and weights, whose controls are relative to `center`.
     fn bound(corners: [DVec3; 4], weights: [f64; 4], center: DVec3, target: DVec3, direction: DVec3) -> f64 {
         let controls: Vec<DVec4> =
             corners.iter().zip(weights).map(|(&corner, w)| (w * (corner - center)).extend(w)).collect();
-        let (domain, rational) = (ParamBox::UNIT, true);
-        let patch = Patch { surface: 0, degree: [1, 1], domain, center, controls: &controls, rational };
-        distance_along(&patch, target, direction)
+        distance_along(&Patch::whole([1, 1], center, &controls), target, direction)
     }
 
     /// Of a square in the plane z = 1 whose one corner is raised to z = 1.5, the raised corner

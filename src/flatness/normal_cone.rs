@@ -98,7 +98,6 @@ fn min_cosine(normals: &[Option<DVec3>], step: usize) -> f64 {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::param_box::ParamBox;
     use glam::DVec4;
 
     /// Of nets about a skewed plane with ever larger deviations: where the legs show that normals
@@ -119,14 +118,7 @@ mod tests {
                     controls.push(DVec4::new(i + skew * j + x, j + y, z, 1.0));
                 }
             }
-            let patch = Patch {
-                surface: 0,
-                degree,
-                domain: ParamBox::UNIT,
-                center: DVec3::ZERO,
-                controls: &controls,
-                rational: false,
-            };
+            let patch = Patch::whole(degree, DVec3::ZERO, &controls);
             if !has_narrow_cones(&patch, tolerance) {
                 continue;
             }
@@ -139,14 +131,7 @@ mod tests {
         }
         assert!(shown[0] == 1000 && (100..900).contains(&shown[1]), "{shown:?}");
         let weighted = [1.0, 2.0, 1.0, 1.0].map(|w| DVec4::new(0.0, 0.0, 0.0, w));
-        let patch = Patch {
-            surface: 0,
-            degree: [1, 1],
-            domain: ParamBox::UNIT,
-            center: DVec3::ZERO,
-            controls: &weighted,
-            rational: true,
-        };
+        let patch = Patch::whole([1, 1], DVec3::ZERO, &weighted);
         assert!(!has_narrow_cones(&patch, tolerance));
     }
 }

@@ -175,7 +175,6 @@ fn falling_factorial(n: usize, k: usize) -> f64 {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::param_box::ParamBox;
     use crate::rounding::UNIT_ROUNDOFF;
     use glam::DVec3;
 
@@ -185,8 +184,8 @@ mod tests {
     fn differences_have_the_errors_of_the_lemma() {
         let controls: Vec<DVec4> =
             (0..16).map(|index| DVec4::new(f64::from(index / 4 + index % 4), 0.0, 0.0, 1.0)).collect();
-        let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
-        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (degree, center) = ([3, 3], DVec3::ZERO);
+        let patch = Patch::whole(degree, center, &controls);
         assert_eq!(patch.largest_controls(), [6.0, 1.0]);
         // p! / (p - a)!
         let factor = [1.0, 3.0, 6.0, 6.0];
@@ -226,8 +225,8 @@ mod tests {
                 (w * point).extend(w)
             };
             let controls: Vec<DVec4> = (0..16).map(control).collect();
-            let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
-            let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: true };
+            let (degree, center) = ([3, 3], DVec3::ZERO);
+            let patch = Patch::whole(degree, center, &controls);
             let error = [0.25 * scale, 0.125 * scale];
             // The largest difference of order (a, b), p! / (p - a)! times.
             let largest = |a: usize, b: usize| {

@@ -249,8 +249,8 @@ mod tests {
     fn the_error_of_a_part_has_the_distance_of_the_centres() {
         let corner = |x: f64, y: f64| DVec4::new(x, y, 0.0, 1.0);
         let controls = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
-        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, 4.0 * DVec3::X);
-        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (degree, center) = ([1, 1], 4.0 * DVec3::X);
+        let patch = Patch::whole(degree, center, &controls);
         let (part, error) = patch.centered_part([0.5, 1.0], [0.5, 1.0]);
         assert_eq!(part.patch(0).center, DVec3::new(4.5, 0.5, 0.0));
         let (largest, shift) = (2.0_f64.sqrt(), 0.5_f64.sqrt());
@@ -265,14 +265,14 @@ mod tests {
     /// that are a point.
     #[test]
     fn parts_divide_the_extension() {
-        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, DVec3::ZERO);
+        let (degree, center) = ([1, 1], DVec3::ZERO);
         let wide = [DVec4::new(1.0, -1.0, 0.0, 1.0), DVec4::new(1.0, 1.0, 0.0, 1.0)];
         for (controls, finest) in [
             ([DVec4::W, DVec4::W, wide[0], wide[1]], [true, false]),
             ([wide[0], wide[1], DVec4::W, DVec4::W], [false, true]),
             ([wide[0], wide[1], -wide[0] + 2.0 * DVec4::W, -wide[1] + 2.0 * DVec4::W], [false, false]),
         ] {
-            let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+            let patch = Patch::whole(degree, center, &controls);
             for [low, high] in [[0.0, 1.0], [-0.125, 1.0], [0.0, 1.125], [-0.125, 1.125]] {
                 let extension = ParamBox::new([low, high], [0.0, 1.0]);
                 let Parts { lines: [along_s, along_t], .. } = Parts::new(&patch, 1.0, extension);
@@ -295,8 +295,8 @@ mod tests {
             DVec4::new(i * i * i - j, j * j * j - i * j, i * j * j, 1.0)
         };
         let controls: Vec<DVec4> = (0..16).map(control).collect();
-        let (degree, domain, center) = ([3, 3], ParamBox::UNIT, DVec3::ZERO);
-        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (degree, center) = ([3, 3], DVec3::ZERO);
+        let patch = Patch::whole(degree, center, &controls);
         let local = LocalDerivativeBounds::new(ParamBox::UNIT);
         let part = |place: [f64; 2]| {
             let [s, t] = place.map(|place| [0.25 * place, 0.25 * (place + 1.0)]);
@@ -325,8 +325,8 @@ mod tests {
             .iter()
             .flat_map(|&z| [0.0, 1.0].map(|y| DVec4::new(z, y, z * z, 1.0)))
             .collect();
-        let (degree, domain, center) = ([3, 1], ParamBox::UNIT, DVec3::ZERO);
-        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let (degree, center) = ([3, 1], DVec3::ZERO);
+        let patch = Patch::whole(degree, center, &controls);
         let extension = ParamBox::new([-0.125, 1.125], [0.0, 1.0]);
         let local = LocalDerivativeBounds::new(extension);
         let whole = *local.whole(&patch);

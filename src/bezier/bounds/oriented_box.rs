@@ -72,7 +72,6 @@ fn coordinates(axes: &[DVec3; 3], vector: DVec3) -> DVec3 {
 mod tests {
     use crate::bezier::OrientedBox;
     use crate::bezier::{Patch, extract};
-    use crate::param_box::ParamBox;
     use crate::shapes::shape;
     use glam::{DVec3, DVec4};
 
@@ -139,14 +138,7 @@ mod tests {
 
     fn check_axes(net: [[f64; 3]; 4]) {
         let controls = net.map(|[x, y, z]| DVec4::new(x, y, z, 1.0));
-        let patch = Patch {
-            surface: 0,
-            degree: [1, 1],
-            domain: ParamBox::UNIT,
-            center: DVec3::ZERO,
-            controls: &controls,
-            rational: false,
-        };
+        let patch = Patch::whole([1, 1], DVec3::ZERO, &controls);
         let [a, b, c] = OrientedBox::new(&patch).axes;
         for (one, other) in [(a, b), (b, c), (c, a)] {
             assert!(one.dot(other).abs() < 1e-15 && (one.length() - 1.0).abs() < 1e-15, "{net:?}");

@@ -32,6 +32,15 @@ pub struct Patch<'a> {
     pub rational: bool,
 }
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+impl<'a> Patch<'a> {
+    /// A patch that is a surface of its own, as tests take them.
+    pub(crate) fn whole(degree: [usize; 2], center: DVec3, controls: &'a [DVec4]) -> Self {
+        let rational = controls.iter().any(|control| control.w != controls[0].w);
+        Self { surface: 0, degree, domain: ParamBox::UNIT, center, controls, rational }
+    }
+}
+
 impl Patch<'_> {
     /// Returns the surface parameters (u, v) of the patch parameters (s, t).
     #[must_use]

@@ -52,7 +52,6 @@ fn restriction_error([p, q]: [usize; 2], radius: f64, shift: f64) -> f64 {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::param_box::ParamBox;
     use crate::rounding::UNIT_ROUNDOFF;
     use glam::{DVec3, DVec4};
 
@@ -68,9 +67,9 @@ mod tests {
     /// error of a shift by 5 is added.
     #[test]
     fn the_error_of_a_restriction_is_added() {
-        let (degree, domain, center) = ([1, 1], ParamBox::UNIT, 5.0 * DVec3::X);
+        let (degree, center) = ([1, 1], 5.0 * DVec3::X);
         let controls = [DVec4::W; 4];
-        let patch = Patch { surface: 0, degree, domain, center, controls: &controls, rational: false };
+        let patch = Patch::whole(degree, center, &controls);
         let sphere = Sphere { center: DVec3::ZERO, radius: 2.0, deviation: 0.0 };
         let bound = upper_bound(&Cell::whole(0), &patch, &RigidTransform::IDENTITY, &sphere);
         let excess = (bound - sphere.distance_bound(&patch)) / (UNIT_ROUNDOFF * 8.0 * 5.0);

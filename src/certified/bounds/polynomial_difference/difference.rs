@@ -179,7 +179,6 @@ fn elevated(mut controls: Vec<DVec4>, degree: [usize; 2], axis: Axis, to: usize)
 mod tests {
     use super::*;
     use crate::bezier::Patch;
-    use crate::param_box::ParamBox;
     use glam::DVec3;
 
     /// A net of these degrees of which the weights are equal along an axis, relative to the origin.
@@ -191,11 +190,6 @@ mod tests {
             weights[place[axis.other().index()]] * point.extend(1.0)
         });
         Net::new(degree, controls.collect(), DVec3::ZERO, 1.0)
-    }
-
-    fn patch(degree: [usize; 2], controls: &[DVec4]) -> Patch<'_> {
-        let (domain, center) = (ParamBox::UNIT, DVec3::ZERO);
-        Patch { surface: 0, degree, domain, center, controls, rational: true }
     }
 
     /// Lemma R11 by lines: the polynomials are those of the difference, their degree is the larger
@@ -220,8 +214,9 @@ mod tests {
             assert_eq!(difference.product_terms, terms);
             for _ in 0..10 {
                 let place = [random.f64(), random.f64()];
-                let [of_x, of_y] = [&x, &y].map(|net| patch(net.degree, &net.controls).point(place));
-                let found = patch(difference.degree, &difference.quotient).point(place);
+                let [of_x, of_y] =
+                    [&x, &y].map(|net| Patch::whole(net.degree, DVec3::ZERO, &net.controls).point(place));
+                let found = Patch::whole(difference.degree, DVec3::ZERO, &difference.quotient).point(place);
                 assert!(found.distance(of_x - of_y) <= 1e-13, "{found} {}", of_x - of_y);
             }
         }

@@ -150,7 +150,6 @@ mod tests {
     use super::*;
     use crate::bezier::Patch;
     use crate::certified::rounding::UNIT_ROUNDOFF;
-    use crate::param_box::ParamBox;
 
     /// All forms, of elevated polynomials, of products along one axis and along both, bound the
     /// difference at random points and are attained where one net is the other one moved.
@@ -178,12 +177,7 @@ mod tests {
             };
             let patch = |(degree, controls): &'_ ([usize; 2], Vec<DVec4>)| {
                 let (degree, controls) = (*degree, controls.clone());
-                move |place: [f64; 2]| {
-                    let domain = ParamBox::UNIT;
-                    let center = DVec3::ZERO;
-                    Patch { surface: 0, degree, domain, center, controls: &controls, rational: true }
-                        .point(place)
-                }
+                move |place: [f64; 2]| Patch::whole(degree, DVec3::ZERO, &controls).point(place)
             };
             let [on_x, on_y] = [patch(&x), patch(&y)];
             let bounds = [f64::INFINITY, 1e-3]

@@ -361,14 +361,7 @@ mod tests {
                     .collect();
                 let Some(bound) = sliding.upper_bound(degree, &quotient, 2.0 * size) else { continue };
                 bounded += 1;
-                let net = crate::bezier::Patch {
-                    surface: 0,
-                    degree,
-                    domain: crate::param_box::ParamBox::UNIT,
-                    center: DVec3::ZERO,
-                    controls: &quotient,
-                    rational: true,
-                };
+                let net = crate::bezier::Patch::whole(degree, DVec3::ZERO, &quotient);
                 let mut farthest = 0.0_f64;
                 for _ in 0..20 {
                     let place = [random.f64(), random.f64()];
