@@ -5,13 +5,16 @@
 //! [tolerances=1e-6,1e-8] [cells=1000000] [runs=1]`: the models of `../shared/models`
 //! whose names contain one of the names, refitted through count × count points
 //! a surface. Prints a Markdown table of the distance in both directions with
-//! the cells and the CPU seconds of all threads for preparation and for the search, which
-//! other processes lengthen little, the least of so many runs; elsewhere than on Linux they
-//! are seconds. A search ends at the limit of cells, marked by `>`.
+//! the cells, the CPU seconds of all threads for preparation and for the search, which
+//! other processes lengthen little (elsewhere than on Linux they are seconds), and the
+//! seconds by the clock from control points in memory to the answer, each the least of so
+//! many runs. A search ends at the limit of cells, marked by `>`.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 mod support;
+
+use std::time::Instant;
 
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
@@ -80,9 +83,9 @@ fn main() {
     let arguments = Arguments::read();
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
     println!(
-        "| model | points | tolerance | distance / diagonal | cells | prepare, CPU s | search, CPU s | back: distance | cells | prepare | search |"
+        "| model | points | tolerance | distance / diagonal | cells | prepare, CPU s | search, CPU s | all, s | back: distance | cells | prepare | search | all |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (name, model) in models().into_iter().filter(|(name, _)| arguments.is_chosen(name)) {
         for &count in &arguments.counts {
             let size = model.surfaces().len() * count * count;
@@ -99,11 +102,13 @@ fn main() {
     }
 }
 
-/// The distance relative to the diagonal, the CPU seconds of preparation, the cells
-/// and the CPU seconds of the search.
+/// The distance relative to the diagonal, the cells, the CPU seconds of preparation and
+/// of the search, and the seconds of both by the clock.
 fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, arguments: &Arguments) -> String {
-    let (mut prepare, mut solve, mut answer) = (f64::INFINITY, f64::INFINITY, String::new());
+    let (mut prepare, mut solve, mut all) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
+    let mut answer = String::new();
     for _ in 0..arguments.runs.max(1) {
+        let clock = Instant::now();
         let preparation = Stopwatch::start(true);
         let [a, b] = pair.map(|model| PreparedModel::new(model).expect("valid trims"));
         let distance = |max_cells: usize| {
@@ -116,11 +121,12 @@ fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, arguments: &Argu
         let search = Stopwatch::start(true);
         let result = distance(arguments.max_cells);
         solve = solve.min(search.cpu_seconds());
+        all = all.min(clock.elapsed().as_secs_f64());
         let cells = result.certified().map_or(0, |details| details.cells);
         let mark = if result.converged { "" } else { ">" };
         answer = format!("{:.1e} | {mark}{cells}", result.computed / result.diagonal);
     }
-    format!("{answer} | {prepare:.3} | {solve:.3}")
+    format!("{answer} | {prepare:.3} | {solve:.3} | {all:.3}")
 }
 
 /// Near copies of other kinds: reductions of degree, approximate offsets, and a net of
