@@ -16,6 +16,7 @@ mod blocks_attained;
 mod boxes;
 mod cell_context;
 mod convex_combination;
+mod halving;
 mod polynomial_difference;
 mod quadratic;
 mod same_net;
@@ -28,6 +29,7 @@ pub use quadratic::Quadratic;
 
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
+pub(super) use halving::halved_axes;
 use polynomial_difference::PolynomialDifference;
 pub(super) use polynomial_difference::block;
 use same_net::SameNet;

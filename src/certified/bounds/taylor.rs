@@ -118,8 +118,24 @@ impl<'a> CellPair<'a> {
     pub(super) fn difference(&self) -> Difference<'_> {
         let linear = self.linearized();
         let map = linear.clamped_to(self.domain, self.foot.parameters);
-        let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
-        Difference { pair: self, is_clamped: map != linear, map, quadratic, sheet: None }
+        let half = self.context.cell.half;
+        let quadratic = taylor_quadratic(&self.context.jet, &self.jet, half, &map);
+        Difference { pair: self, half, map, is_clamped: map != linear, quadratic, sheet: None }
+    }
+
+    /// By how much the bound falls if the cell is halved along s, and along t, about its centre; over
+    /// seams where the map leaves B's patch.
+    pub(super) fn gains_of_halving(&self) -> Option<[f64; 2]> {
+        let difference = self.difference();
+        let across = if difference.is_clamped { self.across_seams() } else { None };
+        let difference = across.unwrap_or(difference);
+        let bound = |part: [f64; 2]| {
+            let part = difference.over(part);
+            max_length(&part.quadratic) + part.remainder(Bounds::Patch)
+        };
+        let whole = bound([1.0; 2]);
+        let gains = [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - bound(part));
+        gains.iter().all(|gain| gain.is_finite()).then_some(gains)
     }
 
     /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
@@ -139,13 +155,22 @@ impl<'a> CellPair<'a> {
         let reach = chart.reach(map.extent().to_array());
         let map = map.clamped_to(reach.domain, chart.parameters);
         let quadratic = taylor_quadratic(a, &jet, [h, k], &map);
-        Some(Difference { pair: self, map, is_clamped: false, quadratic, sheet: Some((chart, reach)) })
+        Some(Difference {
+            pair: self,
+            half: [h, k],
+            map,
+            is_clamped: false,
+            quadratic,
+            sheet: Some((chart, reach)),
+        })
     }
 }
 
 /// `A - B∘φ` over a cell.
 pub(super) struct Difference<'a> {
     pair: &'a CellPair<'a>,
+    /// The half-widths of the cell.
+    half: [f64; 2],
     map: Reparametrization,
     /// Whether the map is another than the linearization, which leaves B's patch.
     is_clamped: bool,
@@ -156,6 +181,27 @@ pub(super) struct Difference<'a> {
 }
 
 impl Difference<'_> {
+    /// The same over a part of the cell about its centre.
+    fn over(&self, [s, t]: [f64; 2]) -> Self {
+        let Quadratic { value, .. } = self.quadratic;
+        let quadratic = Quadratic {
+            value,
+            s: s * self.quadratic.s,
+            t: t * self.quadratic.t,
+            ss: s * s * self.quadratic.ss,
+            st: s * t * self.quadratic.st,
+            tt: t * t * self.quadratic.tt,
+        };
+        let map = Reparametrization { p: s * self.map.p, q: t * self.map.q };
+        Self {
+            half: [s * self.half[0], t * self.half[1]],
+            map,
+            quadratic,
+            sheet: self.sheet.clone(),
+            ..*self
+        }
+    }
+
     /// An upper bound on its length over the cell, with local derivative bounds
     /// where these may bring it to the threshold.
     fn upper_bound(&self, threshold: f64) -> f64 {
@@ -172,7 +218,7 @@ impl Difference<'_> {
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
-        let (half, extent) = (context.cell.half, self.map.extent().to_array());
+        let (half, extent) = (self.half, self.map.extent().to_array());
         let of_a = match bounds {
             Bounds::Patch => context.patch_bounds(),
             Bounds::Local => context.local_bounds(),

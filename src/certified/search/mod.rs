@@ -17,7 +17,7 @@ use super::ascent::{ascend_across, starting_points};
 use super::bounds::{self, CellContext};
 use super::nearest::{Feet, Foot, NearestPoint, Query, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
-use super::{Block, Cell, Pair, Sheets};
+use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
 use crate::closest::closest_above;
 use crate::parallel::{is_few, map_short, together};
@@ -133,6 +133,8 @@ struct Evaluation {
     farthest: Sample,
     /// For a block, what it is split into.
     split: Option<Split>,
+    /// For a cell that is to be halved, the sides.
+    halved: Option<[bool; 2]>,
 }
 
 impl<'a> BranchAndBound<'a> {
@@ -319,7 +321,7 @@ impl<'a> BranchAndBound<'a> {
                 let blocks = Block::all(sheets).flat_map(|block| blocks::domains(sheets, block));
                 node.push_children(blocks, evaluation.foot, &mut children);
             } else {
-                node.branch(&self.pair.a, evaluation.foot, &mut children);
+                node.branch(&self.pair.a, evaluation.foot, evaluation.halved, &mut children);
             }
         }
         if float64_only {
@@ -332,7 +334,7 @@ impl<'a> BranchAndBound<'a> {
 
     /// The least upper bound found for a node; the first that is at most the threshold.
     fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
-        let mut split = None;
+        let (mut split, mut halved) = (None, None);
         let (upper, foot, farthest) = match &node.domain {
             Domain::BvhNode(index) => {
                 let (upper, sample) =
@@ -344,23 +346,36 @@ impl<'a> BranchAndBound<'a> {
                 split = Some(parts);
                 (node.upper, sample.foot, sample)
             }
-            Domain::Cell(cell) => self.evaluate_cell(cell, node, threshold),
+            Domain::Cell(cell) => {
+                let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
+                let upper = self.evaluate_cell(&mut context, node, threshold);
+                let is_decided = upper <= threshold;
+                if !is_decided {
+                    halved = Some(bounds::halved_axes(&context));
+                }
+                (upper, context.foot(), context.farthest)
+            }
         };
         // NaN bounds nothing.
-        Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest, split }
+        Evaluation {
+            upper: if upper < node.upper { upper } else { node.upper },
+            foot,
+            farthest,
+            split,
+            halved,
+        }
     }
 
-    fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
-        let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
-        let mut upper = bounds::with_any_foot(&mut context, threshold);
+    fn evaluate_cell(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) -> f64 {
+        let mut upper = bounds::with_any_foot(context, threshold);
         if upper > threshold {
-            upper = upper.min(bounds::with_carrying_feet(&mut context, threshold));
+            upper = upper.min(bounds::with_carrying_feet(context, threshold));
         }
         if upper > threshold {
-            self.find_nearest_feet(&mut context, node, threshold);
-            upper = upper.min(bounds::with_nearest_feet(&mut context, threshold));
+            self.find_nearest_feet(context, node, threshold);
+            upper = upper.min(bounds::with_nearest_feet(context, threshold));
         }
-        (upper, context.foot(), context.farthest)
+        upper
     }
 
     /// Replaces the inherited foot of a cell's centre by the nearest ones.
