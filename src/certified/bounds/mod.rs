@@ -29,7 +29,7 @@ pub use quadratic::Quadratic;
 
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
-pub(super) use halving::halved_axes;
+pub(super) use halving::halved_sides;
 use polynomial_difference::PolynomialDifference;
 pub(super) use polynomial_difference::block;
 use same_net::SameNet;

@@ -39,7 +39,7 @@ impl UpperBound for Taylor {
         let is_decided = bound <= threshold;
         if !is_decided
             && difference.is_clamped
-            && foot.distance() <= threshold.min(MAX_DISTANCE_IN_RADII * context.radius)
+            && foot.distance() <= threshold
             && let Some(difference) = facing.across_seams()
         {
             let across = difference.upper_bound(threshold);
@@ -48,10 +48,6 @@ impl UpperBound for Taylor {
         Some(if bound < lipschitz { bound } else { lipschitz })
     }
 }
-
-/// Distance of the centre's foot, in radii of the cell, up to which seams are
-/// crossed: on near copies cells are large for their distance.
-const MAX_DISTANCE_IN_RADII: f64 = 1.0;
 
 /// Roundings of a sum of remainders, relative to it.
 const REMAINDER_ROUNDINGS: f64 = 64.0;
@@ -123,8 +119,8 @@ impl<'a> CellPair<'a> {
         Difference { pair: self, half, map, is_clamped: map != linear, quadratic, sheet: None }
     }
 
-    /// By how much the bound falls if the cell is halved along s, and along t, about its centre; over
-    /// seams where the map leaves B's patch.
+    /// By how much the bound falls if the cell is halved about its centre along s, and along t; over
+    /// seams where the map leaves B's patch. `None` where a bound is not finite.
     pub(super) fn gains_of_halving(&self) -> Option<[f64; 2]> {
         let difference = self.difference();
         let across = if difference.is_clamped { self.across_seams() } else { None };

@@ -351,7 +351,7 @@ impl<'a> BranchAndBound<'a> {
                 let upper = self.evaluate_cell(&mut context, node, threshold);
                 let is_decided = upper <= threshold;
                 if !is_decided {
-                    halved = Some(bounds::halved_axes(&context));
+                    halved = Some(bounds::halved_sides(&context));
                 }
                 (upper, context.foot(), context.farthest)
             }
