@@ -7,7 +7,7 @@
 //! bound, by that bound's own terms. Any choice is valid: it decides only how many cells there are.
 
 use super::CellContext;
-use super::taylor::CellPair;
+use super::taylor::gains_of_halving;
 
 /// The ratio of the gains of halving along both sides from which on only the one of the larger gain is
 /// halved; with gains that are closer, the longer side in space. Ratios of 1 to 1.5 take about the same
@@ -22,8 +22,7 @@ const MAX_ELONGATION: f64 = 256.0;
 pub(in crate::certified) fn halved_sides(context: &CellContext<'_>) -> [bool; 2] {
     let speeds = context.patch_bounds().first;
     let by_length = context.cell.longer_sides(speeds);
-    let pair = CellPair::new(context, &context.foot());
-    let Some([of_s, of_t]) = pair.gains_of_halving() else { return by_length };
+    let Some([of_s, of_t]) = gains_of_halving(context) else { return by_length };
     let [length_s, length_t] = [0, 1].map(|axis| context.cell.half[axis] * speeds[axis]);
     if of_s > MIN_GAIN_RATIO * of_t && length_t <= MAX_ELONGATION * length_s {
         [true, false]
@@ -37,7 +36,9 @@ pub(in crate::certified) fn halved_sides(context: &CellContext<'_>) -> [bool; 2]
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
+    use super::super::UpperBound;
     use super::super::attained_across_seams::{Surfaces, clamped};
+    use super::super::taylor::Taylor;
     use super::*;
     use crate::certified::nearest::{Foot, NearestPoint};
     use crate::certified::{Cell, Pair};
@@ -67,7 +68,8 @@ mod tests {
         let [a, b] = [[0.0, bend, 0.0], [0.0; 3]].map(|heights| sheet(length, heights, swapped));
         let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
         let nearest = NearestPoint::new(pair.b);
-        let context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+        let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+        assert!(Taylor.evaluate(&mut context, 0.0).unwrap() > 0.0);
         let [s, t] = halved_sides(&context);
         if swapped { [t, s] } else { [s, t] }
     }

@@ -1,5 +1,6 @@
 //! A bound on the length of a vector-valued quadratic over a square.
 
+use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// `value + σ s + τ t + ½σ² ss + στ st + ½τ² tt` for (σ, τ) in [-1, 1]^2.
@@ -52,10 +53,25 @@ impl Quadratic {
         self.value.length() + first + self.st.length() + 0.5 * second
     }
 
-    /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
-    /// polynomial does not exceed (convex hull property).
-    #[must_use]
-    pub fn length_squared(&self) -> [[f64; 5]; 5] {
+    /// The same over the part of the square about the centre of these half-widths.
+    pub(super) fn over(&self, [s, t]: [f64; 2]) -> Self {
+        Self {
+            value: self.value,
+            s: s * self.s,
+            t: t * self.t,
+            ss: s * s * self.ss,
+            st: s * t * self.st,
+            tt: t * t * self.tt,
+        }
+    }
+
+    /// The largest length of the controls of Q, an upper bound on its length over the square.
+    pub(super) fn max_control(&self) -> f64 {
+        self.net().iter().flatten().fold(0.0, |longest, control| upper_max(longest, control.length()))
+    }
+
+    /// The Bernstein coefficients of Q.
+    fn net(&self) -> [[DVec3; 3]; 3] {
         let mut net = [[DVec3::ZERO; 3]; 3];
         for (i, row) in net.iter_mut().enumerate() {
             for (j, control) in row.iter_mut().enumerate() {
@@ -67,6 +83,14 @@ impl Quadratic {
                     + (0.5 * SQUARE[j]) * self.tt;
             }
         }
+        net
+    }
+
+    /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
+    /// polynomial does not exceed (convex hull property).
+    #[must_use]
+    pub fn length_squared(&self) -> [[f64; 5]; 5] {
+        let net = self.net();
         let mut coefficients = [[0.0_f64; 5]; 5];
         for i in 0..3 {
             for j in 0..3 {

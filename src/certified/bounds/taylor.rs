@@ -32,21 +32,44 @@ impl UpperBound for Taylor {
         if lipschitz <= threshold {
             return Some(lipschitz);
         }
+        if let Some(known) = context.taylor.filter(|known| known.foot == foot) {
+            return Some(known.bound);
+        }
         let facing = CellPair::new(context, &foot);
         let difference = facing.difference();
-        let mut bound = difference.upper_bound(threshold);
+        let bound = difference.upper_bound(threshold);
+        let mut least = if bound < lipschitz { bound } else { lipschitz };
         // NaN is no bound.
         let is_decided = bound <= threshold;
         if !is_decided
-            && difference.is_clamped
-            && foot.distance() <= threshold
+            && difference.is_near_beyond(threshold)
             && let Some(difference) = facing.across_seams()
         {
             let across = difference.upper_bound(threshold);
-            bound = if across < bound { across } else { bound };
+            least = if across < least { across } else { least };
         }
-        Some(if bound < lipschitz { bound } else { lipschitz })
+        context.taylor = Some(TaylorBound { foot, jet: facing.jet, bound: least });
+        Some(least)
     }
+}
+
+/// The bound that a foot gives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TaylorBound {
+    foot: Foot,
+    /// B's jet at the foot.
+    jet: Jet,
+    bound: f64,
+}
+
+/// By how much about the latest Taylor bound falls if the cell is halved about its centre along s, and
+/// along t; over seams where the map leaves B's patch.
+pub(super) fn gains_of_halving(context: &CellContext<'_>) -> Option<[f64; 2]> {
+    let TaylorBound { foot, jet, .. } = context.taylor?;
+    let facing = CellPair::with_jet(context, foot, jet);
+    let difference = facing.difference();
+    let across = if difference.is_clamped { facing.across_seams() } else { None };
+    Some(across.unwrap_or(difference).gains_of_halving())
 }
 
 /// Roundings of a sum of remainders, relative to it.
@@ -90,16 +113,20 @@ pub(super) struct CellPair<'a> {
 impl<'a> CellPair<'a> {
     pub(super) fn new(context: &'a CellContext<'a>, foot: &Foot) -> Self {
         let b = &context.pair.b;
-        let jet = b.patch(foot.patch).jet(foot.parameters);
+        Self::with_jet(context, *foot, b.patch(foot.patch).jet(foot.parameters))
+    }
+
+    /// The same, given B's jet at the foot.
+    fn with_jet(context: &'a CellContext<'a>, foot: Foot, jet: Jet) -> Self {
         let residual = jet.point - context.jet.point;
-        let domain = b.room(foot.patch);
+        let domain = context.pair.b.room(foot.patch);
         let frozen = [0, 1].map(|axis| {
             let [low, high] = domain[axis];
             let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
             let parameter = foot.parameters[axis];
             (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
         });
-        Self { context, foot: *foot, jet, domain, frozen }
+        Self { context, foot, jet, domain, frozen }
     }
 
     /// The foot's linearization, or the constant map where that is singular.
@@ -114,24 +141,8 @@ impl<'a> CellPair<'a> {
     pub(super) fn difference(&self) -> Difference<'_> {
         let linear = self.linearized();
         let map = linear.clamped_to(self.domain, self.foot.parameters);
-        let half = self.context.cell.half;
-        let quadratic = taylor_quadratic(&self.context.jet, &self.jet, half, &map);
-        Difference { pair: self, half, map, is_clamped: map != linear, quadratic, sheet: None }
-    }
-
-    /// By how much the bound falls if the cell is halved about its centre along s, and along t; over
-    /// seams where the map leaves B's patch. `None` where a bound is not finite.
-    pub(super) fn gains_of_halving(&self) -> Option<[f64; 2]> {
-        let difference = self.difference();
-        let across = if difference.is_clamped { self.across_seams() } else { None };
-        let difference = across.unwrap_or(difference);
-        let bound = |part: [f64; 2]| {
-            let part = difference.over(part);
-            max_length(&part.quadratic) + part.remainder(Bounds::Patch)
-        };
-        let whole = bound([1.0; 2]);
-        let gains = [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - bound(part));
-        gains.iter().all(|gain| gain.is_finite()).then_some(gains)
+        let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
+        Difference { pair: self, map, is_clamped: map != linear, quadratic, sheet: None }
     }
 
     /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
@@ -151,22 +162,13 @@ impl<'a> CellPair<'a> {
         let reach = chart.reach(map.extent().to_array());
         let map = map.clamped_to(reach.domain, chart.parameters);
         let quadratic = taylor_quadratic(a, &jet, [h, k], &map);
-        Some(Difference {
-            pair: self,
-            half: [h, k],
-            map,
-            is_clamped: false,
-            quadratic,
-            sheet: Some((chart, reach)),
-        })
+        Some(Difference { pair: self, map, is_clamped: false, quadratic, sheet: Some((chart, reach)) })
     }
 }
 
 /// `A - B∘φ` over a cell.
 pub(super) struct Difference<'a> {
     pair: &'a CellPair<'a>,
-    /// The half-widths of the cell.
-    half: [f64; 2],
     map: Reparametrization,
     /// Whether the map is another than the linearization, which leaves B's patch.
     is_clamped: bool,
@@ -177,25 +179,42 @@ pub(super) struct Difference<'a> {
 }
 
 impl Difference<'_> {
-    /// The same over a part of the cell about its centre.
-    fn over(&self, [s, t]: [f64; 2]) -> Self {
-        let Quadratic { value, .. } = self.quadratic;
-        let quadratic = Quadratic {
-            value,
-            s: s * self.quadratic.s,
-            t: t * self.quadratic.t,
-            ss: s * s * self.quadratic.ss,
-            st: s * t * self.quadratic.st,
-            tt: t * t * self.quadratic.tt,
+    /// Whether the linearization leaves B's patch, and the distance to the polynomial of the patch
+    /// beyond it is at most the threshold to second order.
+    fn is_near_beyond(&self, threshold: f64) -> bool {
+        let CellPair { context, foot, jet, .. } = self.pair;
+        let quadratic = || taylor_quadratic(&context.jet, jet, context.cell.half, &self.pair.linearized());
+        self.is_clamped && foot.distance() <= threshold && quadratic().max_control() <= threshold
+    }
+
+    /// By how much about the bound falls if the cell is halved about its centre along s, and along t:
+    /// by whole patches, without rounding.
+    fn gains_of_halving(&self) -> [f64; 2] {
+        let CellPair { context, .. } = self.pair;
+        let [h, k] = context.cell.half;
+        let bound = |[s, t]: [f64; 2]| {
+            let map = Reparametrization { p: s * self.map.p, q: t * self.map.q };
+            let of_a = taylor_remainder(context.patch_bounds(), [s * h, t * k]);
+            self.quadratic.over([s, t]).max_control() + of_a + self.remainder_of_b(&map, Bounds::Patch)
         };
-        let map = Reparametrization { p: s * self.map.p, q: t * self.map.q };
-        Self {
-            half: [s * self.half[0], t * self.half[1]],
-            map,
-            quadratic,
-            sheet: self.sheet.clone(),
-            ..*self
+        let whole = bound([1.0; 2]);
+        [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - bound(part))
+    }
+
+    /// An upper bound on Taylor's remainder of B under the map, or one that is shorter.
+    fn remainder_of_b(&self, map: &Reparametrization, bounds: Bounds) -> f64 {
+        let CellPair { context, foot, .. } = self.pair;
+        let (b, extent) = (&context.pair.b, map.extent().to_array());
+        if let Some((chart, reach)) = &self.sheet {
+            let over = if bounds == Bounds::Local { Over::Parts } else { Over::Patches };
+            return chart.remainder(reach, extent, over);
         }
+        let [low, high] = map.image(foot.parameters);
+        let of_b = match bounds {
+            Bounds::Patch => *b.extended_bounds(foot.patch, low, high),
+            Bounds::Local => b.bounds(foot.patch, low, high),
+        };
+        taylor_remainder(&of_b, extent)
     }
 
     /// An upper bound on its length over the cell, with local derivative bounds
@@ -214,23 +233,16 @@ impl Difference<'_> {
     pub(super) fn remainder(&self, bounds: Bounds) -> f64 {
         let CellPair { context, foot, .. } = self.pair;
         let b = &context.pair.b;
-        let (half, extent) = (self.half, self.map.extent().to_array());
+        let (half, extent) = (context.cell.half, self.map.extent().to_array());
         let of_a = match bounds {
             Bounds::Patch => context.patch_bounds(),
             Bounds::Local => context.local_bounds(),
         };
-        let (of_b, scale_of_b) = if let Some((chart, reach)) = &self.sheet {
-            let over = if bounds == Bounds::Local { Over::Parts } else { Over::Patches };
-            (chart.remainder(reach, extent, over), chart.jet_scale())
-        } else {
-            let [low, high] = self.map.image(foot.parameters);
-            let of_b = match bounds {
-                Bounds::Patch => *b.extended_bounds(foot.patch, low, high),
-                Bounds::Local => b.bounds(foot.patch, low, high),
-            };
-            (taylor_remainder(&of_b, extent), b.jet_scale(foot.patch))
+        let scale_of_b = match &self.sheet {
+            Some((chart, _)) => chart.jet_scale(),
+            None => b.jet_scale(foot.patch),
         };
-        remainders(taylor_remainder(of_a, half), of_b)
+        remainders(taylor_remainder(of_a, half), self.remainder_of_b(&self.map, bounds))
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
             + scale_of_b.quadratic_error(extent, JET_ROUNDINGS)
     }
