@@ -53,16 +53,20 @@ impl Quadratic {
         self.value.length() + first + self.st.length() + 0.5 * second
     }
 
-    /// The same over the part of the square about the centre of these half-widths.
-    pub(super) fn over(&self, [s, t]: [f64; 2]) -> Self {
-        Self {
-            value: self.value,
-            s: s * self.s,
-            t: t * self.t,
-            ss: s * s * self.ss,
-            st: s * t * self.st,
-            tt: t * t * self.tt,
-        }
+    /// By how much about the longest Q falls if the square is halved about its centre along σ, and along
+    /// τ: the sum of what its terms add to the length of the value, those along it in full and those
+    /// across it by Pythagoras.
+    pub(super) fn gains_of_halving(&self) -> [f64; 2] {
+        let length = self.value.length();
+        let added = |term: DVec3| {
+            let square = term.length_squared();
+            let along = if length > 0.0 { self.value.dot(term).abs() / length } else { 0.0 };
+            let across = (square - along * along).max(0.0);
+            along + across / (length + (length * length + across).sqrt()).max(f64::MIN_POSITIVE)
+        };
+        let mixed = added(self.st);
+        [[self.s, self.ss], [self.t, self.tt]]
+            .map(|[first, second]| 0.5 * added(first) + 0.375 * added(second) + 0.5 * mixed)
     }
 
     /// The largest length of the controls of Q, an upper bound on its length over the square.
@@ -119,6 +123,32 @@ mod tests {
         assert_eq!(quadratic.size(), 1.0 + 2.0 + 4.0 + 8.0 + 32.0 + 64.0);
         // All terms have one sign at a corner, where the length is that.
         assert_eq!(quadratic.max_length_squared(), quadratic.size().powi(2));
+    }
+
+    /// Halving the square takes off half of what first and mixed terms add to the value's length and
+    /// three quarters of what squares add: terms along the value in full, and across it by Pythagoras.
+    #[test]
+    fn the_gains_are_those_of_single_terms() {
+        let constant = Quadratic {
+            value: 4.0 * DVec3::Z,
+            s: DVec3::ZERO,
+            t: DVec3::ZERO,
+            ss: DVec3::ZERO,
+            st: DVec3::ZERO,
+            tt: DVec3::ZERO,
+        };
+        let along = -2.0 * DVec3::Z;
+        let across = 3.0 * DVec3::X;
+        for (term, added) in [(along, 2.0), (across, 1.0)] {
+            assert_eq!(Quadratic { s: term, ..constant }.gains_of_halving(), [0.5 * added, 0.0]);
+            assert_eq!(Quadratic { t: term, ..constant }.gains_of_halving(), [0.0, 0.5 * added]);
+            assert_eq!(Quadratic { ss: term, ..constant }.gains_of_halving(), [0.375 * added, 0.0]);
+            assert_eq!(Quadratic { tt: term, ..constant }.gains_of_halving(), [0.0, 0.375 * added]);
+            assert_eq!(Quadratic { st: term, ..constant }.gains_of_halving(), [0.5 * added; 2]);
+        }
+        let nothing = Quadratic { value: DVec3::ZERO, ..constant };
+        assert_eq!(nothing.gains_of_halving(), [0.0; 2]);
+        assert_eq!(Quadratic { s: across, ..nothing }.gains_of_halving(), [1.5, 0.0]);
     }
 
     /// The coefficients are those of `|Q|²`: the biquartic with them has its values.

@@ -191,14 +191,16 @@ impl Difference<'_> {
     /// by whole patches, without rounding.
     fn gains_of_halving(&self) -> [f64; 2] {
         let CellPair { context, .. } = self.pair;
-        let [h, k] = context.cell.half;
-        let bound = |[s, t]: [f64; 2]| {
-            let map = Reparametrization { p: s * self.map.p, q: t * self.map.q };
-            let of_a = taylor_remainder(context.patch_bounds(), [s * h, t * k]);
-            self.quadratic.over([s, t]).max_control() + of_a + self.remainder_of_b(&map, Bounds::Patch)
+        let ([h, k], [p, q]) = (context.cell.half, [self.map.p, self.map.q]);
+        let remainder = |[s, t]: [f64; 2]| {
+            let map = Reparametrization { p: s * p, q: t * q };
+            taylor_remainder(context.patch_bounds(), [s * h, t * k])
+                + self.remainder_of_b(&map, Bounds::Patch)
         };
-        let whole = bound([1.0; 2]);
-        [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - bound(part))
+        let whole = remainder([1.0; 2]);
+        let of_remainder = [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - remainder(part));
+        let of_quadratic = self.quadratic.gains_of_halving();
+        [0, 1].map(|axis| of_quadratic[axis] + of_remainder[axis])
     }
 
     /// An upper bound on Taylor's remainder of B under the map, or one that is shorter.
