@@ -342,9 +342,10 @@ impl<'a> BranchAndBound<'a> {
                 (upper, sample.foot, sample)
             }
             Domain::Block(block) => {
-                let (parts, sample) = split_block(&self.pair, &self.nearest, block, node, threshold);
+                let (parts, [sample, farthest]) =
+                    split_block(&self.pair, &self.nearest, block, node, threshold);
                 split = Some(parts);
-                (node.upper, sample.foot, sample)
+                (node.upper, sample.foot, farthest)
             }
             Domain::Cell(cell) => {
                 let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);

@@ -316,6 +316,15 @@ impl<'a> Chart<'a> {
         self.sheets.bezier.patches.patch(self.patch_at(offsets))
     }
 
+    /// The flat patch that holds a point of that patch, with the point's parameters in it.
+    pub(in crate::certified) fn flat_place(
+        &self,
+        offsets: [isize; 2],
+        parameters: [f64; 2],
+    ) -> Option<(u32, [f64; 2])> {
+        self.sheets.flat_place(self.patch_at(offsets), parameters)
+    }
+
     /// The lines at the ends of the patches that cover a range of parameters along
     /// an axis, or the part of it in which the surface lies.
     pub(in crate::certified) fn lines_between(

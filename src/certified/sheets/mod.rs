@@ -43,6 +43,16 @@ impl<'a> Sheets<'a> {
         at(index)..at(index + 1)
     }
 
+    /// The flat patch that holds a point of a patch as extracted, with the point's parameters in it;
+    /// `None` for parameters outside the patch. O(log patches + flat patches of the patch).
+    pub(super) fn flat_place(&self, index: usize, parameters: [f64; 2]) -> Option<(u32, [f64; 2])> {
+        self.flat_patches(index).find_map(|flat| {
+            let place = &self.places[flat as usize];
+            let local = [0, 1].map(|axis| (parameters[axis] - place.low[axis]) / place.width[axis]);
+            local.iter().all(|parameter| (0.0..=1.0).contains(parameter)).then_some((flat, local))
+        })
+    }
+
     /// Derivative bounds of a patch as extracted.
     fn bounds(&self, patch: usize) -> &'a LocalDerivativeBounds {
         let count = self.bezier.patches.len();

@@ -30,8 +30,19 @@ pub(in crate::certified) struct BlockBound {
     pub(in crate::certified) decided: f64,
     /// The patches of the block, v fastest, of which no bound is at most the threshold.
     pub(in crate::certified) undecided: Vec<bool>,
-    /// A point of the block with its foot.
+    /// A point in the middle of the block with its foot.
     pub(in crate::certified) sample: Sample,
+    /// Of the undecided patches' middles about the farthest, with its foot.
+    pub(in crate::certified) farthest: Sample,
+}
+
+/// What one map of a block decides.
+struct Decided {
+    /// The largest bound of the patches that are decided.
+    largest: f64,
+    undecided: Vec<bool>,
+    /// Of the middles of pieces of undecided patches about the farthest.
+    farthest: Option<Sample>,
 }
 
 /// Bounds the patches of a block of A's sheets by one map. O(patches p^2 q^2) for patches of B as large as A's.
@@ -44,7 +55,6 @@ pub(in crate::certified) fn block(
     threshold: f64,
 ) -> BlockBound {
     let [rows, columns] = block.size();
-    let all_undecided = || (0.0, vec![true; (rows * columns) as usize]);
     let middle = [block.rows[0] + rows / 2, block.columns[0] + columns / 2];
     let flat = sheets.flat_patches(sheets.index(block.surface, middle)).start;
     let parameters = [0.5; 2];
@@ -54,12 +64,18 @@ pub(in crate::certified) fn block(
     let sample = Sample { patch: flat, parameters, foot };
     let is_near = foot.distance() <= threshold;
     let decided = if is_near { decided(pair, sheets, block, middle, &sample, threshold) } else { None };
-    let (decided, undecided) = decided.unwrap_or_else(all_undecided);
-    BlockBound { decided, undecided, sample }
+    let Some(Decided { largest, undecided, farthest }) = decided else {
+        let undecided = vec![true; (rows * columns) as usize];
+        return BlockBound { decided: 0.0, undecided, sample, farthest: sample };
+    };
+    let farthest = farthest.map_or(sample, |Sample { patch, parameters, foot }| {
+        let target = pair.point_of_a(patch, parameters);
+        Sample { patch, parameters, foot: nearest.on_patch(target, foot.patch, foot.parameters) }
+    });
+    BlockBound { decided: largest, undecided, sample, farthest }
 }
 
-/// The largest bound of the patches that are decided, and those that are not; `None`
-/// where B has no map.
+/// What the map of a block decides; `None` where B has no map.
 fn decided(
     pair: &Pair<'_>,
     sheets: Sheets<'_>,
@@ -67,7 +83,7 @@ fn decided(
     middle: [u32; 2],
     sample: &Sample,
     threshold: f64,
-) -> Option<(f64, Vec<bool>)> {
+) -> Option<Decided> {
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
     let (orientation, images) = lines.mapped()?;
@@ -75,16 +91,41 @@ fn decided(
     let mut largest = 0.0_f64;
     let mut undecided = Vec::with_capacity(parts_s.len() * parts_t.len());
     let mut was_decided = true;
+    let mut farthest = (0.0, None);
     for (row, s) in (block.rows[0]..).zip(&parts_s) {
         for (column, t) in (block.columns[0]..).zip(&parts_t) {
             let patch = lines.patch([row, column]);
             let bound = of_patch(pair, patch, &chart, orientation, [s, t], threshold, !was_decided);
             was_decided = bound.is_some();
+            if !was_decided
+                && let Some(piece) = middle_piece(pair, patch, &chart, orientation, [s, t])
+                && let distance = piece.distance_of_middle(0.0)
+                && distance > farthest.0
+                && let (from, Some(image)) = piece.middle_with_image()
+                && let Some((flat, parameters)) =
+                    sheets.flat_place(sheets.index(block.surface, [row, column]), from)
+            {
+                let foot = Foot::start(image.0, image.1);
+                farthest = (distance, Some(Sample { patch: flat, parameters, foot }));
+            }
             undecided.push(!was_decided);
             largest = upper_max(largest, bound.unwrap_or(0.0));
         }
     }
-    Some((largest, undecided))
+    Some(Decided { largest, undecided, farthest: farthest.1 })
+}
+
+/// The piece in the middle of a patch.
+fn middle_piece<'a>(
+    pair: &'a Pair<'a>,
+    patch: Patch<'a>,
+    chart: &'a Chart<'a>,
+    orientation: Orientation,
+    [parts_s, parts_t]: [&'a [Part]; 2],
+) -> Option<Piece<'a>> {
+    let parts = [parts_s.get(parts_s.len() / 2)?, parts_t.get(parts_t.len() / 2)?];
+    let origin = pair.transform.apply(patch.center);
+    Some(Piece { pair, patch, chart, origin, orientation, parts, sliding: OnceCell::new() })
 }
 
 /// A bound on the distance of a whole patch that is at most the threshold; `None` if its
