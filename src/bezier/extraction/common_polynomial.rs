@@ -1,61 +1,117 @@
 //! Polynomials that several spans of a spline have in common.
 
-use crate::bezier::basis::Interpolation;
 use crate::bezier::basis::bernstein::MAX_ORDER;
-use crate::bezier::extraction::extract::Span;
-use crate::bezier::patch::subdivide::restrict_line;
+use crate::bezier::basis::{Interpolation, bernstein};
+use crate::bezier::extraction::extract::{Span, blossom};
 use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
 
-/// The Bézier controls of a span of one line.
-fn bezier(span: &Span, degree: usize, line: &[DVec4]) -> [DVec4; MAX_ORDER] {
-    let mut controls = [DVec4::ZERO; MAX_ORDER];
-    let line = &line[span.first_control..=span.first_control + degree];
-    for (control, operator) in controls.iter_mut().zip(&span.operator) {
-        for (coefficient, point) in operator.iter().zip(line) {
-            *control += *coefficient * *point;
-        }
-    }
-    controls
+/// The lines of homogeneous controls of a net along one axis.
+#[derive(Clone, Copy)]
+pub(super) struct Lines<'a> {
+    /// The first controls of all lines, then the second ones, and so on.
+    pub(super) rows: &'a [DVec4],
+    /// The number of lines.
+    pub(super) count: usize,
 }
 
-/// Whether the polynomial of one of two neighbouring spans, the longer one,
-/// is that of the other, to within the tolerance times what extrapolation may grow it by.
-pub(super) fn continues(left: &Span, right: &Span, degree: usize, line: &[DVec4], tolerance: f64) -> bool {
-    let mut controls = [left, right].map(|span| bezier(span, degree, line));
-    let mut widths = [left, right].map(|span| span.ends[1] - span.ends[0]);
-    if widths[0] < widths[1] {
-        widths.swap(0, 1);
-        controls.swap(0, 1);
-        controls.iter_mut().for_each(|controls| controls[..=degree].reverse());
+impl Lines<'_> {
+    /// Adds, for every line, the sum of its controls from `first` on times the coefficients.
+    fn add_combination(&self, first: usize, coefficients: &[f64], sums: &mut [DVec4]) {
+        let rows = self.rows[first * self.count..].chunks_exact(self.count);
+        for (row, &coefficient) in rows.zip(coefficients) {
+            for (sum, &control) in sums.iter_mut().zip(row) {
+                *sum += coefficient * control;
+            }
+        }
     }
-    let ratio = widths[1] / widths[0];
-    let [longer, shorter] = &mut controls;
-    // Control k of the continuation over [1, 1 + ratio] is the blossom at 1, degree - k
-    // times, and 1 + ratio, k times: the last of each level of de Casteljau's algorithm.
-    for k in 0..=degree {
-        let difference = longer[degree - k] - shorter[k];
-        let growth = (1.0 + 2.0 * ratio).powi(k as i32);
+
+    /// Returns that sum for one line.
+    fn combination(&self, first: usize, coefficients: &[f64], line: usize) -> DVec4 {
+        let controls = self.rows[first * self.count + line..].iter().step_by(self.count);
+        controls.zip(coefficients).fold(DVec4::ZERO, |sum, (&control, &factor)| sum + factor * control)
+    }
+}
+
+/// The conditions under which a line is one polynomial over two neighbouring spans.
+pub(super) struct Continuation {
+    first_control: usize,
+    /// For each condition the coefficients of the controls of both spans whose sum vanishes,
+    /// and the growth of the tolerance by extrapolation.
+    conditions: Vec<([f64; 2 * MAX_ORDER], f64)>,
+    /// The number of controls of both spans.
+    controls: usize,
+}
+
+impl Continuation {
+    /// States that the polynomial of the longer span, continued, is that of the shorter one.
+    ///
+    /// Control k of the continuation over `[1, 1 + ratio]` is the blossom at 1, degree - k times,
+    /// and `1 + ratio`, k times: the last of each level of de Casteljau's algorithm. Across a
+    /// knot of multiplicity m, the controls 0 to degree - m agree by themselves.
+    /// O(degree³).
+    pub(super) fn new(left: &Span, right: &Span, degree: usize) -> Self {
+        let multiplicity = right.first_control - left.first_control;
+        let mut operators = [left, right].map(|span| {
+            let offset = span.first_control - left.first_control;
+            let mut rows = [[0.0; 2 * MAX_ORDER]; MAX_ORDER];
+            for (row, operator) in rows.iter_mut().zip(&span.operator) {
+                row[offset..=offset + degree].copy_from_slice(&operator[..=degree]);
+            }
+            rows
+        });
+        let mut widths = [left, right].map(|span| span.ends[1] - span.ends[0]);
+        if widths[0] < widths[1] {
+            widths.swap(0, 1);
+            operators.swap(0, 1);
+            operators.iter_mut().for_each(|rows| rows[..=degree].reverse());
+        }
+        let ratio = widths[1] / widths[0];
+        let [mut longer, shorter] = operators;
+        let mut conditions = Vec::with_capacity(multiplicity);
+        for k in 0..=degree {
+            if k + multiplicity > degree {
+                let mut difference = longer[degree - k];
+                difference.iter_mut().zip(&shorter[k]).for_each(|(value, other)| *value -= other);
+                conditions.push((difference, (1.0 + 2.0 * ratio).powi(k as i32)));
+            }
+            for index in (1..=degree - k).rev() {
+                let below = longer[index - 1];
+                let values = longer[index].iter_mut().zip(below);
+                values.for_each(|(value, below)| *value = (1.0 + ratio) * *value - ratio * below);
+            }
+            // The blossom's arguments move from the end to beyond it, one a level.
+            longer.copy_within(1..=degree - k, 0);
+        }
+        Self { first_control: left.first_control, conditions, controls: multiplicity + degree + 1 }
+    }
+
+    /// Returns whether one line fulfils the conditions to within the tolerance, times what
+    /// extrapolation may grow it by.
+    pub(super) fn holds_on(&self, lines: Lines<'_>, line: usize, tolerance: f64) -> bool {
         // False for NaN.
-        let is_equal = difference.xyz().length() <= tolerance * growth;
-        if !is_equal {
-            return false;
-        }
-        for index in (1..=degree - k).rev() {
-            longer[index] = (1.0 + ratio) * longer[index] - ratio * longer[index - 1];
-        }
-        // The blossom's arguments move from the end to beyond it, one a level.
-        for index in 0..degree - k {
-            longer[index] = longer[index + 1];
-        }
+        self.conditions.iter().all(|(coefficients, growth)| {
+            let sum = lines.combination(self.first_control, &coefficients[..self.controls], line);
+            sum.xyz().length() <= tolerance * growth
+        })
     }
-    true
+
+    /// Returns whether all lines fulfil the conditions.
+    pub(super) fn holds(&self, lines: Lines<'_>, tolerance: f64) -> bool {
+        let mut sums = vec![DVec4::ZERO; lines.count];
+        self.conditions.iter().all(|(coefficients, growth)| {
+            sums.fill(DVec4::ZERO);
+            lines.add_combination(self.first_control, &coefficients[..self.controls], &mut sums);
+            sums.iter().all(|sum| sum.xyz().length() <= tolerance * growth)
+        })
+    }
 }
 
-/// A run of spans as one polynomial, with the controls of all lines.
+/// A run of spans as one polynomial.
 pub(super) struct Piece {
     pub(super) spans: Range<usize>,
+    /// The first Bézier controls of all lines, then the second ones, and so on.
     pub(super) controls: Vec<DVec4>,
 }
 
@@ -64,7 +120,7 @@ pub(super) struct Pieces<'a> {
     pub(super) degree: usize,
     pub(super) spans: &'a [Span],
     pub(super) interpolation: &'a Interpolation,
-    pub(super) lines: &'a [Vec<DVec4>],
+    pub(super) lines: Lines<'a>,
     pub(super) list: Vec<Piece>,
 }
 
@@ -72,75 +128,88 @@ impl Pieces<'_> {
     /// Appends a run of spans as one piece, or as several where the differences
     /// from one exceed the tolerance.
     pub(super) fn add(&mut self, run: Range<usize>, tolerance: f64, differences: &mut [f64; 2]) {
-        let mut largest = [0.0_f64; 2];
-        let mut controls = Vec::with_capacity(self.lines.len() * (self.degree + 1));
-        for line in self.lines {
-            if run.len() == 1 {
-                controls
-                    .extend_from_slice(&bezier(&self.spans[run.start], self.degree, line)[..=self.degree]);
-                continue;
-            }
-            let piece = self.interpolated(&run, line);
-            self.include_differences(&run, line, &piece, &mut largest);
-            let is_within = largest[0] <= tolerance && largest[1] <= tolerance;
-            if !is_within {
-                let middle = run.start + run.len() / 2;
-                self.add(run.start..middle, tolerance, differences);
-                self.add(middle..run.end, tolerance, differences);
-                return;
-            }
-            controls.extend(piece);
+        if run.len() == 1 {
+            let controls = self.bezier(&self.spans[run.start]);
+            self.list.push(Piece { spans: run, controls });
+            return;
         }
+        let controls = self.interpolated(&run);
+        let Some(largest) = self.differences(&run, &controls, tolerance) else {
+            let middle = run.start + run.len() / 2;
+            self.add(run.start..middle, tolerance, differences);
+            self.add(middle..run.end, tolerance, differences);
+            return;
+        };
         *differences = [0, 1].map(|kind| upper_max(differences[kind], largest[kind]));
         self.list.push(Piece { spans: run, controls });
     }
 
-    /// The Bézier controls over the run of the polynomial through points of the line.
-    fn interpolated(&self, run: &Range<usize>, line: &[DVec4]) -> Vec<DVec4> {
-        let spans = &self.spans[run.clone()];
-        let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
-        let values: Vec<DVec4> = self
-            .interpolation
-            .nodes()
-            .iter()
-            .map(|node| {
-                let parameter = (1.0 - node) * start + node * end;
-                let index = spans.partition_point(|span| span.ends[1] < parameter).min(spans.len() - 1);
-                let [low, high] = spans[index].ends;
-                let local = ((parameter - low) / (high - low)).clamp(0.0, 1.0);
-                let mut controls = bezier(&spans[index], self.degree, line);
-                for level in 1..=self.degree {
-                    for k in 0..=self.degree - level {
-                        controls[k] = (1.0 - local) * controls[k] + local * controls[k + 1];
-                    }
-                }
-                controls[0]
-            })
-            .collect();
-        self.interpolation.coefficients(&values)
+    /// The Bézier controls of one span.
+    fn bezier(&self, span: &Span) -> Vec<DVec4> {
+        let mut controls = vec![DVec4::ZERO; (self.degree + 1) * self.lines.count];
+        for (row, operator) in controls.chunks_exact_mut(self.lines.count).zip(&span.operator) {
+            self.lines.add_combination(span.first_control, &operator[..=self.degree], row);
+        }
+        controls
     }
 
-    /// Includes the differences between the run's spans and a polynomial over all of it.
-    fn include_differences(
-        &self,
-        run: &Range<usize>,
-        line: &[DVec4],
-        piece: &[DVec4],
-        largest: &mut [f64; 2],
-    ) {
+    /// The Bézier controls over the run of the polynomials through points of the lines.
+    fn interpolated(&self, run: &Range<usize>) -> Vec<DVec4> {
         let spans = &self.spans[run.clone()];
         let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
         let order = self.degree + 1;
+        let mut values = vec![DVec4::ZERO; order * self.lines.count];
+        for (row, node) in values.chunks_exact_mut(self.lines.count).zip(self.interpolation.nodes()) {
+            let parameter = (1.0 - node) * start + node * end;
+            let index = spans.partition_point(|span| span.ends[1] < parameter).min(spans.len() - 1);
+            let span = &spans[index];
+            let local = ((parameter - span.ends[0]) / (span.ends[1] - span.ends[0])).clamp(0.0, 1.0);
+            let mut coefficients = [0.0; MAX_ORDER];
+            for (basis, operator) in bernstein(self.degree, local).iter().zip(&span.operator) {
+                for (coefficient, of_control) in coefficients.iter_mut().zip(operator) {
+                    *coefficient += basis * of_control;
+                }
+            }
+            self.lines.add_combination(span.first_control, &coefficients[..order], row);
+        }
+        let values = Lines { rows: &values, count: self.lines.count };
+        let mut controls = vec![DVec4::ZERO; order * self.lines.count];
+        for (row, weights) in controls.chunks_exact_mut(self.lines.count).zip(self.interpolation.weights()) {
+            values.add_combination(0, weights, row);
+        }
+        controls
+    }
+
+    /// The largest differences, in space and in weight, between the controls of the run's spans
+    /// and those of polynomials over all of it; `None` if one exceeds the tolerance.
+    ///
+    /// The polynomial's controls over a span are its blossoms at the span's ends, the knots
+    /// themselves, as in extraction.
+    fn differences(&self, run: &Range<usize>, controls: &[DVec4], tolerance: f64) -> Option<[f64; 2]> {
+        let spans = &self.spans[run.clone()];
+        let order = self.degree + 1;
+        let mut knots = vec![spans[0].ends[0]; order];
+        knots.resize(2 * order, spans[spans.len() - 1].ends[1]);
+        let polynomials = Lines { rows: controls, count: self.lines.count };
+        let mut sums = vec![DVec4::ZERO; self.lines.count];
+        let mut largest = [0.0_f64; 2];
         for span in spans {
-            let own = bezier(span, self.degree, line);
-            let mut part = piece.to_vec();
-            let ends = span.ends.map(|parameter| (parameter - start) / (end - start));
-            restrict_line(&mut part, 0, 1, order, ends);
-            for (own, part) in own.iter().zip(&part) {
-                let difference = *own - *part;
-                largest[0] = upper_max(largest[0], difference.xyz().length());
-                largest[1] = upper_max(largest[1], difference.w.abs());
+            for (k, operator) in span.operator.iter().enumerate() {
+                let restriction = blossom(&knots, self.degree, self.degree, span.ends, k);
+                sums.fill(DVec4::ZERO);
+                polynomials.add_combination(0, &restriction[..order], &mut sums);
+                sums.iter_mut().for_each(|sum| *sum = -*sum);
+                self.lines.add_combination(span.first_control, &operator[..order], &mut sums);
+                for difference in &sums {
+                    largest[0] = upper_max(largest[0], difference.xyz().length());
+                    largest[1] = upper_max(largest[1], difference.w.abs());
+                }
+            }
+            let is_within = largest[0] <= tolerance && largest[1] <= tolerance;
+            if !is_within {
+                return None;
             }
         }
+        Some(largest)
     }
 }

@@ -235,25 +235,33 @@ pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
         .map(|index| Span {
             first_control: index - degree,
             ends: [knots[index], knots[index + 1]],
-            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
+            operator: (0..=degree)
+                .map(|k| blossom(knots, degree, index, [knots[index], knots[index + 1]], k))
+                .collect(),
         })
         .collect()
 }
 
-/// Returns the coefficients of the span's control points in the blossom at the
-/// span's start, degree - k times, and its end, k times.
+/// Returns the coefficients of a span's control points in the blossom at the first
+/// argument, degree - k times, and the second, k times, both in the span.
 ///
 /// Both factors of a level are quotients of differences of knots, so each has a
 /// relative error of three roundings (lemma R3 of docs/method.md). `1 - fraction`
 /// would not: near 1 the fraction's error is as large as the complement, and a
 /// control of small weight then moves by its whole weight ratio.
-fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
+pub(super) fn blossom(
+    knots: &[f64],
+    degree: usize,
+    span: usize,
+    arguments: [f64; 2],
+    k: usize,
+) -> [f64; MAX_ORDER] {
     let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
     for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
         row[index] = 1.0;
     }
     for level in 1..=degree {
-        let argument = if level <= k { knots[span + 1] } else { knots[span] };
+        let argument = if level <= k { arguments[1] } else { arguments[0] };
         for index in 0..=degree - level {
             let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
             let fraction = (argument - low) / (high - low);

@@ -19,13 +19,14 @@
 
 use crate::axis::Axis;
 use crate::bezier::basis::Interpolation;
-use crate::bezier::extraction::common_polynomial::{Piece, Pieces, continues};
+use crate::bezier::extraction::common_polynomial::{Continuation, Lines, Piece, Pieces};
 use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
 use crate::parallel::map;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The largest difference of a span's control from the common polynomial's, in
@@ -41,13 +42,12 @@ const MAX_WEIGHT: f64 = 2.0;
 const MAX_ERROR: f64 = 1024.0;
 
 /// The roundings in a difference of two controls, for each degree: six of the span's
-/// own (lemma R3 of docs/method.md), eight of the restriction (R6), and six for the
-/// span's ends in the parameters of the common polynomial, off by three roundings each.
-const ROUNDINGS_PER_DEGREE: f64 = 20.0;
+/// own and six of the common polynomial's over the span (lemma R3 of docs/method.md).
+const ROUNDINGS_PER_DEGREE: f64 = 12.0;
 
-/// The further roundings: forming homogeneous controls and the difference, and
-/// the common polynomial's control points of the model.
-const ROUNDINGS: f64 = 16.0;
+/// The further roundings: two products of lemma R3, forming homogeneous controls and the
+/// difference, and the common polynomial's control points of the model.
+const ROUNDINGS: f64 = 18.0;
 
 /// A model with fewer knots.
 pub(crate) struct Reduced {
@@ -171,14 +171,14 @@ impl Net {
     fn reduce(&mut self, axis: Axis) -> bool {
         let (degree, count) = (self.degree[axis], self.counts[axis]);
         let spans = spans(&self.knots[axis], degree, count);
-        let runs = self.runs(axis, &spans);
+        let rows = self.rows(axis);
+        let lines = Lines { rows: &rows, count: self.counts[axis.other()] };
+        let runs = self.runs(axis, &spans, lines);
         if runs.len() == spans.len() {
             return false;
         }
-        let lines: Vec<Vec<DVec4>> =
-            (0..self.counts[axis.other()]).map(|line| self.line(axis, line)).collect();
         let interpolation = &Interpolation::new(degree);
-        let mut pieces = Pieces { degree, spans: &spans, interpolation, lines: &lines, list: Vec::new() };
+        let mut pieces = Pieces { degree, spans: &spans, interpolation, lines, list: Vec::new() };
         let mut differences = [0.0_f64; 2];
         for run in runs {
             pieces.add(run, self.tolerance(), &mut differences);
@@ -198,33 +198,26 @@ impl Net {
         true
     }
 
-    /// One line of controls along `axis`.
-    fn line(&self, axis: Axis, line: usize) -> Vec<DVec4> {
-        let columns = self.counts[1];
-        (0..self.counts[axis])
-            .map(|index| match axis {
-                Axis::U => self.controls[index * columns + line],
-                Axis::V => self.controls[line * columns + index],
-            })
-            .collect()
+    /// The controls with those of a line along `axis` apart from each other by the number of lines.
+    fn rows(&self, axis: Axis) -> Cow<'_, [DVec4]> {
+        match axis {
+            Axis::U => Cow::Borrowed(&self.controls),
+            Axis::V => Cow::Owned(transposed(&self.controls, self.counts[1])),
+        }
     }
 
     /// The maximal runs of spans that seem to be one polynomial on every line.
-    fn runs(&self, axis: Axis, spans: &[Span]) -> Vec<Range<usize>> {
-        let degree = self.degree[axis];
-        let count = self.counts[axis.other()];
-        let mut joined = vec![spans.len() > 1; spans.len().saturating_sub(1)];
-        // The middle first: edges are often straight where the surface is not.
-        for line in (0..count).map(|line| (line + count / 2) % count) {
-            if joined.iter().all(|joined| !joined) {
-                break;
-            }
-            let line = self.line(axis, line);
-            for (index, joined) in joined.iter_mut().enumerate() {
-                *joined =
-                    *joined && continues(&spans[index], &spans[index + 1], degree, &line, self.tolerance());
-            }
-        }
+    fn runs(&self, axis: Axis, spans: &[Span], lines: Lines<'_>) -> Vec<Range<usize>> {
+        let tolerance = self.tolerance();
+        // The middle line first: edges are often straight where the surface is not.
+        let middle = lines.count / 2;
+        let joined: Vec<bool> = spans
+            .windows(2)
+            .map(|pair| {
+                let continuation = Continuation::new(&pair[0], &pair[1], self.degree[axis]);
+                continuation.holds_on(lines, middle, tolerance) && continuation.holds(lines, tolerance)
+            })
+            .collect();
         let mut runs = Vec::new();
         let mut start = 0;
         for end in 1..=spans.len() {
@@ -239,7 +232,6 @@ impl Net {
     /// Takes the Bézier controls of pieces, all lines of each, as the net along `axis`.
     fn replace(&mut self, axis: Axis, spans: &[Span], pieces: &[Piece]) {
         let order = self.degree[axis] + 1;
-        let others = self.counts[axis.other()];
         let mut knots = Vec::with_capacity((pieces.len() + 1) * order);
         for piece in pieces {
             knots.extend(std::iter::repeat_n(spans[piece.spans.start].ends[0], order));
@@ -247,23 +239,13 @@ impl Net {
         if let Some(last) = spans.last() {
             knots.extend(std::iter::repeat_n(last.ends[1], order));
         }
-        let count = pieces.len() * order;
-        let mut controls = vec![DVec4::ZERO; count * others];
-        for (index, piece) in pieces.iter().enumerate() {
-            for (line, piece_controls) in piece.controls.chunks_exact(order).enumerate() {
-                for (k, &control) in piece_controls.iter().enumerate() {
-                    let along = index * order + k;
-                    let place = if axis == Axis::U { along * others + line } else { line * count + along };
-                    controls[place] = match self.weight {
-                        Some(weight) => control.xyz().extend(weight),
-                        None => control,
-                    };
-                }
-            }
+        let mut rows: Vec<DVec4> = pieces.iter().flat_map(|piece| piece.controls.iter().copied()).collect();
+        if let Some(weight) = self.weight {
+            rows.iter_mut().for_each(|control| control.w = weight);
         }
+        self.controls = if axis == Axis::U { rows } else { transposed(&rows, self.counts[0]) };
         self.knots[axis] = knots;
-        self.counts[axis] = count;
-        self.controls = controls;
+        self.counts[axis] = pieces.len() * order;
         self.measure();
     }
 
@@ -279,6 +261,11 @@ impl Net {
             counts: self.counts,
         }
     }
+}
+
+/// Returns the transpose of a matrix with this many columns.
+fn transposed(matrix: &[DVec4], columns: usize) -> Vec<DVec4> {
+    (0..columns).flat_map(|column| matrix[column..].iter().step_by(columns).copied()).collect()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
