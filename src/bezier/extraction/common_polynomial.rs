@@ -17,6 +17,11 @@ pub(super) struct Lines<'a> {
 }
 
 impl Lines<'_> {
+    /// Returns the controls of one line.
+    pub(super) fn line(&self, line: usize) -> Vec<DVec4> {
+        self.rows[line..].iter().step_by(self.count).copied().collect()
+    }
+
     /// Adds, for every line, the sum of its controls from `first` on times the coefficients.
     fn add_combination(&self, first: usize, coefficients: &[f64], sums: &mut [DVec4]) {
         let rows = self.rows[first * self.count..].chunks_exact(self.count);
@@ -25,12 +30,6 @@ impl Lines<'_> {
                 *sum += coefficient * control;
             }
         }
-    }
-
-    /// Returns that sum for one line.
-    fn combination(&self, first: usize, coefficients: &[f64], line: usize) -> DVec4 {
-        let controls = self.rows[first * self.count + line..].iter().step_by(self.count);
-        controls.zip(coefficients).fold(DVec4::ZERO, |sum, (&control, &factor)| sum + factor * control)
     }
 }
 
@@ -87,22 +86,14 @@ impl Continuation {
         Self { first_control: left.first_control, conditions, controls: multiplicity + degree + 1 }
     }
 
-    /// Returns whether one line fulfils the conditions to within the tolerance, times what
+    /// Returns whether the lines fulfil the conditions to within the tolerance, times what
     /// extrapolation may grow it by.
-    pub(super) fn holds_on(&self, lines: Lines<'_>, line: usize, tolerance: f64) -> bool {
-        // False for NaN.
-        self.conditions.iter().all(|(coefficients, growth)| {
-            let sum = lines.combination(self.first_control, &coefficients[..self.controls], line);
-            sum.xyz().length() <= tolerance * growth
-        })
-    }
-
-    /// Returns whether all lines fulfil the conditions.
     pub(super) fn holds(&self, lines: Lines<'_>, tolerance: f64) -> bool {
         let mut sums = vec![DVec4::ZERO; lines.count];
         self.conditions.iter().all(|(coefficients, growth)| {
             sums.fill(DVec4::ZERO);
             lines.add_combination(self.first_control, &coefficients[..self.controls], &mut sums);
+            // False for NaN.
             sums.iter().all(|sum| sum.xyz().length() <= tolerance * growth)
         })
     }
@@ -121,6 +112,8 @@ pub(super) struct Pieces<'a> {
     pub(super) spans: &'a [Span],
     pub(super) interpolation: &'a Interpolation,
     pub(super) lines: Lines<'a>,
+    /// One of the lines.
+    pub(super) sample: Lines<'a>,
     pub(super) list: Vec<Piece>,
 }
 
@@ -133,8 +126,10 @@ impl Pieces<'_> {
             self.list.push(Piece { spans: run, controls });
             return;
         }
-        let controls = self.interpolated(&run);
-        let Some(largest) = self.differences(&run, &controls, tolerance) else {
+        // One line first: most runs that are not one polynomial are not on it either.
+        let piece = self.common(&run, self.sample, tolerance);
+        let piece = piece.and_then(|_| self.common(&run, self.lines, tolerance));
+        let Some((controls, largest)) = piece else {
             let middle = run.start + run.len() / 2;
             self.add(run.start..middle, tolerance, differences);
             self.add(middle..run.end, tolerance, differences);
@@ -153,13 +148,21 @@ impl Pieces<'_> {
         controls
     }
 
+    /// The Bézier controls over the run of polynomials, with the differences of the lines from
+    /// them; `None` if one exceeds the tolerance.
+    fn common(&self, run: &Range<usize>, lines: Lines<'_>, tolerance: f64) -> Option<(Vec<DVec4>, [f64; 2])> {
+        let controls = self.interpolated(run, lines);
+        let largest = self.differences(run, lines, &controls, tolerance)?;
+        Some((controls, largest))
+    }
+
     /// The Bézier controls over the run of the polynomials through points of the lines.
-    fn interpolated(&self, run: &Range<usize>) -> Vec<DVec4> {
+    fn interpolated(&self, run: &Range<usize>, lines: Lines<'_>) -> Vec<DVec4> {
         let spans = &self.spans[run.clone()];
         let (start, end) = (spans[0].ends[0], spans[spans.len() - 1].ends[1]);
         let order = self.degree + 1;
-        let mut values = vec![DVec4::ZERO; order * self.lines.count];
-        for (row, node) in values.chunks_exact_mut(self.lines.count).zip(self.interpolation.nodes()) {
+        let mut values = vec![DVec4::ZERO; order * lines.count];
+        for (row, node) in values.chunks_exact_mut(lines.count).zip(self.interpolation.nodes()) {
             let parameter = (1.0 - node) * start + node * end;
             let index = spans.partition_point(|span| span.ends[1] < parameter).min(spans.len() - 1);
             let span = &spans[index];
@@ -170,11 +173,11 @@ impl Pieces<'_> {
                     *coefficient += basis * of_control;
                 }
             }
-            self.lines.add_combination(span.first_control, &coefficients[..order], row);
+            lines.add_combination(span.first_control, &coefficients[..order], row);
         }
-        let values = Lines { rows: &values, count: self.lines.count };
-        let mut controls = vec![DVec4::ZERO; order * self.lines.count];
-        for (row, weights) in controls.chunks_exact_mut(self.lines.count).zip(self.interpolation.weights()) {
+        let values = Lines { rows: &values, count: lines.count };
+        let mut controls = vec![DVec4::ZERO; order * lines.count];
+        for (row, weights) in controls.chunks_exact_mut(lines.count).zip(self.interpolation.weights()) {
             values.add_combination(0, weights, row);
         }
         controls
@@ -185,13 +188,19 @@ impl Pieces<'_> {
     ///
     /// The polynomial's controls over a span are its blossoms at the span's ends, the knots
     /// themselves, as in extraction.
-    fn differences(&self, run: &Range<usize>, controls: &[DVec4], tolerance: f64) -> Option<[f64; 2]> {
+    fn differences(
+        &self,
+        run: &Range<usize>,
+        lines: Lines<'_>,
+        controls: &[DVec4],
+        tolerance: f64,
+    ) -> Option<[f64; 2]> {
         let spans = &self.spans[run.clone()];
         let order = self.degree + 1;
         let mut knots = vec![spans[0].ends[0]; order];
         knots.resize(2 * order, spans[spans.len() - 1].ends[1]);
-        let polynomials = Lines { rows: controls, count: self.lines.count };
-        let mut sums = vec![DVec4::ZERO; self.lines.count];
+        let polynomials = Lines { rows: controls, count: lines.count };
+        let mut sums = vec![DVec4::ZERO; lines.count];
         let mut largest = [0.0_f64; 2];
         for span in spans {
             for (k, operator) in span.operator.iter().enumerate() {
@@ -199,7 +208,7 @@ impl Pieces<'_> {
                 sums.fill(DVec4::ZERO);
                 polynomials.add_combination(0, &restriction[..order], &mut sums);
                 sums.iter_mut().for_each(|sum| *sum = -*sum);
-                self.lines.add_combination(span.first_control, &operator[..order], &mut sums);
+                lines.add_combination(span.first_control, &operator[..order], &mut sums);
                 for difference in &sums {
                     largest[0] = upper_max(largest[0], difference.xyz().length());
                     largest[1] = upper_max(largest[1], difference.w.abs());

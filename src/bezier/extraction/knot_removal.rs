@@ -173,12 +173,15 @@ impl Net {
         let spans = spans(&self.knots[axis], degree, count);
         let rows = self.rows(axis);
         let lines = Lines { rows: &rows, count: self.counts[axis.other()] };
-        let runs = self.runs(axis, &spans, lines);
+        // The middle one: edges are often straight where the surface is not.
+        let sample = lines.line(lines.count / 2);
+        let sample = Lines { rows: &sample, count: 1 };
+        let runs = self.runs(axis, &spans, [sample, lines]);
         if runs.len() == spans.len() {
             return false;
         }
         let interpolation = &Interpolation::new(degree);
-        let mut pieces = Pieces { degree, spans: &spans, interpolation, lines, list: Vec::new() };
+        let mut pieces = Pieces { degree, spans: &spans, interpolation, lines, sample, list: Vec::new() };
         let mut differences = [0.0_f64; 2];
         for run in runs {
             pieces.add(run, self.tolerance(), &mut differences);
@@ -206,16 +209,15 @@ impl Net {
         }
     }
 
-    /// The maximal runs of spans that seem to be one polynomial on every line.
-    fn runs(&self, axis: Axis, spans: &[Span], lines: Lines<'_>) -> Vec<Range<usize>> {
+    /// The maximal runs of spans that seem to be one polynomial on every line; the first of
+    /// both sets of lines is examined first.
+    fn runs(&self, axis: Axis, spans: &[Span], lines: [Lines<'_>; 2]) -> Vec<Range<usize>> {
         let tolerance = self.tolerance();
-        // The middle line first: edges are often straight where the surface is not.
-        let middle = lines.count / 2;
         let joined: Vec<bool> = spans
             .windows(2)
             .map(|pair| {
                 let continuation = Continuation::new(&pair[0], &pair[1], self.degree[axis]);
-                continuation.holds_on(lines, middle, tolerance) && continuation.holds(lines, tolerance)
+                lines.iter().all(|&lines| continuation.holds(lines, tolerance))
             })
             .collect();
         let mut runs = Vec::new();
