@@ -52,36 +52,33 @@ impl Continuation {
     /// O(degree³).
     pub(super) fn new(left: &Span, right: &Span, degree: usize) -> Self {
         let multiplicity = right.first_control - left.first_control;
-        let mut operators = [left, right].map(|span| {
-            let offset = span.first_control - left.first_control;
-            let mut rows = [[0.0; 2 * MAX_ORDER]; MAX_ORDER];
-            for (row, operator) in rows.iter_mut().zip(&span.operator) {
-                row[offset..=offset + degree].copy_from_slice(&operator[..=degree]);
-            }
-            rows
-        });
-        let mut widths = [left, right].map(|span| span.ends[1] - span.ends[0]);
-        if widths[0] < widths[1] {
-            widths.swap(0, 1);
-            operators.swap(0, 1);
-            operators.iter_mut().for_each(|rows| rows[..=degree].reverse());
+        let width = |span: &Span| span.ends[1] - span.ends[0];
+        let is_reversed = width(left) < width(right);
+        let [long, short] = if is_reversed { [right, left] } else { [left, right] };
+        let ratio = width(short) / width(long);
+        // The index in a span of the control that is k-th in the direction of the continuation.
+        let place = |k: usize| if is_reversed { degree - k } else { k };
+        let offset = |span: &Span| span.first_control - left.first_control;
+        let mut controls = [[0.0; 2 * MAX_ORDER]; MAX_ORDER];
+        for (k, control) in controls.iter_mut().enumerate().take(degree + 1) {
+            control[offset(long)..][..=degree].copy_from_slice(&long.operator[place(k)][..=degree]);
         }
-        let ratio = widths[1] / widths[0];
-        let [mut longer, shorter] = operators;
         let mut conditions = Vec::with_capacity(multiplicity);
         for k in 0..=degree {
             if k + multiplicity > degree {
-                let mut difference = longer[degree - k];
-                difference.iter_mut().zip(&shorter[k]).for_each(|(value, other)| *value -= other);
+                let mut difference = controls[degree - k];
+                let own = difference[offset(short)..].iter_mut().zip(&short.operator[place(k)][..=degree]);
+                own.for_each(|(value, other)| *value -= other);
                 conditions.push((difference, (1.0 + 2.0 * ratio).powi(k as i32)));
             }
             for index in (1..=degree - k).rev() {
-                let below = longer[index - 1];
-                let values = longer[index].iter_mut().zip(below);
-                values.for_each(|(value, below)| *value = (1.0 + ratio) * *value - ratio * below);
+                let (before, from) = controls.split_at_mut(index);
+                for (value, below) in from[0].iter_mut().zip(&before[index - 1]) {
+                    *value = (1.0 + ratio) * *value - ratio * below;
+                }
             }
             // The blossom's arguments move from the end to beyond it, one a level.
-            longer.copy_within(1..=degree - k, 0);
+            controls.copy_within(1..=degree - k, 0);
         }
         Self { first_control: left.first_control, conditions, controls: multiplicity + degree + 1 }
     }
