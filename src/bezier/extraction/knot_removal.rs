@@ -373,4 +373,77 @@ mod tests {
             }
         }
     }
+
+    /// The homogeneous point of a net's surface, by de Boor's recursion over the basis functions.
+    fn homogeneous(net: &Net, parameters: [f64; 2]) -> DVec4 {
+        fn basis(knots: &[f64], index: usize, degree: usize, parameter: f64) -> f64 {
+            let [from, to] = [knots[index], knots[index + degree + 1]];
+            if degree == 0 {
+                return f64::from(u8::from(from <= parameter && parameter < to));
+            }
+            let part = |length: f64, width: f64| if width > 0.0 { length / width } else { 0.0 };
+            part(parameter - from, knots[index + degree] - from) * basis(knots, index, degree - 1, parameter)
+                + part(to - parameter, to - knots[index + 1]) * basis(knots, index + 1, degree - 1, parameter)
+        }
+        let [of_u, of_v] = Axis::BOTH.map(|axis| {
+            let basis = |index| basis(&net.knots[axis], index, net.degree[axis], parameters[axis]);
+            (0..net.counts[axis]).map(basis).collect::<Vec<_>>()
+        });
+        let weights = of_u.iter().flat_map(|a| of_v.iter().map(move |b| a * b));
+        net.controls.iter().zip(weights).map(|(&control, weight)| weight * control).sum()
+    }
+
+    /// The differences are bounds in space and in weight, on every span and every line. The
+    /// surface is far from the origin, where the tolerance is many times the allowance for
+    /// rounding, which would hide what was not measured.
+    #[test]
+    fn differences_are_bounds_on_every_span_of_every_line() {
+        let torus = shape("torus").unwrap();
+        let far = 200.0 * torus.bounding_box().diagonal();
+        let mut surface = torus.surfaces()[0].clone();
+        let first = surface.knots(Axis::U)[surface.degree()[0]];
+        let last = *surface.knots(Axis::U).iter().find(|&&knot| knot > first).unwrap();
+        let fractions = [0.2, 0.4, 0.6, 0.8];
+        for fraction in fractions {
+            surface = insert_knot(&surface, Axis::U, first + fraction * (last - first), 1).unwrap();
+        }
+        let mut arrays = surface.into_arrays();
+        arrays.control_points.iter_mut().for_each(|point| point[0] += far);
+        let columns = arrays.counts[1];
+        let radius = Net::new(&NurbsSurface::new(0, arrays.clone()).unwrap()).radius;
+        let change = 30.0 * UNIT_ROUNDOFF * far;
+        for row in [1, 2, 4] {
+            for column in [0, columns / 2, columns - 1] {
+                for is_weight in [false, true] {
+                    let mut edited = arrays.clone();
+                    let place = row * columns + column;
+                    let mut net = Net::new(&NurbsSurface::new(0, edited.clone()).unwrap());
+                    if is_weight {
+                        net.controls[place].w += change;
+                    } else {
+                        edited.control_points[place][2] += change;
+                        net = Net::new(&NurbsSurface::new(0, edited).unwrap());
+                    }
+                    let before = Net { knots: net.knots.clone(), controls: net.controls.clone(), ..net };
+                    assert!(net.reduce(Axis::U), "{row} {column} {is_weight}");
+                    assert!(net.counts[0] < before.counts[0] + 3);
+                    let random = &mut fastrand::Rng::with_seed(7);
+                    let mut found = [0.0_f64; 2];
+                    for _ in 0..400 {
+                        let u = first + random.f64() * (last - first);
+                        let parameters = [u, random.f64()];
+                        let difference = homogeneous(&net, parameters) - homogeneous(&before, parameters);
+                        found[0] = found[0].max(difference.xyz().length());
+                        found[1] = found[1].max(difference.w.abs());
+                    }
+                    for (kind, size) in [radius, 1.0].into_iter().enumerate() {
+                        assert!(found[kind] <= net.differences[kind], "{row} {column} {is_weight} {kind}");
+                        let allowance = 200.0 * UNIT_ROUNDOFF * size;
+                        let is_measured = is_weight == (kind == 1);
+                        assert!(!is_measured || found[kind] > 2.0 * allowance, "{row} {column} {found:?}");
+                    }
+                }
+            }
+        }
+    }
 }
