@@ -412,7 +412,7 @@ mod tests {
         let columns = arrays.counts[1];
         let radius = Net::new(&NurbsSurface::new(0, arrays.clone()).unwrap()).radius;
         let change = 30.0 * UNIT_ROUNDOFF * far;
-        for row in [1, 2, 4] {
+        for row in [1, 2, 4, 5] {
             for column in [0, columns / 2, columns - 1] {
                 for is_weight in [false, true] {
                     let mut edited = arrays.clone();
