@@ -16,20 +16,18 @@ mod blocks_attained;
 mod boxes;
 mod cell_context;
 mod convex_combination;
-mod halving;
 mod polynomial_difference;
-mod quadratic;
 mod same_net;
 mod sphere;
 mod taylor;
 
 pub(super) use boxes::{bvh_node, whole_models};
 pub(super) use cell_context::CellContext;
-pub use quadratic::Quadratic;
+pub use taylor::Quadratic;
+pub(super) use taylor::halved_sides;
 
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
-pub(super) use halving::halved_sides;
 use polynomial_difference::PolynomialDifference;
 pub(super) use polynomial_difference::block;
 use same_net::SameNet;

@@ -1,6 +1,7 @@
 //! Surfaces as sheets of Bézier patches that join along their knot lines.
 
 mod chart;
+mod lines;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};

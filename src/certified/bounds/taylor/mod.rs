@@ -11,11 +11,18 @@
 //! bound is of third order where the distance is positive, as what D does along
 //! B then counts by its square only.
 
+mod halving;
+mod quadratic;
+
+pub(in crate::certified) use halving::halved_sides;
+pub use quadratic::Quadratic;
+pub(super) use quadratic::max_coefficient;
+
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
 use super::super::sheets::{Chart, Over, Reach};
-use super::{CellContext, Quadratic, UpperBound};
+use super::{CellContext, UpperBound};
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
@@ -64,7 +71,7 @@ pub(super) struct TaylorBound {
 
 /// By how much about the latest Taylor bound falls if the cell is halved about its centre along s, and
 /// along t; over seams where the map leaves B's patch.
-pub(super) fn gains_of_halving(context: &CellContext<'_>) -> Option<[f64; 2]> {
+fn gains_of_halving(context: &CellContext<'_>) -> Option<[f64; 2]> {
     let TaylorBound { foot, jet, .. } = context.taylor?;
     let facing = CellPair::with_jet(context, foot, jet);
     let difference = facing.difference();

@@ -29,7 +29,7 @@ const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
 const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
 
 /// The largest of the coefficients and 0; NaN where one is NaN.
-pub(super) fn max_coefficient(coefficients: &[[f64; 5]; 5]) -> f64 {
+pub(in crate::certified::bounds) fn max_coefficient(coefficients: &[[f64; 5]; 5]) -> f64 {
     let mut largest = 0.0_f64;
     for &coefficient in coefficients.iter().flatten() {
         if coefficient > largest || coefficient.is_nan() {
