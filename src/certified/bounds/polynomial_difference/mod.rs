@@ -23,6 +23,7 @@ mod piece;
 mod sliding;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod sliding_attained;
+mod strip;
 
 pub(in crate::certified) use block::block;
 

@@ -1,8 +1,9 @@
 //! The difference of two patches as a rational function.
 
-use super::difference::Difference;
+use super::difference::{Difference, MAX_WEIGHT_SPREAD, weight_spread};
 use super::sliding::Sliding;
-use crate::bezier::{power_of_two_below, squares};
+use crate::axis::Axis;
+use crate::bezier::{Restriction, power_of_two_below, squares};
 use crate::certified::rounding::gamma;
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -20,6 +21,11 @@ const LENGTH_ROUNDINGS: f64 = 8.0;
 /// tried: they bring little more than a turn of the difference over the piece.
 const MAX_EXCESS: f64 = 2.0;
 
+/// Roundings of a point by a restriction along an axis, for each degree, and by each elevation of the
+/// degree that goes with it (lemma R6, twice its numbers by lemma R1).
+const RESTRICTION_ROUNDINGS: f64 = 16.0;
+const ELEVATION_ROUNDINGS: f64 = 6.0;
+
 /// The number of products that a coefficient of a square sums, of a polynomial of these degrees.
 fn square_terms([p, q]: [usize; 2]) -> f64 {
     ((p / 2 + 1) * (q + 1)) as f64
@@ -36,12 +42,24 @@ fn bound_by_squares(largest: f64, longest: f64, of_products: f64, of_squares: f6
     (1.0 + of_products) * under_root.sqrt()
 }
 
+/// The largest weight.
+fn heaviest(controls: &[DVec4]) -> f64 {
+    controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w))
+}
+
 /// A homogeneous control net, t fastest.
+#[derive(Default)]
 pub(super) struct Net {
     pub(super) degree: [usize; 2],
+    /// Relative to the origin; with weights of 1 where these count as equal.
     pub(super) controls: Vec<DVec4>,
+    /// The point that the controls are relative to.
+    pub(super) origin: DVec3,
     /// How far, relative to the smallest weight, the weights are from each other.
     pub(super) weight_spread: f64,
+    /// How far the weights of each line along an axis are from its first, relative to that; `None`
+    /// where they do not count as equal.
+    pub(super) line_spreads: [Option<f64>; 2],
     /// The largest distance of a control point from the origin.
     pub(super) radius: f64,
     /// The rounding error of its points: restriction and change of origin.
@@ -55,7 +73,7 @@ impl Net {
     /// `growth` bounds the sum of the absolute coefficients of a restriction
     /// beyond [0, 1], 1 inside (lemma R6).
     pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, growth: f64) -> Self {
-        let heaviest = controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w));
+        let heaviest = heaviest(&controls);
         let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
         let (mut about_center, mut radius, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
         for control in &mut controls {
@@ -67,10 +85,68 @@ impl Net {
             radius = upper_max(radius, control.xyz().length() * inverse);
         }
         let spread = if growth > 1.0 { growth * scale * heaviest / lightest } else { 1.0 };
-        let restriction = 16.0 * (degree[0] + degree[1]) as f64 * spread + 8.0;
+        let restriction = RESTRICTION_ROUNDINGS * (degree[0] + degree[1]) as f64 * spread + 8.0;
         let point_error = gamma(restriction * about_center + 4.0 * shift.length());
         let weight_spread = (scale * heaviest - lightest) / lightest;
-        Self { degree, controls, weight_spread, radius, point_error }
+        let mut net = Self { degree, controls, weight_spread, radius, point_error, ..Self::default() };
+        net.classify_weights();
+        net
+    }
+
+    /// Takes the net of a whole patch, relative to its own centre, of which pieces are compared.
+    ///
+    /// Its radius and the spreads of its weights are bounds on those of all pieces, and its error that
+    /// of any restriction inside [0, 1] along both axes.
+    pub(super) fn whole(degree: [usize; 2], mut controls: Vec<DVec4>, origin: DVec3) -> Self {
+        let heaviest = heaviest(&controls);
+        let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
+        let (mut radius_squared, mut lightest) = (0.0_f64, f64::INFINITY);
+        for control in &mut controls {
+            *control *= scale;
+            lightest = lightest.min(control.w);
+            let length_squared = control.xyz().length_squared() / (control.w * control.w);
+            radius_squared = upper_max(radius_squared, length_squared);
+        }
+        let radius = radius_squared.sqrt();
+        let restriction = RESTRICTION_ROUNDINGS * (degree[0] + degree[1]) as f64 + 8.0;
+        let weight_spread = (scale * heaviest - lightest) / lightest;
+        let point_error = gamma(restriction * radius);
+        let mut net =
+            Self { degree, controls, origin, weight_spread, radius, point_error, ..Self::default() };
+        net.classify_weights();
+        net
+    }
+
+    /// Finds along which axes weights count as equal, and sets them to 1 where all do.
+    fn classify_weights(&mut self) {
+        if self.is_polynomial() {
+            for control in &mut self.controls {
+                *control = (control.xyz() / control.w).extend(1.0);
+            }
+            self.line_spreads = [Some(self.weight_spread); 2];
+        } else {
+            self.line_spreads = Axis::BOTH.map(|axis| weight_spread(self, axis));
+        }
+    }
+
+    /// Whether the weights are positive and count as equal.
+    pub(super) fn is_polynomial(&self) -> bool {
+        (0.0..=MAX_WEIGHT_SPREAD).contains(&self.weight_spread)
+    }
+
+    /// Becomes the restriction of another net, of a whole patch, along an axis.
+    pub(super) fn restrict(&mut self, net: &Self, axis: Axis, restriction: &Restriction) {
+        self.degree = restriction.apply(axis, net.degree, &net.controls, &mut self.controls);
+        self.origin = net.origin;
+        self.weight_spread = net.weight_spread;
+        self.line_spreads = net.line_spreads;
+        // The first weight of a line is another one, as far from that of the whole line at most.
+        if !net.is_polynomial() {
+            self.line_spreads[axis] = net.line_spreads[axis].map(|spread| 2.0 * spread);
+        }
+        self.radius = net.radius;
+        let elevation = ELEVATION_ROUNDINGS * restriction.elevation() as f64;
+        self.point_error = net.point_error + gamma(elevation * net.radius);
     }
 
     /// An upper bound on the distance between points of equal parameters, by
@@ -90,9 +166,10 @@ impl Net {
         threshold: f64,
         sliding: impl Fn() -> Option<&'a Sliding<'b>>,
     ) -> Option<f64> {
+        let shift = self.origin - other.origin;
         let [corners, others] = [self, other].map(Net::corners);
         for (corner, other) in corners.iter().zip(&others) {
-            let difference = *corner - *other;
+            let difference = *corner - *other + shift;
             if difference.length() > threshold && !(sliding()?.residual(difference).length() <= threshold) {
                 return None;
             }
@@ -101,11 +178,13 @@ impl Net {
             return None;
         }
         let Difference { degree, quotient, product_terms, error } = Difference::new(self, other);
-        let length = |control: &DVec4| control.xyz().length() / control.w;
-        let longest = quotient.iter().map(length).fold(0.0, upper_max);
+        let length_squared = |control: &DVec4| control.xyz().length_squared() / (control.w * control.w);
+        let longest = quotient.iter().map(length_squared).fold(0.0, upper_max).sqrt();
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
-        let rounding =
-            of_products * (self.radius + other.radius) + self.point_error + other.point_error + error;
+        let rounding = of_products * (self.radius + other.radius + shift.length())
+            + self.point_error
+            + other.point_error
+            + error;
         let bound = bound_by_lengths(longest, of_products) + rounding;
         let is_finite = bound < f64::INFINITY;
         if bound <= threshold || !is_finite {
