@@ -69,49 +69,78 @@ impl Restriction {
         restricted.resize((degree[0] + 1) * (degree[1] + 1), DVec4::ZERO);
         match self.from {
             // The most common degrees are unrolled.
-            2 => self.apply_to_lines::<3>(axis, columns, controls, restricted),
-            3 => self.apply_to_lines::<4>(axis, columns, controls, restricted),
-            4 => self.apply_to_lines::<5>(axis, columns, controls, restricted),
+            2 => self.apply_unrolled::<3>(axis, columns, controls, restricted),
+            3 => self.apply_unrolled::<4>(axis, columns, controls, restricted),
+            4 => self.apply_unrolled::<5>(axis, columns, controls, restricted),
+            6 => self.apply_unrolled::<7>(axis, columns, controls, restricted),
             from => {
-                let mut line = [DVec4::ZERO; MAX_ORDER];
-                self.apply_by(&mut line[..=from], axis, columns, controls, restricted);
+                let mut room = [DVec4::ZERO; MAX_ORDER];
+                let line = &mut room[..=from];
+                for lines in self.lines(axis, columns, controls.len()) {
+                    lines.copy(controls, line);
+                    for (k, row) in self.entries.chunks_exact(from + 1).enumerate() {
+                        let products = row.iter().zip(&*line).map(|(&factor, &control)| factor * control);
+                        restricted[lines.at(k)] =
+                            products.reduce(|sum, product| sum + product).unwrap_or_default();
+                    }
+                }
             }
         }
         degree
     }
 
+    /// The same for lines of N controls.
     #[inline(always)]
-    fn apply_to_lines<const N: usize>(
+    fn apply_unrolled<const N: usize>(
         &self,
         axis: Axis,
         columns: usize,
         controls: &[DVec4],
-        to: &mut [DVec4],
+        restricted: &mut [DVec4],
     ) {
         let mut line = [DVec4::ZERO; N];
-        self.apply_by(&mut line, axis, columns, controls, to);
-    }
-
-    /// The same with room for one line.
-    #[inline(always)]
-    fn apply_by(&self, line: &mut [DVec4], axis: Axis, columns: usize, controls: &[DVec4], to: &mut [DVec4]) {
-        let order = line.len();
-        let (lines, [stride, raised_stride], step) = match axis {
-            Axis::U => (columns, [1, 1], columns),
-            Axis::V => (controls.len() / columns, [columns, self.to + 1], 1),
-        };
-        for index in 0..lines {
-            for (place, control) in line.iter_mut().enumerate() {
-                *control = controls[index * stride + place * step];
-            }
-            for (k, row) in self.entries.chunks_exact(order).enumerate() {
+        for lines in self.lines(axis, columns, controls.len()) {
+            lines.copy(controls, &mut line);
+            for (k, row) in self.entries.as_chunks::<N>().0.iter().enumerate() {
                 let mut sum = row[0] * line[0];
-                for (factor, control) in row.iter().zip(&*line).skip(1) {
-                    sum += *factor * *control;
+                for j in 1..N {
+                    sum += row[j] * line[j];
                 }
-                to[index * raised_stride + k * step] = sum;
+                restricted[lines.at(k)] = sum;
             }
         }
+    }
+
+    /// The lines along an axis of a net of so many columns and controls.
+    fn lines(&self, axis: Axis, columns: usize, count: usize) -> impl Iterator<Item = Line> {
+        let (lines, strides, step) = match axis {
+            Axis::U => (columns, [1, 1], columns),
+            Axis::V => (count / columns, [columns, self.to + 1], 1),
+        };
+        (0..lines).map(move |line| Line { starts: strides.map(|stride| line * stride), step })
+    }
+}
+
+/// A line of controls: the indices of its first control before and after a restriction, and the step
+/// from one to the next.
+struct Line {
+    starts: [usize; 2],
+    step: usize,
+}
+
+impl Line {
+    /// Copies the controls of the line before the restriction.
+    #[inline(always)]
+    fn copy(&self, controls: &[DVec4], line: &mut [DVec4]) {
+        for (place, control) in line.iter_mut().enumerate() {
+            *control = controls[self.starts[0] + place * self.step];
+        }
+    }
+
+    /// The index of control k after it.
+    #[inline(always)]
+    fn at(&self, k: usize) -> usize {
+        self.starts[1] + k * self.step
     }
 }
 

@@ -42,6 +42,18 @@ fn bound_by_squares(largest: f64, longest: f64, of_products: f64, of_squares: f6
     (1.0 + of_products) * under_root.sqrt()
 }
 
+/// The largest length of a point with these homogeneous coordinates, with weights of 1 where they are
+/// those of a polynomial.
+fn longest(controls: &[DVec4], is_polynomial: bool) -> f64 {
+    let squared = |control: &DVec4| control.xyz().length_squared();
+    let largest = if is_polynomial {
+        controls.iter().map(squared).fold(0.0, upper_max)
+    } else {
+        controls.iter().map(|control| squared(control) / (control.w * control.w)).fold(0.0, upper_max)
+    };
+    largest.sqrt()
+}
+
 /// The largest weight.
 fn heaviest(controls: &[DVec4]) -> f64 {
     controls.iter().fold(0.0_f64, |heaviest, control| heaviest.max(control.w))
@@ -99,28 +111,27 @@ impl Net {
     /// of any restriction inside [0, 1] along both axes.
     pub(super) fn whole(degree: [usize; 2], mut controls: Vec<DVec4>, origin: DVec3) -> Self {
         let heaviest = heaviest(&controls);
-        let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
-        let (mut radius_squared, mut lightest) = (0.0_f64, f64::INFINITY);
-        for control in &mut controls {
-            *control *= scale;
-            lightest = lightest.min(control.w);
-            let length_squared = control.xyz().length_squared() / (control.w * control.w);
-            radius_squared = upper_max(radius_squared, length_squared);
+        let lightest = controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(control.w));
+        // Weights of 1, the most common ones, need no scale.
+        if [lightest, heaviest] != [1.0; 2] {
+            let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
+            for control in &mut controls {
+                *control *= scale;
+            }
         }
-        let radius = radius_squared.sqrt();
-        let restriction = RESTRICTION_ROUNDINGS * (degree[0] + degree[1]) as f64 + 8.0;
-        let weight_spread = (scale * heaviest - lightest) / lightest;
-        let point_error = gamma(restriction * radius);
-        let mut net =
-            Self { degree, controls, origin, weight_spread, radius, point_error, ..Self::default() };
+        let weight_spread = (heaviest - lightest) / lightest;
+        let mut net = Self { degree, controls, origin, weight_spread, ..Self::default() };
         net.classify_weights();
+        net.radius = longest(&net.controls, net.is_polynomial());
+        let restriction = RESTRICTION_ROUNDINGS * (degree[0] + degree[1]) as f64 + 8.0;
+        net.point_error = gamma(restriction * net.radius);
         net
     }
 
     /// Finds along which axes weights count as equal, and sets them to 1 where all do.
     fn classify_weights(&mut self) {
         if self.is_polynomial() {
-            for control in &mut self.controls {
+            for control in self.controls.iter_mut().filter(|control| control.w != 1.0) {
                 *control = (control.xyz() / control.w).extend(1.0);
             }
             self.line_spreads = [Some(self.weight_spread); 2];
@@ -178,8 +189,7 @@ impl Net {
             return None;
         }
         let Difference { degree, quotient, product_terms, error } = Difference::new(self, other);
-        let length_squared = |control: &DVec4| control.xyz().length_squared() / (control.w * control.w);
-        let longest = quotient.iter().map(length_squared).fold(0.0, upper_max).sqrt();
+        let longest = longest(&quotient, self.is_polynomial() && other.is_polynomial());
         let of_products = gamma(product_terms as f64 + PRODUCT_ROUNDINGS);
         let rounding = of_products * (self.radius + other.radius + shift.length())
             + self.point_error
@@ -219,7 +229,7 @@ impl Net {
     }
 
     fn is_positive(&self) -> bool {
-        self.controls.iter().all(|control| control.w > 0.0)
+        self.is_polynomial() || self.controls.iter().all(|control| control.w > 0.0)
     }
 }
 
