@@ -108,9 +108,10 @@ impl Rectangle<'_> {
         }
         // The farthest first: it is the likeliest to exceed the threshold.
         strips.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let net = comparison.net_of_a(context.patch);
         let mut largest = 0.0_f64;
         for (_, part) in strips {
-            let bound = comparison.strip(part).upper_bound(context.patch, others, threshold, false)?;
+            let bound = comparison.strip(part).upper_bound(context.patch, &net, others, threshold, false)?;
             largest = upper_max(largest, bound);
         }
         // Along s over the whole range of t; along t over what is left of s.

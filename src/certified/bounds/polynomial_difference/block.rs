@@ -96,7 +96,13 @@ fn decided(
                 if let Some(largest) = *bound {
                     let patch =
                         lines.patch([block.rows[0] + place[0] as u32, block.columns[0] + place[1] as u32]);
-                    let of_strip = strip.upper_bound(patch, others, threshold, !was_decided);
+                    let of_strip = strip.upper_bound(
+                        patch,
+                        &comparison.net_of_a(patch),
+                        others,
+                        threshold,
+                        !was_decided,
+                    );
                     *bound = of_strip.map(|of_strip| upper_max(largest, of_strip));
                     was_decided = bound.is_some();
                 }

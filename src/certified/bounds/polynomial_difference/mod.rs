@@ -16,7 +16,6 @@
 mod across_knots;
 mod aligned_map;
 mod block;
-mod difference;
 mod knot_line_map;
 mod net;
 mod piece;

@@ -5,8 +5,7 @@
 //! same parameters, and elevate the degree where differences need it.
 
 use super::aligned_map::Orientation;
-use super::difference::elevated_degrees;
-use super::net::Net;
+use super::net::{Net, elevated_degrees};
 use super::piece::{Part, Piece};
 use crate::axis::Axis;
 use crate::bezier::{Patch, Restriction};
@@ -70,7 +69,7 @@ impl<'a> Comparison<'a> {
 
     /// The strip of the pieces of a part.
     pub(super) fn strip<'p>(&'p self, part: &'p RestrictedPart) -> Strip<'p> {
-        Strip { comparison: self, part, of_b: None, restricted: Default::default() }
+        Strip { comparison: self, part, of_b: None, rooms: Default::default() }
     }
 
     /// The piece of a patch of A over two parts, by A's axes.
@@ -80,7 +79,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// The moved net of a patch of A.
-    fn net_of_a(&self, patch: Patch<'_>) -> Net {
+    pub(super) fn net_of_a(&self, patch: Patch<'_>) -> Net {
         let transform = &self.pair.transform;
         let moved = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
         Net::whole(patch.degree, patch.controls.iter().map(moved).collect(), transform.apply(patch.center))
@@ -112,50 +111,40 @@ pub(super) struct Strip<'a> {
     part: &'a RestrictedPart,
     /// The last net of B that was restricted to the part, with its offset along the other axis.
     of_b: Option<(isize, Net)>,
-    /// Room for the nets of a piece.
-    restricted: [Net; 2],
+    /// Room for the net of A over the strip, and for both nets over a piece.
+    rooms: [Net; 3],
 }
 
 impl<'a> Strip<'a> {
-    /// An upper bound on the distance of the strip's pieces of a patch of A over parts along the
-    /// other axis from their images, if it is at most the threshold. A `cautious` call looks at the
-    /// middle of a piece first.
+    /// An upper bound on the distance of the strip's pieces of a patch of A, with its net, over parts along
+    /// the other axis from their images, if it is at most the threshold. A `cautious` call looks at
+    /// the middle of a piece first.
     pub(super) fn upper_bound(
         &mut self,
         patch: Patch<'a>,
+        net: &Net,
         parts: &'a [RestrictedPart],
         threshold: f64,
         cautious: bool,
     ) -> Option<f64> {
-        let comparison = self.comparison;
-        let axis = self.part.axis;
-        let mut of_a = comparison.net_of_a(patch);
-        restrict_in_place(&mut of_a, axis, &self.part.restrictions[0]);
+        let Self { comparison, part, of_b, rooms: [strip_room, room_of_a, room_of_b] } = self;
+        let of_a = restricted(net, part.axis, &part.restrictions[0], strip_room);
         let mut largest = 0.0_f64;
         for other in parts {
-            let mut pair = [&self.part.part; 2];
+            let mut pair = [&part.part; 2];
             pair[other.axis] = &other.part;
             let piece = comparison.piece(patch, pair);
-            if cautious && !(piece.distance_of_middle(threshold) <= threshold) {
+            if (cautious && !(piece.distance_of_middle(threshold) <= threshold)) || !piece.is_proper() {
                 return None;
             }
-            if !piece.is_proper() {
-                return None;
-            }
-            let offset = other.part.offset;
-            if self.of_b.as_ref().is_none_or(|(known, _)| *known != offset) {
-                let mut offsets = [self.part.part.offset; 2];
-                offsets[other.axis] = offset;
-                let mut of_b = comparison.net_of_b(offsets);
-                restrict_in_place(&mut of_b, axis, &self.part.restrictions[1]);
-                self.of_b = Some((offset, of_b));
-            }
-            let of_b = &self.of_b.as_ref()?.1;
-            let [room_a, room_b] = &mut self.restricted;
-            let [by_a, by_b] = &other.restrictions;
-            let nets =
-                [restricted(&of_a, other.axis, by_a, room_a), restricted(of_b, other.axis, by_b, room_b)];
-            let bound = piece.upper_bound(nets, threshold)?;
+            let known = of_b.take().filter(|(offset, _)| *offset == other.part.offset);
+            let (_, of_b) = of_b.insert(known.unwrap_or_else(|| {
+                let whole = comparison.net_of_b(pair.map(|part| part.offset));
+                (other.part.offset, restrict(whole, part.axis, &part.restrictions[1]))
+            }));
+            let of_a = restricted(of_a, other.axis, &other.restrictions[0], room_of_a);
+            let of_b = restricted(of_b, other.axis, &other.restrictions[1], room_of_b);
+            let bound = piece.upper_bound([of_a, of_b], threshold)?;
             let is_decided = bound <= threshold;
             if !is_decided {
                 return None;
@@ -166,16 +155,17 @@ impl<'a> Strip<'a> {
     }
 }
 
-/// Restricts a net of a whole patch along an axis.
-fn restrict_in_place(net: &mut Net, axis: Axis, restriction: &Restriction) {
-    if !restriction.is_identity() {
-        let mut restricted = Net::default();
-        restricted.restrict(net, axis, restriction);
-        *net = restricted;
+/// A net restricted along an axis.
+fn restrict(net: Net, axis: Axis, restriction: &Restriction) -> Net {
+    if restriction.is_identity() {
+        return net;
     }
+    let mut restricted = Net::default();
+    restricted.restrict(&net, axis, restriction);
+    restricted
 }
 
-/// The restriction of a net along an axis, in the room given if it is another one.
+/// The same of a net that stays, in the room given if it is another one.
 fn restricted<'n>(net: &'n Net, axis: Axis, restriction: &Restriction, room: &'n mut Net) -> &'n Net {
     if restriction.is_identity() {
         return net;

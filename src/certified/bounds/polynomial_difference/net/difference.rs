@@ -1,6 +1,6 @@
 //! The difference of two nets as a quotient of Bernstein polynomials.
 
-use super::net::Net;
+use super::Net;
 use crate::axis::Axis;
 use crate::bezier::{binomials, scaled, unscale};
 use crate::rounding::upper_max;
@@ -135,7 +135,7 @@ impl Difference {
 }
 
 /// The degrees of two nets after the elevations that their difference takes.
-pub(super) fn elevated_degrees(x: &Net, y: &Net) -> [[usize; 2]; 2] {
+pub(in super::super) fn elevated_degrees(x: &Net, y: &Net) -> [[usize; 2]; 2] {
     let are_polynomials = x.is_polynomial() && y.is_polynomial();
     let mut degrees = [x.degree, y.degree];
     for axis in Axis::BOTH {
