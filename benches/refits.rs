@@ -24,10 +24,6 @@ use nurbs_hausdorff::{Axis, Model};
 use support::clock::Stopwatch;
 use support::shared;
 
-/// Control points of a refit above which it is left out: larger ones take more than
-/// five gigabytes.
-const MAX_CONTROL_POINTS: usize = 1_600_000;
-
 /// Our own shapes, beside the shared models.
 const SHAPES: [&str; 3] = ["torus", "sphere", "wavy-sheet"];
 
@@ -88,11 +84,6 @@ fn main() {
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (name, model) in models().into_iter().filter(|(name, _)| arguments.is_chosen(name)) {
         for &count in &arguments.counts {
-            let size = model.surfaces().len() * count * count;
-            if size > MAX_CONTROL_POINTS {
-                println!("| {name} | {count} | left out: {size} control points |");
-                continue;
-            }
             let refit = refit_model(&model, count).expect("a refit");
             print_rows(&engine, &format!("{name} | {count}"), [&model, &refit], &arguments);
         }

@@ -5,10 +5,15 @@ use std::ops::Range;
 /// The number of items in a range: enough to make the cost of scheduling negligible.
 const RANGE_LENGTH: usize = 512;
 
+/// Returns consecutive ranges that cover `0..count`.
+pub(crate) fn ranges(count: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
+    (0..count.div_ceil(RANGE_LENGTH))
+        .map(move |index| index * RANGE_LENGTH..((index + 1) * RANGE_LENGTH).min(count))
+}
+
 /// Calls `work` on consecutive ranges that cover `0..count`; returns the results in order.
-pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let range = |index: usize| index * RANGE_LENGTH..((index + 1) * RANGE_LENGTH).min(count);
-    map(count.div_ceil(RANGE_LENGTH), |index| work(range(index)))
+pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
+    map_items(ranges(count).collect(), work)
 }
 
 /// The smallest number of items of a few microseconds each for which it pays to
@@ -57,6 +62,47 @@ pub(crate) fn together<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 #[cfg(target_arch = "wasm32")]
 pub(crate) fn together<T>(work: impl FnOnce() -> T) -> T {
     work()
+}
+
+/// Calls `work` on all items on all cores; returns the results in order.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn map_items<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    if items.len() == 1 {
+        return items.into_iter().map(work).collect();
+    }
+    items.into_par_iter().map(work).collect()
+}
+
+/// Calls `work` on all items; returns the results in order.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn map_items<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
+    items.into_iter().map(work).collect()
+}
+
+/// Calls `work` on `0..count` on all cores; returns both results of each call in order.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn map_pairs<T: Send, U: Send>(
+    count: usize,
+    work: impl Fn(usize) -> (T, U) + Sync + Send,
+) -> (Vec<T>, Vec<U>) {
+    use rayon::prelude::*;
+    let mut pairs = (Vec::new(), Vec::new());
+    (0..count)
+        .into_par_iter()
+        .with_min_len(RANGE_LENGTH)
+        .map(work)
+        .unzip_into_vecs(&mut pairs.0, &mut pairs.1);
+    pairs
+}
+
+/// Calls `work` on `0..count`; returns both results of each call in order.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn map_pairs<T: Send, U: Send>(
+    count: usize,
+    work: impl Fn(usize) -> (T, U) + Sync + Send,
+) -> (Vec<T>, Vec<U>) {
+    (0..count).map(work).unzip()
 }
 
 /// Calls `work` on `0..count` on all cores; returns the results in order.

@@ -40,16 +40,19 @@ impl Bvh {
     /// may avoid it. O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
-        let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+        let mut order = Vec::new();
         let unset = Node { aabb: Aabb::EMPTY, right_child: 0, first_leaf: 0 };
         let mut nodes = vec![unset; (2 * boxes.len()).saturating_sub(1)];
         if !boxes.is_empty() {
-            let centers: Vec<DVec3> = boxes.iter().map(Aabb::center).collect();
-            build(
-                boxes,
-                &centers,
-                Subtree { nodes: &mut nodes, first_node: 0, order: &mut order, first_leaf: 0 },
-            );
+            let mut primitives: Vec<Primitive> = boxes
+                .iter()
+                .zip(0..)
+                .map(|(aabb, index)| Primitive { center: aabb.center(), index })
+                .collect();
+            let subtree =
+                Subtree { nodes: &mut nodes, first_node: 0, primitives: &mut primitives, first_leaf: 0 };
+            build(boxes, subtree);
+            order = primitives.iter().map(|primitive| primitive.index).collect();
         }
         Self { nodes, order }
     }
@@ -112,13 +115,18 @@ impl Bvh {
     }
 }
 
+/// A primitive with the centre of its box.
+struct Primitive {
+    center: DVec3,
+    index: u32,
+}
+
 /// A part of a tree to be built: `2 n - 1` nodes over n primitives.
 struct Subtree<'a> {
     nodes: &'a mut [Node],
     /// The position of the first of them in the tree.
     first_node: usize,
-    /// The primitives.
-    order: &'a mut [u32],
+    primitives: &'a mut [Primitive],
     /// The position of the first of them in [`Bvh::order`].
     first_leaf: u32,
 }
@@ -127,33 +135,36 @@ struct Subtree<'a> {
 const MIN_PARALLEL: usize = 2048;
 
 /// Fills in a tree over at least one primitive.
-fn build(boxes: &[Aabb], centers: &[DVec3], subtree: Subtree<'_>) {
-    let Subtree { nodes, first_node, order, first_leaf } = subtree;
+fn build(boxes: &[Aabb], subtree: Subtree<'_>) {
+    let Subtree { nodes, first_node, primitives, first_leaf } = subtree;
     let Some((root, below)) = nodes.split_first_mut() else { return };
-    let aabb = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.union(boxes[index as usize]));
-    *root = Node { aabb, right_child: 0, first_leaf };
-    if order.len() == 1 {
+    if let [primitive] = primitives {
+        *root = Node { aabb: boxes[primitive.index as usize], right_child: 0, first_leaf };
         return;
     }
-    let around = order.iter().fold(Aabb::EMPTY, |aabb, &index| aabb.with(centers[index as usize]));
+    let around = primitives.iter().fold(Aabb::EMPTY, |aabb, primitive| aabb.with(primitive.center));
     let axis = longest_axis(around.extent());
-    let middle = order.len() / 2;
-    order.select_nth_unstable_by(middle, |&a, &b| {
-        centers[a as usize][axis].total_cmp(&centers[b as usize][axis])
-    });
-    let is_large = order.len() >= MIN_PARALLEL;
-    let (left_order, right_order) = order.split_at_mut(middle);
+    let middle = primitives.len() / 2;
+    primitives.select_nth_unstable_by(middle, |a, b| a.center[axis].total_cmp(&b.center[axis]));
+    let is_large = primitives.len() >= MIN_PARALLEL;
+    let (left_primitives, right_primitives) = primitives.split_at_mut(middle);
     let (left_nodes, right_nodes) = below.split_at_mut(2 * middle - 1);
     let right_child = first_node + 2 * middle;
-    root.right_child = right_child as u32;
-    let left = Subtree { nodes: left_nodes, first_node: first_node + 1, order: left_order, first_leaf };
+    let left = Subtree {
+        nodes: &mut *left_nodes,
+        first_node: first_node + 1,
+        primitives: left_primitives,
+        first_leaf,
+    };
     let right = Subtree {
-        nodes: right_nodes,
+        nodes: &mut *right_nodes,
         first_node: right_child,
-        order: right_order,
+        primitives: right_primitives,
         first_leaf: first_leaf + middle as u32,
     };
-    join(is_large, || build(boxes, centers, left), || build(boxes, centers, right));
+    join(is_large, || build(boxes, left), || build(boxes, right));
+    let aabb = left_nodes[0].aabb.union(right_nodes[0].aabb);
+    *root = Node { aabb, right_child: right_child as u32, first_leaf };
 }
 
 /// Returns the index of the largest coordinate, the first of equals.

@@ -2,7 +2,7 @@
 
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
-use crate::parallel::map_ranges;
+use crate::parallel::map_pairs;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -31,16 +31,10 @@ impl Target {
     }
 
     fn with_tree(patches: PatchSet, tree: impl FnOnce(&[Aabb]) -> Bvh) -> Self {
-        let of_range = |range: std::ops::Range<usize>| -> Vec<(Aabb, OrientedBox)> {
-            range
-                .map(|index| {
-                    let patch = patches.patch(index);
-                    (patch.bounding_box(), OrientedBox::new(&patch))
-                })
-                .collect()
-        };
-        let (boxes, oriented): (Vec<_>, Vec<_>) =
-            map_ranges(patches.len(), of_range).into_iter().flatten().unzip();
+        let (boxes, oriented) = map_pairs(patches.len(), |index| {
+            let patch = patches.patch(index);
+            (patch.bounding_box(), OrientedBox::new(&patch))
+        });
         let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
         Self { tree: tree(&boxes), boxes: oriented, max_degree, patches }
     }

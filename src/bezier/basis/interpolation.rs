@@ -60,13 +60,19 @@ impl Interpolation {
         &self.nodes
     }
 
-    /// Returns the Bernstein coefficients of the polynomial with these values at the nodes. The
-    /// first and the last one are the values there. O(degree²).
+    /// Returns, for each Bernstein coefficient of a polynomial, the weights of its values at the
+    /// nodes in it. The first and the last coefficient are the values there.
+    pub(crate) fn weights(&self) -> impl Iterator<Item = &[f64]> {
+        self.inverse.iter().map(Vec::as_slice)
+    }
+
+    /// Returns the Bernstein coefficients of the polynomial with these values at the nodes.
+    /// O(degree²).
     pub(crate) fn coefficients<T: Linear>(&self, values: &[T]) -> Vec<T> {
-        let combined = |row: &Vec<f64>| {
-            row.iter().zip(values).fold(T::ZERO, |sum, (&factor, &value)| sum + value * factor)
+        let combined = |weights: &[f64]| {
+            weights.iter().zip(values).fold(T::ZERO, |sum, (&weight, &value)| sum + value * weight)
         };
-        self.inverse.iter().map(combined).collect()
+        self.weights().map(combined).collect()
     }
 }
 

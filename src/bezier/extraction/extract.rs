@@ -1,11 +1,12 @@
 //! Bézier extraction: one patch per non-empty rectangle of knots.
 
 use crate::axis::Axis;
+use crate::bezier::patch::Entry;
 use crate::bezier::patch::evaluate::contract;
-use crate::bezier::{MAX_ORDER, Patch, PatchSet, PointError};
+use crate::bezier::{MAX_ORDER, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
-use crate::parallel::map_ranges;
+use crate::parallel::{map, map_items, ranges};
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4};
 use std::ops::Range;
@@ -97,12 +98,31 @@ pub struct BezierModel {
 #[must_use]
 pub fn extract(model: &Model) -> BezierModel {
     let grid = center_grid(model.bounding_box().diagonal());
-    let mut extracted =
-        BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error: PointError::default() };
-    for (index, surface) in model.surfaces().iter().enumerate() {
-        extracted.add_surface(index, surface, grid);
+    let surfaces = model.surfaces();
+    let extractions = map(surfaces.len(), |index| Extraction::new(index, &surfaces[index], grid));
+    let mut controls = vec![DVec4::ZERO; extractions.iter().map(|extraction| extraction.size()).sum()];
+    let (mut parts, mut grids) = (Vec::new(), Vec::with_capacity(extractions.len()));
+    let (mut rest, mut first, mut first_control) = (&mut controls[..], 0, 0);
+    for extraction in &extractions {
+        grids.push(PatchGrid { first, breaks: extraction.breaks(), shares: [1.0; 2] });
+        first += extraction.patch_count();
+        for range in ranges(extraction.patch_count()) {
+            let (own, others) = rest.split_at_mut(range.len() * extraction.patch_size());
+            let start = first_control;
+            first_control += own.len();
+            parts.push((extraction, range, start, own));
+            rest = others;
+        }
     }
-    extracted
+    let parts =
+        map_items(parts, |(extraction, range, first, controls)| extraction.patches(range, first, controls));
+    let mut entries = Vec::with_capacity(first);
+    let mut point_error = PointError::default();
+    for (mut part, error) in parts {
+        entries.append(&mut part);
+        point_error.include_all(&error);
+    }
+    BezierModel { patches: PatchSet::new(entries, controls), grids, point_error }
 }
 
 /// Returns the spacing of the grid of patch centres for a model of this diagonal;
@@ -129,61 +149,66 @@ pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f6
     snapped(middle, grid)
 }
 
-impl BezierModel {
-    /// Appends the patches of one surface.
-    fn add_surface(&mut self, index: usize, surface: &NurbsSurface, grid: f64) {
-        let first = self.patches.len();
-        let degree = surface.degree();
-        let [in_u, in_v] =
-            Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis]));
-        let largest_weight =
-            surface.control_points().iter().fold(0.0, |largest: f64, point| largest.max(point[3]));
-        let extraction = Extraction {
-            index,
-            surface,
-            spans: [&in_u, &in_v],
-            weight_scale: power_of_two_below(largest_weight).recip(),
-            grid,
-        };
-        let count = in_u.len() * in_v.len();
-        self.patches.reserve(count, count * (degree[0] + 1) * (degree[1] + 1));
-        for (patches, point_error) in map_ranges(count, |range| extraction.patches(range)) {
-            self.patches.append(&patches);
-            self.point_error.include_all(&point_error);
-        }
-        self.grids.push(PatchGrid { first, breaks: [breaks(&in_u), breaks(&in_v)], shares: [1.0; 2] });
-    }
-}
-
 /// The extraction of the patches of one surface.
 struct Extraction<'a> {
     /// The surface's position in its model.
     index: usize,
     surface: &'a NurbsSurface,
-    spans: [&'a [Span]; 2],
+    spans: [Vec<Span>; 2],
     weight_scale: f64,
     /// The spacing of the patches' centres.
     grid: f64,
 }
 
-impl Extraction<'_> {
-    /// Returns the patches with these positions in the surface's grid, v fastest.
-    fn patches(&self, range: Range<usize>) -> (PatchSet, PointError) {
-        let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = *self;
+impl<'a> Extraction<'a> {
+    fn new(index: usize, surface: &'a NurbsSurface, grid: f64) -> Self {
+        let degree = surface.degree();
+        let weights = surface.control_points().iter().map(|point| point[3]);
+        Self {
+            index,
+            surface,
+            spans: Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis])),
+            weight_scale: power_of_two_below(weights.fold(0.0, f64::max)).recip(),
+            grid,
+        }
+    }
+
+    /// Returns the distinct knots of the domain in u and v.
+    fn breaks(&self) -> [Vec<f64>; 2] {
+        Axis::BOTH.map(|axis| breaks(&self.spans[axis]))
+    }
+
+    fn patch_count(&self) -> usize {
+        self.spans[0].len() * self.spans[1].len()
+    }
+
+    /// Returns the number of controls of one patch.
+    fn patch_size(&self) -> usize {
+        self.surface.degree().iter().map(|degree| degree + 1).product()
+    }
+
+    /// Returns the number of controls of all patches.
+    fn size(&self) -> usize {
+        self.patch_count() * self.patch_size()
+    }
+
+    /// Fills in the controls, zeros before, of the patches with these positions in the
+    /// surface's grid, v fastest, which begin at index `first` of the set's; returns the rest
+    /// of these patches.
+    fn patches(&self, range: Range<usize>, first: usize, controls: &mut [DVec4]) -> (Vec<Entry>, PointError) {
+        let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = self;
         let degree = surface.degree();
         let (rows, columns) = (degree[0] + 1, degree[1] + 1);
-        let mut patches = PatchSet::default();
-        patches.reserve(range.len(), range.len() * rows * columns);
+        let mut entries = Vec::with_capacity(range.len());
         let mut point_error = PointError::default();
         let mut net = vec![DVec4::ZERO; rows * columns];
         let mut partial = vec![DVec4::ZERO; rows * columns];
-        let mut controls = vec![DVec4::ZERO; rows * columns];
-        for place in range {
+        for (number, (place, controls)) in range.zip(controls.chunks_exact_mut(rows * columns)).enumerate() {
             let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
-            let first = u.first_control * surface.counts()[1] + v.first_control;
-            let row = |i: usize| &surface.control_points()[first + i * surface.counts()[1]..][..columns];
+            let corner = u.first_control * surface.counts()[1] + v.first_control;
+            let row = |i: usize| &surface.control_points()[corner + i * surface.counts()[1]..][..columns];
             let position = |&[x, y, z, _]: &[f64; 4]| DVec3::new(x, y, z);
-            let center = center_of((0..rows).flat_map(|i| row(i).iter().map(position)), grid);
+            let center = center_of((0..rows).flat_map(|i| row(i).iter().map(position)), *grid);
             let mut radius = 0.0_f64;
             for (i, controls) in net.chunks_exact_mut(columns).enumerate() {
                 for (control, point) in controls.iter_mut().zip(row(i)) {
@@ -198,7 +223,6 @@ impl Extraction<'_> {
                     *sum = contract(row, coefficients);
                 }
             }
-            controls.fill(DVec4::ZERO);
             for (sums, coefficients) in controls.chunks_exact_mut(columns).zip(&u.operator) {
                 for (row, &coefficient) in partial.chunks_exact(columns).zip(coefficients) {
                     for (sum, &control) in sums.iter_mut().zip(row) {
@@ -208,17 +232,17 @@ impl Extraction<'_> {
             }
             // The net's weights decide, as rounding can make equal weights of controls differ.
             let weight = net[0].w;
-            patches.push(Patch {
-                surface: index,
-                degree,
+            entries.push(Entry {
+                surface: *index as u32,
+                degree: degree.map(|degree| degree as u8),
+                rational: net.iter().any(|control| control.w != weight),
+                first: first + number * rows * columns,
                 domain: ParamBox::new(u.ends, v.ends),
                 center,
-                controls: &controls,
-                rational: net.iter().any(|control| control.w != weight),
             });
             point_error.include(degree, radius, center.length());
         }
-        (patches, point_error)
+        (entries, point_error)
     }
 }
 
@@ -235,25 +259,33 @@ pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
         .map(|index| Span {
             first_control: index - degree,
             ends: [knots[index], knots[index + 1]],
-            operator: (0..=degree).map(|k| blossom(knots, degree, index, k)).collect(),
+            operator: (0..=degree)
+                .map(|k| blossom(knots, degree, index, [knots[index], knots[index + 1]], k))
+                .collect(),
         })
         .collect()
 }
 
-/// Returns the coefficients of the span's control points in the blossom at the
-/// span's start, degree - k times, and its end, k times.
+/// Returns the coefficients of a span's control points in the blossom at the first
+/// argument, degree - k times, and the second, k times, both in the span.
 ///
 /// Both factors of a level are quotients of differences of knots, so each has a
 /// relative error of three roundings (lemma R3 of docs/method.md). `1 - fraction`
 /// would not: near 1 the fraction's error is as large as the complement, and a
 /// control of small weight then moves by its whole weight ratio.
-fn blossom(knots: &[f64], degree: usize, span: usize, k: usize) -> [f64; MAX_ORDER] {
+pub(super) fn blossom(
+    knots: &[f64],
+    degree: usize,
+    span: usize,
+    arguments: [f64; 2],
+    k: usize,
+) -> [f64; MAX_ORDER] {
     let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
     for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
         row[index] = 1.0;
     }
     for level in 1..=degree {
-        let argument = if level <= k { knots[span + 1] } else { knots[span] };
+        let argument = if level <= k { arguments[1] } else { arguments[0] };
         for index in 0..=degree - level {
             let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
             let fraction = (argument - low) / (high - low);

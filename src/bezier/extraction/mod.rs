@@ -1,6 +1,5 @@
 //! The Bézier patches of NURBS surfaces.
 
-mod common_polynomial;
 pub(in crate::bezier) mod extract;
 mod knot_removal;
 

@@ -80,13 +80,13 @@ pub(crate) fn relative(controls: &[DVec4], point: DVec3) -> Vec<DVec4> {
 
 /// A patch without its controls, which begin at index `first` of the set's.
 #[derive(Debug, Clone)]
-struct Entry {
-    surface: u32,
-    degree: [u8; 2],
-    rational: bool,
-    first: usize,
-    domain: ParamBox,
-    center: DVec3,
+pub(in crate::bezier) struct Entry {
+    pub(in crate::bezier) surface: u32,
+    pub(in crate::bezier) degree: [u8; 2],
+    pub(in crate::bezier) rational: bool,
+    pub(in crate::bezier) first: usize,
+    pub(in crate::bezier) domain: ParamBox,
+    pub(in crate::bezier) center: DVec3,
 }
 
 /// A list of patches of any mixture of degrees, with all controls in one array. Copies
@@ -98,6 +98,11 @@ pub struct PatchSet {
 }
 
 impl PatchSet {
+    /// Makes the set of these patches.
+    pub(in crate::bezier) fn new(entries: Vec<Entry>, controls: Vec<DVec4>) -> Self {
+        Self { entries: Arc::new(entries), controls: Arc::new(controls) }
+    }
+
     /// Returns the number of patches.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -157,6 +162,7 @@ impl PatchSet {
     }
 
     /// Appends all patches of `other`.
+    #[cfg(feature = "internals")]
     pub fn append(&mut self, other: &Self) {
         let offset = self.controls.len();
         let moved = |entry: &Entry| Entry { first: entry.first + offset, ..entry.clone() };
