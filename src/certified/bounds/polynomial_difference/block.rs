@@ -6,7 +6,7 @@
 
 use super::aligned_map::Orientation;
 use super::knot_line_map::{Place, Walk, parts};
-use super::piece::{Part, Piece};
+use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::certified::nearest::{Foot, NearestPoint, Query, Sample};
@@ -15,7 +15,6 @@ use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
 use crate::rounding::upper_max;
 use glam::DVec2;
-use std::cell::OnceCell;
 
 /// The largest number of pieces of one patch of A.
 const MAX_PIECES: usize = 256;
@@ -71,55 +70,47 @@ fn decided(
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
     let (orientation, images) = lines.mapped()?;
-    let [parts_s, parts_t] = Axis::BOTH.map(|axis| parts(&chart, &orientation, axis, &images[axis.index()]));
-    let mut largest = 0.0_f64;
-    let mut undecided = Vec::with_capacity(parts_s.len() * parts_t.len());
+    let comparison = Comparison::new(pair, lines.patch(middle), &chart, orientation);
+    let parts: [Vec<Vec<RestrictedPart>>; 2] = Axis::BOTH.map(|axis| {
+        let spans = parts(&chart, &orientation, axis, &images[axis.index()]);
+        let restricted = |part| comparison.restricted(axis, part);
+        spans.into_iter().map(|span| span.into_iter().map(restricted).collect()).collect()
+    });
+    let first = comparison.first_axis(parts.each_ref().map(|spans| spans.iter().map(Vec::len).sum()));
+    let [rows, columns] = parts.each_ref().map(Vec::len);
+    let mut bounds = Vec::with_capacity(rows * columns);
+    for s in &parts[0] {
+        for t in &parts[1] {
+            let count = s.len() * t.len();
+            bounds.push((1..=MAX_PIECES).contains(&count).then_some(0.0_f64));
+        }
+    }
     let mut was_decided = true;
-    for (row, s) in (block.rows[0]..).zip(&parts_s) {
-        for (column, t) in (block.columns[0]..).zip(&parts_t) {
-            let patch = lines.patch([row, column]);
-            let bound = of_patch(pair, patch, &chart, orientation, [s, t], threshold, !was_decided);
-            was_decided = bound.is_some();
-            undecided.push(!was_decided);
-            largest = upper_max(largest, bound.unwrap_or(0.0));
+    for (index, span) in parts[first].iter().enumerate() {
+        for part in span {
+            let mut strip = comparison.strip(part);
+            for (other_index, others) in parts[first.other()].iter().enumerate() {
+                let mut place = [index; 2];
+                place[first.other()] = other_index;
+                let bound = &mut bounds[place[0] * columns + place[1]];
+                if let Some(largest) = *bound {
+                    let patch =
+                        lines.patch([block.rows[0] + place[0] as u32, block.columns[0] + place[1] as u32]);
+                    let of_strip = strip.upper_bound(
+                        patch,
+                        &comparison.net_of_a(patch),
+                        others,
+                        threshold,
+                        !was_decided,
+                    );
+                    *bound = of_strip.map(|of_strip| upper_max(largest, of_strip));
+                    was_decided = bound.is_some();
+                }
+            }
         }
     }
-    Some((largest, undecided))
-}
-
-/// A bound on the distance of a whole patch that is at most the threshold; `None` if its
-/// pieces have none. A `cautious` call looks at the middle of a piece first.
-fn of_patch(
-    pair: &Pair<'_>,
-    patch: Patch<'_>,
-    chart: &Chart<'_>,
-    orientation: Orientation,
-    [parts_s, parts_t]: [&[Part]; 2],
-    threshold: f64,
-    cautious: bool,
-) -> Option<f64> {
-    let count = parts_s.len() * parts_t.len();
-    if count == 0 || count > MAX_PIECES {
-        return None;
-    }
-    let origin = pair.transform.apply(patch.center);
-    let mut largest = 0.0_f64;
-    for s in parts_s {
-        for t in parts_t {
-            let piece =
-                Piece { pair, patch, chart, origin, orientation, parts: [s, t], sliding: OnceCell::new() };
-            if cautious && !(piece.distance_of_middle(threshold) <= threshold) {
-                return None;
-            }
-            let bound = piece.upper_bound(threshold)?;
-            let is_decided = bound <= threshold;
-            if !is_decided {
-                return None;
-            }
-            largest = upper_max(largest, bound);
-        }
-    }
-    Some(largest)
+    let largest = bounds.iter().flatten().copied().fold(0.0, upper_max);
+    Some((largest, bounds.iter().map(Option::is_none).collect()))
 }
 
 /// The knot lines of A through a block.
