@@ -34,7 +34,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[
         "along[axis].abs()",
         "chooses a map; any map is valid",
     ),
-    ("certified/bounds/polynomial_difference/net.rs", "control.w", "weights of finite nets"),
+    ("certified/bounds/polynomial_difference/net/mod.rs", "control.w", "weights of finite nets"),
     ("certified/bounds/same_net.rs", "from.distance_squared(to)", "squared distances of finite points"),
     ("certified/rounding.rs", "weights.fold", "weights of finite nets"),
     ("certified/search", "node.upper", "an evaluation replaces NaN by the parent's bound"),

@@ -5,8 +5,10 @@ mod bernstein_product;
 mod grid_basis;
 mod interpolation;
 mod power_form;
+mod restriction;
 
 pub use bernstein::MAX_ORDER;
 pub(crate) use bernstein_product::{binomials, length_bounds, scaled, squares, unscale};
 pub(crate) use grid_basis::GridBasis;
 pub(crate) use interpolation::{Interpolation, bernstein};
+pub(crate) use restriction::Restriction;

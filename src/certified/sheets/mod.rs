@@ -1,10 +1,13 @@
 //! Surfaces as sheets of Bézier patches that join along their knot lines.
 
 mod chart;
+mod lazy_table;
 mod lines;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};
+
+use lazy_table::LazyTable;
 
 use super::rounding::JetScale;
 use crate::axis::Axis;
@@ -12,15 +15,14 @@ use crate::bezier::{BezierModel, LocalDerivativeBounds, SeamJumps};
 use crate::flatness::Place;
 use crate::param_box::ParamBox;
 use std::ops::Range;
-use std::sync::OnceLock;
 
 /// What the sheets of a model have, each computed at its first use.
 #[derive(Debug, Default)]
 pub(crate) struct SheetCache {
     /// Derivative bounds of the patches as extracted.
-    bounds: OnceLock<Vec<LocalDerivativeBounds>>,
-    /// The jumps at the end of each patch along each axis.
-    seams: OnceLock<Vec<[OnceLock<SeamJumps>; 2]>>,
+    bounds: LazyTable<LocalDerivativeBounds>,
+    /// The jumps at the end of each patch along either axis.
+    seams: [LazyTable<SeamJumps>; 2],
 }
 
 /// The sheets of a model, and where its flat patches are in them.
@@ -56,9 +58,8 @@ impl<'a> Sheets<'a> {
 
     /// Derivative bounds of a patch as extracted.
     fn bounds(&self, patch: usize) -> &'a LocalDerivativeBounds {
-        let count = self.bezier.patches.len();
-        let new = || (0..count).map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
-        &self.cache.bounds.get_or_init(new)[patch]
+        let new = || LocalDerivativeBounds::new(ParamBox::UNIT);
+        self.cache.bounds.get(self.bezier.patches.len(), patch, new)
     }
 
     /// What the rounding of a patch's derivatives depends on.
@@ -71,8 +72,7 @@ impl<'a> Sheets<'a> {
     /// derivatives by the parameters of the first of them. `ratio` is its
     /// width over that of the next.
     fn jumps(&self, [low, high]: [usize; 2], axis: Axis, ratio: f64) -> &'a SeamJumps {
-        let new = || (0..self.bezier.patches.len()).map(|_| Default::default()).collect();
-        self.cache.seams.get_or_init(new)[low][axis].get_or_init(|| {
+        self.cache.seams[axis].get(self.bezier.patches.len(), low, || {
             let [before, after] = [low, high].map(|index| self.bezier.patches.patch(index));
             SeamJumps::between(&before, &after, self.bounds(high).whole(&after), axis, ratio)
         })

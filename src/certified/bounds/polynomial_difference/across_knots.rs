@@ -7,14 +7,14 @@
 
 use super::super::CellContext;
 use super::aligned_map::Orientation;
-use super::piece::{Part, Piece};
+use super::piece::Part;
+use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Jet;
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
-use std::cell::OnceCell;
 
 /// The largest number of pieces of a rectangle along one surface of B.
 const MAX_PIECES: usize = 256;
@@ -83,43 +83,38 @@ impl Rectangle<'_> {
         if count as f64 * margin * margin > context.radius * context.radius {
             return None;
         }
-        let (chart, origin) = (&chart, self.jet.point);
-        let mut pieces = Vec::with_capacity(count);
-        for s in &parts_s {
-            for t in &parts_t {
-                pieces.push(Piece {
-                    pair: context.pair,
-                    patch: context.patch,
-                    chart,
-                    origin,
-                    orientation,
-                    parts: [s, t],
-                    sliding: OnceCell::new(),
-                });
+        let comparison = Comparison::new(context.pair, context.patch, &chart, orientation);
+        let inner = [parts_s[0].range[0], parts_s[parts_s.len() - 1].range[1]];
+        let parts = [(Axis::U, parts_s), (Axis::V, parts_t)].map(|(axis, parts)| {
+            let restricted = |part| comparison.restricted(axis, part);
+            parts.into_iter().map(restricted).collect::<Vec<RestrictedPart>>()
+        });
+        let first = comparison.first_axis(parts.each_ref().map(Vec::len));
+        let others = &parts[first.other()];
+        let mut strips = Vec::with_capacity(parts[first].len());
+        for part in &parts[first] {
+            let mut farthest = 0.0_f64;
+            for other in others {
+                let mut pair = [part.part(); 2];
+                pair[first.other()] = other.part();
+                let distance = comparison.piece(context.patch, pair).distance_of_middle(threshold);
+                let is_near = distance <= threshold;
+                if !is_near {
+                    return None;
+                }
+                farthest = upper_max(farthest, distance);
             }
-        }
-        let mut by_distance = Vec::with_capacity(count);
-        for piece in pieces {
-            let distance = piece.distance_of_middle(threshold);
-            let is_near = distance <= threshold;
-            if !is_near {
-                return None;
-            }
-            by_distance.push((distance, piece));
+            strips.push((farthest, part));
         }
         // The farthest first: it is the likeliest to exceed the threshold.
-        by_distance.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        strips.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let net = comparison.net_of_a(context.patch);
         let mut largest = 0.0_f64;
-        for (_, piece) in &by_distance {
-            let bound = piece.upper_bound(threshold)?;
-            let is_decided = bound <= threshold;
-            if !is_decided {
-                return None;
-            }
+        for (_, part) in strips {
+            let bound = comparison.strip(part).upper_bound(context.patch, &net, others, threshold, false)?;
             largest = upper_max(largest, bound);
         }
         // Along s over the whole range of t; along t over what is left of s.
-        let inner = [parts_s[0].range[0], parts_s[parts_s.len() - 1].range[1]];
         let beyond_s = rest_s.into_iter().map(|range| [range, self.ranges[1]]);
         let beyond_t = rest_t.into_iter().map(|range| [inner, range]);
         for ranges in beyond_s.chain(beyond_t) {

@@ -6,7 +6,8 @@
 
 use super::aligned_map::Orientation;
 use super::knot_line_map::{Place, Walk, parts};
-use super::piece::{Part, Piece};
+use super::piece::Part;
+use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::certified::nearest::{Foot, NearestPoint, Query, Sample};
@@ -15,7 +16,6 @@ use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
 use crate::rounding::upper_max;
 use glam::DVec2;
-use std::cell::OnceCell;
 
 /// The largest number of pieces of one patch of A.
 const MAX_PIECES: usize = 256;
@@ -87,80 +87,69 @@ fn decided(
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
     let (orientation, images) = lines.mapped()?;
-    let [parts_s, parts_t] = Axis::BOTH.map(|axis| parts(&chart, &orientation, axis, &images[axis.index()]));
-    let mut largest = 0.0_f64;
-    let mut undecided = Vec::with_capacity(parts_s.len() * parts_t.len());
-    let mut was_decided = true;
-    let mut farthest = (0.0, None);
-    for (row, s) in (block.rows[0]..).zip(&parts_s) {
-        for (column, t) in (block.columns[0]..).zip(&parts_t) {
-            let patch = lines.patch([row, column]);
-            let bound = of_patch(pair, patch, &chart, orientation, [s, t], threshold, !was_decided);
-            was_decided = bound.is_some();
-            if !was_decided
-                && let Some(piece) = middle_piece(pair, patch, &chart, orientation, [s, t])
-                && let distance = piece.distance_of_middle(0.0)
-                && distance > farthest.0
-                && let (from, Some(image)) = piece.middle_with_image()
-                && let Some((flat, parameters)) =
-                    sheets.flat_place(sheets.index(block.surface, [row, column]), from)
-            {
-                let foot = Foot::start(image.0, image.1);
-                farthest = (distance, Some(Sample { patch: flat, parameters, foot }));
-            }
-            undecided.push(!was_decided);
-            largest = upper_max(largest, bound.unwrap_or(0.0));
+    let comparison = Comparison::new(pair, lines.patch(middle), &chart, orientation);
+    let parts: [Vec<Vec<RestrictedPart>>; 2] = Axis::BOTH.map(|axis| {
+        let spans = parts(&chart, &orientation, axis, &images[axis.index()]);
+        let restricted = |part| comparison.restricted(axis, part);
+        spans.into_iter().map(|span| span.into_iter().map(restricted).collect()).collect()
+    });
+    let first = comparison.first_axis(parts.each_ref().map(|spans| spans.iter().map(Vec::len).sum()));
+    let [rows, columns] = parts.each_ref().map(Vec::len);
+    let mut bounds = Vec::with_capacity(rows * columns);
+    for s in &parts[0] {
+        for t in &parts[1] {
+            let count = s.len() * t.len();
+            bounds.push((1..=MAX_PIECES).contains(&count).then_some(0.0_f64));
         }
     }
+    let mut was_decided = true;
+    for (index, span) in parts[first].iter().enumerate() {
+        for part in span {
+            let mut strip = comparison.strip(part);
+            for (other_index, others) in parts[first.other()].iter().enumerate() {
+                let mut place = [index; 2];
+                place[first.other()] = other_index;
+                let bound = &mut bounds[place[0] * columns + place[1]];
+                if let Some(largest) = *bound {
+                    let patch = lines.patch(lines.indices(place));
+                    let of_strip = strip.upper_bound(
+                        patch,
+                        &comparison.net_of_a(patch),
+                        others,
+                        threshold,
+                        !was_decided,
+                    );
+                    *bound = of_strip.map(|of_strip| upper_max(largest, of_strip));
+                    was_decided = bound.is_some();
+                }
+            }
+        }
+    }
+    let undecided: Vec<bool> = bounds.iter().map(Option::is_none).collect();
+    let mut farthest = (0.0, None);
+    for (place, _) in undecided.iter().enumerate().filter(|(_, is_undecided)| **is_undecided) {
+        let places = [place / columns, place % columns];
+        let [row, column] = lines.indices(places);
+        let patch = lines.patch([row, column]);
+        if let [Some(s), Some(t)] = Axis::BOTH.map(|axis| middle_part(&parts[axis][places[axis]]))
+            && let piece = comparison.piece(patch, [s, t])
+            && let distance = piece.distance_of_middle(0.0)
+            && distance > farthest.0
+            && let (from, Some(image)) = piece.middle_with_image()
+            && let Some((flat, parameters)) =
+                sheets.flat_place(sheets.index(block.surface, [row, column]), from)
+        {
+            let foot = Foot::start(image.0, image.1);
+            farthest = (distance, Some(Sample { patch: flat, parameters, foot }));
+        }
+    }
+    let largest = bounds.iter().flatten().copied().fold(0.0, upper_max);
     Some(Decided { largest, undecided, farthest: farthest.1 })
 }
 
-/// The piece in the middle of a patch.
-fn middle_piece<'a>(
-    pair: &'a Pair<'a>,
-    patch: Patch<'a>,
-    chart: &'a Chart<'a>,
-    orientation: Orientation,
-    [parts_s, parts_t]: [&'a [Part]; 2],
-) -> Option<Piece<'a>> {
-    let parts = [parts_s.get(parts_s.len() / 2)?, parts_t.get(parts_t.len() / 2)?];
-    let origin = pair.transform.apply(patch.center);
-    Some(Piece { pair, patch, chart, origin, orientation, parts, sliding: OnceCell::new() })
-}
-
-/// A bound on the distance of a whole patch that is at most the threshold; `None` if its
-/// pieces have none. A `cautious` call looks at the middle of a piece first.
-fn of_patch(
-    pair: &Pair<'_>,
-    patch: Patch<'_>,
-    chart: &Chart<'_>,
-    orientation: Orientation,
-    [parts_s, parts_t]: [&[Part]; 2],
-    threshold: f64,
-    cautious: bool,
-) -> Option<f64> {
-    let count = parts_s.len() * parts_t.len();
-    if count == 0 || count > MAX_PIECES {
-        return None;
-    }
-    let origin = pair.transform.apply(patch.center);
-    let mut largest = 0.0_f64;
-    for s in parts_s {
-        for t in parts_t {
-            let piece =
-                Piece { pair, patch, chart, origin, orientation, parts: [s, t], sliding: OnceCell::new() };
-            if cautious && !(piece.distance_of_middle(threshold) <= threshold) {
-                return None;
-            }
-            let bound = piece.upper_bound(threshold)?;
-            let is_decided = bound <= threshold;
-            if !is_decided {
-                return None;
-            }
-            largest = upper_max(largest, bound);
-        }
-    }
-    Some(largest)
+/// The part in the middle of those of a span.
+fn middle_part(parts: &[RestrictedPart]) -> Option<&Part> {
+    parts.get(parts.len() / 2).map(RestrictedPart::part)
 }
 
 /// The knot lines of A through a block.
@@ -177,6 +166,11 @@ struct KnotLines<'a> {
 impl<'a> KnotLines<'a> {
     fn patch(&self, place: [u32; 2]) -> Patch<'a> {
         self.sheets.bezier.patches.patch(self.sheets.index(self.block.surface, place))
+    }
+
+    /// The indices in the surface of the patch at this place in the block.
+    fn indices(&self, [row, column]: [usize; 2]) -> [u32; 2] {
+        [self.block.rows[0] + row as u32, self.block.columns[0] + column as u32]
     }
 
     /// How A's axes correspond to B's at the sample, and the parameters of the chart to

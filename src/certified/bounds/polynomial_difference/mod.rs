@@ -16,13 +16,13 @@
 mod across_knots;
 mod aligned_map;
 mod block;
-mod difference;
 mod knot_line_map;
 mod net;
 mod piece;
 mod sliding;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod sliding_attained;
+mod strip;
 
 pub(in crate::certified) use block::block;
 

@@ -6,7 +6,6 @@ use super::sliding::Sliding;
 use crate::bezier::Patch;
 use crate::certified::Pair;
 use crate::certified::sheets::Chart;
-use glam::{DVec3, Vec4Swizzles};
 use std::cell::OnceCell;
 
 /// A part of the range of a parameter of A's patch, and the patch of B, by its offset,
@@ -19,20 +18,28 @@ pub(super) struct Part {
 
 /// A rectangle of a patch of A with its image.
 pub(super) struct Piece<'a> {
-    pub(super) pair: &'a Pair<'a>,
+    pair: &'a Pair<'a>,
     /// A's patch, not moved.
-    pub(super) patch: Patch<'a>,
-    pub(super) chart: &'a Chart<'a>,
-    /// The point that both nets are taken relative to.
-    pub(super) origin: DVec3,
-    pub(super) orientation: Orientation,
+    patch: Patch<'a>,
+    chart: &'a Chart<'a>,
+    orientation: Orientation,
     /// The parts of A's two ranges.
-    pub(super) parts: [&'a Part; 2],
+    parts: [&'a Part; 2],
     /// Feet that slide from the image.
-    pub(super) sliding: OnceCell<Sliding<'a>>,
+    sliding: OnceCell<Sliding<'a>>,
 }
 
 impl<'a> Piece<'a> {
+    pub(super) fn new(
+        pair: &'a Pair<'a>,
+        patch: Patch<'a>,
+        chart: &'a Chart<'a>,
+        orientation: Orientation,
+        parts: [&'a Part; 2],
+    ) -> Self {
+        Self { pair, patch, chart, orientation, parts, sliding: OnceCell::new() }
+    }
+
     /// The pair for B's axes, from that for A's.
     fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
         if self.orientation.swapped { [t, s] } else { [s, t] }
@@ -43,11 +50,9 @@ impl<'a> Piece<'a> {
         self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)))
     }
 
-    /// The ranges of the parameters of B's patch that the piece is mapped to, ascending.
-    fn image(&self) -> [[f64; 2]; 2] {
-        // An axis along which B's patch is followed backwards.
-        self.by_axes_of_b(self.parts.map(|part| part.image))
-            .map(|[start, end]| [start.min(end), start.max(end)])
+    /// Whether the piece is mapped to more than a line.
+    pub(super) fn is_proper(&self) -> bool {
+        self.parts.iter().all(|part| part.image[0] != part.image[1])
     }
 
     fn sliding(&self) -> &Sliding<'a> {
@@ -81,25 +86,9 @@ impl<'a> Piece<'a> {
         if distance <= threshold { distance } else { self.sliding().residual(difference).length() }
     }
 
-    /// An upper bound on the distance of the piece's points from their images.
-    pub(super) fn upper_bound(&self, threshold: f64) -> Option<f64> {
-        let image = self.image();
-        let is_proper = image.iter().all(|[start, end]| start < end);
-        if !is_proper {
-            return None;
-        }
-        let (target, transform) = (self.image_patch(), &self.pair.transform);
-        let controls = target.restricted(image[0], image[1]);
-        let controls = self.orientation.oriented(&controls, target.degree);
-        let degree = self.by_axes_of_b(target.degree);
-        let y = Net::new(degree, controls, self.origin - target.center, 1.0);
-        let [s, t] = self.parts.map(|part| part.range);
-        let mut controls = self.patch.restricted(s, t);
-        for control in &mut controls {
-            *control = transform.rotate(control.xyz()).extend(control.w);
-        }
-        let center = transform.apply(self.patch.center);
-        let x = Net::new(self.patch.degree, controls, self.origin - center, 1.0);
-        x.max_distance(&y, threshold, || Some(self.sliding()))
+    /// An upper bound on the distance of the piece's points from their images, given the nets of A and
+    /// of B over the piece by A's axes.
+    pub(super) fn upper_bound(&self, [of_a, of_b]: [&Net; 2], threshold: f64) -> Option<f64> {
+        of_a.max_distance(of_b, threshold, || Some(self.sliding()))
     }
 }

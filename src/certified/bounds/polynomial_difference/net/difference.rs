@@ -1,17 +1,21 @@
 //! The difference of two nets as a quotient of Bernstein polynomials.
 
-use super::net::Net;
+use super::Net;
 use crate::axis::Axis;
 use crate::bezier::{binomials, scaled, unscale};
 use crate::rounding::upper_max;
-use glam::{DVec4, Vec4Swizzles};
+use glam::{DVec3, DVec4, Vec4Swizzles};
+use std::borrow::Cow;
 
 /// The largest spread of weights at which they are taken as equal: some times what rounding
 /// makes of equal weights.
-const MAX_WEIGHT_SPREAD: f64 = 1e-12;
+pub(super) const MAX_WEIGHT_SPREAD: f64 = 1e-12;
 
 /// Roundings of a coefficient by one elevation of the degree.
 const ELEVATION_ROUNDINGS: usize = 3;
+
+/// Roundings of a coefficient by the change from one net's origin to the other's.
+const SHIFT_ROUNDINGS: usize = 4;
 
 /// The difference of the functions of two nets.
 pub(super) struct Difference {
@@ -29,32 +33,42 @@ impl Difference {
     /// equal, with products along one axis where they are equal along the other, else with
     /// products along both. O(p q m n).
     pub(super) fn new(x: &Net, y: &Net) -> Self {
-        let spreads = [x.weight_spread, y.weight_spread];
-        if spreads.iter().all(|spread| *spread <= MAX_WEIGHT_SPREAD) {
-            return Self::of_polynomials(x, y, spreads);
+        let mut difference = Self::about_origins(x, y);
+        let shift = x.origin - y.origin;
+        if shift != DVec3::ZERO {
+            for control in &mut difference.quotient {
+                *control = (control.xyz() + control.w * shift).extend(control.w);
+            }
+            difference.product_terms += SHIFT_ROUNDINGS;
+        }
+        difference
+    }
+
+    /// The difference of the nets' points relative to the origin of either.
+    fn about_origins(x: &Net, y: &Net) -> Self {
+        if x.is_polynomial() && y.is_polynomial() {
+            return Self::of_polynomials(x, y);
         }
         for axis in Axis::BOTH {
-            if let Some(of_x) = weight_spread(x, axis)
-                && let Some(of_y) = weight_spread(y, axis)
-            {
+            if let (Some(of_x), Some(of_y)) = (x.line_spreads[axis], y.line_spreads[axis]) {
                 return Self::of_lines(x, y, axis, [of_x, of_y]);
             }
         }
         Self::of_products(x, y)
     }
 
-    fn of_polynomials(x: &Net, y: &Net, spreads: [f64; 2]) -> Self {
-        let [u, v] = Axis::BOTH.map(|axis| x.degree[axis].max(y.degree[axis]));
+    /// Of nets of which all weights count as 1.
+    fn of_polynomials(x: &Net, y: &Net) -> Self {
+        let degree = Axis::BOTH.map(|axis| x.degree[axis].max(y.degree[axis]));
         let [of_x, of_y] = [x, y].map(|net| {
-            let points = net.controls.iter().map(|control| *control / control.w).collect();
-            let points = elevated(points, net.degree, Axis::V, v);
-            elevated(points, [net.degree[0], v], Axis::U, u)
+            let controls = elevated(Cow::Borrowed(&net.controls), net.degree, Axis::V, degree[1]);
+            elevated(controls, [net.degree[0], degree[1]], Axis::U, degree[0])
         });
         Self {
-            degree: [u, v],
-            quotient: of_x.iter().zip(&of_y).map(|(x, y)| (x.xyz() - y.xyz()).extend(1.0)).collect(),
+            degree,
+            quotient: of_x.iter().zip(&*of_y).map(|(x, y)| (x.xyz() - y.xyz()).extend(1.0)).collect(),
             product_terms: 1 + Axis::BOTH.map(|axis| elevation_roundings(x, y, axis)).iter().sum::<usize>(),
-            error: weight_error(x, y, spreads),
+            error: weight_error(x, y, [x.weight_spread, y.weight_spread]),
         }
     }
 
@@ -63,23 +77,30 @@ impl Difference {
     fn of_lines(x: &Net, y: &Net, axis: Axis, spreads: [f64; 2]) -> Self {
         let along = x.degree[axis].max(y.degree[axis]);
         let [p, m] = [x, y].map(|net| net.degree[axis.other()]);
-        let [of_x, of_y] = [x, y].map(|net| elevated(net.controls.clone(), net.degree, axis, along));
-        // A control by its line along the axis, of so many lines, and its place there.
-        let at = |line: usize, lines: usize, place: usize| match axis {
-            Axis::U => place * lines + line,
-            Axis::V => line * (along + 1) + place,
+        let [of_x, of_y] = [x, y].map(|net| {
+            let controls = Cow::Borrowed(net.controls.as_slice());
+            elevated(controls, net.degree, axis, along)
+        });
+        // The steps between the lines along the axis, of so many lines, and between their controls.
+        let steps = |lines: usize| match axis {
+            Axis::U => [1, lines],
+            Axis::V => [along + 1, 1],
         };
+        let [[from_x, along_x], [from_y, along_y], [from_sum, along_sum]] =
+            [p + 1, m + 1, p + m + 1].map(steps);
         let mut quotient = vec![DVec4::ZERO; (p + m + 1) * (along + 1)];
         let [of_p, of_m, of_sum] = [p, m, p + m].map(binomials);
         for i in 0..=p {
+            let w = of_x[i * from_x].w;
             for k in 0..=m {
-                let [w, v] = [of_x[at(i, p + 1, 0)].w, of_y[at(k, m + 1, 0)].w];
+                let v = of_y[k * from_y].w;
                 let factor = of_p[i] * of_m[k] / of_sum[i + k];
                 let (by_x, by_y) = (factor * v, factor * w);
                 for place in 0..=along {
-                    let (x, y) = (of_x[at(i, p + 1, place)], of_y[at(k, m + 1, place)]);
-                    let product = by_x * x.xyz() - by_y * y.xyz();
-                    quotient[at(i + k, p + m + 1, place)] += product.extend(by_x * w);
+                    // With the first weight of the line of x and 0 for that of y, the last is `w v`.
+                    let x = of_x[i * from_x + place * along_x].xyz().extend(w);
+                    let y = of_y[k * from_y + place * along_y].xyz().extend(0.0);
+                    quotient[(i + k) * from_sum + place * along_sum] += by_x * x - by_y * y;
                 }
             }
         }
@@ -107,8 +128,29 @@ impl Difference {
             }
         }
         unscale(degree, &mut quotient);
-        Self { degree, quotient, product_terms: (p.min(m) + 1) * (q.min(n) + 1), error: 0.0 }
+        let product_terms = (p.min(m) + 1) * (q.min(n) + 1);
+        let normalized = |net: &Net| if net.is_polynomial() { net.weight_spread } else { 0.0 };
+        Self { degree, quotient, product_terms, error: weight_error(x, y, [normalized(x), normalized(y)]) }
     }
+}
+
+/// The degrees of two nets after the elevations that their difference takes.
+pub(in super::super) fn elevated_degrees(x: &Net, y: &Net) -> [[usize; 2]; 2] {
+    let are_polynomials = x.is_polynomial() && y.is_polynomial();
+    let mut degrees = [x.degree, y.degree];
+    for axis in Axis::BOTH {
+        let are_equal = [x, y].iter().all(|net| net.line_spreads[axis].is_some());
+        if are_equal {
+            let larger = x.degree[axis].max(y.degree[axis]);
+            for degree in &mut degrees {
+                degree[axis] = larger;
+            }
+            if !are_polynomials {
+                break;
+            }
+        }
+    }
+    degrees
 }
 
 /// The lines of controls along an axis: their number, the step from one to the next, the number
@@ -122,7 +164,7 @@ fn lines_along([rows, columns]: [usize; 2], axis: Axis) -> [usize; 4] {
 
 /// The largest distance of a weight from the first one of its line, relative to that; `None` where
 /// the weights along the axis do not count as equal.
-fn weight_spread(net: &Net, axis: Axis) -> Option<f64> {
+pub(super) fn weight_spread(net: &Net, axis: Axis) -> Option<f64> {
     let [lines, stride, count, step] = lines_along(net.degree.map(|degree| degree + 1), axis);
     let mut largest = 0.0_f64;
     for line in 0..lines {
@@ -149,7 +191,7 @@ fn elevation_roundings(x: &Net, y: &Net, axis: Axis) -> usize {
 }
 
 /// The controls for a degree along an axis that is not lower than their own.
-fn elevated(mut controls: Vec<DVec4>, degree: [usize; 2], axis: Axis, to: usize) -> Vec<DVec4> {
+fn elevated(mut controls: Cow<'_, [DVec4]>, degree: [usize; 2], axis: Axis, to: usize) -> Cow<'_, [DVec4]> {
     for from in degree[axis]..to {
         let mut counts = degree.map(|degree| degree + 1);
         counts[axis] = from + 1;
@@ -170,7 +212,7 @@ fn elevated(mut controls: Vec<DVec4>, degree: [usize; 2], axis: Axis, to: usize)
                 };
             }
         }
-        controls = raised;
+        controls = Cow::Owned(raised);
     }
     controls
 }
@@ -179,7 +221,6 @@ fn elevated(mut controls: Vec<DVec4>, degree: [usize; 2], axis: Axis, to: usize)
 mod tests {
     use super::*;
     use crate::bezier::Patch;
-    use glam::DVec3;
 
     /// A net of these degrees of which the weights are equal along an axis, relative to the origin.
     fn net(random: &mut fastrand::Rng, degree: [usize; 2], axis: Axis) -> Net {
