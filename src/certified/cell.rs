@@ -41,14 +41,18 @@ impl Cell {
         self.half[0] * s + self.half[1] * t
     }
 
-    /// The cell halved along its longer side, or along both sides where they
-    /// are about equally long, by the same lengths of derivatives.
-    pub(super) fn split(&self, [s, t]: [f64; 2]) -> impl Iterator<Item = Self> + use<> {
+    /// Whether s and t are along the cell's longer side, or along both where they are about
+    /// equally long, by the same lengths of derivatives.
+    pub(super) fn longer_sides(&self, [s, t]: [f64; 2]) -> [bool; 2] {
+        let lengths = [s * self.half[0], t * self.half[1]];
+        [lengths[0] * MAX_ASPECT >= lengths[1], lengths[1] * MAX_ASPECT >= lengths[0]]
+    }
+
+    /// The parts of the cell halved along s, along t, or along both.
+    pub(super) fn halves(&self, is_halved: [bool; 2]) -> impl Iterator<Item = Self> + use<> {
         let cell = *self;
-        let lengths = [s * cell.half[0], t * cell.half[1]];
-        let is_split = [lengths[0] * MAX_ASPECT >= lengths[1], lengths[1] * MAX_ASPECT >= lengths[0]];
-        let half = [0, 1].map(|axis| if is_split[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
-        let sides = is_split.map(|split| if split { &[-1.0, 1.0][..] } else { &[0.0][..] });
+        let half = [0, 1].map(|axis| if is_halved[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
+        let sides = is_halved.map(|is_halved| if is_halved { &[-1.0, 1.0][..] } else { &[0.0][..] });
         sides[0].iter().flat_map(move |&s| {
             sides[1].iter().map(move |&t| Self {
                 patch: cell.patch,

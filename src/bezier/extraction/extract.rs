@@ -8,6 +8,7 @@ use crate::bvh::Aabb;
 use crate::model::{Model, NurbsSurface};
 use crate::parallel::{map, map_items, ranges};
 use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
 use glam::{DVec3, DVec4};
 use std::ops::Range;
 
@@ -168,7 +169,7 @@ impl<'a> Extraction<'a> {
             index,
             surface,
             spans: Axis::BOTH.map(|axis| spans(surface.knots(axis), degree[axis], surface.counts()[axis])),
-            weight_scale: power_of_two_below(weights.fold(0.0, f64::max)).recip(),
+            weight_scale: power_of_two_below(weights.fold(0.0, upper_max)).recip(),
             grid,
         }
     }

@@ -116,6 +116,33 @@ fn patches_above_the_threshold_are_left() {
     }
 }
 
+/// Of the patches that are left the one that rises highest gives the farthest sample, which is as far
+/// as it is high; where all are decided it is the sample in the middle.
+#[test]
+fn the_highest_patch_gives_the_farthest_sample() {
+    for highest in [[0, 0], [7, 6]] {
+        let height = |i: usize, j: usize| match [i, j] {
+            place if place == highest => 2e-3,
+            [0, 0] | [7, 6] => 1e-3,
+            _ => 1e-5,
+        };
+        let a = Surfaces::new(vec![sheet(height)], Flatness::None);
+        let b = Surfaces::new(vec![plane(true, false)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let bound = |threshold: f64| {
+            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+        };
+        let farthest = bound(2e-5).farthest;
+        assert_eq!(farthest.patch, if highest == [0, 0] { 0 } else { 19 });
+        let height = pair.point_of_a(farthest.patch, farthest.parameters).z;
+        assert!((farthest.foot.distance() - height).abs() <= 1e-15 && height > 2e-5, "{height}");
+        let decided = bound(3e-3);
+        assert!(decided.undecided.iter().all(|undecided| !undecided));
+        assert_eq!(decided.farthest, decided.sample);
+    }
+}
+
 /// A ribbon over a plane that turns back and forth again: the image of a span that runs against
 /// the sample's has no parts, and its patch is left.
 #[test]

@@ -3,6 +3,7 @@
 use super::super::nearest::{Feet, Foot, NearestPoint, Sample};
 use super::super::rounding::JetScale;
 use super::super::{Cell, Pair};
+use super::taylor::TaylorBound;
 use crate::bezier::{DerivativeBounds, Jet, Patch};
 use std::cell::OnceCell;
 
@@ -24,6 +25,8 @@ pub(in crate::certified) struct CellContext<'a> {
     pub(in crate::certified) radius: f64,
     /// What the rounding of A's derivatives depends on.
     pub(super) jet_scale: JetScale,
+    /// The latest Taylor bound.
+    pub(super) taylor: Option<TaylorBound>,
     local_bounds: OnceCell<DerivativeBounds>,
 }
 
@@ -47,6 +50,7 @@ impl<'a> CellContext<'a> {
             farthest: Sample { patch: cell.patch, parameters: cell.center, foot },
             radius: cell.radius(pair.a.patch_bounds(cell.patch).first),
             jet_scale: pair.a.jet_scale(cell.patch),
+            taylor: None,
             local_bounds: OnceCell::new(),
         }
     }

@@ -14,8 +14,7 @@
 //! patches at most (Carathéodory's theorem).
 
 use super::super::maximin::{AffineFunction, linearized_distance_squared, maximin};
-use super::quadratic::max_coefficient;
-use super::taylor::{Bounds, CellPair, Difference, coefficient_error};
+use super::taylor::{Bounds, CellPair, Difference, coefficient_error, max_coefficient};
 use super::{CellContext, UpperBound};
 use glam::DVec3;
 

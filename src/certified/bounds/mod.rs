@@ -17,14 +17,14 @@ mod boxes;
 mod cell_context;
 mod convex_combination;
 mod polynomial_difference;
-mod quadratic;
 mod same_net;
 mod sphere;
 mod taylor;
 
 pub(super) use boxes::{bvh_node, whole_models};
 pub(super) use cell_context::CellContext;
-pub use quadratic::Quadratic;
+pub use taylor::Quadratic;
+pub(super) use taylor::halved_sides;
 
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};

@@ -36,22 +36,23 @@ pub(super) fn by_blocks<'a>(a: &Operand<'a>, threshold: f64) -> Option<Sheets<'a
     (SIZE_OF_TWO * sizes[sizes.len() / 2] > threshold).then_some(sheets)
 }
 
-/// Bounds the patches of a block; returns what is left of it, and a point of it.
+/// Bounds the patches of a block; returns what is left of it, a point in its middle and about the
+/// farthest of its points that were looked at.
 pub(super) fn split_block(
     pair: &Pair<'_>,
     nearest: &NearestPoint<'_>,
     block: &Block,
     node: &SearchNode,
     threshold: f64,
-) -> (Split, Sample) {
+) -> (Split, [Sample; 2]) {
     let Some(sheets) = pair.a.sheets else {
         // There are no blocks without sheets; nothing is known of one.
         let sample = Sample { patch: 0, parameters: [0.5; 2], foot: node.foot };
-        return (Split { decided: node.upper, children: Vec::new() }, sample);
+        return (Split { decided: node.upper, children: Vec::new() }, [sample; 2]);
     };
     let bound = bounds::block(pair, sheets, nearest, block, &node.foot, threshold);
     let children = block.children(&bound.undecided).into_iter().flat_map(|block| domains(sheets, block));
-    (Split { decided: bound.decided, children: children.collect() }, bound.sample)
+    (Split { decided: bound.decided, children: children.collect() }, [bound.sample, bound.farthest])
 }
 
 /// A block, or the flat patches that a single patch was cut into.

@@ -1,6 +1,8 @@
 //! Branch and bound over A.
 
+mod ascents;
 mod blocks;
+mod evaluation;
 mod frontier;
 mod gains;
 mod incumbent;
@@ -13,15 +15,13 @@ pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;
 pub(crate) use node::{Domain, SearchNode};
 
-use super::ascent::{ascend_across, starting_points};
-use super::bounds::{self, CellContext};
-use super::nearest::{Feet, Foot, NearestPoint, Query, Sample};
+use super::bounds;
+use super::nearest::{Foot, NearestPoint, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
-use super::{Block, Cell, Pair, Sheets};
+use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
-use crate::closest::closest_above;
 use crate::parallel::{is_few, map_short, together};
-use blocks::{Split, by_blocks, split_block};
+use blocks::by_blocks;
 use frontier::Frontier;
 use incumbent::Incumbent;
 
@@ -37,15 +37,6 @@ const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
 /// the interval cannot be as narrow as requested, and the search stops at the
 /// narrowest that can be.
 const MAX_ROUNDING_PART: f64 = 0.5;
-
-/// Width of a witness's certificate, relative to the tolerance.
-const CERTIFICATE_PART: f64 = 1e-2;
-
-/// Width of a certified query for a cell's foot, relative to the tolerance.
-const FOOT_PART: f64 = 0.25;
-
-/// The farthest samples of a chunk from which an ascent starts.
-const MAX_ASCENTS: usize = 8;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -124,15 +115,6 @@ pub(crate) struct BatchResult {
     pub(crate) undecided: Vec<SearchNode>,
     /// A far point of A: patch and parameters.
     pub(crate) farthest: Option<(u32, [f64; 2])>,
-}
-
-/// An upper bound on one node, its foot and its farthest point evaluated.
-struct Evaluation {
-    upper: f64,
-    foot: Foot,
-    farthest: Sample,
-    /// For a block, what it is split into.
-    split: Option<Split>,
 }
 
 impl<'a> BranchAndBound<'a> {
@@ -319,7 +301,7 @@ impl<'a> BranchAndBound<'a> {
                 let blocks = Block::all(sheets).flat_map(|block| blocks::domains(sheets, block));
                 node.push_children(blocks, evaluation.foot, &mut children);
             } else {
-                node.branch(&self.pair.a, evaluation.foot, &mut children);
+                node.branch(&self.pair.a, evaluation.foot, evaluation.halved, &mut children);
             }
         }
         if float64_only {
@@ -328,125 +310,6 @@ impl<'a> BranchAndBound<'a> {
             self.frontier.extend(children);
         }
         None
-    }
-
-    /// The least upper bound found for a node; the first that is at most the threshold.
-    fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
-        let mut split = None;
-        let (upper, foot, farthest) = match &node.domain {
-            Domain::BvhNode(index) => {
-                let (upper, sample) =
-                    bounds::bvh_node(&self.pair, &self.nearest, *index, &node.foot, threshold);
-                (upper, sample.foot, sample)
-            }
-            Domain::Block(block) => {
-                let (parts, sample) = split_block(&self.pair, &self.nearest, block, node, threshold);
-                split = Some(parts);
-                (node.upper, sample.foot, sample)
-            }
-            Domain::Cell(cell) => self.evaluate_cell(cell, node, threshold),
-        };
-        // NaN bounds nothing.
-        Evaluation { upper: if upper < node.upper { upper } else { node.upper }, foot, farthest, split }
-    }
-
-    fn evaluate_cell(&self, cell: &Cell, node: &SearchNode, threshold: f64) -> (f64, Foot, Sample) {
-        let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
-        let mut upper = bounds::with_any_foot(&mut context, threshold);
-        if upper > threshold {
-            upper = upper.min(bounds::with_carrying_feet(&mut context, threshold));
-        }
-        if upper > threshold {
-            self.find_nearest_feet(&mut context, node, threshold);
-            upper = upper.min(bounds::with_nearest_feet(&mut context, threshold));
-        }
-        (upper, context.foot(), context.farthest)
-    }
-
-    /// Replaces the inherited foot of a cell's centre by the nearest ones.
-    fn find_nearest_feet(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) {
-        let is_whole = context.cell.is_whole();
-        let (target, known) = (context.jet.point, context.foot());
-        // The first patch of a leaf has the leaf's point, whose nearest foot is known.
-        if !(is_whole && known.distance_squared == node.foot.distance_squared) {
-            let query = Query { target, known, sufficient: threshold - context.radius };
-            context.set_feet(self.nearest.near(&query));
-        }
-        // The parent's foot and this one are close to the threshold although no
-        // point that far is known: Newton's method probably converged to the
-        // wrong local minimum of a patch.
-        let suspicious = 0.5 * (self.incumbent.lower_bound() + threshold);
-        let is_far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance() > suspicious;
-        if !is_whole && is_far(&node.foot) && is_far(&context.foot()) {
-            let foot = self.nearest.certified(target, context.foot(), FOOT_PART * self.goal.tolerance);
-            if foot != context.foot() {
-                context.set_feet(Feet::new(foot));
-            }
-        }
-    }
-
-    /// Finds the first incumbent: the higher of an ascent from the support point
-    /// and, where that ends below it, one from the middle of a patch.
-    fn find_first_incumbent(&mut self) {
-        let Some([support, middle]) = starting_points(&self.pair, &self.nearest) else { return };
-        let ascend = |start| ascend_across(&self.pair, &self.nearest, start, self.certificate_gap());
-        let top = ascend(support);
-        let is_low = middle.foot.distance_squared > top.foot.distance_squared;
-        let top = if is_low { ascend(middle) } else { top };
-        self.certify(top);
-    }
-
-    /// Ascents from the chunk's farthest samples while they exceed the
-    /// incumbent by more than a certificate's width.
-    fn ascend_from_farthest(&mut self, evaluations: &[Option<Evaluation>]) {
-        let mut samples: Vec<Sample> =
-            evaluations.iter().flatten().map(|evaluation| evaluation.farthest).collect();
-        for _ in 0..MAX_ASCENTS.min(samples.len()) {
-            let mut farthest = 0;
-            for (index, sample) in samples.iter().enumerate() {
-                if sample.foot.distance_squared > samples[farthest].foot.distance_squared {
-                    farthest = index;
-                }
-            }
-            let sample = samples.swap_remove(farthest);
-            if !self.ascend_from(sample) {
-                return;
-            }
-        }
-    }
-
-    /// Certifies the local maximum above a sample if the sample is farther than
-    /// the incumbent; returns whether it seemed to be.
-    fn ascend_from(&mut self, sample: Sample) -> bool {
-        let bound = self.incumbent.lower_bound() + self.certificate_gap();
-        if sample.foot.distance() <= bound {
-            return false;
-        }
-        let target = self.pair.point_of_a(sample.patch, sample.parameters);
-        let foot = self.nearest.nearest(target, sample.foot, bound);
-        if foot.distance() > bound {
-            let start = Sample { foot, ..sample };
-            let top = ascend_across(&self.pair, &self.nearest, start, self.certificate_gap());
-            self.certify(top);
-        }
-        true
-    }
-
-    /// Certifies a sample's distance, which becomes the incumbent if it is the largest.
-    fn certify(&mut self, sample: Sample) {
-        let point = self.pair.point_of_a(sample.patch, sample.parameters);
-        let known = Some((sample.foot.patch, sample.foot.parameters));
-        let floor = self.incumbent.lower_bound();
-        let found = closest_above(self.pair.b.target, point, self.certificate_gap(), known, floor, None);
-        if let Some(mut closest) = found {
-            closest.lower = (closest.lower - self.goal.rounding).max(0.0);
-            let Sample { patch, parameters, .. } = sample;
-            self.incumbent.improve(Witness { patch, parameters, point, closest });
-        }
-    }
-
-    fn certificate_gap(&self) -> f64 {
-        CERTIFICATE_PART * self.goal.tolerance
     }
 
     /// Lists B's patches near the witness before nodes like this one are bounded.

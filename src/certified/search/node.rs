@@ -48,8 +48,15 @@ impl SearchNode {
         }));
     }
 
-    /// Appends the children of this node, given its own foot.
-    pub(crate) fn branch(&self, a: &Operand<'_>, foot: Foot, children: &mut Vec<Self>) {
+    /// Appends the children of this node, given its own foot; a cell is halved along the sides given,
+    /// or else along the longer one.
+    pub(crate) fn branch(
+        &self,
+        a: &Operand<'_>,
+        foot: Foot,
+        halved: Option<[bool; 2]>,
+        children: &mut Vec<Self>,
+    ) {
         let mut push = |domain, foot| {
             children.push(Self { domain, foot, upper: self.upper, level: self.level + 1 });
         };
@@ -68,7 +75,8 @@ impl SearchNode {
             // Blocks are branched where they are bounded.
             Domain::Block(_) => {}
             Domain::Cell(cell) => {
-                for child in cell.split(a.patch_bounds(cell.patch).first) {
+                let longer = || cell.longer_sides(a.patch_bounds(cell.patch).first);
+                for child in cell.halves(halved.unwrap_or_else(longer)) {
                     push(Domain::Cell(child), foot);
                 }
             }

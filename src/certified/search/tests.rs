@@ -143,7 +143,7 @@ fn children_cover_their_node() {
     let operand = Operand::new(&target, &bounds);
     let children = |node: &SearchNode| {
         let mut children = Vec::new();
-        node.branch(&operand, node.foot, &mut children);
+        node.branch(&operand, node.foot, None, &mut children);
         assert!(children.iter().all(|child| child.upper == node.upper && child.level == node.level + 1));
         children
     };

@@ -25,6 +25,7 @@
 
 use super::super::rounding::{JetScale, UNIT_ROUNDOFF};
 use super::Sheets;
+use super::lines::MARGIN;
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet, Patch, PatchGrid, SeamJumps};
 use crate::param_box::ParamBox;
@@ -45,21 +46,16 @@ const MAX_WIDTH_RATIO: f64 = 64.0;
 const MAX_GAP: f64 = 1e-9;
 const MAX_CREASE: f64 = 1e-6;
 
-/// The rounding of a seam's parameter, in units of the sizes of its terms.
-const LINE_ROUNDINGS: f64 = 16.0;
-
-/// The largest rounding of a seam's parameter at which the seam may be crossed, and a
-/// relative margin that covers it in the parameters of the other patches.
+/// The largest rounding of a seam's parameter at which the seam may be crossed.
 const MAX_LINE_ERROR: f64 = 1e-11;
-const MARGIN: f64 = 1e-8;
 
 /// A surface about a point of one of its patches, in that patch's parameters.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::certified) struct Chart<'a> {
-    sheets: Sheets<'a>,
-    grid: &'a PatchGrid,
+    pub(super) sheets: Sheets<'a>,
+    pub(super) grid: &'a PatchGrid,
     /// The patch, by its place in the grid.
-    index: [usize; 2],
+    pub(super) index: [usize; 2],
     patch: Patch<'a>,
     /// The point's parameters.
     pub(in crate::certified) parameters: [f64; 2],
@@ -239,7 +235,7 @@ impl<'a> Chart<'a> {
     }
 
     /// Whether the surface is smooth enough at a seam for a map to cross it.
-    fn is_passable(&self, axis: Axis, line: isize) -> bool {
+    pub(super) fn is_passable(&self, axis: Axis, line: isize) -> bool {
         self.is_passable_over(axis, line, MAX_CREASE)
     }
 
@@ -316,93 +312,12 @@ impl<'a> Chart<'a> {
         self.sheets.bezier.patches.patch(self.patch_at(offsets))
     }
 
-    /// The lines at the ends of the patches that cover a range of parameters along
-    /// an axis, or the part of it in which the surface lies.
-    pub(in crate::certified) fn lines_between(
+    /// The flat patch that holds a point of that patch, with the point's parameters in it.
+    pub(in crate::certified) fn flat_place(
         &self,
-        axis: Axis,
-        [low, high]: [f64; 2],
-    ) -> RangeInclusive<isize> {
-        let (mut first, mut last) = (0_isize, 1_isize);
-        while low < self.line(axis, first) - MARGIN && self.is_joined(axis, first) {
-            first -= 1;
-        }
-        while high > self.line(axis, last) + MARGIN && self.is_joined(axis, last) {
-            last += 1;
-        }
-        first..=last
-    }
-
-    /// The patch along an axis, by its offset, that contains a parameter, and the parameter
-    /// of that patch; the nearest of the surface beyond its ends. O(patches between).
-    pub(in crate::certified) fn locate(&self, axis: Axis, parameter: f64) -> (isize, f64) {
-        let lines = self.lines_between(axis, [parameter, parameter]);
-        let offset = if parameter < 0.0 { *lines.start() } else { *lines.end() - 1 };
-        (offset, ((parameter - self.line(axis, offset)) / self.width(axis, offset)).clamp(0.0, 1.0))
-    }
-
-    /// The parameter of the chart for one of a patch, given by its offset.
-    pub(in crate::certified) fn parameter(&self, axis: Axis, offset: isize, local: f64) -> f64 {
-        self.line(axis, offset) + self.width(axis, offset) * local
-    }
-
-    /// Whether a line lies inside the surface, or where its two ends join.
-    pub(in crate::certified) fn is_joined(&self, axis: Axis, line: isize) -> bool {
-        let count = self.grid.breaks[axis].len() as isize - 1;
-        (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
-    }
-
-    /// The index of the patch that is so many patches away, cyclically.
-    fn patch_at(&self, offsets: [isize; 2]) -> usize {
-        let counts = self.grid.counts();
-        let [row, column] = Axis::BOTH.map(|axis| {
-            let moved = self.index[axis] as isize + offsets[axis.index()];
-            moved.rem_euclid(counts[axis] as isize) as usize
-        });
-        self.grid.first + row * counts[1] + column
-    }
-
-    /// The width of the span so many spans away, in widths of the chart's own.
-    pub(in crate::certified) fn width(&self, axis: Axis, offset: isize) -> f64 {
-        let breaks = &self.grid.breaks[axis];
-        let count = breaks.len() as isize - 1;
-        let span = (self.index[axis] as isize + offset).rem_euclid(count) as usize;
-        (breaks[span + 1] - breaks[span]) / self.own_width(axis)
-    }
-
-    fn own_width(&self, axis: Axis) -> f64 {
-        let (breaks, index) = (&self.grid.breaks[axis], self.index[axis]);
-        breaks[index + 1] - breaks[index]
-    }
-
-    /// The parameter at the start of the span so many spans away. Beyond an end of
-    /// the surface its other end follows.
-    pub(in crate::certified) fn line(&self, axis: Axis, offset: isize) -> f64 {
-        match offset {
-            0 => 0.0,
-            1 => 1.0,
-            _ => {
-                let (breaks, own) = (&self.grid.breaks[axis], self.index[axis]);
-                let count = breaks.len() as isize - 1;
-                let moved = own as isize + offset;
-                let periods = if moved == count { 0 } else { moved.div_euclid(count) };
-                let knot = breaks[(moved - periods * count) as usize];
-                let beyond = periods as f64 * (breaks[count as usize] - breaks[0]);
-                ((knot - breaks[own]) + beyond) / self.own_width(axis)
-            }
-        }
-    }
-
-    /// A bound on the rounding error of [`Chart::line`].
-    fn line_error(&self, axis: Axis, offset: isize) -> f64 {
-        if offset == 0 || offset == 1 {
-            return 0.0;
-        }
-        let breaks = &self.grid.breaks[axis];
-        let count = breaks.len() as isize - 1;
-        let moved = self.index[axis] as isize + offset;
-        let periods = if moved == count { 0 } else { moved.div_euclid(count) };
-        let beyond = periods.abs() as f64 * (breaks[count as usize] - breaks[0]) / self.own_width(axis);
-        LINE_ROUNDINGS * UNIT_ROUNDOFF * (self.line(axis, offset).abs() + 2.0 * beyond)
+        offsets: [isize; 2],
+        parameters: [f64; 2],
+    ) -> Option<(u32, [f64; 2])> {
+        self.sheets.flat_place(self.patch_at(offsets), parameters)
     }
 }

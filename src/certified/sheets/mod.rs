@@ -2,6 +2,7 @@
 
 mod chart;
 mod lazy_table;
+mod lines;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};
@@ -43,6 +44,16 @@ impl<'a> Sheets<'a> {
     pub(super) fn flat_patches(&self, index: usize) -> Range<u32> {
         let at = |index: usize| self.places.partition_point(|place| (place.patch as usize) < index) as u32;
         at(index)..at(index + 1)
+    }
+
+    /// The flat patch that holds a point of a patch as extracted, with the point's parameters in it;
+    /// `None` for parameters outside the patch. O(log patches + flat patches of the patch).
+    pub(super) fn flat_place(&self, index: usize, parameters: [f64; 2]) -> Option<(u32, [f64; 2])> {
+        self.flat_patches(index).find_map(|flat| {
+            let place = &self.places[flat as usize];
+            let local = [0, 1].map(|axis| (parameters[axis] - place.low[axis]) / place.width[axis]);
+            local.iter().all(|parameter| (0.0..=1.0).contains(parameter)).then_some((flat, local))
+        })
     }
 
     /// Derivative bounds of a patch as extracted.

@@ -221,7 +221,7 @@ fn no_point_of_a_cell_is_farther_than_its_upper_bound() {
                 let truth = closest(&b, point, 1e-9).unwrap();
                 assert!(truth.lower <= node.upper, "{degree:?}: {} > {}", truth.lower, node.upper);
                 checked += 1;
-                node.branch(&search.pair().a, node.foot, &mut parts);
+                node.branch(&search.pair().a, node.foot, None, &mut parts);
             }
             batch = parts;
         }

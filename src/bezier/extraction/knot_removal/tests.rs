@@ -7,7 +7,7 @@ use super::without_removable_knots;
 use crate::axis::Axis;
 use crate::bezier::extract;
 use crate::model::{Model, NurbsSurface};
-use crate::rounding::UNIT_ROUNDOFF;
+use crate::rounding::{UNIT_ROUNDOFF, upper_max};
 use crate::shapes::operations::{elevate_degree, insert_knot, refit_model};
 use crate::shapes::{bicubic_patch, shape};
 use glam::{DVec4, Vec4Swizzles};
@@ -28,7 +28,7 @@ fn difference(a: &Model, b: &Model) -> f64 {
                 });
                 bezier.patches.patch(grid.first + row * grid.counts()[1] + column).point([s, t])
             });
-            largest = largest.max(points[0].distance(points[1]));
+            largest = upper_max(largest, points[0].distance(points[1]));
         }
     }
     largest
@@ -166,8 +166,8 @@ fn differences_are_bounds_on_every_span_of_every_line() {
                     let u = first + random.f64() * (last - first);
                     let parameters = [u, random.f64()];
                     let difference = homogeneous(&net, parameters) - homogeneous(&before, parameters);
-                    found[0] = found[0].max(difference.xyz().length());
-                    found[1] = found[1].max(difference.w.abs());
+                    found[0] = upper_max(found[0], difference.xyz().length());
+                    found[1] = upper_max(found[1], difference.w.abs());
                 }
                 for (kind, size) in [radius, 1.0].into_iter().enumerate() {
                     assert!(found[kind] <= net.differences[kind], "{row} {column} {is_weight} {kind}");

@@ -6,6 +6,7 @@
 
 use super::aligned_map::Orientation;
 use super::knot_line_map::{Place, Walk, parts};
+use super::piece::Part;
 use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Patch;
@@ -29,8 +30,19 @@ pub(in crate::certified) struct BlockBound {
     pub(in crate::certified) decided: f64,
     /// The patches of the block, v fastest, of which no bound is at most the threshold.
     pub(in crate::certified) undecided: Vec<bool>,
-    /// A point of the block with its foot.
+    /// A point in the middle of the block with its foot.
     pub(in crate::certified) sample: Sample,
+    /// Of the undecided patches' middles about the farthest, with its foot.
+    pub(in crate::certified) farthest: Sample,
+}
+
+/// What one map of a block decides.
+struct Decided {
+    /// The largest bound of the patches that are decided.
+    largest: f64,
+    undecided: Vec<bool>,
+    /// Of the middles of pieces of undecided patches about the farthest.
+    farthest: Option<Sample>,
 }
 
 /// Bounds the patches of a block of A's sheets by one map. O(patches p^2 q^2) for patches of B as large as A's.
@@ -43,7 +55,6 @@ pub(in crate::certified) fn block(
     threshold: f64,
 ) -> BlockBound {
     let [rows, columns] = block.size();
-    let all_undecided = || (0.0, vec![true; (rows * columns) as usize]);
     let middle = [block.rows[0] + rows / 2, block.columns[0] + columns / 2];
     let flat = sheets.flat_patches(sheets.index(block.surface, middle)).start;
     let parameters = [0.5; 2];
@@ -53,12 +64,18 @@ pub(in crate::certified) fn block(
     let sample = Sample { patch: flat, parameters, foot };
     let is_near = foot.distance() <= threshold;
     let decided = if is_near { decided(pair, sheets, block, middle, &sample, threshold) } else { None };
-    let (decided, undecided) = decided.unwrap_or_else(all_undecided);
-    BlockBound { decided, undecided, sample }
+    let Some(Decided { largest, undecided, farthest }) = decided else {
+        let undecided = vec![true; (rows * columns) as usize];
+        return BlockBound { decided: 0.0, undecided, sample, farthest: sample };
+    };
+    let farthest = farthest.map_or(sample, |Sample { patch, parameters, foot }| {
+        let target = pair.point_of_a(patch, parameters);
+        Sample { patch, parameters, foot: nearest.on_patch(target, foot.patch, foot.parameters) }
+    });
+    BlockBound { decided: largest, undecided, sample, farthest }
 }
 
-/// The largest bound of the patches that are decided, and those that are not; `None`
-/// where B has no map.
+/// What the map of a block decides; `None` where B has no map.
 fn decided(
     pair: &Pair<'_>,
     sheets: Sheets<'_>,
@@ -66,7 +83,7 @@ fn decided(
     middle: [u32; 2],
     sample: &Sample,
     threshold: f64,
-) -> Option<(f64, Vec<bool>)> {
+) -> Option<Decided> {
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
     let (orientation, images) = lines.mapped()?;
@@ -94,8 +111,7 @@ fn decided(
                 place[first.other()] = other_index;
                 let bound = &mut bounds[place[0] * columns + place[1]];
                 if let Some(largest) = *bound {
-                    let patch =
-                        lines.patch([block.rows[0] + place[0] as u32, block.columns[0] + place[1] as u32]);
+                    let patch = lines.patch(lines.indices(place));
                     let of_strip = strip.upper_bound(
                         patch,
                         &comparison.net_of_a(patch),
@@ -109,8 +125,31 @@ fn decided(
             }
         }
     }
+    let undecided: Vec<bool> = bounds.iter().map(Option::is_none).collect();
+    let mut farthest = (0.0, None);
+    for (place, _) in undecided.iter().enumerate().filter(|(_, is_undecided)| **is_undecided) {
+        let places = [place / columns, place % columns];
+        let [row, column] = lines.indices(places);
+        let patch = lines.patch([row, column]);
+        if let [Some(s), Some(t)] = Axis::BOTH.map(|axis| middle_part(&parts[axis][places[axis]]))
+            && let piece = comparison.piece(patch, [s, t])
+            && let distance = piece.distance_of_middle(0.0)
+            && distance > farthest.0
+            && let (from, Some(image)) = piece.middle_with_image()
+            && let Some((flat, parameters)) =
+                sheets.flat_place(sheets.index(block.surface, [row, column]), from)
+        {
+            let foot = Foot::start(image.0, image.1);
+            farthest = (distance, Some(Sample { patch: flat, parameters, foot }));
+        }
+    }
     let largest = bounds.iter().flatten().copied().fold(0.0, upper_max);
-    Some((largest, bounds.iter().map(Option::is_none).collect()))
+    Some(Decided { largest, undecided, farthest: farthest.1 })
+}
+
+/// The part in the middle of those of a span.
+fn middle_part(parts: &[RestrictedPart]) -> Option<&Part> {
+    parts.get(parts.len() / 2).map(RestrictedPart::part)
 }
 
 /// The knot lines of A through a block.
@@ -127,6 +166,11 @@ struct KnotLines<'a> {
 impl<'a> KnotLines<'a> {
     fn patch(&self, place: [u32; 2]) -> Patch<'a> {
         self.sheets.bezier.patches.patch(self.sheets.index(self.block.surface, place))
+    }
+
+    /// The indices in the surface of the patch at this place in the block.
+    fn indices(&self, [row, column]: [usize; 2]) -> [u32; 2] {
+        [self.block.rows[0] + row as u32, self.block.columns[0] + column as u32]
     }
 
     /// How A's axes correspond to B's at the sample, and the parameters of the chart to

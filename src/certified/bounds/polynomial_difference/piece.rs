@@ -63,12 +63,24 @@ impl<'a> Piece<'a> {
         })
     }
 
+    /// The parameters of the piece's middle on A's patch, and of its image on B's.
+    fn middle(&self) -> [[f64; 2]; 2] {
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let from = self.parts.map(|part| middle(part.range));
+        [from, self.by_axes_of_b(self.parts.map(|part| middle(part.image)))]
+    }
+
+    /// The piece's middle on A's patch, and its image: on a flat patch of B, if the image is in one.
+    pub(super) fn middle_with_image(&self) -> ([f64; 2], Option<(u32, [f64; 2])>) {
+        let [from, to] = self.middle();
+        let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
+        (from, self.chart.flat_place(offsets, to))
+    }
+
     /// The distance of the piece's middle from its image, or where that exceeds the threshold
     /// the part of it that no slide removes.
     pub(super) fn distance_of_middle(&self, threshold: f64) -> f64 {
-        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-        let from = self.parts.map(|part| middle(part.range));
-        let to = self.by_axes_of_b(self.parts.map(|part| middle(part.image)));
+        let [from, to] = self.middle();
         let difference = self.pair.transform.apply(self.patch.point(from)) - self.image_patch().point(to);
         let distance = difference.length();
         if distance <= threshold { distance } else { self.sliding().residual(difference).length() }

@@ -11,11 +11,18 @@
 //! bound is of third order where the distance is positive, as what D does along
 //! B then counts by its square only.
 
+mod halving;
+mod quadratic;
+
+pub(in crate::certified) use halving::halved_sides;
+pub use quadratic::Quadratic;
+pub(super) use quadratic::max_coefficient;
+
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
 use super::super::sheets::{Chart, Over, Reach};
-use super::{CellContext, Quadratic, UpperBound};
+use super::{CellContext, UpperBound};
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
@@ -32,26 +39,45 @@ impl UpperBound for Taylor {
         if lipschitz <= threshold {
             return Some(lipschitz);
         }
+        if let Some(known) = context.taylor.filter(|known| known.foot == foot) {
+            return Some(known.bound);
+        }
         let facing = CellPair::new(context, &foot);
         let difference = facing.difference();
-        let mut bound = difference.upper_bound(threshold);
+        let bound = difference.upper_bound(threshold);
+        let mut least = if bound < lipschitz { bound } else { lipschitz };
         // NaN is no bound.
         let is_decided = bound <= threshold;
         if !is_decided
-            && difference.is_clamped
-            && foot.distance() <= threshold.min(MAX_DISTANCE_IN_RADII * context.radius)
+            && difference.is_near_beyond(threshold)
             && let Some(difference) = facing.across_seams()
         {
             let across = difference.upper_bound(threshold);
-            bound = if across < bound { across } else { bound };
+            least = if across < least { across } else { least };
         }
-        Some(if bound < lipschitz { bound } else { lipschitz })
+        context.taylor = Some(TaylorBound { foot, jet: facing.jet, bound: least });
+        Some(least)
     }
 }
 
-/// Distance of the centre's foot, in radii of the cell, up to which seams are
-/// crossed: on near copies cells are large for their distance.
-const MAX_DISTANCE_IN_RADII: f64 = 1.0;
+/// The bound that a foot gives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TaylorBound {
+    foot: Foot,
+    /// B's jet at the foot.
+    jet: Jet,
+    bound: f64,
+}
+
+/// By how much about the latest Taylor bound falls if the cell is halved about its centre along s, and
+/// along t; over seams where the map leaves B's patch.
+fn gains_of_halving(context: &CellContext<'_>) -> Option<[f64; 2]> {
+    let TaylorBound { foot, jet, .. } = context.taylor?;
+    let facing = CellPair::with_jet(context, foot, jet);
+    let difference = facing.difference();
+    let across = if difference.is_clamped { facing.across_seams() } else { None };
+    Some(across.unwrap_or(difference).gains_of_halving())
+}
 
 /// Roundings of a sum of remainders, relative to it.
 const REMAINDER_ROUNDINGS: f64 = 64.0;
@@ -94,16 +120,20 @@ pub(super) struct CellPair<'a> {
 impl<'a> CellPair<'a> {
     pub(super) fn new(context: &'a CellContext<'a>, foot: &Foot) -> Self {
         let b = &context.pair.b;
-        let jet = b.patch(foot.patch).jet(foot.parameters);
+        Self::with_jet(context, *foot, b.patch(foot.patch).jet(foot.parameters))
+    }
+
+    /// The same, given B's jet at the foot.
+    fn with_jet(context: &'a CellContext<'a>, foot: Foot, jet: Jet) -> Self {
         let residual = jet.point - context.jet.point;
-        let domain = b.room(foot.patch);
+        let domain = context.pair.b.room(foot.patch);
         let frozen = [0, 1].map(|axis| {
             let [low, high] = domain[axis];
             let gradient = residual.dot(if axis == 0 { jet.s } else { jet.t });
             let parameter = foot.parameters[axis];
             (parameter <= low && gradient > 0.0) || (parameter >= high && gradient < 0.0)
         });
-        Self { context, foot: *foot, jet, domain, frozen }
+        Self { context, foot, jet, domain, frozen }
     }
 
     /// The foot's linearization, or the constant map where that is singular.
@@ -119,7 +149,7 @@ impl<'a> CellPair<'a> {
         let linear = self.linearized();
         let map = linear.clamped_to(self.domain, self.foot.parameters);
         let quadratic = taylor_quadratic(&self.context.jet, &self.jet, self.context.cell.half, &map);
-        Difference { pair: self, is_clamped: map != linear, map, quadratic, sheet: None }
+        Difference { pair: self, map, is_clamped: map != linear, quadratic, sheet: None }
     }
 
     /// `A - B∘φ` with B the surface of the foot's patch; `None` where it ends or
@@ -156,6 +186,46 @@ pub(super) struct Difference<'a> {
 }
 
 impl Difference<'_> {
+    /// Whether the linearization leaves B's patch, and the distance to the polynomial of the patch
+    /// beyond it is at most the threshold to second order.
+    fn is_near_beyond(&self, threshold: f64) -> bool {
+        let CellPair { context, foot, jet, .. } = self.pair;
+        let quadratic = || taylor_quadratic(&context.jet, jet, context.cell.half, &self.pair.linearized());
+        self.is_clamped && foot.distance() <= threshold && quadratic().max_control() <= threshold
+    }
+
+    /// By how much about the bound falls if the cell is halved about its centre along s, and along t:
+    /// by whole patches, without rounding.
+    fn gains_of_halving(&self) -> [f64; 2] {
+        let CellPair { context, .. } = self.pair;
+        let ([h, k], [p, q]) = (context.cell.half, [self.map.p, self.map.q]);
+        let remainder = |[s, t]: [f64; 2]| {
+            let map = Reparametrization { p: s * p, q: t * q };
+            taylor_remainder(context.patch_bounds(), [s * h, t * k])
+                + self.remainder_of_b(&map, Bounds::Patch)
+        };
+        let whole = remainder([1.0; 2]);
+        let of_remainder = [[0.5, 1.0], [1.0, 0.5]].map(|part| whole - remainder(part));
+        let of_quadratic = self.quadratic.gains_of_halving();
+        [0, 1].map(|axis| of_quadratic[axis] + of_remainder[axis])
+    }
+
+    /// An upper bound on Taylor's remainder of B under the map, or one that is shorter.
+    fn remainder_of_b(&self, map: &Reparametrization, bounds: Bounds) -> f64 {
+        let CellPair { context, foot, .. } = self.pair;
+        let (b, extent) = (&context.pair.b, map.extent().to_array());
+        if let Some((chart, reach)) = &self.sheet {
+            let over = if bounds == Bounds::Local { Over::Parts } else { Over::Patches };
+            return chart.remainder(reach, extent, over);
+        }
+        let [low, high] = map.image(foot.parameters);
+        let of_b = match bounds {
+            Bounds::Patch => *b.extended_bounds(foot.patch, low, high),
+            Bounds::Local => b.bounds(foot.patch, low, high),
+        };
+        taylor_remainder(&of_b, extent)
+    }
+
     /// An upper bound on its length over the cell, with local derivative bounds
     /// where these may bring it to the threshold.
     fn upper_bound(&self, threshold: f64) -> f64 {
@@ -177,18 +247,11 @@ impl Difference<'_> {
             Bounds::Patch => context.patch_bounds(),
             Bounds::Local => context.local_bounds(),
         };
-        let (of_b, scale_of_b) = if let Some((chart, reach)) = &self.sheet {
-            let over = if bounds == Bounds::Local { Over::Parts } else { Over::Patches };
-            (chart.remainder(reach, extent, over), chart.jet_scale())
-        } else {
-            let [low, high] = self.map.image(foot.parameters);
-            let of_b = match bounds {
-                Bounds::Patch => *b.extended_bounds(foot.patch, low, high),
-                Bounds::Local => b.bounds(foot.patch, low, high),
-            };
-            (taylor_remainder(&of_b, extent), b.jet_scale(foot.patch))
+        let scale_of_b = match &self.sheet {
+            Some((chart, _)) => chart.jet_scale(),
+            None => b.jet_scale(foot.patch),
         };
-        remainders(taylor_remainder(of_a, half), of_b)
+        remainders(taylor_remainder(of_a, half), self.remainder_of_b(&self.map, bounds))
             + context.jet_scale.quadratic_error(half, MOVED_JET_ROUNDINGS)
             + scale_of_b.quadratic_error(extent, JET_ROUNDINGS)
     }

@@ -1,5 +1,6 @@
 //! A bound on the length of a vector-valued quadratic over a square.
 
+use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// `value + σ s + τ t + ½σ² ss + στ st + ½τ² tt` for (σ, τ) in [-1, 1]^2.
@@ -28,7 +29,7 @@ const SQUARE: [f64; 3] = [1.0, -1.0, 1.0];
 const PRODUCT: [[f64; 3]; 3] = [[1.0, 0.5, 1.0 / 6.0], [0.5, 2.0 / 3.0, 0.5], [1.0 / 6.0, 0.5, 1.0]];
 
 /// The largest of the coefficients and 0; NaN where one is NaN.
-pub(super) fn max_coefficient(coefficients: &[[f64; 5]; 5]) -> f64 {
+pub(in crate::certified::bounds) fn max_coefficient(coefficients: &[[f64; 5]; 5]) -> f64 {
     let mut largest = 0.0_f64;
     for &coefficient in coefficients.iter().flatten() {
         if coefficient > largest || coefficient.is_nan() {
@@ -52,10 +53,29 @@ impl Quadratic {
         self.value.length() + first + self.st.length() + 0.5 * second
     }
 
-    /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
-    /// polynomial does not exceed (convex hull property).
-    #[must_use]
-    pub fn length_squared(&self) -> [[f64; 5]; 5] {
+    /// By how much about the longest Q falls if the square is halved about its centre along σ, and along
+    /// τ: the sum of what its terms add to the length of the value, those along it in full and those
+    /// across it by Pythagoras.
+    pub(super) fn gains_of_halving(&self) -> [f64; 2] {
+        let length = self.value.length();
+        let added = |term: DVec3| {
+            let square = term.length_squared();
+            let along = if length > 0.0 { self.value.dot(term).abs() / length } else { 0.0 };
+            let across = (square - along * along).max(0.0);
+            along + across / (length + (length * length + across).sqrt()).max(f64::MIN_POSITIVE)
+        };
+        let mixed = added(self.st);
+        [[self.s, self.ss], [self.t, self.tt]]
+            .map(|[first, second]| 0.5 * added(first) + 0.375 * added(second) + 0.5 * mixed)
+    }
+
+    /// The largest length of the controls of Q, an upper bound on its length over the square.
+    pub(super) fn max_control(&self) -> f64 {
+        self.net().iter().flatten().fold(0.0, |longest, control| upper_max(longest, control.length()))
+    }
+
+    /// The Bernstein coefficients of Q.
+    fn net(&self) -> [[DVec3; 3]; 3] {
         let mut net = [[DVec3::ZERO; 3]; 3];
         for (i, row) in net.iter_mut().enumerate() {
             for (j, control) in row.iter_mut().enumerate() {
@@ -67,6 +87,14 @@ impl Quadratic {
                     + (0.5 * SQUARE[j]) * self.tt;
             }
         }
+        net
+    }
+
+    /// The 25 Bernstein coefficients of the biquartic `|Q|²`, whose largest the
+    /// polynomial does not exceed (convex hull property).
+    #[must_use]
+    pub fn length_squared(&self) -> [[f64; 5]; 5] {
+        let net = self.net();
         let mut coefficients = [[0.0_f64; 5]; 5];
         for i in 0..3 {
             for j in 0..3 {
@@ -95,6 +123,32 @@ mod tests {
         assert_eq!(quadratic.size(), 1.0 + 2.0 + 4.0 + 8.0 + 32.0 + 64.0);
         // All terms have one sign at a corner, where the length is that.
         assert_eq!(quadratic.max_length_squared(), quadratic.size().powi(2));
+    }
+
+    /// Halving the square takes off half of what first and mixed terms add to the value's length and
+    /// three quarters of what squares add: terms along the value in full, and across it by Pythagoras.
+    #[test]
+    fn the_gains_are_those_of_single_terms() {
+        let constant = Quadratic {
+            value: 4.0 * DVec3::Z,
+            s: DVec3::ZERO,
+            t: DVec3::ZERO,
+            ss: DVec3::ZERO,
+            st: DVec3::ZERO,
+            tt: DVec3::ZERO,
+        };
+        let along = -2.0 * DVec3::Z;
+        let across = 3.0 * DVec3::X;
+        for (term, added) in [(along, 2.0), (across, 1.0)] {
+            assert_eq!(Quadratic { s: term, ..constant }.gains_of_halving(), [0.5 * added, 0.0]);
+            assert_eq!(Quadratic { t: term, ..constant }.gains_of_halving(), [0.0, 0.5 * added]);
+            assert_eq!(Quadratic { ss: term, ..constant }.gains_of_halving(), [0.375 * added, 0.0]);
+            assert_eq!(Quadratic { tt: term, ..constant }.gains_of_halving(), [0.0, 0.375 * added]);
+            assert_eq!(Quadratic { st: term, ..constant }.gains_of_halving(), [0.5 * added; 2]);
+        }
+        let nothing = Quadratic { value: DVec3::ZERO, ..constant };
+        assert_eq!(nothing.gains_of_halving(), [0.0; 2]);
+        assert_eq!(Quadratic { s: across, ..nothing }.gains_of_halving(), [1.5, 0.0]);
     }
 
     /// The coefficients are those of `|Q|²`: the biquartic with them has its values.

@@ -1,0 +1,92 @@
+//! The bounds of single nodes.
+
+use super::super::bounds::{self, CellContext};
+use super::super::nearest::{Feet, Foot, Query, Sample};
+use super::BranchAndBound;
+use super::blocks::{Split, split_block};
+use super::node::{Domain, SearchNode};
+
+/// Width of a certified query for a cell's foot, relative to the tolerance.
+const FOOT_PART: f64 = 0.25;
+
+/// An upper bound on one node, its foot and its farthest point evaluated.
+pub(super) struct Evaluation {
+    pub(super) upper: f64,
+    pub(super) foot: Foot,
+    pub(super) farthest: Sample,
+    /// For a block, what it is split into.
+    pub(super) split: Option<Split>,
+    /// For a cell that is to be halved, the sides.
+    pub(super) halved: Option<[bool; 2]>,
+}
+
+impl BranchAndBound<'_> {
+    /// The least upper bound found for a node; the first that is at most the threshold.
+    pub(super) fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
+        let (mut split, mut halved) = (None, None);
+        let (upper, foot, farthest) = match &node.domain {
+            Domain::BvhNode(index) => {
+                let (upper, sample) =
+                    bounds::bvh_node(&self.pair, &self.nearest, *index, &node.foot, threshold);
+                (upper, sample.foot, sample)
+            }
+            Domain::Block(block) => {
+                let (parts, [sample, farthest]) =
+                    split_block(&self.pair, &self.nearest, block, node, threshold);
+                split = Some(parts);
+                (node.upper, sample.foot, farthest)
+            }
+            Domain::Cell(cell) => {
+                let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
+                let upper = self.evaluate_cell(&mut context, node, threshold);
+                let is_decided = upper <= threshold;
+                if !is_decided {
+                    halved = Some(bounds::halved_sides(&context));
+                }
+                (upper, context.foot(), context.farthest)
+            }
+        };
+        // NaN bounds nothing.
+        Evaluation {
+            upper: if upper < node.upper { upper } else { node.upper },
+            foot,
+            farthest,
+            split,
+            halved,
+        }
+    }
+
+    fn evaluate_cell(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) -> f64 {
+        let mut upper = bounds::with_any_foot(context, threshold);
+        if upper > threshold {
+            upper = upper.min(bounds::with_carrying_feet(context, threshold));
+        }
+        if upper > threshold {
+            self.find_nearest_feet(context, node, threshold);
+            upper = upper.min(bounds::with_nearest_feet(context, threshold));
+        }
+        upper
+    }
+
+    /// Replaces the inherited foot of a cell's centre by the nearest ones.
+    fn find_nearest_feet(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) {
+        let is_whole = context.cell.is_whole();
+        let (target, known) = (context.jet.point, context.foot());
+        // The first patch of a leaf has the leaf's point, whose nearest foot is known.
+        if !(is_whole && known.distance_squared == node.foot.distance_squared) {
+            let query = Query { target, known, sufficient: threshold - context.radius };
+            context.set_feet(self.nearest.near(&query));
+        }
+        // The parent's foot and this one are close to the threshold although no
+        // point that far is known: Newton's method probably converged to the
+        // wrong local minimum of a patch.
+        let suspicious = 0.5 * (self.incumbent.lower_bound() + threshold);
+        let is_far = |foot: &Foot| foot.distance_squared.is_finite() && foot.distance() > suspicious;
+        if !is_whole && is_far(&node.foot) && is_far(&context.foot()) {
+            let foot = self.nearest.certified(target, context.foot(), FOOT_PART * self.goal.tolerance);
+            if foot != context.foot() {
+                context.set_feet(Feet::new(foot));
+            }
+        }
+    }
+}
