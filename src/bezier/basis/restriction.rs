@@ -17,7 +17,7 @@ pub(crate) struct Restriction {
     /// The degrees before and after.
     from: usize,
     to: usize,
-    /// The matrix by rows; none for the identity.
+    /// The matrix by rows; none for whole intervals that are elevated at most once.
     entries: Vec<f64>,
 }
 
@@ -28,7 +28,7 @@ impl Restriction {
     /// Each coefficient of the result is a positive combination with at most 8 `from` + 3 (`to` - `from`)
     /// roundings (lemma R6 of docs/method.md).
     pub(crate) fn new(from: usize, to: usize, [start, end]: [f64; 2]) -> Self {
-        if from == to && [start, end] == [0.0, 1.0] {
+        if to - from <= 1 && [start, end] == [0.0, 1.0] {
             return Self { from, to, entries: Vec::new() };
         }
         let order = from + 1;
@@ -46,7 +46,7 @@ impl Restriction {
 
     /// Whether the coefficients stay as they are.
     pub(crate) fn is_identity(&self) -> bool {
-        self.entries.is_empty()
+        self.entries.is_empty() && self.from == self.to
     }
 
     /// The number of degrees by which it elevates.
@@ -68,6 +68,7 @@ impl Restriction {
         restricted.clear();
         restricted.resize((degree[0] + 1) * (degree[1] + 1), DVec4::ZERO);
         match self.from {
+            _ if self.entries.is_empty() => self.elevate(axis, columns, controls, restricted),
             // The most common degrees are unrolled.
             2 => self.apply_unrolled::<3>(axis, columns, controls, restricted),
             3 => self.apply_unrolled::<4>(axis, columns, controls, restricted),
@@ -108,6 +109,19 @@ impl Restriction {
                 }
                 restricted[lines.at(k)] = sum;
             }
+        }
+    }
+
+    /// Elevates the degree once, of the lines of a whole interval.
+    fn elevate(&self, axis: Axis, columns: usize, controls: &[DVec4], elevated: &mut [DVec4]) {
+        let share = |part: usize| part as f64 / self.to as f64;
+        for line in self.lines(axis, columns, controls.len()) {
+            let at = |place: usize| controls[line.starts[0] + place * line.step];
+            elevated[line.at(0)] = at(0);
+            for k in 1..self.to {
+                elevated[line.at(k)] = share(k) * at(k - 1) + share(self.to - k) * at(k);
+            }
+            elevated[line.at(self.to)] = at(self.from);
         }
     }
 
@@ -181,7 +195,8 @@ mod tests {
                 .map(|_| DVec4::new(random.f64(), random.f64(), random.f64(), 0.5 + random.f64()))
                 .collect();
             let axis = Axis::BOTH[case % 2];
-            let ends = [[random.f64(), random.f64()], [0.0, random.f64()], [1.0, 0.0], [0.0, 1.0]][case % 4];
+            let ends =
+                [[random.f64(), random.f64()], [0.0, random.f64()], [1.0, 0.0], [0.0, 1.0]][case / 2 % 4];
             let to = degree[axis] + 1 + random.usize(0..3);
             let mut restricted = Vec::new();
             let raised =

@@ -116,16 +116,17 @@ impl Net {
     /// Its radius and the spreads of its weights are bounds on those of all pieces, and its error that
     /// of any restriction inside [0, 1] along both axes.
     pub(super) fn whole(degree: [usize; 2], mut controls: Vec<DVec4>, origin: DVec3) -> Self {
-        let heaviest = heaviest(&controls);
-        let lightest = controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(control.w));
         // Weights of 1, the most common ones, need no scale.
-        if [lightest, heaviest] != [1.0; 2] {
+        let mut weight_spread = 0.0;
+        if controls.iter().any(|control| control.w != 1.0) {
+            let heaviest = heaviest(&controls);
+            let lightest = controls.iter().fold(f64::INFINITY, |lightest, control| lightest.min(control.w));
+            weight_spread = (heaviest - lightest) / lightest;
             let scale = power_of_two_below(heaviest.max(f64::MIN_POSITIVE)).recip();
             for control in &mut controls {
                 *control *= scale;
             }
         }
-        let weight_spread = (heaviest - lightest) / lightest;
         let mut net = Self { degree, controls, origin, weight_spread, ..Self::default() };
         net.classify_weights();
         net.radius = longest(&net.controls, net.is_polynomial());
