@@ -1,7 +1,7 @@
 // Stage `taylor_bound`: an upper bound on the distance from every cell to B by
 // Taylor expansion, including the error of float32. CPU twins:
-// `src/certified/bounds/taylor.rs`, `src/certified/reparametrization.rs` and
-// `src/certified/bounds/quadratic.rs`. One thread per cell. The host generates
+// `src/certified/bounds/taylor/mod.rs`, `src/certified/reparametrization.rs` and
+// `src/certified/bounds/taylor/quadratic.rs`. One thread per cell. The host generates
 // MAX_ASPECT, UNIT_ROUNDOFF, DIFFERENCE_ROUNDINGS and LENGTH_ROUNDINGS.
 
 @group(0) @binding(0) var<uniform> params: LevelParams;

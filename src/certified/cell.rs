@@ -17,7 +17,7 @@ pub(crate) const MAX_ASPECT: f64 = 2.0;
 
 impl Cell {
     /// A whole patch.
-    pub(super) fn whole(patch: u32) -> Self {
+    pub(crate) fn whole(patch: u32) -> Self {
         Self { patch, center: [0.5; 2], half: [0.5; 2] }
     }
 

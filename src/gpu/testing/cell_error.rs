@@ -4,7 +4,7 @@
 
 use super::adapter::gpu;
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
-use crate::certified::{BranchAndBound, Domain, Operand, Pair};
+use crate::certified::{BranchAndBound, Cell, Domain, Foot, Operand, Pair, SearchNode};
 use crate::closest::{Target, closest};
 use crate::gpu::Gpu;
 use crate::gpu::certified::layouts::{Batch, CellState, JET_BYTES, LevelParams};
@@ -161,7 +161,7 @@ fn a_million_jets_are_within_their_error_bounds() {
     assert!(draws >= 1_000_000, "{draws}");
 }
 
-/// The number of cells that the kernels get first.
+/// The smallest number of cells that the kernels get first.
 const CELLS: usize = 100;
 
 /// Rounds of halving from these cells, and the cells checked in each.
@@ -201,12 +201,20 @@ fn no_point_of_a_cell_is_farther_than_its_upper_bound() {
         let transform = RigidTransform::new(turn, DVec3::splat(0.1 * shift)).unwrap();
         let pair = Pair { a: Operand::new(&a, &bounds_a), b: Operand::new(&b, &bounds_b), transform };
         let mut search = BranchAndBound::new(pair, 1e-5, None, 0.0);
-        // Down to cells, in float64.
-        while search.waiting() < CELLS {
-            assert!(search.advance_once(usize::MAX).is_none(), "{degree:?}: decided too soon");
-        }
+        assert!(search.advance_once(usize::MAX).is_none(), "{degree:?}: decided too soon");
         let driver = GpuCertified::new(&gpu, &search).unwrap().unwrap();
-        let mut batch = search.take_batch(CELLS);
+        let whole = |patch| SearchNode {
+            domain: Domain::Cell(Cell::whole(patch)),
+            upper: search.interval().upper,
+            foot: Foot::start(0, [0.5; 2]),
+            level: 0,
+        };
+        let mut batch: Vec<_> = (0..3).map(whole).collect();
+        while batch.len() < CELLS {
+            let mut parts = Vec::new();
+            batch.iter().for_each(|node| node.branch(&search.pair().a, node.foot, None, &mut parts));
+            batch = parts;
+        }
         // With a threshold of 0 no cell is pruned, and each whose centre is not on B
         // is returned with its bound. Its parts are bounded next.
         for _ in 0..ROUNDS {
