@@ -172,6 +172,29 @@ fn the_difference_over_knots_is_attained() {
     }
 }
 
+/// The bound is that of the farthest piece, wherever it is among the pieces: a bilinear patch that
+/// rises at one corner, over a plane with two inner knots along each axis.
+#[test]
+fn the_farthest_of_all_pieces_is_bounded() {
+    let places = [0.0, 0.3, 0.6, 1.0];
+    let plane = SurfaceArrays {
+        degree: [1, 1],
+        knots: [clamped(1, &places[1..3]), clamped(1, &places[1..3])],
+        counts: [4, 4],
+        control_points: places.iter().flat_map(|&x| places.map(|y| [x, y, 0.0, 1.0])).collect(),
+    };
+    let b = Surfaces::new(vec![plane], Flatness::None);
+    for corner in 0..4 {
+        let mut patch = square([0.0, 1.0], [0.0, 1.0]);
+        for (index, point) in patch.control_points.iter_mut().enumerate() {
+            point[2] = if index == corner { 1e-4 } else { 1e-5 };
+        }
+        let a = Surfaces::new(vec![patch], Flatness::None);
+        let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 4, 1.001e-4);
+        assert_attained(bound.unwrap(), 1e-4, 1e-5);
+    }
+}
+
 /// Where one surface of B ends, the rest of the cell is mapped to the next one.
 #[test]
 fn the_difference_runs_over_several_surfaces() {

@@ -159,6 +159,30 @@ fn differences_of_restricted_nets_are_bounded() {
     }
 }
 
+/// Weights of a line that differ from its first one by the spread that is stated differ, after a
+/// restriction, from the first one then by nearly twice as much, and by no more than is stated.
+#[test]
+fn a_restriction_doubles_the_spread_of_weights() {
+    const SPREAD: f64 = 5e-13;
+    const DEGREE: usize = 15;
+    let weight = |i: usize| match i {
+        0 => 1.0,
+        _ if i <= DEGREE / 2 => 1.0 + SPREAD,
+        _ => 1.0 - SPREAD,
+    };
+    // Weights differ across the lines, so that the net is no polynomial.
+    let controls =
+        (0..=DEGREE).flat_map(|i| [1.0, 2.0].map(|scale| DVec4::new(0.0, 0.0, 0.0, scale * weight(i))));
+    let whole = Net::whole([DEGREE, 1], controls.collect(), DVec3::ZERO);
+    let mut piece = Net::default();
+    piece.restrict(&whole, Axis::U, &Restriction::new(DEGREE, DEGREE, [0.3, 0.7]));
+    let first = piece.controls[0].w;
+    let spread = piece.controls.iter().step_by(2).map(|control| (control.w / first - 1.0).abs());
+    let spread = spread.fold(0.0, upper_max);
+    let stated = piece.line_spreads[0].unwrap();
+    assert!(spread > 1.5 * SPREAD && spread <= stated, "{spread} {stated}");
+}
+
 /// Lemmas R6 and R11 for a piece of a bilinear patch against itself, moved by a length h: 16 roundings
 /// for each degree and 6 for each elevation, 4 for the origins, and those of the products.
 #[test]
