@@ -116,6 +116,27 @@ fn patches_above_the_threshold_are_left() {
     }
 }
 
+/// The bound of a patch is that of its farthest piece, wherever it is: a tilted sheet over a plane
+/// of which both inner knots cross the patch.
+#[test]
+fn the_farthest_piece_of_a_patch_is_bounded() {
+    for tilt in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+        let height = |x: f64, y: f64| 2e-3 + 1e-3 * (tilt[0] * (x - 0.3) + tilt[1] * (y - 0.375));
+        let mut arrays = sheet(|_, _| 0.0);
+        arrays.control_points.iter_mut().for_each(|point| point[2] = height(point[0], point[1]));
+        let a = Surfaces::new(vec![arrays], Flatness::None);
+        let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        let patch = Block { surface: 0, rows: [1, 2], columns: [1, 2] };
+        let bound = block(&pair, a.sheets(), &nearest, &patch, &Foot::start(0, [0.5; 2]), 3e-3);
+        // The patch over [0.2, 0.4] x [0.25, 0.5].
+        let highest = 2e-3 + 1e-3 * (0.1 + 0.125);
+        assert_eq!(bound.undecided, [false]);
+        assert!((highest..highest * (1.0 + 1e-5)).contains(&bound.decided), "{tilt:?}: {}", bound.decided);
+    }
+}
+
 /// Of the patches that are left the one that rises highest gives the farthest sample, which is as far
 /// as it is high; where all are decided it is the sample in the middle.
 #[test]
