@@ -23,6 +23,7 @@ mod taylor;
 
 pub(super) use boxes::{bvh_node, whole_models};
 pub(super) use cell_context::CellContext;
+#[cfg(feature = "internals")]
 pub use taylor::Quadratic;
 pub(super) use taylor::halved_sides;
 
