@@ -51,9 +51,8 @@ fn inserted_knots_are_removed() {
                     [(Axis::U, 0.31, 1), (Axis::V, 0.77, 2), (Axis::U, 0.6, 1), (Axis::U, 0.6001, 1)]
                 {
                     let [start, end] = surface.domain()[axis];
-                    let times = times.min(surface.degree()[axis]);
                     let knot = start + fraction * (end - start);
-                    refined = insert_knot(&refined, axis, knot, times).unwrap();
+                    refined = insert_knot(&refined, axis, knot, times.min(surface.degree()[axis])).unwrap();
                 }
                 elevate_degree(&refined, Axis::V).unwrap()
             })
