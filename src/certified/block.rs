@@ -1,6 +1,7 @@
 //! Rectangles of the patches of one surface of A.
 
 use super::Sheets;
+use crate::axis::Axis;
 use std::ops::Range;
 
 /// The largest number of patches of a block along an axis: one map serves them all, and
@@ -33,6 +34,14 @@ impl Block {
     fn ranges(count: u32) -> impl Iterator<Item = [u32; 2]> + Clone {
         let parts = count.div_ceil(MAX_SIDE);
         (0..parts).map(move |part| [part * count / parts, (part + 1) * count / parts])
+    }
+
+    /// The start and the end of its patches along an axis.
+    pub(super) fn range(&self, axis: Axis) -> [u32; 2] {
+        match axis {
+            Axis::U => self.rows,
+            Axis::V => self.columns,
+        }
     }
 
     /// The numbers of rows and of columns.

@@ -40,6 +40,9 @@ pub struct PatchGrid {
     pub first: usize,
     /// The distinct knots of the domain in u and v, one more each than patches.
     pub breaks: [Vec<f64>; 2],
+    /// How often each of them is repeated; degree + 1 times at the ends of the domain, where the surface
+    /// ends. Across a knot of multiplicity m derivatives below degree + 1 - m are continuous.
+    pub multiplicities: [Vec<u8>; 2],
     /// The parts of the numbers of samples and cells along u and v that this grid gets: 1
     /// for a whole surface, less for a piece of a trimmed face.
     pub shares: [f64; 2],
@@ -105,7 +108,8 @@ pub fn extract(model: &Model) -> BezierModel {
     let (mut parts, mut grids) = (Vec::new(), Vec::with_capacity(extractions.len()));
     let (mut rest, mut first, mut first_control) = (&mut controls[..], 0, 0);
     for extraction in &extractions {
-        grids.push(PatchGrid { first, breaks: extraction.breaks(), shares: [1.0; 2] });
+        let (breaks, multiplicities) = (extraction.breaks(), extraction.multiplicities());
+        grids.push(PatchGrid { first, breaks, multiplicities, shares: [1.0; 2] });
         first += extraction.patch_count();
         for range in ranges(extraction.patch_count()) {
             let (own, others) = rest.split_at_mut(range.len() * extraction.patch_size());
@@ -177,6 +181,12 @@ impl<'a> Extraction<'a> {
     /// Returns the distinct knots of the domain in u and v.
     fn breaks(&self) -> [Vec<f64>; 2] {
         Axis::BOTH.map(|axis| breaks(&self.spans[axis]))
+    }
+
+    /// Returns the multiplicities of the distinct knots.
+    fn multiplicities(&self) -> [Vec<u8>; 2] {
+        let degree = self.surface.degree();
+        Axis::BOTH.map(|axis| multiplicities(&self.spans[axis], degree[axis]))
     }
 
     fn patch_count(&self) -> usize {
@@ -251,6 +261,15 @@ impl<'a> Extraction<'a> {
 fn breaks(spans: &[Span]) -> Vec<f64> {
     let starts = spans.iter().map(|span| span.ends[0]);
     starts.chain(spans.last().map(|span| span.ends[1])).collect()
+}
+
+/// Returns the multiplicities of the ends of consecutive spans, with degree + 1 for the first and the last.
+///
+/// From one span to the next the first control point moves by the multiplicity of the knot between them.
+fn multiplicities(spans: &[Span], degree: usize) -> Vec<u8> {
+    let inner = spans.windows(2).map(|pair| pair[1].first_control - pair[0].first_control);
+    // Valid knots are repeated at most degree + 1 times, 16.
+    std::iter::once(degree + 1).chain(inner).chain([degree + 1]).map(|multiplicity| multiplicity as u8).collect()
 }
 
 /// Returns the non-empty spans of the domain.

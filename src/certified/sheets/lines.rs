@@ -49,6 +49,14 @@ impl Chart<'_> {
         (self.index[axis] as isize + line).rem_euclid(count) != 0 || self.is_passable(axis, line)
     }
 
+    /// The multiplicity of a line in the surface's knots: degree + 1 at the surface's ends.
+    pub(in crate::certified) fn multiplicity(&self, axis: Axis, line: isize) -> usize {
+        let multiplicities = &self.grid.multiplicities[axis];
+        let count = multiplicities.len() as isize - 1;
+        let knot = (self.index[axis] as isize + line).rem_euclid(count) as usize;
+        usize::from(multiplicities[knot])
+    }
+
     /// The index of the patch that is so many patches away, cyclically.
     pub(super) fn patch_at(&self, offsets: [isize; 2]) -> usize {
         let counts = self.grid.counts();
@@ -91,7 +99,7 @@ impl Chart<'_> {
     }
 
     /// A bound on the rounding error of [`Chart::line`].
-    pub(super) fn line_error(&self, axis: Axis, offset: isize) -> f64 {
+    pub(in crate::certified) fn line_error(&self, axis: Axis, offset: isize) -> f64 {
         if offset == 0 || offset == 1 {
             return 0.0;
         }

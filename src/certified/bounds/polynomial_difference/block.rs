@@ -7,6 +7,7 @@
 use super::aligned_map::Orientation;
 use super::knot_line_map::{Place, Walk, parts};
 use super::piece::Part;
+use super::spline::BlockMap;
 use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Patch;
@@ -87,6 +88,16 @@ fn decided(
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
     let (orientation, images) = lines.mapped()?;
+    let ends = images.each_ref().map(|images| [images[0], images[images.len() - 1]]);
+    let map = BlockMap { pair, sheets, block, chart: &chart, orientation, images: ends };
+    let by_spline = map.upper_bounds().unwrap_or_default();
+    // Of the patches that the spline decides.
+    let decided_bound = |index: usize| by_spline.get(index).copied().filter(|bound| *bound <= threshold);
+    let [rows, columns] = block.size().map(|count| count as usize);
+    if (0..rows * columns).all(|index| decided_bound(index).is_some()) {
+        let largest = by_spline.into_iter().fold(0.0, upper_max);
+        return Some(Decided { largest, undecided: vec![false; rows * columns], farthest: None });
+    }
     let comparison = Comparison::new(pair, lines.patch(middle), &chart, orientation);
     let parts: [Vec<Vec<RestrictedPart>>; 2] = Axis::BOTH.map(|axis| {
         let spans = parts(&chart, &orientation, axis, &images[axis.index()]);
@@ -94,12 +105,12 @@ fn decided(
         spans.into_iter().map(|span| span.into_iter().map(restricted).collect()).collect()
     });
     let first = comparison.first_axis(parts.each_ref().map(|spans| spans.iter().map(Vec::len).sum()));
-    let [rows, columns] = parts.each_ref().map(Vec::len);
     let mut bounds = Vec::with_capacity(rows * columns);
     for s in &parts[0] {
         for t in &parts[1] {
             let count = s.len() * t.len();
-            bounds.push((1..=MAX_PIECES).contains(&count).then_some(0.0_f64));
+            let by_pieces = (1..=MAX_PIECES).contains(&count).then_some(0.0_f64);
+            bounds.push(decided_bound(bounds.len()).or(by_pieces));
         }
     }
     let mut was_decided = true;
@@ -109,7 +120,11 @@ fn decided(
             for (other_index, others) in parts[first.other()].iter().enumerate() {
                 let mut place = [index; 2];
                 place[first.other()] = other_index;
-                let bound = &mut bounds[place[0] * columns + place[1]];
+                let index = place[0] * columns + place[1];
+                if decided_bound(index).is_some() {
+                    continue;
+                }
+                let bound = &mut bounds[index];
                 if let Some(largest) = *bound {
                     let patch = lines.patch(lines.indices(place));
                     let of_strip = strip.upper_bound(

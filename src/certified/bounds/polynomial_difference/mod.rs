@@ -22,6 +22,7 @@ mod piece;
 mod sliding;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod sliding_attained;
+mod spline;
 mod strip;
 
 pub(in crate::certified) use block::block;

@@ -1,0 +1,242 @@
+//! The difference as a spline is that of the points, and its bounds are attained.
+
+use super::super::super::attained_across_seams::{Surfaces, clamped, closed};
+use super::super::aligned_map::Orientation;
+use super::BlockMap;
+use super::coefficients::{Patches, difference};
+use super::knots::{Knot, KnotSequence};
+use crate::axis::Axis;
+use crate::certified::reparametrization::Reparametrization;
+use crate::certified::sheets::Chart;
+use crate::certified::{Block, Pair};
+use crate::flatness::Flatness;
+use crate::model::{RigidTransform, SurfaceArrays};
+use glam::{DQuat, DVec2, DVec3};
+
+fn orientation(swapped: bool, backwards: [bool; 2]) -> Orientation {
+    let [s, t] = backwards.map(|backwards| if backwards { -1.0 } else { 1.0 });
+    let (p, q) = if swapped { (s * DVec2::Y, t * DVec2::X) } else { (s * DVec2::X, t * DVec2::Y) };
+    Orientation::new(&Reparametrization { p, q })
+}
+
+/// A surface of random control points with these inner knots, and all weights equal.
+fn surface(random: &mut fastrand::Rng, degree: [usize; 2], inner: &[Vec<f64>; 2]) -> SurfaceArrays {
+    let counts = [0, 1].map(|axis| degree[axis] + 1 + inner[axis].len());
+    let weight = if random.bool() { 1.0 } else { 0.3 };
+    let control_points =
+        (0..counts[0] * counts[1]).map(|_| [random.f64(), random.f64(), random.f64(), weight]).collect();
+    SurfaceArrays {
+        degree,
+        knots: [0, 1].map(|axis| clamped(degree[axis], &inner[axis])),
+        counts,
+        control_points,
+    }
+}
+
+/// Inner knots at these places, of random multiplicities up to degree + 1.
+fn repeated(random: &mut fastrand::Rng, degree: usize, places: &[f64]) -> Vec<f64> {
+    places.iter().flat_map(|&place| std::iter::repeat_n(place, random.usize(1..=degree + 1))).collect()
+}
+
+/// Sorted random places, not close to each other.
+fn places(random: &mut fastrand::Rng) -> Vec<f64> {
+    let count = random.usize(0..5);
+    (1..=count).map(|k| (k as f64 + 0.6 * (random.f64() - 0.5)) / (count + 1) as f64).collect()
+}
+
+/// All of A's first surface.
+fn whole(a: &Surfaces) -> Block {
+    let [rows, columns] = a.sheets().bezier.grids[0].counts().map(|count| [0, count as u32]);
+    Block { surface: 0, rows, columns }
+}
+
+/// The block of all patches but sometimes the first or the last ones.
+fn part(random: &mut fastrand::Rng, a: &Surfaces) -> Block {
+    let mut range = |count: usize| {
+        let start = random.u32(0..count as u32);
+        [start, random.u32(start + 1..=count as u32)]
+    };
+    let [rows, columns] = a.sheets().bezier.grids[0].counts();
+    Block { surface: 0, rows: range(rows), columns: range(columns) }
+}
+
+/// The values of the basis functions by the recurrence of Cox and de Boor.
+fn basis(knots: &[Knot], degree: usize, at: f64) -> Vec<f64> {
+    let at_knot = |index: usize| knots[index].parameter;
+    let mut values: Vec<f64> = (0..knots.len() - 1)
+        .map(|index| f64::from(u8::from(at_knot(index) <= at && at < at_knot(index + 1))))
+        .collect();
+    for level in 1..=degree {
+        for index in 0..values.len() - level {
+            let share = |low: usize, high: usize, from: usize, sign: f64| {
+                let width = at_knot(high) - at_knot(low);
+                if width > 0.0 { sign * (at - at_knot(from)) / width } else { 0.0 }
+            };
+            values[index] = share(index, index + level, index, 1.0) * values[index]
+                + share(index + 1, index + 1 + level, index + 1 + level, -1.0) * values[index + 1];
+        }
+    }
+    values.truncate(knots.len() - degree - 1);
+    values
+}
+
+/// The point of B at parameters of the chart by A's axes.
+fn point_of_b(chart: &Chart<'_>, swapped: bool, [s, t]: [f64; 2]) -> DVec3 {
+    let at = if swapped { [t, s] } else { [s, t] };
+    let [(u, s), (v, t)] = Axis::BOTH.map(|axis| chart.locate(axis, at[axis.index()]));
+    chart.neighbour([u, v]).point([s, t])
+}
+
+/// Checks the difference and the bounds of a map against points of both surfaces; returns the largest of
+/// the bounds over the largest distance found.
+fn check(random: &mut fastrand::Rng, map: &BlockMap<'_>) -> f64 {
+    let axes = Axis::BOTH.map(|axis| map.coefficients(axis).unwrap());
+    let sequences = Axis::BOTH.map(|axis| KnotSequence::new(&map.axis(axis)).unwrap());
+    let &BlockMap { pair, sheets, block, chart, orientation, images } = map;
+    let patches = Patches { pair, sheets, block, chart, is_swapped: orientation.swapped };
+    let mut coefficients = Vec::new();
+    difference(&patches, axes.each_ref(), |coefficient| coefficients.push(coefficient));
+    let bounds = map.upper_bounds().unwrap();
+    let [rows, columns] = block.size().map(|count| count as usize);
+    assert_eq!(bounds.len(), rows * columns);
+    let (mut largest, mut largest_bound) = (0.0_f64, 0.0_f64);
+    for (index, bound) in bounds.into_iter().enumerate() {
+        let place = [index / columns, index % columns];
+        largest_bound = largest_bound.max(bound);
+        for _ in 0..12 {
+            let local = [random.f64(), random.f64()];
+            let ends = Axis::BOTH.map(|axis| {
+                let breaks = &map.axis(axis).breaks[place[axis.index()]..];
+                [breaks[0], breaks[1]]
+            });
+            let at = [0, 1].map(|axis| ends[axis][0] + (ends[axis][1] - ends[axis][0]) * local[axis]);
+            let image = Axis::BOTH.map(|axis| {
+                let (breaks, [from, to]) = (map.axis(axis).breaks, images[axis.index()]);
+                from + (to - from) * (at[axis.index()] - breaks[0]) / (breaks[breaks.len() - 1] - breaks[0])
+            });
+            let patch = patches.of_a(place);
+            let exact = pair.transform.apply(patch.point(local)) - point_of_b(chart, orientation.swapped, image);
+            let [u, v] =
+                [0, 1].map(|axis| basis(&sequences[axis].knots, sequences[axis].degree, at[axis]));
+            let mut sum = DVec3::ZERO;
+            for (i, u) in u.iter().enumerate() {
+                for (j, v) in v.iter().enumerate() {
+                    sum += u * v * coefficients[i * axes[1].of_a.len() + j];
+                    // No other coefficient counts on the patch.
+                    let is_inside = [(i, 0), (j, 1)].iter().all(|&(index, axis)| {
+                        let [first, last] = axes[axis].windows[place[axis]];
+                        (first..=last).contains(&index)
+                    });
+                    assert!(is_inside || u * v <= 1e-12);
+                }
+            }
+            assert!(sum.distance(exact) <= 1e-8, "{sum} {exact}");
+            assert!(exact.length() <= bound, "{} {bound}", exact.length());
+            largest = largest.max(exact.length());
+        }
+    }
+    largest_bound / largest
+}
+
+/// A chart of a surface about a random point, with the parameters at the ends of the surface.
+fn random_chart<'a>(random: &mut fastrand::Rng, b: &'a Surfaces) -> (Chart<'a>, [[f64; 2]; 2]) {
+    let [rows, columns] = b.sheets().bezier.grids[0].counts();
+    let patch = random.usize(0..rows * columns);
+    let chart = Chart::new(b.sheets(), patch as u32, [random.f64(), random.f64()]);
+    let ends = [(patch / columns, rows), (patch % columns, columns)];
+    let domain = Axis::BOTH.map(|axis| {
+        let (index, count) = ends[axis.index()];
+        [-(index as isize), (count - index) as isize].map(|line| chart.line(axis, line))
+    });
+    (chart, domain)
+}
+
+/// The images of the ends of a block by A's axes: the ends of parts of B's domain.
+fn images(
+    domain: [[f64; 2]; 2],
+    swapped: bool,
+    backwards: [bool; 2],
+    mut part: impl FnMut() -> [f64; 2],
+) -> [[f64; 2]; 2] {
+    Axis::BOTH.map(|axis| {
+        let [low, high] = domain[if swapped { axis.other() } else { axis }];
+        let mut images = part().map(|part| (1.0 - part) * low + part * high);
+        if backwards[axis.index()] {
+            images.reverse();
+        }
+        images
+    })
+}
+
+/// The difference is that of the points for all degrees, orientations, multiplicities and motions, for
+/// lines of B anywhere between those of A or all but at them.
+#[test]
+fn the_coefficients_are_those_of_the_difference() {
+    let random = &mut fastrand::Rng::with_seed(160);
+    for case in 0..600 {
+        let degrees = [0; 4].map(|_| random.usize(1..5));
+        let [p, q, m, n] = degrees;
+        let (swapped, backwards) = (random.bool(), [random.bool(), random.bool()]);
+        let by_axes_of_b = |[s, t]: [Vec<f64>; 2]| if swapped { [t, s] } else { [s, t] };
+        let on_a = [places(random), places(random)];
+        let shared = case % 3 == 0;
+        let on_b = if shared {
+            // A's own lines in B's order, off by rounding or more.
+            by_axes_of_b([0, 1].map(|axis| {
+                let gap = [0.0, 1e-15, 1e-13, 1e-11, 1e-9, 1e-6][random.usize(0..6)];
+                let mut lines: Vec<f64> = on_a[axis]
+                    .iter()
+                    .map(|&place| if backwards[axis] { 1.0 - place } else { place })
+                    .map(|place| place + gap * (random.f64() - 0.5))
+                    .collect();
+                lines.sort_by(f64::total_cmp);
+                lines
+            }))
+        } else {
+            [places(random), places(random)]
+        };
+        let inner_a = [repeated(random, p, &on_a[0]), repeated(random, q, &on_a[1])];
+        let inner_b = [repeated(random, m, &on_b[0]), repeated(random, n, &on_b[1])];
+        let a = Surfaces::new(vec![surface(random, [p, q], &inner_a)], Flatness::None);
+        let b = Surfaces::new(vec![surface(random, [m, n], &inner_b)], Flatness::None);
+        let turn = DQuat::from_rotation_x(random.f64()) * DQuat::from_rotation_z(random.f64());
+        let transform = RigidTransform::new(turn, DVec3::new(random.f64(), 0.5, -0.25)).unwrap();
+        let pair = Pair { a: a.operand(), b: b.operand(), transform };
+        let (chart, domain) = random_chart(random, &b);
+        let block = if shared { whole(&a) } else { part(random, &a) };
+        let images = images(domain, swapped, backwards, || {
+            let [from, to] = [0.3 * random.f64(), 1.0 - 0.3 * random.f64()];
+            [[0.0, 1.0], [0.0, to], [from, to]][if shared { 0 } else { random.usize(0..3) }]
+        });
+        let orientation = orientation(swapped, backwards);
+        let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+        check(random, &map);
+    }
+}
+
+/// The same across the line where a closed surface ends.
+#[test]
+fn a_closed_surface_is_followed_beyond_its_end() {
+    let random = &mut fastrand::Rng::with_seed(161);
+    for case in 0..60 {
+        let swapped = random.bool();
+        let inner = [places(random), places(random)];
+        let inner_a = [repeated(random, 2, &inner[0]), repeated(random, 3, &inner[1])];
+        let a = Surfaces::new(vec![surface(random, [2, 3], &inner_a)], Flatness::None);
+        let b = Surfaces::new(vec![closed(100 + case, false)], Flatness::None);
+        let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+        let (chart, domain) = random_chart(random, &b);
+        let backwards = [random.bool(), random.bool()];
+        // Along the closed axis from anywhere by up to a whole turn.
+        let mut images = images(domain, swapped, backwards, || [0.0, 1.0]);
+        let turn = 3.0 * (random.f64() - 0.5);
+        let around = &mut images[usize::from(swapped)];
+        let length = around[1] - around[0];
+        let share = 0.1 + 0.9 * random.f64();
+        *around = [around[0] + turn * length, around[0] + (turn + share) * length];
+        let orientation = orientation(swapped, backwards);
+        let block = part(random, &a);
+        let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+        check(random, &map);
+    }
+}
