@@ -269,7 +269,11 @@ fn breaks(spans: &[Span]) -> Vec<f64> {
 fn multiplicities(spans: &[Span], degree: usize) -> Vec<u8> {
     let inner = spans.windows(2).map(|pair| pair[1].first_control - pair[0].first_control);
     // Valid knots are repeated at most degree + 1 times, 16.
-    std::iter::once(degree + 1).chain(inner).chain([degree + 1]).map(|multiplicity| multiplicity as u8).collect()
+    std::iter::once(degree + 1)
+        .chain(inner)
+        .chain([degree + 1])
+        .map(|multiplicity| multiplicity as u8)
+        .collect()
 }
 
 /// Returns the non-empty spans of the domain.

@@ -87,8 +87,9 @@ fn decided(
 ) -> Option<Decided> {
     let chart = Chart::new(pair.b.sheets?, sample.foot.patch, sample.foot.parameters);
     let lines = KnotLines { pair, sheets, block, middle, sample, chart: &chart };
-    let (orientation, images) = lines.mapped()?;
-    let ends = images.each_ref().map(|images| [images[0], images[images.len() - 1]]);
+    let linearization = lines.linearized()?;
+    let orientation = linearization.orientation;
+    let ends = Axis::BOTH.map(|axis| lines.ends(axis, &linearization));
     let map = BlockMap { pair, sheets, block, chart: &chart, orientation, images: ends };
     let by_spline = map.upper_bounds().unwrap_or_default();
     // Of the patches that the spline decides.
@@ -100,7 +101,7 @@ fn decided(
     }
     let comparison = Comparison::new(pair, lines.patch(middle), &chart, orientation);
     let parts: [Vec<Vec<RestrictedPart>>; 2] = Axis::BOTH.map(|axis| {
-        let spans = parts(&chart, &orientation, axis, &images[axis.index()]);
+        let spans = parts(&chart, &orientation, axis, &lines.images(axis, &linearization));
         let restricted = |part| comparison.restricted(axis, part);
         spans.into_iter().map(|span| span.into_iter().map(restricted).collect()).collect()
     });
@@ -188,9 +189,8 @@ impl<'a> KnotLines<'a> {
         [self.block.rows[0] + row as u32, self.block.columns[0] + column as u32]
     }
 
-    /// How A's axes correspond to B's at the sample, and the parameters of the chart to
-    /// which the lines across each axis are mapped, by the feet of points on them.
-    fn mapped(&self) -> Option<(Orientation, [Vec<f64>; 2])> {
+    /// How A's axes correspond to B's at the sample, if they do.
+    fn linearized(&self) -> Option<Linearization> {
         let Sample { patch, parameters, .. } = *self.sample;
         let place = &self.sheets.places[patch as usize];
         let at = [0, 1].map(|axis| place.low[axis] + place.width[axis] * parameters[axis]);
@@ -205,18 +205,44 @@ impl<'a> KnotLines<'a> {
         let jet = self.chart.jet();
         let residual = jet.point - self.pair.transform.apply(a.point);
         let map = Reparametrization::linearized(&jet, residual, [rotate(a.s), rotate(a.t)], [false; 2])?;
-        let orientation = Orientation::new(&map);
-        let images = Axis::BOTH.map(|axis| {
-            let on_b = if orientation.swapped { axis.other() } else { axis };
-            let speed = if axis == Axis::U { map.p } else { map.q };
-            self.images(axis, at, speed).iter().map(|place| place[on_b.index()]).collect()
-        });
-        Some((orientation, images))
+        Some(Linearization { at, orientation: Orientation::new(&map), map })
+    }
+
+    /// The parameters of the chart to which the block's first and last lines across an axis are
+    /// mapped, by the feet of points on them.
+    fn ends(&self, axis: Axis, linearization: &Linearization) -> [f64; 2] {
+        let at = linearization.at[axis];
+        let middle = self.middle[axis.index()];
+        let center = DVec2::from_array(self.chart.parameters);
+        let breaks = &self.sheets.bezier.grids[self.block.surface as usize].breaks[axis];
+        let width = self.width(axis, middle);
+        let [start, end] = self.block.range(axis);
+        [(start, start, 0.0), (end, end - 1, 1.0)].map(|(line, span, local)| {
+            let distance = breaks[line as usize] - breaks[middle as usize] - at * width;
+            let step = distance / width * linearization.speed(axis);
+            linearization.along(axis, self.foot(axis, span, local, linearization.at, center + step))
+        })
+    }
+
+    /// The parameters of the foot of the point with the sample's parameters but in this span of an
+    /// axis, from this place.
+    fn foot(&self, axis: Axis, span: u32, local: f64, at: [f64; 2], start: DVec2) -> DVec2 {
+        let (mut place, mut parameters) = (self.middle, at);
+        (place[axis.index()], parameters[axis.index()]) = (span, local);
+        let target = self.pair.transform.apply(self.patch(place).point(parameters));
+        let foot = Walk { chart: self.chart }.foot(target, Place { parameters: start.to_array() });
+        DVec2::from_array(foot.parameters)
+    }
+
+    /// The parameters of the chart to which all lines across an axis are mapped.
+    fn images(&self, axis: Axis, linearization: &Linearization) -> Vec<f64> {
+        let feet = self.feet(axis, linearization.at, linearization.speed(axis));
+        feet.into_iter().map(|foot| linearization.along(axis, foot)).collect()
     }
 
     /// The parameters of the feet of the lines across an axis, given the sample's parameters
     /// and the derivative of its foot along the axis.
-    fn images(&self, axis: Axis, at: [f64; 2], speed: DVec2) -> Vec<DVec2> {
+    fn feet(&self, axis: Axis, at: [f64; 2], speed: DVec2) -> Vec<DVec2> {
         let [start, end] = if axis == Axis::U { self.block.rows } else { self.block.columns };
         let middle = self.middle[axis.index()];
         let center = DVec2::from_array(self.chart.parameters);
@@ -227,14 +253,7 @@ impl<'a> KnotLines<'a> {
             let spans: &mut dyn Iterator<Item = u32> =
                 if forwards { &mut (middle..end) } else { &mut (start..=middle).rev() };
             for span in spans {
-                let mut place = self.middle;
-                place[axis.index()] = span;
-                let mut parameters = at;
-                parameters[axis.index()] = if forwards { 1.0 } else { 0.0 };
-                let target = self.pair.transform.apply(self.patch(place).point(parameters));
-                let foot =
-                    Walk { chart: self.chart }.foot(target, Place { parameters: (last + step).to_array() });
-                let foot = DVec2::from_array(foot.parameters);
+                let foot = self.foot(axis, span, if forwards { 1.0 } else { 0.0 }, at, last + step);
                 images[(span - start) as usize + usize::from(forwards)] = foot;
                 // The next span may be shorter or longer.
                 let next = if forwards { span + 1 } else { span.wrapping_sub(1) };
@@ -252,6 +271,28 @@ impl<'a> KnotLines<'a> {
     fn width(&self, axis: Axis, span: u32) -> f64 {
         let breaks = &self.sheets.bezier.grids[self.block.surface as usize].breaks[axis];
         breaks.get(span as usize..span as usize + 2).map_or(0.0, |ends| ends[1] - ends[0])
+    }
+}
+
+/// How a block is mapped near its sample.
+struct Linearization {
+    /// The sample's parameters on its patch as extracted.
+    at: [f64; 2],
+    orientation: Orientation,
+    /// The derivatives of the sample's foot.
+    map: Reparametrization,
+}
+
+impl Linearization {
+    /// The derivative of the foot along an axis of A.
+    fn speed(&self, axis: Axis) -> DVec2 {
+        if axis == Axis::U { self.map.p } else { self.map.q }
+    }
+
+    /// The parameter of B that corresponds to an axis of A.
+    fn along(&self, axis: Axis, foot: DVec2) -> f64 {
+        let on_b = if self.orientation.swapped { axis.other() } else { axis };
+        foot[on_b.index()]
     }
 }
 

@@ -14,6 +14,10 @@ use std::ops::RangeInclusive;
 /// image over the width of the span: twice that of the image and four times that of the span's ends.
 const ARGUMENT_ERRORS: f64 = 6.0;
 
+/// The change of a spline by that of its knots, for each degree, in units of the largest change of a knot times
+/// the derivative: six for each level of de Boor's algorithm (lemma R16).
+const DRIFT: f64 = 6.0;
+
 /// The largest change of the weights of a coefficient, relative to the sum of their sizes, by the errors
 /// of its arguments.
 const MAX_CHANGE: f64 = 1e-2;
@@ -40,11 +44,12 @@ pub(super) struct Coefficients {
     pub(super) offsets: RangeInclusive<isize>,
     /// Upper bounds on the sums of the sizes of A's and of B's weights.
     pub(super) sizes: [f64; 2],
-    /// The same of B's weights where they are taken from any other span in the support.
-    pub(super) reach: f64,
     /// An upper bound on the change of B's weights by the errors of their arguments, relative to
     /// the sums of their sizes.
     pub(super) change: f64,
+    /// An upper bound on the change of B as a spline by the distances of its knots from those of the
+    /// difference, in differences of controls.
+    pub(super) drift: f64,
 }
 
 impl Coefficients {
@@ -62,8 +67,8 @@ impl Coefficients {
             windows: vec![[usize::MAX, 0]; breaks.len() - 1],
             offsets: from.min(to)..=from.max(to),
             sizes: [0.0; 2],
-            reach: 0.0,
             change: 0.0,
+            drift: 0.0,
         };
         let ends_of_a = |span: usize| [breaks[span], breaks[span + 1]];
         let ends_of_b = |offset: isize| [offset, offset + 1].map(|line| chart.line(on_b, line));
@@ -75,26 +80,43 @@ impl Coefficients {
                 let [low, high] = &mut coefficients.windows[span];
                 (*low, *high) = (first.min(*low), first.max(*high));
                 take_smaller(&mut of_a, span, sums(arguments, |knot| knot.parameter, ends_of_a(span)));
-                let ends = ends_of_b(offset);
-                let size = sums(arguments, |knot| knot.image, ends);
-                take_smaller(&mut of_b, offset, size);
-                coefficients.reach = upper_max(coefficients.reach, size);
-                let change = ARGUMENT_ERRORS * *degree as f64 * error / (ends[1] - ends[0]).abs();
-                coefficients.change = upper_max(coefficients.change, COMPOUNDING * change);
+                take_smaller(&mut of_b, offset, sums(arguments, |knot| knot.image, ends_of_b(offset)));
             }
             // Without an interval that is not empty in its support a basis function is zero everywhere.
             let ((span, size_a), (offset, size_b)) = (of_a?, of_b?);
             let of_a = weights(arguments, |knot| knot.parameter, ends_of_a(span), degrees[0]);
-            let of_b = weights(arguments, |knot| knot.image, ends_of_b(offset), degrees[1]);
+            let ends = ends_of_b(offset);
+            let of_b = weights(arguments, |knot| knot.image, ends, degrees[1]);
+            let change = ARGUMENT_ERRORS * *degree as f64 * error / (ends[1] - ends[0]).abs();
+            coefficients.change = upper_max(coefficients.change, COMPOUNDING * change);
             coefficients.of_a.push(Combination { span, weights: of_a });
             coefficients.of_b.push(Combination { span: offset, weights: of_b });
             coefficients.sizes[0] = upper_max(coefficients.sizes[0], size_a);
             coefficients.sizes[1] = upper_max(coefficients.sizes[1], size_b);
         }
-        let is_exact = coefficients.change <= MAX_CHANGE;
+        coefficients.drift = DRIFT * *degree as f64 * error * steepest(sequence, ends_of_b);
+        let is_exact = coefficients.change <= MAX_CHANGE && coefficients.drift <= MAX_CHANGE;
         let are_covered = coefficients.windows.iter().all(|[first, last]| first <= last);
         (is_exact && are_covered).then_some(coefficients)
     }
+}
+
+/// An upper bound on the first derivative of B's surface, in differences of controls times the degree: the largest
+/// coefficient of the derivative as a spline, each from the span in its support where it is the smallest.
+fn steepest(sequence: &KnotSequence, ends_of_b: impl Fn(isize) -> [f64; 2]) -> f64 {
+    let KnotSequence { degree, knots, spans, .. } = sequence;
+    let mut steepest = 0.0_f64;
+    for first in 1..sequence.coefficient_count() {
+        let arguments = &knots[first + 1..first + degree];
+        let mut slope = None;
+        for index in (first..first + degree).filter(|&index| sequence.is_proper(index)) {
+            let ends = ends_of_b(spans[index].1);
+            let size = sums(arguments, |knot| knot.image, ends);
+            take_smaller(&mut slope, (), size / (ends[1] - ends[0]).abs());
+        }
+        steepest = upper_max(steepest, slope.map_or(0.0, |(_, slope)| slope));
+    }
+    steepest
 }
 
 /// The local parameter of an argument in a span, and its complement.

@@ -5,7 +5,7 @@ use crate::bezier::{MAX_ORDER, Patch};
 use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
 use crate::rounding::upper_max;
-use glam::{DVec3, Vec4Swizzles};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The Bézier patches of a block of A and of a surface of B, by A's axes.
 pub(super) struct Patches<'a> {
@@ -30,8 +30,7 @@ impl<'a> Patches<'a> {
 
     /// Whether all patches over these spans are polynomials: whether the weights of each were equal.
     pub(super) fn are_polynomial(&self, [u, v]: [&Coefficients; 2]) -> bool {
-        (0..u.windows.len())
-            .all(|row| (0..v.windows.len()).all(|column| !self.of_a([row, column]).rational))
+        (0..u.windows.len()).all(|row| (0..v.windows.len()).all(|column| !self.of_a([row, column]).rational))
             && u.offsets.clone().all(|s| v.offsets.clone().all(|t| !self.of_b([s, t]).rational))
     }
 }
@@ -42,12 +41,12 @@ struct Line<S> {
     span: Option<S>,
     center: DVec3,
     order: usize,
-    sums: [DVec3; MAX_ORDER],
+    sums: [DVec4; MAX_ORDER],
 }
 
 impl<S: PartialEq + Copy> Line<S> {
     fn new() -> Self {
-        Self { span: None, center: DVec3::ZERO, order: 0, sums: [DVec3::ZERO; MAX_ORDER] }
+        Self { span: None, center: DVec3::ZERO, order: 0, sums: [DVec4::ZERO; MAX_ORDER] }
     }
 
     /// Takes the patch of a span along the second axis, unless it has it; `is_swapped` where its first
@@ -66,18 +65,19 @@ impl<S: PartialEq + Copy> Line<S> {
         let [p, q] = patch.degree;
         self.order = if is_swapped { p } else { q } + 1;
         let sums = &mut self.sums[..self.order];
-        sums.fill(DVec3::ZERO);
+        sums.fill(DVec4::ZERO);
         let rows = patch.controls.chunks_exact(q + 1);
         if is_swapped {
             for (sum, row) in sums.iter_mut().zip(rows) {
                 for (control, weight) in row.iter().zip(&along.weights) {
-                    *sum += *weight * control.xyz();
+                    *sum += *weight * *control;
                 }
             }
         } else {
-            for (row, weight) in rows.zip(&along.weights) {
+            // Many arguments are ends of the span, and the weights of most rows zero.
+            for (row, weight) in rows.zip(&along.weights).filter(|(_, weight)| **weight != 0.0) {
                 for (sum, control) in sums.iter_mut().zip(row) {
-                    *sum += *weight * control.xyz();
+                    *sum += *weight * *control;
                 }
             }
         }
@@ -92,7 +92,7 @@ impl<S: PartialEq + Copy> Line<S> {
     /// The point of a combination along the second axis, relative to the centre.
     fn point(&self, across: &Combination<S>) -> DVec3 {
         let terms = self.sums[..self.order].iter().zip(&across.weights);
-        terms.fold(DVec3::ZERO, |point, (sum, weight)| point + *weight * *sum)
+        terms.fold(DVec4::ZERO, |point, (sum, weight)| point + *weight * *sum).xyz()
     }
 }
 
@@ -133,7 +133,8 @@ impl Lengths {
     /// its spans along both axes. O(coefficients d).
     pub(super) fn longest(&self, [rows, columns]: [&[[usize; 2]]; 2]) -> Vec<f64> {
         let of_windows = |row: &[f64]| -> Vec<f64> {
-            let longest = |&[first, last]: &[usize; 2]| row[first..=last].iter().copied().fold(0.0, upper_max);
+            let longest =
+                |&[first, last]: &[usize; 2]| row[first..=last].iter().copied().fold(0.0, upper_max);
             columns.iter().map(longest).collect()
         };
         let along: Vec<f64> = self.squares.chunks_exact(self.columns).flat_map(of_windows).collect();

@@ -11,8 +11,8 @@ const MAX_GAP: f64 = 1e-12;
 /// The largest number of lines of B that are crossed along an axis.
 const MAX_LINES: usize = 1024;
 
-/// Roundings of the image of a parameter and of a line's parameter, relative to the sizes of their terms.
-const MAP_ROUNDINGS: f64 = 16.0;
+/// Roundings of the image of a parameter, and of the map's slope, relative to the sizes of the images of both ends.
+const MAP_ROUNDINGS: f64 = 8.0;
 
 /// An axis of a block with its affine map to an axis of a surface of B.
 pub(super) struct AxisMap<'a> {
@@ -62,12 +62,10 @@ impl KnotSequence {
         let image = |parameter: f64| from + slope * (parameter - start);
         let gap = MAX_GAP * (to - from).abs();
         let lines = inner_lines(chart, on_b, [from.min(to), from.max(to)], gap)?;
-        let mut sizes = slope.abs() * (start.abs() + end.abs()) + from.abs() + to.abs();
-        let mut line_error = 0.0_f64;
-        for line in [lines.start - 1, lines.start, lines.end - 1, lines.end] {
-            sizes += chart.line(on_b, line).abs();
-            line_error = upper_max(line_error, chart.line_error(on_b, line));
-        }
+        // Errors grow with the distance from the chart's own span.
+        let ends = [lines.start - 1, lines.start, lines.end - 1, lines.end];
+        let line_error = ends.map(|line| chart.line_error(on_b, line)).into_iter().fold(0.0, upper_max);
+        let rounding = MAP_ROUNDINGS * UNIT_ROUNDOFF * (from.abs() + to.abs());
         let degree = degrees[0].max(degrees[1]);
         let mut sequence = Self { degree, knots: Vec::new(), spans: Vec::new(), error: 0.0 };
         let forwards = slope > 0.0;
@@ -76,11 +74,10 @@ impl KnotSequence {
         let mut largest_gap = lines.overhang;
         let (mut inner, mut ahead) = (1, lines.end - lines.start);
         loop {
-            // The next line of B, if there is one.
-            let line = if forwards { spans.1 + 1 } else { spans.1 };
+            // The next lines, if there are any.
             let of_b = (ahead > 0).then(|| {
-                let at = chart.line(on_b, line);
-                (at, chart.multiplicity(on_b, line) + degree - degrees[1])
+                let line = if forwards { spans.1 + 1 } else { spans.1 };
+                (chart.line(on_b, line), chart.multiplicity(on_b, line) + degree - degrees[1])
             });
             let of_a = (inner + 1 < breaks.len())
                 .then(|| (breaks[inner], usize::from(map.multiplicities[inner]) + degree - degrees[0]));
@@ -115,7 +112,7 @@ impl KnotSequence {
             sequence.append(knot, multiplicity, spans);
         }
         sequence.append(Knot { parameter: end, image: to }, degree + 1, spans);
-        sequence.error = largest_gap + line_error + MAP_ROUNDINGS * UNIT_ROUNDOFF * sizes;
+        sequence.error = largest_gap + line_error + rounding;
         Some(sequence)
     }
 

@@ -30,7 +30,6 @@ use crate::axis::Axis;
 use crate::certified::rounding::gamma;
 use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
-use crate::rounding::upper_max;
 use blossom::Coefficients;
 use coefficients::{Lengths, Patches};
 use knots::{AxisMap, KnotSequence};
@@ -114,12 +113,11 @@ impl BlockMap<'_> {
         let roundings = |[each, more]: [f64; 2]| each * degrees as f64 + more;
         let of_terms = roundings(STORED_ROUNDINGS) + roundings(TERM_ROUNDINGS);
         let [a, b] = [&self.pair.a, &self.pair.b].map(|model| MARGIN * model.control_box.diagonal());
-        let product = |size: fn(&Coefficients) -> f64| MARGIN * size(axes[0]) * size(axes[1]);
-        let [of_a, of_b] = [product(|axis| axis.sizes[0]), product(|axis| axis.sizes[1])];
-        let largest = product(|axis| upper_max(axis.sizes[1], axis.reach));
-        let change = MARGIN * (axes[0].change + axes[1].change);
-        gamma(of_terms + ROTATION_ROUNDINGS) * of_a * a
-            + gamma(of_terms) * of_b * b
-            + change * (1.0 + of_b + largest) * b
+        let [u, v] = axes;
+        let of_sizes = |side: usize| MARGIN * u.sizes[side] * v.sizes[side];
+        let change = MARGIN * (u.change + v.change) * of_sizes(1);
+        let drift = MARGIN * 2.0 * (u.drift * v.sizes[1] + u.sizes[1] * v.drift);
+        gamma(of_terms + ROTATION_ROUNDINGS) * of_sizes(0) * a
+            + (gamma(of_terms) * of_sizes(1) + change + drift) * b
     }
 }

@@ -3,10 +3,12 @@
 use super::super::super::attained_across_seams::{Surfaces, clamped, closed};
 use super::super::aligned_map::Orientation;
 use super::BlockMap;
+use super::blossom::Coefficients;
 use super::coefficients::{Patches, difference};
 use super::knots::{Knot, KnotSequence};
 use crate::axis::Axis;
 use crate::certified::reparametrization::Reparametrization;
+use crate::certified::rounding::UNIT_ROUNDOFF;
 use crate::certified::sheets::Chart;
 use crate::certified::{Block, Pair};
 use crate::flatness::Flatness;
@@ -115,9 +117,9 @@ fn check(random: &mut fastrand::Rng, map: &BlockMap<'_>) -> f64 {
                 from + (to - from) * (at[axis.index()] - breaks[0]) / (breaks[breaks.len() - 1] - breaks[0])
             });
             let patch = patches.of_a(place);
-            let exact = pair.transform.apply(patch.point(local)) - point_of_b(chart, orientation.swapped, image);
-            let [u, v] =
-                [0, 1].map(|axis| basis(&sequences[axis].knots, sequences[axis].degree, at[axis]));
+            let exact =
+                pair.transform.apply(patch.point(local)) - point_of_b(chart, orientation.swapped, image);
+            let [u, v] = [0, 1].map(|axis| basis(&sequences[axis].knots, sequences[axis].degree, at[axis]));
             let mut sum = DVec3::ZERO;
             for (i, u) in u.iter().enumerate() {
                 for (j, v) in v.iter().enumerate() {
@@ -209,7 +211,8 @@ fn the_coefficients_are_those_of_the_difference() {
             [[0.0, 1.0], [0.0, to], [from, to]][if shared { 0 } else { random.usize(0..3) }]
         });
         let orientation = orientation(swapped, backwards);
-        let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+        let map =
+            BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
         check(random, &map);
     }
 }
@@ -236,7 +239,151 @@ fn a_closed_surface_is_followed_beyond_its_end() {
         *around = [around[0] + turn * length, around[0] + (turn + share) * length];
         let orientation = orientation(swapped, backwards);
         let block = part(random, &a);
-        let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+        let map =
+            BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
         check(random, &map);
+    }
+}
+
+/// The height of level sheets over the plane.
+const HEIGHT: f64 = 0.1;
+
+/// A sheet over the unit square of these degrees and inner knots with x = u and y = v, and these heights
+/// of control points.
+fn sheet(degree: [usize; 2], inner: &[Vec<f64>; 2], height: impl Fn(usize, usize) -> f64) -> SurfaceArrays {
+    let knots = [0, 1].map(|axis| clamped(degree[axis], &inner[axis]));
+    // The Greville abscissae.
+    let places = [0, 1].map(|axis| {
+        let (knots, degree) = (&knots[axis][1..knots[axis].len() - 1], degree[axis]);
+        knots.windows(degree).map(|window| window.iter().sum::<f64>() / degree as f64).collect::<Vec<_>>()
+    });
+    let counts = [places[0].len(), places[1].len()];
+    let mut control_points = Vec::new();
+    for (i, &x) in places[0].iter().enumerate() {
+        control_points.extend(places[1].iter().enumerate().map(|(j, &y)| [x, y, height(i, j), 1.0]));
+    }
+    SurfaceArrays { degree, counts, control_points, knots }
+}
+
+/// The bounds of the patches of a sheet over a plane with inner lines between and at those of the sheet, along
+/// its axes or across.
+fn bounds_over_plane(arrays: SurfaceArrays, swapped: bool) -> Vec<f64> {
+    let inner = [vec![0.2, 0.37, 0.61], vec![0.25, 0.5, 0.9]];
+    let [x, y] = inner;
+    let mut plane = sheet([1, 1], &if swapped { [y, x] } else { [x, y] }, |_, _| 0.0);
+    if swapped {
+        plane.control_points.iter_mut().for_each(|point| point.swap(0, 1));
+    }
+    let a = Surfaces::new(vec![arrays], Flatness::None);
+    let b = Surfaces::new(vec![plane], Flatness::None);
+    let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+    let (chart, domain) = random_chart(&mut fastrand::Rng::with_seed(1), &b);
+    let images = images(domain, swapped, [false; 2], || [0.0, 1.0]);
+    let orientation = orientation(swapped, [false; 2]);
+    let block = whole(&a);
+    BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images }
+        .upper_bounds()
+        .unwrap()
+}
+
+/// A sheet at the same height everywhere is as far from the plane as its coefficients, and one control
+/// point that is raised raises the bounds of the patches that it moves, up to its own height where the
+/// basis function attains it.
+#[test]
+fn bounds_are_attained_over_a_plane() {
+    for swapped in [false, true] {
+        let inner = [vec![0.2, 0.4, 0.6, 0.8], vec![0.25, 0.5, 0.75]];
+        for bound in bounds_over_plane(sheet([3, 2], &inner, |_, _| HEIGHT), swapped) {
+            assert!((HEIGHT..HEIGHT * (1.0 + 1e-9)).contains(&bound), "{bound}");
+        }
+        for raised in [[0, 0], [3, 2], [4, 4], [7, 5]] {
+            let height = |i: usize, j: usize| if [i, j] == raised { 2.0 * HEIGHT } else { HEIGHT };
+            let bounds = bounds_over_plane(sheet([3, 2], &inner, height), swapped);
+            for (index, bound) in bounds.into_iter().enumerate() {
+                let place = [index / 4, index % 4];
+                let is_moved = (place[0]..=place[0] + 3).contains(&raised[0])
+                    && (place[1]..=place[1] + 2).contains(&raised[1]);
+                assert_eq!(bound > HEIGHT * (1.0 + 1e-9), is_moved, "{raised:?} {place:?} {bound}");
+                let is_corner = (raised, place) == ([0, 0], [0, 0]) || (raised, place) == ([7, 5], [4, 3]);
+                assert!(!is_corner || (bound - 2.0 * HEIGHT).abs() <= 1e-9 * HEIGHT, "{bound}");
+            }
+        }
+    }
+}
+
+/// Rational surfaces, images beyond the end of B and empty ones have no bound.
+#[test]
+fn there_is_no_bound_without_a_spline() {
+    let rational = |mut arrays: SurfaceArrays| {
+        let last = arrays.control_points.len() - 1;
+        arrays.control_points[last][3] = 2.0;
+        arrays
+    };
+    let inner = [vec![0.5], vec![0.5]];
+    let polynomial = || sheet([2, 2], &inner, |_, _| 0.0);
+    let whole_image = [[0.0, 2.0]; 2];
+    let cases = [
+        (polynomial(), polynomial(), whole_image, true),
+        (rational(polynomial()), polynomial(), whole_image, false),
+        (polynomial(), rational(polynomial()), whole_image, false),
+        (polynomial(), polynomial(), [[0.0, 2.0], [0.0, 2.0 + 1e-9]], false),
+        (polynomial(), polynomial(), [[-1e-9, 2.0], [0.0, 2.0]], false),
+        (polynomial(), polynomial(), [[0.0, 2.0], [-1e-14, 2.0 + 1e-14]], true),
+        (polynomial(), polynomial(), [[2.0 + 1e-9, 0.0], [0.0, 2.0]], false),
+        (polynomial(), polynomial(), [[0.5, 0.5], [0.0, 2.0]], false),
+        (polynomial(), polynomial(), [[0.0, 2.0], [0.0, f64::NAN]], false),
+    ];
+    for (a, b, images, expected) in cases {
+        let [a, b] = [a, b].map(|arrays| Surfaces::new(vec![arrays], Flatness::None));
+        let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+        let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+        let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+        let map =
+            BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+        let bounds = map.upper_bounds();
+        assert_eq!(bounds.is_some(), expected, "{images:?}");
+        assert!(bounds.is_none_or(|bounds| bounds.iter().all(|bound| *bound <= 1e-9)));
+    }
+}
+
+/// Lemma R16: the error of a difference, from the sizes of its weights and from the errors of its knots.
+#[test]
+fn the_error_is_that_of_the_lemma() {
+    let inner = [vec![], vec![]];
+    let a = Surfaces::new(vec![sheet([3, 2], &inner, |_, _| 0.0)], Flatness::None);
+    let b = Surfaces::new(vec![sheet([2, 2], &inner, |i, j| (i + j) as f64)], Flatness::None);
+    let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+    let images = [[0.0, 1.0]; 2];
+    let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
+    // Of a unit square, and of one that rises by 4 over it.
+    let diagonals = [2.0_f64.sqrt(), 18.0_f64.sqrt()];
+    let coefficients = |degree: usize, sizes: [f64; 2], change: f64, drift: f64| Coefficients {
+        degree,
+        of_a: Vec::new(),
+        of_b: Vec::new(),
+        windows: Vec::new(),
+        offsets: 0..=0,
+        sizes,
+        change,
+        drift,
+    };
+    for (sizes, change, drift) in [
+        ([[3.0, 0.0], [5.0, 0.0]], [0.0; 2], [0.0; 2]),
+        ([[0.0, 7.0], [0.0, 2.0]], [0.0; 2], [0.0; 2]),
+        ([[0.0, 7.0], [0.0, 2.0]], [1e-3, 0.0], [0.0; 2]),
+        ([[0.0, 7.0], [0.0, 2.0]], [0.0, 1e-3], [0.0; 2]),
+        ([[0.0, 7.0], [0.0, 2.0]], [0.0; 2], [1e-3, 0.0]),
+        ([[0.0, 7.0], [0.0, 2.0]], [0.0; 2], [0.0, 1e-3]),
+    ] {
+        let [u, v] = [0, 1].map(|axis| coefficients(3 - axis, sizes[axis], change[axis], drift[axis]));
+        // Degrees 3 and 2: 24 · 5 + 16 and 8 · 5 + 24 roundings, and 66 of a rotation.
+        let of_a = (200.0 + 66.0) * UNIT_ROUNDOFF * sizes[0][0] * sizes[1][0] * diagonals[0];
+        let of_weights = 200.0 * UNIT_ROUNDOFF + change[0] + change[1];
+        let of_knots = 2.0 * (drift[0] * sizes[1][1] + drift[1] * sizes[0][1]);
+        let of_b = (of_weights * sizes[0][1] * sizes[1][1] + of_knots) * diagonals[1];
+        let share = map.error([&u, &v]) / (of_a + of_b);
+        assert!((1.0..=1.08).contains(&share), "{share}");
     }
 }
