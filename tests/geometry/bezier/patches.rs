@@ -111,6 +111,14 @@ fn patches_tile_the_domain() {
                 distinct.retain(|&knot| (start..=end).contains(&knot));
                 distinct.dedup();
                 assert_eq!(grid.breaks[axis], distinct, "{name}");
+                // Where the surface ends nothing is continuous, whatever its knots.
+                let repeated = |&knot: &f64| match knot {
+                    _ if knot == start || knot == end => surface.degree()[axis] + 1,
+                    _ => surface.knots(axis).iter().filter(|other| **other == knot).count(),
+                };
+                let expected: Vec<usize> = distinct.iter().map(repeated).collect();
+                let found: Vec<usize> = grid.multiplicities[axis].iter().map(|&m| usize::from(m)).collect();
+                assert_eq!(found, expected, "{name}");
             }
             for u in grid.breaks[0].windows(2) {
                 for v in grid.breaks[1].windows(2) {

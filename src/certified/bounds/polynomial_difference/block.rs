@@ -1,8 +1,8 @@
 //! The polynomial difference over the patches of a block of A.
 //!
-//! One map of A's knot lines to parameter lines of a surface of B serves all patches of the
-//! block, which are then decided one by one: their pieces are compared with the patches of B
-//! that they are mapped to.
+//! One affine map of the block to a surface of B bounds most patches by the coefficients of a spline. One map
+//! of all of A's knot lines to parameter lines of B serves those that are left, which are then decided one
+//! by one: their pieces are compared with the patches of B that they are mapped to.
 
 use super::aligned_map::Orientation;
 use super::knot_line_map::{Place, Walk, parts};
@@ -37,7 +37,7 @@ pub(in crate::certified) struct BlockBound {
     pub(in crate::certified) farthest: Sample,
 }
 
-/// What one map of a block decides.
+/// What maps of a block decide.
 struct Decided {
     /// The largest bound of the patches that are decided.
     largest: f64,
@@ -46,7 +46,8 @@ struct Decided {
     farthest: Option<Sample>,
 }
 
-/// Bounds the patches of a block of A's sheets by one map. O(patches p^2 q^2) for patches of B as large as A's.
+/// Bounds the patches of a block of A's sheets by one map. O(patches p q) where a spline decides them, else
+/// O(patches p² q²), for patches of B as large as A's.
 pub(in crate::certified) fn block(
     pair: &Pair<'_>,
     sheets: Sheets<'_>,
@@ -76,7 +77,7 @@ pub(in crate::certified) fn block(
     BlockBound { decided: largest, undecided, sample, farthest }
 }
 
-/// What the map of a block decides; `None` where B has no map.
+/// What maps of a block decide; `None` where B has no map.
 fn decided(
     pair: &Pair<'_>,
     sheets: Sheets<'_>,
