@@ -177,7 +177,7 @@ impl<'a> KnotLines<'a> {
     /// which the lines across each axis are mapped, by the feet of points on them.
     fn mapped(&self) -> Option<(Orientation, [Vec<f64>; 2])> {
         let Sample { patch, parameters, .. } = *self.sample;
-        let place = &self.sheets.places[patch as usize];
+        let place = self.sheets.places.get(patch);
         let at = [0, 1].map(|axis| place.low[axis] + place.width[axis] * parameters[axis]);
         let a = self.patch(self.middle).jet(at);
         let rotate = |vector| self.pair.transform.rotate(vector);
