@@ -74,6 +74,7 @@
 )]
 
 mod axis;
+mod lazy_table;
 mod param_box;
 pub mod shapes;
 pub mod tessellate;

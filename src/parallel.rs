@@ -80,31 +80,6 @@ pub(crate) fn map_items<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T +
     items.into_iter().map(work).collect()
 }
 
-/// Calls `work` on `0..count` on all cores; returns both results of each call in order.
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) fn map_pairs<T: Send, U: Send>(
-    count: usize,
-    work: impl Fn(usize) -> (T, U) + Sync + Send,
-) -> (Vec<T>, Vec<U>) {
-    use rayon::prelude::*;
-    let mut pairs = (Vec::new(), Vec::new());
-    (0..count)
-        .into_par_iter()
-        .with_min_len(RANGE_LENGTH)
-        .map(work)
-        .unzip_into_vecs(&mut pairs.0, &mut pairs.1);
-    pairs
-}
-
-/// Calls `work` on `0..count`; returns both results of each call in order.
-#[cfg(target_arch = "wasm32")]
-pub(crate) fn map_pairs<T: Send, U: Send>(
-    count: usize,
-    work: impl Fn(usize) -> (T, U) + Sync + Send,
-) -> (Vec<T>, Vec<U>) {
-    (0..count).map(work).unzip()
-}
-
 /// Calls `work` on `0..count` on all cores; returns the results in order.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {

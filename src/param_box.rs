@@ -1,12 +1,13 @@
 //! Rectangles in a parameter plane.
 
 use crate::axis::Axis;
+use bytemuck::Zeroable;
 use std::ops::{Index, IndexMut};
 
 /// A closed rectangle of parameters: one interval `[low, high]` per axis.
 ///
 /// It is indexed by an [`Axis`] or by 0 and 1.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Zeroable)]
 pub struct ParamBox {
     intervals: [[f64; 2]; 2],
 }

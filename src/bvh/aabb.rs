@@ -1,10 +1,11 @@
 //! Axis-aligned bounding boxes.
 
 use crate::rounding::upper_max;
+use bytemuck::Zeroable;
 use glam::DVec3;
 
 /// An axis-aligned box, given by two opposite corners.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Aabb {
     /// The corner of smallest coordinates.
     pub min: DVec3,

@@ -1,11 +1,12 @@
 //! The bounding volume hierarchy.
 
 use super::Aabb;
-use crate::parallel::join;
+use crate::parallel::{join, map};
+use bytemuck::{Zeroable, zeroed_vec};
 use glam::DVec3;
 
 /// A node of a [`Bvh`]: an inner node has two children, a leaf one primitive.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Node {
     /// A box that contains the boxes of all primitives below.
     pub aabb: Aabb,
@@ -41,18 +42,14 @@ impl Bvh {
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut order = Vec::new();
-        let unset = Node { aabb: Aabb::EMPTY, right_child: 0, first_leaf: 0 };
-        let mut nodes = vec![unset; (2 * boxes.len()).saturating_sub(1)];
+        let mut nodes: Vec<Node> = zeroed_vec((2 * boxes.len()).saturating_sub(1));
         if !boxes.is_empty() {
-            let mut primitives: Vec<Primitive> = boxes
-                .iter()
-                .zip(0..)
-                .map(|(aabb, index)| Primitive { center: aabb.center(), index })
-                .collect();
+            let primitive = |index: usize| Primitive { center: boxes[index].center(), index: index as u32 };
+            let mut primitives = map(boxes.len(), primitive);
             let subtree =
                 Subtree { nodes: &mut nodes, first_node: 0, primitives: &mut primitives, first_leaf: 0 };
             build(boxes, subtree);
-            order = primitives.iter().map(|primitive| primitive.index).collect();
+            order = map(primitives.len(), |index| primitives[index].index);
         }
         Self { nodes, order }
     }

@@ -183,12 +183,12 @@ impl<'a> ClosestPointSearch<'a> {
     }
 
     fn expand_node(&mut self, index: usize) {
-        let Target { tree, boxes, .. } = self.target;
+        let tree = &self.target.tree;
         let node = &tree.nodes()[index];
         if node.is_leaf() {
             let patch = tree.primitive(node);
             let aligned = node.aabb.min_distance_squared(self.point);
-            let oriented = boxes[patch as usize].min_distance_squared(self.point);
+            let oriented = self.target.oriented_box(patch).min_distance_squared(self.point);
             self.push(aligned.max(oriented), Region::Patch(patch));
             return;
         }

@@ -41,12 +41,12 @@ pub(crate) struct NearbyPatches {
 impl NearbyPatches {
     /// Lists the patches near `center`. O(p q) for each whose boxes are within `radius`.
     pub(crate) fn new(target: &Target, center: DVec3, radius: f64) -> Self {
-        let Target { patches, tree, boxes, .. } = target;
+        let Target { patches, tree, .. } = target;
         let radius_squared = radius * radius;
         let mut list = Vec::new();
         for leaf in tree.leaves_within(center, radius_squared) {
             let (index, aabb) = (tree.primitive(&leaf), leaf.aabb);
-            let oriented = boxes[index as usize].min_distance_squared(center);
+            let oriented = target.oriented_box(index).min_distance_squared(center);
             let lower_squared = oriented.max(aabb.min_distance_squared(center));
             if lower_squared < radius_squared {
                 let patch = patches.patch(index as usize);

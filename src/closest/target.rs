@@ -2,7 +2,8 @@
 
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
-use crate::parallel::map_pairs;
+use crate::lazy_table::LazyTable;
+use crate::parallel::map;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -11,8 +12,8 @@ pub struct Target {
     pub patches: PatchSet,
     /// The hierarchy of their axis-aligned boxes.
     pub tree: Bvh,
-    /// A closer, oriented box around each patch.
-    pub(crate) boxes: Vec<OrientedBox>,
+    /// A closer, oriented box around each patch, computed at its first use.
+    boxes: LazyTable<OrientedBox>,
     /// The largest degree of a patch in either direction.
     pub(crate) max_degree: usize,
 }
@@ -31,11 +32,14 @@ impl Target {
     }
 
     fn with_tree(patches: PatchSet, tree: impl FnOnce(&[Aabb]) -> Bvh) -> Self {
-        let (boxes, oriented) = map_pairs(patches.len(), |index| {
-            let patch = patches.patch(index);
-            (patch.bounding_box(), OrientedBox::new(&patch))
-        });
+        let boxes = map(patches.len(), |index| patches.patch(index).bounding_box());
         let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
-        Self { tree: tree(&boxes), boxes: oriented, max_degree, patches }
+        Self { tree: tree(&boxes), boxes: LazyTable::default(), max_degree, patches }
+    }
+
+    /// Returns the oriented box around a patch. O(p q) at its first use.
+    pub(crate) fn oriented_box(&self, patch: u32) -> &OrientedBox {
+        let index = patch as usize;
+        self.boxes.get(self.patches.len(), index, || OrientedBox::new(&self.patches.patch(index)))
     }
 }

@@ -8,12 +8,12 @@ use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::{Error, Result};
-use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Place, flatten, recut};
+use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::model::Model;
-use crate::param_box::ParamBox;
+use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::rounding::gamma;
@@ -64,8 +64,7 @@ type SamplingKey = (usize, SamplingRule);
 #[derive(Debug)]
 pub(crate) struct PreparedTarget {
     pub(crate) target: Target,
-    extensions: Vec<ParamBox>,
-    places: Vec<Place>,
+    places: Places,
     sheets: SheetCache,
     cuts: Cuts,
     bounds: OnceCell<Vec<LocalDerivativeBounds>>,
@@ -76,7 +75,6 @@ impl PreparedTarget {
     fn new(flat: FlatPatches, target: impl FnOnce(PatchSet) -> Target) -> Self {
         Self {
             target: target(flat.patches),
-            extensions: flat.extensions,
             places: flat.places,
             sheets: SheetCache::default(),
             cuts: flat.cuts,
@@ -85,15 +83,17 @@ impl PreparedTarget {
         }
     }
 
-    /// Returns the extension of every patch.
-    pub(crate) fn extensions(&self) -> &[ParamBox] {
-        &self.extensions
+    /// Returns where the patches are in those that they were cut from.
+    pub(crate) fn places(&self) -> &Places {
+        &self.places
     }
 
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
-        let bounds = || self.extensions.iter().copied().map(LocalDerivativeBounds::new).collect();
+        let places = &self.places;
+        let of_piece = |piece: usize| LocalDerivativeBounds::new(places.get(piece as u32).extension);
+        let bounds = || map(places.len(), of_piece);
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)

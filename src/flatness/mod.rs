@@ -9,11 +9,13 @@
 mod curvature;
 mod extension;
 mod normal_cone;
+mod place;
+
+pub use place::{Place, Places};
 
 use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
 use crate::parallel::map_ranges;
-use crate::param_box::ParamBox;
 use extension::extension;
 use serde::Deserialize;
 
@@ -60,49 +62,14 @@ impl Flatness {
 }
 
 /// Flat pieces of patches.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct FlatPatches {
     /// The pieces.
     pub patches: PatchSet,
-    /// For every piece, the parameters at which its controls give points of the patch
-    /// that it was cut from: [0, 1]², and a little more beyond an edge at which it was cut.
-    pub extensions: Vec<ParamBox>,
-    /// For every piece, where it is in the patch that it was cut from.
-    pub places: Vec<Place>,
+    /// Where the pieces are in the patches that they were cut from.
+    pub places: Places,
     /// The cuts that made them, for [`recut`].
     pub cuts: Cuts,
-}
-
-/// A part of a patch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
-    /// The patch.
-    pub patch: u32,
-    /// Its parameters at the part's start, a multiple of the width.
-    pub low: [f64; 2],
-    /// The width along each axis, a power of two.
-    pub width: [f64; 2],
-}
-
-impl Place {
-    /// The whole of a patch.
-    fn whole(patch: usize) -> Self {
-        Self { patch: patch as u32, low: [0.0; 2], width: [1.0; 2] }
-    }
-
-    fn is_whole(&self) -> bool {
-        self.width == [1.0; 2]
-    }
-
-    /// The halves along an axis.
-    fn halves(&self, axis: Axis) -> [Self; 2] {
-        let mut halves = [*self; 2];
-        for half in &mut halves {
-            half.width[axis] *= 0.5;
-        }
-        halves[1].low[axis] += halves[1].width[axis];
-        halves
-    }
 }
 
 /// The cuts of a set of patches, each patch's in depth-first order.
@@ -127,9 +94,8 @@ impl Cuts {
 #[must_use]
 pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     if flatness == Flatness::None {
-        let extensions = vec![ParamBox::UNIT; patches.len()];
-        let places = (0..patches.len()).map(Place::whole).collect();
-        return FlatPatches { patches: patches.clone(), extensions, places, cuts: Cuts::default() };
+        let places = Places::Whole(patches.len());
+        return FlatPatches { patches: patches.clone(), places, cuts: Cuts::default() };
     }
     cut(patches, &Rule::Flat(flatness))
 }
@@ -156,7 +122,7 @@ enum Rule<'a> {
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let grid = center_grid(patches.bounding_box().diagonal());
     let parts = map_ranges(patches.len(), |range| {
-        let mut part = FlatPatches::default();
+        let mut part = Part::default();
         let mut subdivision: Option<Subdivision> = None;
         for index in range {
             let patch = patches.patch(index);
@@ -174,21 +140,31 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
         }
         part
     });
-    let mut flat = FlatPatches { patches: with_whole_patches(patches, &parts), ..FlatPatches::default() };
-    for part in parts {
-        flat.extensions.extend(part.extensions);
-        flat.places.extend(part.places);
-        flat.cuts.append(&part.cuts);
+    let mut cuts = Cuts::default();
+    for part in &parts {
+        cuts.append(&part.cuts);
     }
-    flat
+    if parts.iter().all(|part| part.places.iter().all(Place::is_whole)) {
+        return FlatPatches { patches: patches.clone(), places: Places::Whole(patches.len()), cuts };
+    }
+    let flat = with_whole_patches(patches, &parts);
+    let places = parts.into_iter().flat_map(|part| part.places).collect();
+    FlatPatches { patches: flat, places: Places::Cut(places), cuts }
 }
 
-/// Returns the pieces of all parts, which have those of patches that were cut, and
-/// the patches that were not, in order. Patches of which none was cut are shared.
-fn with_whole_patches(patches: &PatchSet, parts: &[FlatPatches]) -> PatchSet {
-    if parts.iter().all(|part| part.places.iter().all(Place::is_whole)) {
-        return patches.clone();
-    }
+/// The flat pieces of a range of patches.
+#[derive(Default)]
+struct Part {
+    /// The pieces of the patches that were cut.
+    patches: PatchSet,
+    /// The places of all pieces.
+    places: Vec<Place>,
+    cuts: Cuts,
+}
+
+/// Returns the pieces of all parts: those of patches that were cut, and the patches that
+/// were not, in order.
+fn with_whole_patches(patches: &PatchSet, parts: &[Part]) -> PatchSet {
     let controls = parts.iter().map(|part| part.patches.control_count()).sum::<usize>();
     let mut all = PatchSet::default();
     all.reserve(parts.iter().map(|part| part.places.len()).sum(), controls + patches.control_count());
@@ -238,7 +214,7 @@ impl<'a> Subdivision<'a> {
     /// starts and ends that `cuts` states, cut at most `halvings` times.
     fn append_pieces(
         &mut self,
-        flat: &mut FlatPatches,
+        flat: &mut Part,
         patch: Patch<'_>,
         place: Place,
         cuts: [[bool; 2]; 2],
@@ -250,8 +226,7 @@ impl<'a> Subdivision<'a> {
             if !place.is_whole() {
                 flat.patches.push_centered(patch, self.grid);
             }
-            flat.extensions.push(extension(patch.degree, cuts));
-            flat.places.push(place);
+            flat.places.push(Place { extension: extension(patch.degree, cuts), ..place });
             return;
         };
         let places = place.halves(axis);

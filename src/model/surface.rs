@@ -5,6 +5,7 @@ use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
 use crate::param_box::ParamBox;
+use std::sync::Arc;
 
 /// A NURBS surface as plain arrays, not validated.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,10 +23,10 @@ pub struct SurfaceArrays {
 /// A NURBS surface of degrees 1 to 15 with positive weights, clamped or not.
 ///
 /// Guarantee: every value of this type has passed the checks of
-/// [`NurbsSurface::new`], so no later stage checks again.
+/// [`NurbsSurface::new`], so no later stage checks again. Copies share their memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NurbsSurface {
-    arrays: SurfaceArrays,
+    arrays: Arc<SurfaceArrays>,
 }
 
 impl NurbsSurface {
@@ -64,7 +65,7 @@ impl NurbsSurface {
         if let Some((point, found)) = weights().enumerate().find(|(_, w)| largest > MAX_WEIGHT_RATIO * w) {
             return Err(Error::WeightRatioTooLarge { surface: index, index: point, found, largest });
         }
-        Ok(Self { arrays })
+        Ok(Self { arrays: Arc::new(arrays) })
     }
 
     /// Returns the degrees in u and v, each 1 to 15.
@@ -105,6 +106,6 @@ impl NurbsSurface {
     /// Returns the surface as plain arrays.
     #[must_use]
     pub fn into_arrays(self) -> SurfaceArrays {
-        self.arrays
+        Arc::unwrap_or_clone(self.arrays)
     }
 }

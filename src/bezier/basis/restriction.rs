@@ -214,6 +214,27 @@ mod tests {
         }
     }
 
+    /// The coefficients are a mean of the controls: equal weights stay as they are, up to rounding.
+    #[test]
+    fn a_restriction_takes_means() {
+        let controls = [DVec4::ONE; 4];
+        for to in 3..8 {
+            for ends in [[0.0, 1.0], [0.25, 0.7], [0.9, 0.0]] {
+                let restriction = Restriction::new(3, to, ends);
+                if restriction.is_identity() {
+                    continue;
+                }
+                let mut restricted = Vec::new();
+                restriction.apply(Axis::V, [0, 3], &controls, &mut restricted);
+                assert_eq!(restricted.len(), to + 1);
+                assert!(
+                    restricted.iter().all(|mean| (*mean - DVec4::ONE).length() <= 1e-14),
+                    "{restricted:?}"
+                );
+            }
+        }
+    }
+
     /// Lemma R6: the entries of intervals of any length have small relative errors, as those of [0, h] by
     /// their closed form `C(k, j) h^j (1 - h)^(k - j)`, and so has the other end by symmetry.
     #[test]

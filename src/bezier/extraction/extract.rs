@@ -9,6 +9,7 @@ use crate::model::{Model, NurbsSurface};
 use crate::parallel::{map, map_items, ranges};
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
+use bytemuck::zeroed_vec;
 use glam::{DVec3, DVec4};
 use std::ops::Range;
 
@@ -104,28 +105,30 @@ pub fn extract(model: &Model) -> BezierModel {
     let grid = center_grid(model.bounding_box().diagonal());
     let surfaces = model.surfaces();
     let extractions = map(surfaces.len(), |index| Extraction::new(index, &surfaces[index], grid));
-    let mut controls = vec![DVec4::ZERO; extractions.iter().map(|extraction| extraction.size()).sum()];
+    // Zeros of the system, which are written before they are read: the core that fills a part
+    // of them gets its memory, and no page of zeros is mapped in between.
+    let mut controls = zeroed_vec(extractions.iter().map(Extraction::size).sum());
+    let mut entries = zeroed_vec(extractions.iter().map(Extraction::patch_count).sum());
     let (mut parts, mut grids) = (Vec::new(), Vec::with_capacity(extractions.len()));
-    let (mut rest, mut first, mut first_control) = (&mut controls[..], 0, 0);
+    let mut rest = (&mut entries[..], &mut controls[..]);
+    let (mut first, mut first_control) = (0, 0);
     for extraction in &extractions {
         let (breaks, multiplicities) = (extraction.breaks(), extraction.multiplicities());
         grids.push(PatchGrid { first, breaks, multiplicities, shares: [1.0; 2] });
         first += extraction.patch_count();
         for range in ranges(extraction.patch_count()) {
-            let (own, others) = rest.split_at_mut(range.len() * extraction.patch_size());
-            let start = first_control;
-            first_control += own.len();
-            parts.push((extraction, range, start, own));
-            rest = others;
+            let control_count = range.len() * extraction.patch_size();
+            let (entries, other_entries) = rest.0.split_at_mut(range.len());
+            let (controls, other_controls) = rest.1.split_at_mut(control_count);
+            parts.push((extraction, Part { range, entries, first_control, controls }));
+            first_control += control_count;
+            rest = (other_entries, other_controls);
         }
     }
-    let parts =
-        map_items(parts, |(extraction, range, first, controls)| extraction.patches(range, first, controls));
-    let mut entries = Vec::with_capacity(first);
+    let errors = map_items(parts, |(extraction, part)| extraction.fill(part));
     let mut point_error = PointError::default();
-    for (mut part, error) in parts {
-        entries.append(&mut part);
-        point_error.include_all(&error);
+    for error in &errors {
+        point_error.include_all(error);
     }
     BezierModel { patches: PatchSet::new(entries, controls), grids, point_error }
 }
@@ -152,6 +155,16 @@ pub(crate) fn power_of_two_below(number: f64) -> f64 {
 pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f64) -> DVec3 {
     let middle = points.fold(Aabb::EMPTY, Aabb::with).center();
     snapped(middle, grid)
+}
+
+/// A part of the patches of one surface, to be filled in.
+struct Part<'a> {
+    /// The positions of the patches in the surface's grid, v fastest.
+    range: Range<usize>,
+    entries: &'a mut [Entry],
+    /// The position in the set of the first of the controls.
+    first_control: usize,
+    controls: &'a mut [DVec4],
 }
 
 /// The extraction of the patches of one surface.
@@ -203,18 +216,18 @@ impl<'a> Extraction<'a> {
         self.patch_count() * self.patch_size()
     }
 
-    /// Fills in the controls, zeros before, of the patches with these positions in the
-    /// surface's grid, v fastest, which begin at index `first` of the set's; returns the rest
-    /// of these patches.
-    fn patches(&self, range: Range<usize>, first: usize, controls: &mut [DVec4]) -> (Vec<Entry>, PointError) {
+    /// Fills in a part of the surface's patches; returns the rounding of their controls.
+    fn fill(&self, part: Part<'_>) -> PointError {
         let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = self;
         let degree = surface.degree();
         let (rows, columns) = (degree[0] + 1, degree[1] + 1);
-        let mut entries = Vec::with_capacity(range.len());
         let mut point_error = PointError::default();
         let mut net = vec![DVec4::ZERO; rows * columns];
         let mut partial = vec![DVec4::ZERO; rows * columns];
-        for (number, (place, controls)) in range.zip(controls.chunks_exact_mut(rows * columns)).enumerate() {
+        let size = rows * columns;
+        for (number, (place, (entry, controls))) in
+            part.range.zip(part.entries.iter_mut().zip(part.controls.chunks_exact_mut(size))).enumerate()
+        {
             let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
             let corner = u.first_control * surface.counts()[1] + v.first_control;
             let row = |i: usize| &surface.control_points()[corner + i * surface.counts()[1]..][..columns];
@@ -235,25 +248,26 @@ impl<'a> Extraction<'a> {
                 }
             }
             for (sums, coefficients) in controls.chunks_exact_mut(columns).zip(&u.operator) {
-                for (row, &coefficient) in partial.chunks_exact(columns).zip(coefficients) {
+                for (i, (row, &coefficient)) in partial.chunks_exact(columns).zip(coefficients).enumerate() {
                     for (sum, &control) in sums.iter_mut().zip(row) {
-                        *sum += coefficient * control;
+                        let product = coefficient * control;
+                        *sum = if i == 0 { product } else { *sum + product };
                     }
                 }
             }
             // The net's weights decide, as rounding can make equal weights of controls differ.
             let weight = net[0].w;
-            entries.push(Entry {
+            *entry = Entry {
                 surface: *index as u32,
                 degree: degree.map(|degree| degree as u8),
                 rational: net.iter().any(|control| control.w != weight),
-                first: first + number * rows * columns,
+                first: part.first_control + number * size,
                 domain: ParamBox::new(u.ends, v.ends),
                 center,
-            });
+            };
             point_error.include(degree, radius, center.length());
         }
-        (entries, point_error)
+        point_error
     }
 }
 

@@ -9,6 +9,7 @@ pub(crate) use evaluate::normal;
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;
+use bytemuck::Zeroable;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::Arc;
 
@@ -79,7 +80,7 @@ pub(crate) fn relative(controls: &[DVec4], point: DVec3) -> Vec<DVec4> {
 }
 
 /// A patch without its controls, which begin at index `first` of the set's.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Zeroable)]
 pub(in crate::bezier) struct Entry {
     pub(in crate::bezier) surface: u32,
     pub(in crate::bezier) degree: [u8; 2],

@@ -9,7 +9,7 @@ use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::sheets::{Chart, Over};
 use crate::certified::{Cell, Operand, Pair, SheetCache, Sheets};
 use crate::closest::Target;
-use crate::flatness::{Flatness, Place, flatten};
+use crate::flatness::{Flatness, Places, flatten};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ pub(super) struct Surfaces {
     bezier: BezierModel,
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Places,
     cache: SheetCache,
 }
 
@@ -28,7 +28,7 @@ impl Surfaces {
         let flat = flatten(&bezier.patches, flatness);
         Self {
             target: Target::new(flat.patches),
-            bounds: flat.extensions.into_iter().map(LocalDerivativeBounds::new).collect(),
+            bounds: flat.places.iter().map(|place| LocalDerivativeBounds::new(place.extension)).collect(),
             places: flat.places,
             cache: SheetCache::default(),
             bezier,

@@ -192,7 +192,7 @@ impl<'a> Traversal<'a> {
                 continue;
             }
             let patch = operand.target.tree.primitive(node);
-            if operand.target.boxes[patch as usize].min_distance_squared(target) < self.bound_squared() {
+            if operand.target.oriented_box(patch).min_distance_squared(target) < self.bound_squared() {
                 self.examine(patch, nearest_control(&operand.patch(patch), target));
             }
         }

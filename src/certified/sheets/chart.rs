@@ -95,7 +95,7 @@ pub(in crate::certified) struct Reach {
 impl<'a> Chart<'a> {
     /// The chart of the patch that a flat patch was cut from, about a point of the latter.
     pub(in crate::certified) fn new(sheets: Sheets<'a>, flat: u32, parameters: [f64; 2]) -> Self {
-        let place = &sheets.places[flat as usize];
+        let place = sheets.places.get(flat);
         let patch = sheets.bezier.patches.patch(place.patch as usize);
         let grid = &sheets.bezier.grids[patch.surface];
         let columns = grid.counts()[1];

@@ -1,18 +1,16 @@
 //! Surfaces as sheets of Bézier patches that join along their knot lines.
 
 mod chart;
-mod lazy_table;
 mod lines;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};
 
-use lazy_table::LazyTable;
-
 use super::rounding::JetScale;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, LocalDerivativeBounds, SeamJumps};
-use crate::flatness::Place;
+use crate::flatness::Places;
+use crate::lazy_table::LazyTable;
 use crate::param_box::ParamBox;
 use std::ops::Range;
 
@@ -29,7 +27,7 @@ pub(crate) struct SheetCache {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sheets<'a> {
     pub(crate) bezier: &'a BezierModel,
-    pub(crate) places: &'a [Place],
+    pub(crate) places: &'a Places,
     pub(crate) cache: &'a SheetCache,
 }
 
@@ -42,15 +40,14 @@ impl<'a> Sheets<'a> {
 
     /// The flat patches that a patch as extracted was cut into. O(log patches).
     pub(super) fn flat_patches(&self, index: usize) -> Range<u32> {
-        let at = |index: usize| self.places.partition_point(|place| (place.patch as usize) < index) as u32;
-        at(index)..at(index + 1)
+        self.places.pieces(index)
     }
 
     /// The flat patch that holds a point of a patch as extracted, with the point's parameters in it;
     /// `None` for parameters outside the patch. O(log patches + flat patches of the patch).
     pub(super) fn flat_place(&self, index: usize, parameters: [f64; 2]) -> Option<(u32, [f64; 2])> {
         self.flat_patches(index).find_map(|flat| {
-            let place = &self.places[flat as usize];
+            let place = self.places.get(flat);
             let local = [0, 1].map(|axis| (parameters[axis] - place.low[axis]) / place.width[axis]);
             local.iter().all(|parameter| (0.0..=1.0).contains(parameter)).then_some((flat, local))
         })

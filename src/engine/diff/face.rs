@@ -22,10 +22,10 @@ impl Face {
         let count = model.face_count();
         let mut patches = vec![PatchSet::default(); count];
         let mut bounds: Vec<Vec<LocalDerivativeBounds>> = (0..count).map(|_| Vec::new()).collect();
-        for (patch, &extension) in flat.target.patches.iter().zip(flat.extensions()) {
+        for (patch, place) in flat.target.patches.iter().zip(flat.places().iter()) {
             let face = model.pieces().face(patch.surface);
             patches[face].push(patch);
-            bounds[face].push(LocalDerivativeBounds::new(extension));
+            bounds[face].push(LocalDerivativeBounds::new(place.extension));
         }
         let face = |(patches, bounds): (PatchSet, _)| Self {
             aabb: patches.bounding_box(),

@@ -67,7 +67,8 @@ impl CertifiedBench {
         let operands = models.map(|model| {
             let patches = extract(model).patches;
             let flat = flatten(&patches, Flatness::Loose);
-            let bounds: Vec<_> = flat.extensions.into_iter().map(LocalDerivativeBounds::new).collect();
+            let bounds: Vec<_> =
+                flat.places.iter().map(|place| LocalDerivativeBounds::new(place.extension)).collect();
             (Target::new(flat.patches), bounds)
         });
         let [a, b] = [0, 1].map(|index| Operand::new(&operands[index].0, &operands[index].1));

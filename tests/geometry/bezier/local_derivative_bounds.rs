@@ -28,12 +28,18 @@ fn for_each_piece(test: &str, mut look: impl FnMut(&Piece<'_>)) {
     let shapes = list().map(|info| (info.name.to_owned(), shape(info.name).unwrap()));
     for (name, model) in shapes.chain(models::all(test)) {
         let patches = extract(&model).patches;
-        let FlatPatches { patches: flat, extensions, .. } = flatten(&patches, Flatness::Loose);
+        let FlatPatches { patches: flat, places, .. } = flatten(&patches, Flatness::Loose);
         let diagonal = model.bounding_box().diagonal();
         for index in (0..flat.len()).step_by(flat.len().div_ceil(PIECES)) {
             let piece = flat.patch(index);
             let patch = original(&patches, &piece);
-            look(&Piece { piece, patch, extension: extensions[index], name: &name, diagonal });
+            look(&Piece {
+                piece,
+                patch,
+                extension: places.get(index as u32).extension,
+                name: &name,
+                diagonal,
+            });
         }
     }
 }

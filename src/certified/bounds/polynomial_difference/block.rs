@@ -193,7 +193,7 @@ impl<'a> KnotLines<'a> {
     /// How A's axes correspond to B's at the sample, if they do.
     fn linearized(&self) -> Option<Linearization> {
         let Sample { patch, parameters, .. } = *self.sample;
-        let place = &self.sheets.places[patch as usize];
+        let place = self.sheets.places.get(patch);
         let at = [0, 1].map(|axis| place.low[axis] + place.width[axis] * parameters[axis]);
         let a = self.patch(self.middle).jet(at);
         let rotate = |vector| self.pair.transform.rotate(vector);

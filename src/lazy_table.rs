@@ -9,8 +9,8 @@ const CHUNK: usize = 64;
 type Chunk<T> = Box<[OnceLock<T>]>;
 
 /// A table of values, each computed at its first use, in chunks that are allocated at theirs.
-#[derive(Debug)]
-pub(super) struct LazyTable<T> {
+#[derive(Debug, Clone)]
+pub(crate) struct LazyTable<T> {
     chunks: OnceLock<Vec<OnceLock<Chunk<T>>>>,
 }
 
@@ -23,7 +23,7 @@ impl<T> Default for LazyTable<T> {
 impl<T> LazyTable<T> {
     /// Returns entry `index` of a table of `count`, the same in every call. O(count / 64) in the
     /// first call, O(1) in others.
-    pub(super) fn get(&self, count: usize, index: usize, new: impl FnOnce() -> T) -> &T {
+    pub(crate) fn get(&self, count: usize, index: usize, new: impl FnOnce() -> T) -> &T {
         let chunks = self.chunks.get_or_init(|| empty(count.div_ceil(CHUNK)));
         let chunk = chunks[index / CHUNK].get_or_init(|| empty(CHUNK).into_boxed_slice());
         chunk[index % CHUNK].get_or_init(new)

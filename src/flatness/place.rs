@@ -1,0 +1,92 @@
+//! Where flat pieces are in the patches that they were cut from.
+
+use crate::axis::Axis;
+use crate::param_box::ParamBox;
+use std::ops::Range;
+
+/// A part of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The patch.
+    pub patch: u32,
+    /// Its parameters at the part's start, a multiple of the width.
+    pub low: [f64; 2],
+    /// The width along each axis, a power of two.
+    pub width: [f64; 2],
+    /// The parameters at which the part's controls give points of the patch: [0, 1]², and
+    /// a little more beyond an edge at which it was cut.
+    pub extension: ParamBox,
+}
+
+impl Place {
+    /// The whole of a patch.
+    pub(super) fn whole(patch: usize) -> Self {
+        Self { patch: patch as u32, low: [0.0; 2], width: [1.0; 2], extension: ParamBox::UNIT }
+    }
+
+    pub(super) fn is_whole(&self) -> bool {
+        self.width == [1.0; 2]
+    }
+
+    /// The halves along an axis, with its own extension.
+    pub(super) fn halves(&self, axis: Axis) -> [Self; 2] {
+        let mut halves = [*self; 2];
+        for half in &mut halves {
+            half.width[axis] *= 0.5;
+        }
+        halves[1].low[axis] += halves[1].width[axis];
+        halves
+    }
+}
+
+/// The places of all flat pieces of a set of patches, in the order of both.
+#[derive(Debug, Clone)]
+pub enum Places {
+    /// Every piece is a whole patch, of so many.
+    Whole(usize),
+    /// Some patches were cut.
+    Cut(Vec<Place>),
+}
+
+impl Places {
+    /// Returns the number of pieces.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Whole(count) => *count,
+            Self::Cut(places) => places.len(),
+        }
+    }
+
+    /// Returns whether there are no pieces.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Returns the place of a piece, whose index must be below [`Places::len`].
+    #[must_use]
+    pub fn get(&self, piece: u32) -> Place {
+        match self {
+            Self::Whole(_) => Place::whole(piece as usize),
+            Self::Cut(places) => places[piece as usize],
+        }
+    }
+
+    /// Iterates over the places of all pieces.
+    pub fn iter(&self) -> impl Iterator<Item = Place> + '_ {
+        (0..self.len()).map(|piece| self.get(piece as u32))
+    }
+
+    /// Returns the pieces of a patch. O(log pieces).
+    pub(crate) fn pieces(&self, patch: usize) -> Range<u32> {
+        match self {
+            Self::Whole(_) => patch as u32..patch as u32 + 1,
+            Self::Cut(places) => {
+                let start =
+                    |patch: usize| places.partition_point(|place| (place.patch as usize) < patch) as u32;
+                start(patch)..start(patch + 1)
+            }
+        }
+    }
+}
