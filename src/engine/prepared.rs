@@ -93,7 +93,7 @@ impl PreparedTarget {
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let places = &self.places;
         let of_piece = |piece: usize| LocalDerivativeBounds::new(places.get(piece as u32).extension);
-        let bounds = || map(places.len(), of_piece);
+        let bounds = || map(places.count(), of_piece);
         Operand::new(&self.target, self.bounds.get_or_init(bounds))
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)

@@ -51,20 +51,14 @@ pub enum Places {
 impl Places {
     /// Returns the number of pieces.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         match self {
             Self::Whole(count) => *count,
             Self::Cut(places) => places.len(),
         }
     }
 
-    /// Returns whether there are no pieces.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Returns the place of a piece, whose index must be below [`Places::len`].
+    /// Returns the place of a piece, whose index must be below [`Places::count`].
     #[must_use]
     pub fn get(&self, piece: u32) -> Place {
         match self {
@@ -75,7 +69,7 @@ impl Places {
 
     /// Iterates over the places of all pieces.
     pub fn iter(&self) -> impl Iterator<Item = Place> + '_ {
-        (0..self.len()).map(|piece| self.get(piece as u32))
+        (0..self.count()).map(|piece| self.get(piece as u32))
     }
 
     /// Returns the pieces of a patch. O(log pieces).

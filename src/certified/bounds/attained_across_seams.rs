@@ -261,7 +261,7 @@ fn the_remainder_holds_over_seams() {
             }
             let b = Surfaces::new(vec![arrays.clone()], Flatness::Loose);
             for _ in 0..4000 {
-                let flat = random.u32(0..b.places.len() as u32);
+                let flat = random.u32(0..b.places.count() as u32);
                 let chart = Chart::new(b.sheets(), flat, [random.f64(), random.f64()]);
                 let extent = [random.f64() * 2.0, random.f64() * 2.0];
                 let reach = chart.reach(extent);

@@ -336,7 +336,7 @@ mod tests {
             let b = Surfaces::new(vec![closed(300 + case, case % 2 == 1)], Flatness::None);
             let nearest = NearestPoint::new(b.operand());
             for _ in 0..20 {
-                let flat = random.u32(0..b.places.len() as u32);
+                let flat = random.u32(0..b.places.count() as u32);
                 let chart = Chart::new(b.sheets(), flat, [0.5; 2]);
                 let ends = [(); 2].map(|()| {
                     let [start, width] = [random.f64(), 0.3 * random.f64()];
