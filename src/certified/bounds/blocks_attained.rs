@@ -56,14 +56,29 @@ fn whole(a: &Surfaces) -> Block {
     Block { surface: 0, rows, columns }
 }
 
+/// The sheet, and the same with weights that differ by so little that it hardly moves along x and y: it
+/// is rational, so that its patches are compared piece by piece.
+fn by_splines_and_by_pieces(arrays: &SurfaceArrays) -> [SurfaceArrays; 2] {
+    const WEIGHT_SPREAD: f64 = 1e-9;
+    let mut rational = arrays.clone();
+    for point in rational.control_points.iter_mut().step_by(2) {
+        point[3] += WEIGHT_SPREAD;
+    }
+    [arrays.clone(), rational]
+}
+
 /// The height of level sheets over the plane.
 const HEIGHT: f64 = 1e-3;
 
 /// Checks that all patches of a level sheet are decided by a threshold just above its height, in
 /// every orientation of the plane, and none by one just below.
 fn check_level(arrays: &SurfaceArrays) {
-    for (swapped, reversed) in [(false, false), (true, false), (false, true), (true, true)] {
-        let a = Surfaces::new(vec![arrays.clone()], Flatness::None);
+    let orientations = [(false, false), (true, false), (false, true), (true, true)];
+    let sheets = by_splines_and_by_pieces(arrays);
+    for ((swapped, reversed), sheet) in
+        orientations.into_iter().flat_map(|at| sheets.each_ref().map(|sheet| (at, sheet)))
+    {
+        let a = Surfaces::new(vec![sheet.clone()], Flatness::None);
         let b = Surfaces::new(vec![plane(swapped, reversed)], Flatness::Loose);
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
@@ -102,17 +117,24 @@ fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {
 #[test]
 fn patches_above_the_threshold_are_left() {
     let heights = |i: usize, j: usize| if [i, j] == [0, 0] { 1e-3 } else { 1e-5 };
-    let a = Surfaces::new(vec![sheet(heights)], Flatness::None);
-    let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
-    let pair = pair(&a, &b);
-    let nearest = NearestPoint::new(pair.b);
-    for (threshold, left) in [(2e-5, 1), (1.01e-3, 0)] {
-        let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold);
-        // The corner's basis function is that of the first span alone.
-        let undecided: Vec<usize> =
-            bound.undecided.iter().enumerate().filter(|(_, undecided)| **undecided).map(|(k, _)| k).collect();
-        assert_eq!(undecided, (0..left).collect::<Vec<_>>());
-        assert!(bound.decided >= if left == 0 { 1e-3 } else { 1e-5 });
+    for sheet in by_splines_and_by_pieces(&sheet(heights)) {
+        let a = Surfaces::new(vec![sheet], Flatness::None);
+        let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
+        let pair = pair(&a, &b);
+        let nearest = NearestPoint::new(pair.b);
+        for (threshold, left) in [(2e-5, 1), (1.01e-3, 0)] {
+            let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold);
+            // The corner's basis function is that of the first span alone.
+            let undecided: Vec<usize> = bound
+                .undecided
+                .iter()
+                .enumerate()
+                .filter(|(_, undecided)| **undecided)
+                .map(|(k, _)| k)
+                .collect();
+            assert_eq!(undecided, (0..left).collect::<Vec<_>>());
+            assert!(bound.decided >= if left == 0 { 1e-3 } else { 1e-5 });
+        }
     }
 }
 
@@ -124,16 +146,20 @@ fn the_farthest_piece_of_a_patch_is_bounded() {
         let height = |x: f64, y: f64| 2e-3 + 1e-3 * (tilt[0] * (x - 0.3) + tilt[1] * (y - 0.375));
         let mut arrays = sheet(|_, _| 0.0);
         arrays.control_points.iter_mut().for_each(|point| point[2] = height(point[0], point[1]));
-        let a = Surfaces::new(vec![arrays], Flatness::None);
-        let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
-        let pair = pair(&a, &b);
-        let nearest = NearestPoint::new(pair.b);
-        let patch = Block { surface: 0, rows: [1, 2], columns: [1, 2] };
-        let bound = block(&pair, a.sheets(), &nearest, &patch, &Foot::start(0, [0.5; 2]), 3e-3);
-        // The patch over [0.2, 0.4] x [0.25, 0.5].
-        let highest = 2e-3 + 1e-3 * (0.1 + 0.125);
-        assert_eq!(bound.undecided, [false]);
-        assert!((highest..highest * (1.0 + 1e-5)).contains(&bound.decided), "{tilt:?}: {}", bound.decided);
+        for sheet in by_splines_and_by_pieces(&arrays) {
+            let a = Surfaces::new(vec![sheet], Flatness::None);
+            let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
+            let pair = pair(&a, &b);
+            let nearest = NearestPoint::new(pair.b);
+            let patch = Block { surface: 0, rows: [1, 2], columns: [1, 2] };
+            let bound = block(&pair, a.sheets(), &nearest, &patch, &Foot::start(0, [0.5; 2]), 3e-3);
+            // The patch over [0.2, 0.4] x [0.25, 0.5].
+            let highest = 2e-3 + 1e-3 * (0.1 + 0.125);
+            assert_eq!(bound.undecided, [false]);
+            // Weights move the sheet by less than 1e-9 of its height.
+            let range = highest * (1.0 - 1e-9)..highest * (1.0 + 1e-5);
+            assert!(range.contains(&bound.decided), "{tilt:?}: {}", bound.decided);
+        }
     }
 }
 
@@ -147,20 +173,22 @@ fn the_highest_patch_gives_the_farthest_sample() {
             [0, 0] | [7, 6] => 1e-3,
             _ => 1e-5,
         };
-        let a = Surfaces::new(vec![sheet(height)], Flatness::None);
-        let b = Surfaces::new(vec![plane(true, false)], Flatness::Loose);
-        let pair = pair(&a, &b);
-        let nearest = NearestPoint::new(pair.b);
-        let bound = |threshold: f64| {
-            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
-        };
-        let farthest = bound(2e-5).farthest;
-        assert_eq!(farthest.patch, if highest == [0, 0] { 0 } else { 19 });
-        let height = pair.point_of_a(farthest.patch, farthest.parameters).z;
-        assert!((farthest.foot.distance() - height).abs() <= 1e-15 && height > 2e-5, "{height}");
-        let decided = bound(3e-3);
-        assert!(decided.undecided.iter().all(|undecided| !undecided));
-        assert_eq!(decided.farthest, decided.sample);
+        for sheet in by_splines_and_by_pieces(&sheet(height)) {
+            let a = Surfaces::new(vec![sheet], Flatness::None);
+            let b = Surfaces::new(vec![plane(true, false)], Flatness::Loose);
+            let pair = pair(&a, &b);
+            let nearest = NearestPoint::new(pair.b);
+            let bound = |threshold: f64| {
+                block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+            };
+            let farthest = bound(2e-5).farthest;
+            assert_eq!(farthest.patch, if highest == [0, 0] { 0 } else { 19 });
+            let height = pair.point_of_a(farthest.patch, farthest.parameters).z;
+            assert!((farthest.foot.distance() - height).abs() <= 1e-15 && height > 2e-5, "{height}");
+            let decided = bound(3e-3);
+            assert!(decided.undecided.iter().all(|undecided| !undecided));
+            assert_eq!(decided.farthest, decided.sample);
+        }
     }
 }
 
