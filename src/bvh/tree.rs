@@ -41,17 +41,13 @@ impl Bvh {
     /// may avoid it. O(n log n) on average.
     #[must_use]
     pub fn new(boxes: &[Aabb]) -> Self {
-        let mut order = Vec::new();
         let mut nodes: Vec<Node> = zeroed_vec((2 * boxes.len()).saturating_sub(1));
-        if !boxes.is_empty() {
-            let primitive = |index: usize| Primitive { center: boxes[index].center(), index: index as u32 };
-            let mut primitives = map(boxes.len(), primitive);
-            let subtree =
-                Subtree { nodes: &mut nodes, first_node: 0, primitives: &mut primitives, first_leaf: 0 };
-            build(boxes, subtree);
-            order = map(primitives.len(), |index| primitives[index].index);
-        }
-        Self { nodes, order }
+        let primitive = |index: usize| Primitive { center: boxes[index].center(), index: index as u32 };
+        let mut primitives = map(boxes.len(), primitive);
+        let subtree =
+            Subtree { nodes: &mut nodes, first_node: 0, primitives: &mut primitives, first_leaf: 0 };
+        build(boxes, subtree);
+        Self { nodes, order: map(primitives.len(), |index| primitives[index].index) }
     }
 
     /// Returns the same tree over primitives that have moved: its boxes are those of
@@ -131,7 +127,7 @@ struct Subtree<'a> {
 /// The number of primitives from which on the two halves of a tree are built at a time.
 const MIN_PARALLEL: usize = 2048;
 
-/// Fills in a tree over at least one primitive.
+/// Fills in a tree; over no primitives there is nothing to fill in.
 fn build(boxes: &[Aabb], subtree: Subtree<'_>) {
     let Subtree { nodes, first_node, primitives, first_leaf } = subtree;
     let Some((root, below)) = nodes.split_first_mut() else { return };

@@ -13,7 +13,6 @@ use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::model::Model;
-use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::rounding::gamma;
@@ -91,10 +90,7 @@ impl PreparedTarget {
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
-        let places = &self.places;
-        let of_piece = |piece: usize| LocalDerivativeBounds::new(places.get(piece as u32).extension);
-        let bounds = || map(places.count(), of_piece);
-        Operand::new(&self.target, self.bounds.get_or_init(bounds))
+        Operand::new(&self.target, self.bounds.get_or_init(|| self.places.derivative_bounds()))
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
             .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })

@@ -1,6 +1,8 @@
 //! Where flat pieces are in the patches that they were cut from.
 
 use crate::axis::Axis;
+use crate::bezier::LocalDerivativeBounds;
+use crate::parallel::map;
 use crate::param_box::ParamBox;
 use std::ops::Range;
 
@@ -70,6 +72,11 @@ impl Places {
     /// Iterates over the places of all pieces.
     pub fn iter(&self) -> impl Iterator<Item = Place> + '_ {
         (0..self.count()).map(|piece| self.get(piece as u32))
+    }
+
+    /// Returns bounds on the derivatives of all pieces, none of them computed yet.
+    pub(crate) fn derivative_bounds(&self) -> Vec<LocalDerivativeBounds> {
+        map(self.count(), |piece| LocalDerivativeBounds::new(self.get(piece as u32).extension))
     }
 
     /// Returns the pieces of a patch. O(log pieces).

@@ -28,7 +28,7 @@ impl Surfaces {
         let flat = flatten(&bezier.patches, flatness);
         Self {
             target: Target::new(flat.patches),
-            bounds: flat.places.iter().map(|place| LocalDerivativeBounds::new(place.extension)).collect(),
+            bounds: flat.places.derivative_bounds(),
             places: flat.places,
             cache: SheetCache::default(),
             bezier,

@@ -1,6 +1,6 @@
 //! Method `certified` stage by stage on one level of cells, for `benches`.
 
-use crate::bezier::{LocalDerivativeBounds, extract};
+use crate::bezier::extract;
 use crate::certified::{BatchResult, BranchAndBound, Operand, Pair};
 use crate::closest::Target;
 use crate::error::Result;
@@ -67,8 +67,7 @@ impl CertifiedBench {
         let operands = models.map(|model| {
             let patches = extract(model).patches;
             let flat = flatten(&patches, Flatness::Loose);
-            let bounds: Vec<_> =
-                flat.places.iter().map(|place| LocalDerivativeBounds::new(place.extension)).collect();
+            let bounds = flat.places.derivative_bounds();
             (Target::new(flat.patches), bounds)
         });
         let [a, b] = [0, 1].map(|index| Operand::new(&operands[index].0, &operands[index].1));
