@@ -11,4 +11,4 @@ pub use bernstein::MAX_ORDER;
 pub(crate) use bernstein_product::{binomials, length_bounds, scaled, squares, unscale};
 pub(crate) use grid_basis::GridBasis;
 pub(crate) use interpolation::{Interpolation, bernstein};
-pub(crate) use restriction::Restriction;
+pub(crate) use restriction::{Restriction, elevation_shares};

@@ -158,24 +158,27 @@ impl Line {
     }
 }
 
-/// The rows of a matrix elevated from a degree to another:
-/// `C(to, k) d_k = Σ_l C(from, l) C(to - from, k - l) c_l`.
+/// The rows of a matrix elevated from a degree to another.
 fn elevated(entries: Vec<f64>, from: usize, to: usize) -> Vec<f64> {
     if from == to {
         return entries;
     }
-    let [of_from, of_rest, of_to] = [from, to - from, to].map(binomials);
     let order = from + 1;
     let mut raised = vec![0.0; (to + 1) * order];
-    for (l, row) in entries.chunks_exact(order).enumerate() {
-        for (m, rest) in of_rest.iter().enumerate() {
-            let share = of_from[l] * rest / of_to[l + m];
-            for (sum, entry) in raised[(l + m) * order..][..order].iter_mut().zip(row) {
-                *sum += share * entry;
-            }
+    for (l, k, share) in elevation_shares(from, to) {
+        for (sum, entry) in raised[k * order..][..order].iter_mut().zip(&entries[l * order..]) {
+            *sum += share * entry;
         }
     }
     raised
+}
+
+/// The shares of coefficient l of degree `from` in coefficient k of degree `to`, which is not lower, as
+/// (l, k, share): `C(from, l) C(to - from, k - l) / C(to, k)`, where that is not 0.
+pub(crate) fn elevation_shares(from: usize, to: usize) -> impl Iterator<Item = (usize, usize, f64)> {
+    let [of_from, of_rest, of_to] = [from, to - from, to].map(binomials);
+    let share = move |l: usize, m: usize| (l, l + m, of_from[l] * of_rest[m] / of_to[l + m]);
+    (0..=from).flat_map(move |l| (0..=to - from).map(move |m| share(l, m)))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

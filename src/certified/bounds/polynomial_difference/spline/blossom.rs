@@ -6,7 +6,7 @@
 //! is the sum over all ways to take t from k arguments and c from the others.
 
 use super::knots::{AxisMap, Knot, KnotSequence};
-use crate::bezier::{MAX_ORDER, binomials};
+use crate::bezier::{MAX_ORDER, elevation_shares};
 use crate::rounding::upper_max;
 use std::ops::RangeInclusive;
 
@@ -159,12 +159,9 @@ fn weights(
         return weights;
     }
     // Each control of the elevated polynomial is a mean of those of the polynomial.
-    let [of_from, of_rest, of_to] = [degree, to - degree, to].map(binomials);
     let mut lowered = [0.0; MAX_ORDER];
-    for (l, weight) in lowered.iter_mut().enumerate().take(degree + 1) {
-        for (m, rest) in of_rest.iter().enumerate() {
-            *weight += of_from[l] * rest / of_to[l + m] * weights[l + m];
-        }
+    for (l, k, share) in elevation_shares(degree, to) {
+        lowered[l] += share * weights[k];
     }
     lowered
 }
