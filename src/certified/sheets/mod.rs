@@ -8,7 +8,7 @@ pub(super) use chart::{Chart, Over, Reach};
 
 use super::rounding::JetScale;
 use crate::axis::Axis;
-use crate::bezier::{BezierModel, LocalDerivativeBounds, SeamJumps};
+use crate::bezier::{BezierModel, LocalDerivativeBounds, Patch, SeamJumps};
 use crate::flatness::Places;
 use crate::lazy_table::LazyTable;
 use crate::param_box::ParamBox;
@@ -36,6 +36,11 @@ impl<'a> Sheets<'a> {
     pub(super) fn index(&self, surface: u32, [row, column]: [u32; 2]) -> usize {
         let grid = &self.bezier.grids[surface as usize];
         grid.first + row as usize * grid.counts()[1] + column as usize
+    }
+
+    /// The patch as extracted of a surface, a row and a column.
+    pub(super) fn patch(&self, surface: u32, place: [u32; 2]) -> Patch<'a> {
+        self.bezier.patches.patch(self.index(surface, place))
     }
 
     /// The flat patches that a patch as extracted was cut into. O(log patches).

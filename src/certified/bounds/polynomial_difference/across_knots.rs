@@ -141,7 +141,7 @@ impl Rectangle<'_> {
         along: f64,
         axis: Axis,
     ) -> (Vec<Part>, Vec<[f64; 2]>) {
-        let on_b = if orientation.swapped { axis.other() } else { axis };
+        let on_b = orientation.axis_of_b(axis);
         let foot = chart.parameters[on_b];
         let [start, end] = self.ranges[axis.index()];
         let (center, half) = (0.5 * (start + end), 0.5 * (end - start));

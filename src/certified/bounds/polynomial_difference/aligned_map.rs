@@ -21,6 +21,16 @@ impl Orientation {
         orientation
     }
 
+    /// The axis of B that corresponds to an axis of A.
+    pub(super) fn axis_of_b(&self, axis: Axis) -> Axis {
+        if self.swapped { axis.other() } else { axis }
+    }
+
+    /// A pair by A's axes in the order of B's.
+    pub(super) fn by_axes_of_b<T>(&self, [s, t]: [T; 2]) -> [T; 2] {
+        if self.swapped { [t, s] } else { [s, t] }
+    }
+
     /// Whether B's parameter decreases along an axis of A.
     pub(super) fn is_backwards(&self, axis: Axis) -> bool {
         self.backwards[axis.index()]
@@ -104,8 +114,7 @@ impl AlignedMap {
 
     /// The image of the cell, by B's axes.
     pub(super) fn image(&self, foot: [f64; 2]) -> [[f64; 2]; 2] {
-        let [first, second] = self.along;
-        let extent = if self.orientation.swapped { [second, first] } else { [first, second] };
+        let extent = self.orientation.by_axes_of_b(self.along);
         [0, 1].map(|axis| [foot[axis] - extent[axis].abs(), foot[axis] + extent[axis].abs()])
     }
 

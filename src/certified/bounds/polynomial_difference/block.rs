@@ -182,7 +182,7 @@ struct KnotLines<'a> {
 
 impl<'a> KnotLines<'a> {
     fn patch(&self, place: [u32; 2]) -> Patch<'a> {
-        self.sheets.bezier.patches.patch(self.sheets.index(self.block.surface, place))
+        self.sheets.patch(self.block.surface, place)
     }
 
     /// The indices in the surface of the patch at this place in the block.
@@ -244,7 +244,7 @@ impl<'a> KnotLines<'a> {
     /// The parameters of the feet of the lines across an axis, given the sample's parameters
     /// and the derivative of its foot along the axis.
     fn feet(&self, axis: Axis, at: [f64; 2], speed: DVec2) -> Vec<DVec2> {
-        let [start, end] = if axis == Axis::U { self.block.rows } else { self.block.columns };
+        let [start, end] = self.block.range(axis);
         let middle = self.middle[axis.index()];
         let center = DVec2::from_array(self.chart.parameters);
         let mut images = vec![DVec2::ZERO; (end - start + 1) as usize];
@@ -292,8 +292,7 @@ impl Linearization {
 
     /// The parameter of B that corresponds to an axis of A.
     fn along(&self, axis: Axis, foot: DVec2) -> f64 {
-        let on_b = if self.orientation.swapped { axis.other() } else { axis };
-        foot[on_b.index()]
+        foot[self.orientation.axis_of_b(axis).index()]
     }
 }
 

@@ -80,7 +80,7 @@ pub(super) fn parts(
     axis: Axis,
     images: &[f64],
 ) -> Vec<Vec<Part>> {
-    let on_b = if orientation.swapped { axis.other() } else { axis };
+    let on_b = orientation.axis_of_b(axis);
     let sign = if orientation.is_backwards(axis) { -1.0 } else { 1.0 };
     images.windows(2).map(|ends| parts_of_span(chart, on_b, sign, [ends[0], ends[1]])).collect()
 }

@@ -58,8 +58,8 @@ impl UpperBound for PolynomialDifference {
         let [s, t] = map.image(foot.parameters);
         let controls = target.restricted(s, t);
         let controls = map.orientation.oriented(&controls, target.degree);
-        let degree =
-            if map.orientation.swapped { [target.degree[1], target.degree[0]] } else { target.degree };
+        // Swapping the axes is its own inverse.
+        let degree = map.orientation.by_axes_of_b(target.degree);
         let growth = if map.is_inside(foot.parameters) { 1.0 } else { EXTENSION_GROWTH };
         let y = Net::new(degree, controls, jet.point - target.center, growth);
         let [s, t] = context.cell.ranges();

@@ -40,14 +40,9 @@ impl<'a> Piece<'a> {
         Self { pair, patch, chart, orientation, parts, sliding: OnceCell::new() }
     }
 
-    /// The pair for B's axes, from that for A's.
-    fn by_axes_of_b<T: Copy>(&self, [s, t]: [T; 2]) -> [T; 2] {
-        if self.orientation.swapped { [t, s] } else { [s, t] }
-    }
-
     /// The patch of B.
     fn image_patch(&self) -> Patch<'_> {
-        self.chart.neighbour(self.by_axes_of_b(self.parts.map(|part| part.offset)))
+        self.chart.neighbour(self.orientation.by_axes_of_b(self.parts.map(|part| part.offset)))
     }
 
     /// Whether the piece is mapped to more than a line.
@@ -57,8 +52,8 @@ impl<'a> Piece<'a> {
 
     fn sliding(&self) -> &Sliding<'a> {
         self.sliding.get_or_init(|| {
-            let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
-            let ends = self.by_axes_of_b(self.parts.map(|part| part.image));
+            let offsets = self.orientation.by_axes_of_b(self.parts.map(|part| part.offset));
+            let ends = self.orientation.by_axes_of_b(self.parts.map(|part| part.image));
             Sliding::new(self.chart, offsets, ends, self.orientation)
         })
     }
@@ -67,13 +62,13 @@ impl<'a> Piece<'a> {
     fn middle(&self) -> [[f64; 2]; 2] {
         let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
         let from = self.parts.map(|part| middle(part.range));
-        [from, self.by_axes_of_b(self.parts.map(|part| middle(part.image)))]
+        [from, self.orientation.by_axes_of_b(self.parts.map(|part| middle(part.image)))]
     }
 
     /// The piece's middle on A's patch, and its image: on a flat patch of B, if the image is in one.
     pub(super) fn middle_with_image(&self) -> ([f64; 2], Option<(u32, [f64; 2])>) {
         let [from, to] = self.middle();
-        let offsets = self.by_axes_of_b(self.parts.map(|part| part.offset));
+        let offsets = self.orientation.by_axes_of_b(self.parts.map(|part| part.offset));
         (from, self.chart.flat_place(offsets, to))
     }
 

@@ -86,11 +86,10 @@ impl<'a> Comparison<'a> {
     }
 
     /// The net of the patch of B that is so many patches away by A's axes, along these.
-    fn net_of_b(&self, [s, t]: [isize; 2]) -> Net {
-        let is_swapped = self.orientation.swapped;
-        let patch = self.chart.neighbour(if is_swapped { [t, s] } else { [s, t] });
+    fn net_of_b(&self, offsets: [isize; 2]) -> Net {
+        let patch = self.chart.neighbour(self.orientation.by_axes_of_b(offsets));
         let [p, q] = patch.degree;
-        if is_swapped {
+        if self.orientation.swapped {
             let controls = (0..=q).flat_map(|j| (0..=p).map(move |i| patch.controls[i * (q + 1) + j]));
             Net::whole([q, p], controls.collect(), patch.center)
         } else {

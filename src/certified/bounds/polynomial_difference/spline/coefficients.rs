@@ -1,31 +1,21 @@
 //! The coefficients of the difference of a block and a surface of B.
 
+use super::BlockMap;
 use super::blossom::{Coefficients, Combination};
 use crate::bezier::{MAX_ORDER, Patch};
-use crate::certified::sheets::{Chart, Sheets};
-use crate::certified::{Block, Pair};
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The Bézier patches of a block of A and of a surface of B, by A's axes.
-pub(super) struct Patches<'a> {
-    pub(super) pair: &'a Pair<'a>,
-    pub(super) sheets: Sheets<'a>,
-    pub(super) block: &'a Block,
-    pub(super) chart: &'a Chart<'a>,
-    pub(super) is_swapped: bool,
-}
-
-impl<'a> Patches<'a> {
+impl<'a> BlockMap<'a> {
     /// The patch of A in a row and a column of the block.
     pub(super) fn of_a(&self, [row, column]: [usize; 2]) -> Patch<'a> {
         let place = [self.block.rows[0] + row as u32, self.block.columns[0] + column as u32];
-        self.sheets.bezier.patches.patch(self.sheets.index(self.block.surface, place))
+        self.sheets.patch(self.block.surface, place)
     }
 
     /// The patch of B so many patches away along A's axes.
-    fn of_b(&self, [s, t]: [isize; 2]) -> Patch<'a> {
-        self.chart.neighbour(if self.is_swapped { [t, s] } else { [s, t] })
+    fn of_b(&self, offsets: [isize; 2]) -> Patch<'a> {
+        self.chart.neighbour(self.orientation.by_axes_of_b(offsets))
     }
 
     /// Whether all patches over these spans are polynomials: whether the weights of each were equal.
@@ -97,17 +87,17 @@ impl<S: PartialEq + Copy> Line<S> {
 }
 
 /// Calls `each` with the coefficients of the difference, v fastest. O(coefficients d²).
-pub(super) fn difference(patches: &Patches<'_>, [u, v]: [&Coefficients; 2], mut each: impl FnMut(DVec3)) {
-    let transform = &patches.pair.transform;
+pub(super) fn difference(map: &BlockMap<'_>, [u, v]: [&Coefficients; 2], mut each: impl FnMut(DVec3)) {
+    let transform = &map.pair.transform;
     for (row_a, row_b) in u.of_a.iter().zip(&u.of_b) {
         let (mut line_a, mut line_b) = (Line::new(), Line::new());
         let mut moved = DVec3::ZERO;
         for (column_a, column_b) in v.of_a.iter().zip(&v.of_b) {
             if line_a.span != Some(column_a.span) {
-                line_a.take(row_a, column_a.span, false, |spans| patches.of_a(spans));
+                line_a.take(row_a, column_a.span, false, |spans| map.of_a(spans));
                 moved = transform.apply(line_a.center);
             }
-            line_b.take(row_b, column_b.span, patches.is_swapped, |offsets| patches.of_b(offsets));
+            line_b.take(row_b, column_b.span, map.orientation.swapped, |offsets| map.of_b(offsets));
             let of_a = transform.rotate(line_a.point(column_a));
             each(of_a - line_b.point(column_b) + (moved - line_b.center));
         }
@@ -122,10 +112,10 @@ pub(super) struct Lengths {
 
 impl Lengths {
     /// Those of all coefficients.
-    pub(super) fn new(patches: &Patches<'_>, axes: [&Coefficients; 2]) -> Self {
+    pub(super) fn new(map: &BlockMap<'_>, axes: [&Coefficients; 2]) -> Self {
         let [rows, columns] = axes.map(|axis| axis.of_a.len());
         let mut squares = Vec::with_capacity(rows * columns);
-        difference(patches, axes, |coefficient| squares.push(coefficient.length_squared()));
+        difference(map, axes, |coefficient| squares.push(coefficient.length_squared()));
         Self { columns, squares }
     }
 

@@ -31,7 +31,7 @@ use crate::certified::rounding::gamma;
 use crate::certified::sheets::{Chart, Sheets};
 use crate::certified::{Block, Pair};
 use blossom::Coefficients;
-use coefficients::{Lengths, Patches};
+use coefficients::Lengths;
 use knots::{AxisMap, KnotSequence};
 
 /// The largest number of coefficients of one block: of 512 for each of its patches.
@@ -69,14 +69,12 @@ impl BlockMap<'_> {
     /// surface is rational, the image leaves B's surface, or it has too many knots.
     /// O((patches of A + patches of B) d²).
     pub(super) fn upper_bounds(&self) -> Option<Vec<f64>> {
-        let Self { pair, sheets, block, chart, orientation, .. } = *self;
-        let patches = Patches { pair, sheets, block, chart, is_swapped: orientation.swapped };
         let [u, v] = [self.coefficients(Axis::U)?, self.coefficients(Axis::V)?];
         let axes = [&u, &v];
-        if u.of_a.len() * v.of_a.len() > MAX_COEFFICIENTS || !patches.are_polynomial(axes) {
+        if u.of_a.len() * v.of_a.len() > MAX_COEFFICIENTS || !self.are_polynomial(axes) {
             return None;
         }
-        let mut bounds = Lengths::new(&patches, axes).longest([&u.windows, &v.windows]);
+        let mut bounds = Lengths::new(self, axes).longest([&u.windows, &v.windows]);
         let error = self.error(axes);
         for bound in &mut bounds {
             *bound = (1.0 + gamma(LENGTH_ROUNDINGS)) * *bound + error;
@@ -95,7 +93,7 @@ impl BlockMap<'_> {
         let Self { sheets, block, chart, .. } = *self;
         let grid = &sheets.bezier.grids[block.surface as usize];
         let [start, end] = block.range(axis).map(|line| line as usize);
-        let on_b = if self.orientation.swapped { axis.other() } else { axis };
+        let on_b = self.orientation.axis_of_b(axis);
         let of_a = sheets.bezier.patches.patch(grid.first);
         AxisMap {
             chart,

@@ -6,7 +6,7 @@ use super::super::super::attained_across_seams::{Surfaces, clamped, closed};
 use super::super::aligned_map::Orientation;
 use super::BlockMap;
 use super::blossom::Coefficients;
-use super::coefficients::{Patches, difference};
+use super::coefficients::difference;
 use super::knots::{Knot, KnotSequence};
 use crate::axis::Axis;
 use crate::certified::reparametrization::Reparametrization;
@@ -95,10 +95,9 @@ fn point_of_b(chart: &Chart<'_>, swapped: bool, [s, t]: [f64; 2]) -> DVec3 {
 fn check(random: &mut fastrand::Rng, map: &BlockMap<'_>) {
     let axes = Axis::BOTH.map(|axis| map.coefficients(axis).unwrap());
     let sequences = Axis::BOTH.map(|axis| KnotSequence::new(&map.axis(axis)).unwrap());
-    let &BlockMap { pair, sheets, block, chart, orientation, images } = map;
-    let patches = Patches { pair, sheets, block, chart, is_swapped: orientation.swapped };
+    let &BlockMap { pair, block, chart, orientation, images, .. } = map;
     let mut coefficients = Vec::new();
-    difference(&patches, axes.each_ref(), |coefficient| coefficients.push(coefficient));
+    difference(map, axes.each_ref(), |coefficient| coefficients.push(coefficient));
     let (bounds, error) = (map.upper_bounds().unwrap(), map.error(axes.each_ref()));
     let [rows, columns] = block.size().map(|count| count as usize);
     assert_eq!(bounds.len(), rows * columns);
@@ -121,7 +120,7 @@ fn check(random: &mut fastrand::Rng, map: &BlockMap<'_>) {
                 let (breaks, [from, to]) = (map.axis(axis).breaks, images[axis.index()]);
                 from + (to - from) * (at[axis.index()] - breaks[0]) / (breaks[breaks.len() - 1] - breaks[0])
             });
-            let patch = patches.of_a(place);
+            let patch = map.of_a(place);
             let exact =
                 pair.transform.apply(patch.point(local)) - point_of_b(chart, orientation.swapped, image);
             let [u, v] = [0, 1].map(|axis| basis(&sequences[axis].knots, sequences[axis].degree, at[axis]));
