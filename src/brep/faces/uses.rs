@@ -25,6 +25,8 @@ pub(super) struct TrimUse {
     pub(super) gap: f64,
     /// Whether the curve is a fit, and not the file's or exact.
     pub(super) fitted: bool,
+    /// Whether the edge is a point in space, as at a pole.
+    pub(super) degenerate: bool,
     /// The plane whose section with the surface the edge is, between the curve's ends, and the
     /// distance between both.
     pub(super) section: Option<(Section, f64)>,
@@ -79,6 +81,7 @@ impl TrimUse {
             end_tolerance: 0.0,
             gap: 0.0,
             fitted: false,
+            degenerate: false,
             section: None,
             deviation: 0.0,
         }
@@ -150,6 +153,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             }),
             gap,
             fitted,
+            degenerate: edge.degenerate,
             section,
             deviation,
         });

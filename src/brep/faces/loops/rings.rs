@@ -1,7 +1,7 @@
 //! Loops that run around a period and so do not close in the parameters.
 
 use super::chain::Chain;
-use super::uses::TrimUse;
+use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::{Spline, Surface};
 use crate::brep::report::FaceFault;
 use glam::DVec3;
@@ -178,7 +178,7 @@ fn begun_at(
 const SAME_PARAMETER: f64 = 1e-9;
 
 /// Returns the parameter at which a coordinate of a curve passes `target`, by bisection.
-pub(super) fn crossing(curve: &Spline, axis: usize, target: f64) -> f64 {
+pub(in crate::brep::faces) fn crossing(curve: &Spline, axis: usize, target: f64) -> f64 {
     let [mut low, mut high] = curve.domain();
     let rising = curve.start()[axis] < target;
     // 60 halvings exhaust the digits of float64.
