@@ -16,6 +16,8 @@ pub(super) struct TrimUse {
     pub(super) curve: Spline,
     /// The number of the edge; `None` for curves that no edge of the file is.
     pub(super) edge: Option<u32>,
+    /// Whether the wire uses the edge against its direction.
+    pub(super) reversed: bool,
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
     /// The tolerance of the edge, and that of the vertex at its end.
@@ -76,6 +78,7 @@ impl TrimUse {
         Self {
             curve,
             edge: None,
+            reversed: false,
             vertices: [None; 2],
             tolerance: 0.0,
             end_tolerance: 0.0,
@@ -145,6 +148,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
             edge: u32::try_from(child.shape).ok(),
+            reversed,
             vertices,
             tolerance: edge.tolerance,
             end_tolerance: vertices[1].map_or(0.0, |vertex| match file.shapes[vertex].kind {

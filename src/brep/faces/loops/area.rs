@@ -5,6 +5,13 @@ use crate::brep::nurbs::{Spline, Surface};
 use crate::model::trim::TrimPiece;
 use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
 
+/// The part of a closed surface's area below which an area is a sum of rounding errors.
+pub(super) const NO_AREA: f64 = 1e-12;
+
+/// The deviation of areas, relative to the whole surface's, from those of curves which meet
+/// exactly: ends may miss each other by 1e-7 of the surface.
+pub(super) const AREA_TOLERANCE: f64 = 1e-6;
+
 /// Returns the signed area within curves head to tail, positive if they turn counterclockwise:
 /// up to rounding for polynomial curves, else an estimate to about its digits.
 pub(super) fn of_loop(uses: &[TrimUse]) -> f64 {

@@ -27,7 +27,10 @@ pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, Face
     let frame = Frame::of(&uses, surface);
     let Circuit { uses: circuit, is_placed } = order::circuit(uses, &frame)?;
     let (start, end) = (circuit[0].curve.start(), circuit[circuit.len() - 1].curve.end());
-    let turns = if is_placed { [0, 0] } else { frame.turns(start, end) };
+    // A chain whose ends are one point in space, as at a pole, closes along that and does not turn.
+    let ends = [&circuit[circuit.len() - 1], &circuit[0]];
+    let closes = is_placed || frame.reach(end, start) <= frame.allowed(ends);
+    let turns = if closes { [0, 0] } else { frame.turns(start, end) };
     let moved = |point: DVec3| {
         let shift = [0, 1].map(|axis| f64::from(turns[axis]) * frame.closures[axis].unwrap_or(0.0));
         point + DVec3::new(shift[0], shift[1], 0.0)

@@ -20,7 +20,7 @@ use crate::brep::report::{FaceFault, Remark};
 use crate::brep::text::{BrepFile, Orientation, ShapeKind};
 use chain::Chain;
 pub(super) use rings::crossing;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// The loops of a face, and what the report says of them.
 pub(super) struct Loops {
@@ -48,9 +48,22 @@ pub(super) fn of_face(file: &BrepFile, shape: usize, surface: &Surface) -> Resul
         }
     }
     let complement_fits = complement_fits(&chains, surface);
+    chains.retain(|chain| !cancels(chain, surface));
     let remarks = chains.iter_mut().flat_map(|chain| std::mem::take(&mut chain.remarks)).collect();
     let loops = nesting::directed(rings::close(chains, surface)?, surface)?;
     Ok(Loops { loops, remarks, complement_fits })
+}
+
+/// Returns whether a loop runs along seams and back on a closed surface: its curves cancel, so that
+/// it bounds nothing, and a face without other loops is the whole surface.
+fn cancels(chain: &Chain, surface: &Surface) -> bool {
+    let Some(whole) = area::of_closed(surface) else { return false };
+    let mut uses: HashMap<u32, [u32; 2]> = HashMap::new();
+    for (edge, reversed) in chain.uses.iter().filter_map(|one| Some((one.edge?, one.reversed))) {
+        uses.entry(edge).or_default()[usize::from(reversed)] += 1;
+    }
+    let in_pairs = chain.turns == [0, 0] && uses.values().all(|uses| *uses == [1, 1]);
+    in_pairs && area::of_loop(&chain.uses).abs() <= area::NO_AREA * whole
 }
 
 /// Returns whether the loops bound two regions of a closed surface, of which their directions

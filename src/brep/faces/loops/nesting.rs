@@ -1,6 +1,6 @@
 //! Directions of closed loops, and the outer loop that closed surfaces can lack.
 
-use super::area;
+use super::area::{self, AREA_TOLERANCE};
 use super::rings::reversed;
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::Surface;
@@ -12,10 +12,6 @@ const POLYGON_POINTS: usize = 8;
 
 /// The most periods that a loop's box is searched for places of a hole.
 const MAX_PLACES: f64 = 64.0;
-
-/// The deviation of areas, relative to the whole surface's, from those of curves that meet
-/// exactly.
-const AREA_TOLERANCE: f64 = 1e-6;
 
 /// A loop and its polygon.
 struct Loop {

@@ -1,6 +1,6 @@
 //! The order of a wire's curves: a circuit in which each begins where the one before it ends.
 
-use super::area;
+use super::area::{self, AREA_TOLERANCE, NO_AREA};
 use super::frame::Frame;
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::report::FaceFault;
@@ -17,13 +17,6 @@ const MAX_WALKS: usize = 64;
 /// The most curves that are tried in the search of all circuits: a wire of two seams has 6
 /// circuits, of 24 curves, and each curve that crosses a seam twice as many.
 const MAX_TRIED: usize = 20_000;
-
-/// The part of a closed surface's area below which an area is a sum of rounding errors.
-const NO_AREA: f64 = 1e-12;
-
-/// The deviation of areas, relative to the whole surface's, from those of curves which meet
-/// exactly: ends may miss each other by 1e-7 of the surface.
-const AREA_TOLERANCE: f64 = 1e-6;
 
 /// Curves in order, moved to where they follow each other.
 pub(super) struct Circuit {
@@ -67,8 +60,13 @@ pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, 
         let why = format!("{} curves are out of order, expected at most {MAX_DISORDERED}", uses.len());
         return Err(FaceFault::new("BREP_LOOP_OPEN", why));
     }
-    let first = if search.follows(&in_file) { in_file } else { search.walks(Meeting::OnSurface) };
-    let moved = search.moved(&first);
+    let mut order = if search.follows(&in_file) { in_file } else { search.walks(Meeting::OnSurface) };
+    // A seam whose ends meet in space alone is not where a circuit begins.
+    let edge = |index: usize| uses[index].edge;
+    if order.len() > 2 && edge(order[0]).is_some() && edge(order[0]) == edge(order[order.len() - 1]) {
+        order.rotate_right(1);
+    }
+    let moved = search.moved(&order);
     if search.fits(&moved) {
         return Ok(Circuit { uses: moved, is_placed: false });
     }
@@ -140,11 +138,6 @@ impl Search<'_> {
             }
             order.insert(last + 1, left.remove(index));
             last += 1;
-        }
-        // A seam whose ends meet in space alone is not where a circuit begins.
-        let edge = |index: usize| self.uses[index].edge;
-        if order.len() > 2 && edge(order[0]).is_some() && edge(order[0]) == edge(order[order.len() - 1]) {
-            order.rotate_right(1);
         }
         order
     }

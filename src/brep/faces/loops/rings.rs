@@ -96,8 +96,8 @@ fn cap(ring: Chain, surface: &Surface) -> Result<Vec<TrimUse>, FaceFault> {
         _ if along != 0 => return Err(lone_ring(surface)),
         (Some(pole), _) => (ring.uses, pole),
         // The apex is on the other side of the ring: the loop runs the wrong way round.
-        (None, Some(&pole)) => (reversed(ring.uses), pole),
-        (None, None) => return Err(lone_ring(surface)),
+        (None, Some(&pole)) if poles.len() == 1 => (reversed(ring.uses), pole),
+        _ => return Err(lone_ring(surface)),
     };
     let (start, end) = (uses[0].curve.start(), uses[uses.len() - 1].curve.end());
     let along_pole = TrimUse::segment(DVec3::new(end.x, pole, 0.0), DVec3::new(start.x, pole, 0.0));
