@@ -162,7 +162,7 @@ mod untrim;
 pub mod untrim;
 
 pub use axis::Axis;
-pub use brep::{ReadReport, Skipped};
+pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,

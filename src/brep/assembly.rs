@@ -1,13 +1,15 @@
 //! The faces of a file and their placements.
 
-use super::faces::convert;
-use super::report::{FaceCounts, ReadReport, Skipped};
+use super::edges::EdgeUses;
+use super::faces::{Converted, convert};
+use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
 use super::text::{BrepFile, Orientation, ShapeKind};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::parallel;
 use glam::DAffine3;
+use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
 
 /// The most shapes visited from the root. A shape can stand in several others, so that
@@ -20,6 +22,7 @@ pub(super) struct Assembled {
     /// One entry a face of the model.
     pub(super) counts: Vec<FaceCounts>,
     pub(super) skipped: Vec<Skipped>,
+    pub(super) notes: Vec<Note>,
 }
 
 impl Assembled {
@@ -38,6 +41,7 @@ impl Assembled {
             gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
+            notes: self.notes.clone(),
             sources: self.sources(),
         }
     }
@@ -53,65 +57,94 @@ impl Assembled {
 }
 
 /// A face where an assembly places it.
-struct Placed {
-    shape: usize,
-    reversed: bool,
-    location: DAffine3,
+pub(super) struct Placed {
+    pub(super) shape: usize,
+    pub(super) reversed: bool,
+    pub(super) location: DAffine3,
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
 pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
-    let mut model = ModelArrays::default();
-    let (mut counts, mut skipped) = (Vec::new(), Vec::new());
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
-    let distinct: Vec<&Placed> = placed.iter().filter(|placed| seen.insert(placed.shape)).collect();
-    let converted = parallel::map(distinct.len(), |number| convert(file, distinct[number].shape));
+    let distinct: Vec<(usize, &Placed)> =
+        placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
+    let converted = parallel::map(distinct.len(), |index| convert(file, distinct[index].1.shape));
+    let mut read = Assembled {
+        model: ModelArrays::default(),
+        counts: Vec::new(),
+        skipped: Vec::new(),
+        notes: notes(file, &placed, &distinct, &converted),
+    };
     // The index of each shape's face among those read.
     let mut faces: HashMap<usize, usize> = HashMap::new();
-    for (number, (placed, converted)) in distinct.into_iter().zip(converted).enumerate() {
+    for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
-                counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
+                read.counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.part = Some(format!("face {number}"));
-                faces.insert(placed.shape, model.faces.len());
-                model.faces.push(converted.face);
+                faces.insert(placed.shape, read.model.faces.len());
+                read.model.faces.push(converted.face);
             }
-            Err(fault) => skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
+            Err(fault) => read.skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
         }
     }
-    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
-    for placed in &placed {
-        let Some(&index) = faces.get(&placed.shape) else { continue };
-        let transform = matrix(&placed.location);
-        let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
-            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name: None });
-            model.instances.len() - 1
-        });
-        model.instances[group].surfaces.push(index);
-    }
-    for instance in &mut model.instances {
-        instance.surfaces.sort_unstable();
-        instance.surfaces.dedup();
-    }
-    if let [only] = model.instances.as_slice()
-        && only.transform == crate::model::IDENTITY
-    {
-        model.instances.clear();
-    }
-    match skipped.first() {
-        Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
-            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: skipped.len() })
+    read.model.instances = instances(&placed, &faces);
+    match read.skipped.first() {
+        Some(Skipped { face, why, .. }) if read.model.faces.is_empty() => {
+            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
         }
-        _ if model.faces.is_empty() => Err(Error::EmptyModel),
-        _ => Ok(Assembled { model, counts, skipped }),
+        _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
+        _ => Ok(read),
     }
 }
 
-/// Returns the faces below the root, in the order of the file.
+/// Returns the placements of faces, in the order of the file; none if no face is moved.
+fn instances(placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+    let mut instances: Vec<InstanceArrays> = Vec::new();
+    for placed in placed {
+        let Some(&index) = faces.get(&placed.shape) else { continue };
+        let transform = matrix(&placed.location);
+        match instances.last_mut() {
+            Some(last) if last.transform == transform => last.surfaces.push(index),
+            _ => instances.push(InstanceArrays { surfaces: vec![index], transform, name: None }),
+        }
+    }
+    match instances.as_slice() {
+        [only] if only.transform == crate::model::IDENTITY => Vec::new(),
+        _ => instances,
+    }
+}
+
+/// Returns the remarks on faces, and the faces whose side of the loops nothing but the loops'
+/// directions tells.
+fn notes(
+    file: &BrepFile,
+    placed: &[Placed],
+    distinct: &[(usize, &Placed)],
+    converted: &[std::result::Result<Converted, FaceFault>],
+) -> Vec<Note> {
+    let uses = LazyCell::new(|| EdgeUses::of(file, placed));
+    let mut notes = Vec::new();
+    for (&(face, placed), converted) in distinct.iter().zip(converted) {
+        let Ok(converted) = converted else { continue };
+        let open = converted.complement_fits && !uses.confirm(file, placed);
+        let why = "the rest of the closed surface has the same edges: the face is the side on the left \
+                   of its edges' directions, which no seam and no neighbours confirm";
+        let complement = open.then(|| Remark::new("BREP_COMPLEMENT", why));
+        let remarks = converted.remarks.iter().cloned().chain(complement);
+        notes.extend(remarks.map(|Remark { code, why }| Note { face, code, why }));
+    }
+    notes
+}
+
+/// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
+/// shape is followed by its children; a face that is met again at its place, as between two solids,
+/// is listed once, as by `TopExp::MapShapes`.
 fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
+    let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
     let mut visits = 0;
@@ -128,7 +161,11 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
         match shape.kind {
-            ShapeKind::Face(_) => placed.push(Placed { shape: shape_use.shape, reversed, location }),
+            ShapeKind::Face(_) => {
+                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) {
+                    placed.push(Placed { shape: shape_use.shape, reversed, location });
+                }
+            }
             ShapeKind::Group => {
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
             }
@@ -140,7 +177,7 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
 }
 
 /// Returns the row-major 3x4 matrix of an affine map.
-fn matrix(map: &DAffine3) -> [f64; 12] {
+pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
     let rows = map.matrix3.transpose();
     let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
     let t = map.translation;
