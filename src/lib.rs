@@ -73,6 +73,7 @@
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
 )]
 
+mod area;
 mod axis;
 mod lazy_table;
 mod param_box;
@@ -161,6 +162,7 @@ mod untrim;
 #[doc(hidden)]
 pub mod untrim;
 
+pub use area::Area;
 pub use axis::Axis;
 pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
