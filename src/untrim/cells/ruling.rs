@@ -21,7 +21,8 @@ pub(in crate::untrim) struct Ruling {
     pub(in crate::untrim) rectangle: [usize; 2],
     /// Upper bounds on the distances in u and v between the map's image and the cell.
     pub(in crate::untrim) moved: [f64; 2],
-    /// An upper bound on the width in u by which the sides cross.
+    /// An upper bound on the width in u by which the sides cross, or of the whole cell where its
+    /// winding number is negative.
     pub(in crate::untrim) crossing: f64,
 }
 
@@ -95,7 +96,12 @@ fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) ->
     let moved = largest(left.moved, right.moved);
     let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
-    let crossing = negative_part(&difference, CROSSING_PART * face.tolerances.crossing)?;
+    let tolerance = CROSSING_PART * face.tolerances.crossing;
+    let mut crossing = negative_part(&difference, tolerance)?;
+    if cell.winding < 0 {
+        let reversed: Vec<DVec2> = difference.iter().map(|c| DVec2::new(-c.x, c.y)).collect();
+        crossing = upper_max(crossing, negative_part(&reversed, tolerance)?);
+    }
     let curves = [left, right].map(|controls| Curve { controls });
     confined(face, cell, curves, Some(height), moved, crossing)
 }
@@ -184,6 +190,9 @@ fn two_curves(face: &Face, cell: &Cell, curves: [&Curve; 2], parts: [Part; 2]) -
 /// Returns the map between two curves whose v differ at equal parameters, if it does not fold.
 fn tilted(face: &Face, cell: &Cell, [left, right]: [Part; 2]) -> Option<Ruling> {
     let allowed = [FOLD_PART * face.tolerances.crossing, 0.5 * face.tolerances.snap[1]];
+    if cell.winding < 0 {
+        return None;
+    }
     let folds = folds(&left.curve, &right.curve, allowed)?;
     let moved = largest(left.moved, right.moved);
     let moved = [0, 1].map(|axis| moved[axis] + folds[axis]);
