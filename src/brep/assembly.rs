@@ -161,15 +161,13 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
         match shape.kind {
-            ShapeKind::Face(_) => {
-                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) {
-                    placed.push(Placed { shape: shape_use.shape, reversed, location });
-                }
+            ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
+                placed.push(Placed { shape: shape_use.shape, reversed, location });
             }
             ShapeKind::Group => {
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
             }
-            // Loose wires, edges and vertices are no surfaces.
+            // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }

@@ -85,7 +85,8 @@ impl ReadReport {
 /// A face that could not be read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Skipped {
-    /// The number of the face among those of the file, from 0.
+    /// The number of the face in the file, from 0, in the order of OpenCASCADE's
+    /// `TopExp_Explorer`, each face once at its place.
     pub face: usize,
     /// The stable code of the reason.
     pub code: &'static str,
@@ -96,7 +97,7 @@ pub struct Skipped {
 /// What the file leaves open of a face that was read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Note {
-    /// The number of the face among those of the file, from 0.
+    /// The number of the face in the file, as of [`Skipped`].
     pub face: usize,
     /// The stable code of the remark.
     pub code: &'static str,
