@@ -7,11 +7,11 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../examples/verify/cuts.rs"]
+mod cuts;
 #[allow(dead_code, reason = "shared with the example, which uses all of the fuzzer")]
 #[path = "../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
-#[path = "../examples/verify/cuts.rs"]
-mod cuts;
 #[path = "../examples/verify/proof/mod.rs"]
 mod proof;
 #[path = "../tests/support/mod.rs"]
@@ -116,7 +116,11 @@ fn prove_cuts() {
                     let finding = proof::cut::check(&cut, SETTINGS.slack, deadline);
                     counts[finding.verdict as usize] += 1;
                     if finding.verdict != Verdict::Proved {
-                        println!("- face {faces}: {:?} {}", finding.verdict, finding.note.unwrap_or_default());
+                        println!(
+                            "- face {faces}: {:?} {}",
+                            finding.verdict,
+                            finding.note.unwrap_or_default()
+                        );
                     }
                 }
             }

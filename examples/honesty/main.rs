@@ -30,7 +30,7 @@
 
 mod fuzzer;
 #[path = "../verify/proof/mod.rs"]
-#[allow(dead_code, reason = "the fuzzer compares single points")]
+#[allow(dead_code, unused_imports, reason = "the fuzzer compares single points")]
 mod proof;
 #[path = "../../tests/support/mod.rs"]
 mod support;
