@@ -4,7 +4,7 @@ use crate::support::cpu;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DiffOptions, DiffResult, Engine, FaceState, Options};
 use nurbs_hausdorff::progress::NoMonitor;
-use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::shapes::{lateral, shape};
 use nurbs_hausdorff::{Backend, Model, PreparedModel, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
@@ -112,6 +112,20 @@ fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     let face = &result.a[0];
     assert_eq!(face.state, FaceState::Undecided);
     assert!(face.lower <= whole.upper && whole.lower <= face.upper);
+}
+
+/// All points of two lines of a bore that is moved sideways are farthest, and no bound but one over
+/// tiny cells decides between them.
+#[test]
+fn a_face_that_is_decided_ends_after_few_cells() {
+    let bore = Model::new(None, vec![lateral([3.0; 2], [0.0, 12.0]).unwrap()]).unwrap();
+    let shift = RigidTransform::new(DQuat::IDENTITY, DVec3::new(0.008, 0.006, 0.0)).unwrap();
+    let moved = nurbs_hausdorff::shapes::operations::transformed(&bore, &shift).unwrap();
+    let result = diff(&bore, &moved, &DiffOptions::default());
+    let face = &result.a[0];
+    assert_eq!(face.state, FaceState::Changed);
+    assert!(face.lower <= 0.01 + ROUNDING && 0.01 - ROUNDING <= face.upper, "{face:?}");
+    assert!(face.cells <= 20_000, "{} cells", face.cells);
 }
 
 #[test]

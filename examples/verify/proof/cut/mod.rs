@@ -72,8 +72,9 @@ impl Finding {
 
 /// What the three statements need of a face.
 struct Face {
-    /// The surface's patches, in the frame.
+    /// The surface's patches, in the frame, and their derivatives' bounds.
     patches: Vec<Patch>,
+    bends: Vec<SecondDerivatives>,
     frame: Frame,
     /// The limit in the frame.
     limit: f64,
@@ -92,10 +93,12 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
     let frame = Frame::new(&pieces, &Motion::IDENTITY, &pieces);
     let patches = bezier::patches(&model, &frame, &Motion::IDENTITY);
     let limit = (cut.deviation + slack * frame.diagonal) * frame.scale;
-    let Some(slopes) = slopes(&patches) else { return Finding::OPEN };
+    let bends: Vec<SecondDerivatives> =
+        patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
+    let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
     let small = slopes.map(|slope| 0.125 * limit / slope.max(f64::MIN_POSITIVE));
     let loops = Outline::new(cut.loops.iter().flatten().cloned());
-    let face = Face { patches, frame, limit, small, loops, deadline };
+    let face = Face { patches, bends, frame, limit, small, loops, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
     inside::check(&face, &maps)
         .and(|| covered::check(&face, &maps))
@@ -103,10 +106,9 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
 }
 
 /// Bounds of the surface's first derivatives by u and v; `None` where a weight may be 0.
-fn slopes(patches: &[Patch]) -> Option<[f64; 2]> {
+fn slopes(patches: &[Patch], bends: &[SecondDerivatives]) -> Option<[f64; 2]> {
     let mut slopes = [0.0_f64; 2];
-    for patch in patches {
-        let first = SecondDerivatives::of(&patch.net).first;
+    for (patch, SecondDerivatives { first, .. }) in patches.iter().zip(bends) {
         for axis in 0..2 {
             let [start, end] = patch.ranges[axis];
             let slope = Interval::point(first[axis]) / (Interval::point(end) - Interval::point(start));

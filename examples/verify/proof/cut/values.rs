@@ -111,7 +111,8 @@ impl Place<'_> {
     /// Bounds of the second derivatives of surface∘map by the patch's parameters.
     fn image_bends(&self, face: &Face, part: [[f64; 2]; 2]) -> Option<[f64; 2]> {
         let image = self.parameters(part.map(|[low, high]| Interval { lo: low, hi: high }));
-        let patch = rectangle(face, image.map(Interval::mid))?;
+        let number = rectangle(face, image.map(Interval::mid))?;
+        let patch = &face.patches[number];
         let local: Vec<Interval> = (0..2)
             .map(|axis| {
                 let [start, end] = patch.ranges[axis].map(Interval::point);
@@ -121,7 +122,7 @@ impl Place<'_> {
         if local.iter().any(|at| at.lo < -MAX_EXCESS || at.hi > 1.0 + MAX_EXCESS) {
             return None;
         }
-        let surface = SecondDerivatives::of(&patch.net);
+        let surface = &face.bends[number];
         let steps = self.steps(part);
         let lengths: [Interval; 2] = std::array::from_fn(|axis| {
             Interval::point(patch.ranges[axis][1]) - Interval::point(patch.ranges[axis][0])
@@ -172,10 +173,11 @@ impl Place<'_> {
     }
 }
 
-/// The patch of the surface over the knot rectangle that contains these parameters, or the
-/// nearest one.
-fn rectangle(face: &Face, parameters: [f64; 2]) -> Option<&Patch> {
-    let outside = |patch: &&Patch| {
+/// The number of the surface's patch over the knot rectangle that contains these parameters, or
+/// of the nearest one.
+fn rectangle(face: &Face, parameters: [f64; 2]) -> Option<usize> {
+    let outside = |&number: &usize| {
+        let patch = &face.patches[number];
         (0..2)
             .map(|axis| {
                 let [start, end] = patch.ranges[axis];
@@ -183,12 +185,12 @@ fn rectangle(face: &Face, parameters: [f64; 2]) -> Option<&Patch> {
             })
             .fold(0.0, f64::max)
     };
-    face.patches.iter().min_by(|a, b| outside(a).total_cmp(&outside(b)))
+    (0..face.patches.len()).min_by(|a, b| outside(a).total_cmp(&outside(b)))
 }
 
 /// The surface's point; parameters that leave the domain by rounding are moved onto it.
 fn on_surface(face: &Face, parameters: &Box2) -> Option<Vector> {
-    let patch = rectangle(face, parameters.map(Interval::mid))?;
+    let patch = &face.patches[rectangle(face, parameters.map(Interval::mid))?];
     let local = std::array::from_fn(|axis| {
         let [start, end] = patch.ranges[axis].map(Interval::point);
         ((parameters[axis] - start) / (end - start)).in_unit()
