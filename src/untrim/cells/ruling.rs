@@ -40,11 +40,11 @@ pub(in crate::untrim) enum Mapped {
     Halve,
 }
 
-/// The parts of the tolerance of crossings that the crossing of the sides, each of the two
-/// shifts of a side, and folds may take.
-const CROSSING_PART: f64 = 0.5;
+/// The parts of the tolerance of crossings that the crossing of the sides, or the folds between
+/// them, and each of the two shifts of a side may take.
+const CROSSING_PART: f64 = 0.75;
+const FOLD_PART: f64 = 0.75;
 const SHIFT_PART: f64 = 0.125;
-const FOLD_PART: f64 = 0.25;
 
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
