@@ -76,10 +76,11 @@ struct Face {
     patches: Vec<Patch>,
     bends: Vec<SecondDerivatives>,
     frame: Frame,
-    /// The limit in the frame.
+    /// Half of the limit, in the frame: what a piece may be off the surface by, and what a place on
+    /// the surface may be off the region by.
     limit: f64,
-    /// Sizes in u and v of boxes of which no point is farther than a quarter of the limit from
-    /// another one on the surface.
+    /// Sizes in u and v of boxes of which no two points are farther than half of that from each
+    /// other on the surface: such a box, and one about it that is larger by as much on each side.
     small: [f64; 2],
     loops: Outline,
     deadline: Instant,
@@ -92,11 +93,11 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
     // The pieces have the size of the face, the surface may be much larger.
     let frame = Frame::new(&pieces, &Motion::IDENTITY, &pieces);
     let patches = bezier::patches(&model, &frame, &Motion::IDENTITY);
-    let limit = (cut.deviation + slack * frame.diagonal) * frame.scale;
+    let limit = 0.5 * (cut.deviation + slack * frame.diagonal) * frame.scale;
     let bends: Vec<SecondDerivatives> =
         patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
-    let small = slopes.map(|slope| 0.125 * limit / slope.max(f64::MIN_POSITIVE));
+    let small = slopes.map(|slope| 0.25 * limit / slope.max(f64::MIN_POSITIVE));
     let loops = Outline::new(cut.loops.iter().flatten().cloned());
     let face = Face { patches, bends, frame, limit, small, loops, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
