@@ -1,8 +1,9 @@
 //! Proofs of cuts: right ones are proved, and each kind of wrong one is refuted.
 
 use crate::cuts::cut;
+use crate::proof::Surface;
 use crate::proof::Verdict;
-use crate::proof::cut::{Cut, Finding, check};
+use crate::proof::cut::{Cut, Finding, Map, Piece, Ruled, check};
 use crate::support::trims::{arcs, circle, face, plane, rectangle, reversed};
 use nurbs_hausdorff::model::trim::TrimCurveArrays;
 use nurbs_hausdorff::{Model, ModelArrays};
@@ -72,14 +73,28 @@ fn a_piece_that_is_moved_off_its_place_is_noticed() {
     assert_refuted(&cut, "is off the surface");
 }
 
+/// A slit there and back, and a piece without area along it: as a torus was once read.
 #[test]
 fn loops_around_nothing_are_noticed() {
     let mut cut = ring();
-    cut.loops.truncate(1);
-    let back: Vec<Vec<[f64; 3]>> =
-        cut.loops[0].iter().rev().map(|curve| curve.iter().rev().copied().collect()).collect();
-    cut.loops.push(back);
+    let [from, to] = [[2.0, 2.0], [8.0, 2.0]];
+    let line = |from: [f64; 2], to: [f64; 2]| vec![[from[0], from[1], 1.0], [to[0], to[1], 1.0]];
+    cut.loops = vec![vec![line(from, to), line(to, from)]];
+    let unit = |[u, v]: [f64; 2]| [u / 10.0, v / 8.0];
+    let side = line(unit(from), unit(to));
+    let point = |[u, v]: [f64; 2]| [1.0 + u, 2.0 + 0.6 * v, 3.0 + 0.8 * v, 1.0];
+    let row = vec![point(from), point(to)];
+    let knots = vec![0.0, 0.0, 1.0, 1.0];
+    let surface =
+        Surface { degree: [1, 1], knots_u: knots.clone(), knots_v: knots, ctrl: vec![row.clone(), row] };
+    let map = Map::Ruled(Ruled::new([side.clone(), side], [[0.0, 10.0], [0.0, 8.0]], false));
+    cut.pieces = vec![Piece { surface, map }];
+    assert_refuted(&cut, "around nothing");
+}
+
+#[test]
+fn a_face_without_pieces_is_refuted() {
+    let mut cut = ring();
     cut.pieces.clear();
-    let finding = verdict(&cut);
-    assert_eq!(finding.verdict, Verdict::Refuted, "{finding:?}");
+    assert_refuted(&cut, "no pieces");
 }

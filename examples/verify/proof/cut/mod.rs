@@ -88,6 +88,9 @@ struct Face {
 
 /// Proves that face and pieces are within `deviation + slack` times the diagonal of each other.
 pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
+    if cut.pieces.is_empty() {
+        return Finding::refuted("the face has no pieces".to_owned());
+    }
     let model = Model { surfaces: vec![cut.surface.clone()] };
     let pieces = Model { surfaces: cut.pieces.iter().map(|piece| piece.surface.clone()).collect() };
     // The pieces have the size of the face, the surface may be much larger.
