@@ -1,6 +1,6 @@
 //! Loops: joints, gaps, edges and what makes a face unreadable.
 
-use crate::support::brep::{BrepText, line, minus, plus, polygon, rectangle};
+use crate::support::brep::{BrepText, circle, line, minus, plus, polygon, rectangle};
 use crate::{area_of, assert_near, read, region};
 use nurbs_hausdorff::Model;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
