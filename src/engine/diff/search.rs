@@ -22,9 +22,9 @@ const DECISION_PART: f64 = 1e-2;
 /// say how large a change is.
 const CHANGE_PART: f64 = 1e-3;
 
-/// The largest number of cells for those digits: nearly all changed faces take fewer than 1,000,
-/// and a face whose farthest points form a curve takes all that it gets. Its state is known.
-const NARROWING_CELLS: usize = 16_384;
+/// The largest number of cells for those digits, a quarter of a second: nearly all changed faces
+/// take fewer than 1,000, and a plate whose hole moved takes a million. Its state is known.
+const NARROWING_CELLS: usize = 65_536;
 
 /// The number of faces that are begun at once, enough for all threads, few enough
 /// that an event loop gets its turn in time.

@@ -37,12 +37,12 @@ fn units(rng: &mut Rng) -> i64 {
 }
 
 /// Returns the image of a circle of three arcs under an affine map, as CAD systems write discs that
-/// were scaled in one direction; its arcs often begin at a multiple of 30°.
+/// were scaled in one direction; an arc often begins where u or v is extreme, but for rounding.
 fn disc(rng: &mut Rng, center: DVec2, scale: f64) -> Ring {
-    let start = if rng.bool() { PI / 6.0 * f64::from(rng.u8(0..12)) } else { TAU * rng.f64() };
+    let start = if rng.u8(0..4) > 0 { 0.5 * PI * f64::from(rng.u8(0..4)) } else { TAU * rng.f64() };
     let size = DVec2::new(0.05 + 0.25 * rng.f64(), 0.05 + 0.25 * rng.f64());
     let shear = if rng.bool() { 0.0 } else { 0.8 * (rng.f64() - 0.5) };
-    let turn = if rng.bool() { 0.0 } else { TAU * rng.f64() };
+    let turn = if rng.u8(0..4) > 0 { 0.5 * PI * f64::from(rng.u8(0..4)) } else { TAU * rng.f64() };
     let map = DMat2::from_angle(turn)
         * DMat2::from_cols(DVec2::new(size.x, 0.0), DVec2::new(shear * size.x, size.y));
     let mut ring = circle(DVec2::ZERO, 1.0, start, 3);
