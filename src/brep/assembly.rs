@@ -2,7 +2,7 @@
 
 use super::faces::convert;
 use super::report::{FaceCounts, ReadReport, Skipped};
-use super::text::{BrepFile, Orientation, ShapeKind};
+use super::topology::{Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
@@ -60,7 +60,7 @@ struct Placed {
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
+pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
     let mut model = ModelArrays::default();
     let (mut counts, mut skipped) = (Vec::new(), Vec::new());
     let placed = placed_faces(file)?;
@@ -110,7 +110,7 @@ pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
 }
 
 /// Returns the faces below the root, in the order of the file.
-fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
+fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
@@ -129,7 +129,7 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
         let shape = &file.shapes[shape_use.shape];
         match shape.kind {
             ShapeKind::Face(_) => placed.push(Placed { shape: shape_use.shape, reversed, location }),
-            ShapeKind::Group => {
+            ShapeKind::Group(_) => {
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
             }
             // Loose wires, edges and vertices are no surfaces.

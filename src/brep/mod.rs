@@ -11,6 +11,7 @@ mod gap;
 mod nurbs;
 mod report;
 mod text;
+mod topology;
 mod validation;
 
 pub use report::{ReadReport, Skipped};
@@ -68,6 +69,6 @@ fn assembled(text: &str) -> Result<assembly::Assembled> {
     if found > Model::MAX_JSON_BYTES {
         return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
     }
-    let file = text::BrepFile::parse(text)?;
+    let file = text::parse(text)?;
     assembly::assemble(&file)
 }

@@ -5,7 +5,7 @@ use super::section::Section;
 use super::uses::{FoundCurve, gap};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{BrepFile, Edge, Face};
+use crate::brep::topology::{Edge, Face, Topology};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ const LINE_TOLERANCE: f64 = 1e-7;
 /// `BREP_NO_P_CURVE` if the edge does not lie on the surface, else those of the edge's own
 /// curve.
 pub(super) fn invert(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     surface: &Surface,
     edge: &Edge,

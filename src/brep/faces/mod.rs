@@ -21,7 +21,7 @@ mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};
 use super::report::FaceFault;
-use super::text::{BrepFile, Orientation, ShapeKind};
+use super::topology::{Orientation, ShapeKind, Topology};
 use crate::model::trim::{FaceArrays, TrimCurveArrays};
 use chain::Chain;
 use glam::DVec3;
@@ -46,14 +46,11 @@ const MAX_PERIODS: f64 = 2.0;
 ///
 /// # Errors
 /// The reason for which it cannot be read.
-pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFault> {
+pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[shape].kind else {
         return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
     };
-    let Some(index) = face.surface else {
-        return Err(FaceFault::new("BREP_NO_SURFACE", "the face has triangles and no surface"));
-    };
-    let surface = &file.surfaces[index];
+    let surface = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
     let loops = loops(file, shape, surface)?;
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim| FaceArrays {
@@ -88,7 +85,7 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
 
 /// Returns the loops of a face in the parameters of the file, closed and oriented with
 /// the material on the left.
-fn loops(file: &BrepFile, shape: usize, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
+fn loops(file: &Topology, shape: usize, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
     let mut chains: Vec<Chain> = Vec::new();
     for wire in &file.shapes[shape].children {
         let bounds = matches!(wire.orientation, Orientation::Forward | Orientation::Reversed);

@@ -6,7 +6,7 @@ use super::section::Section;
 use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
+use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
 use glam::{DAffine3, DVec3};
 
 /// An edge as part of a loop.
@@ -119,7 +119,7 @@ impl TrimUse {
 const BOX_PARTS: usize = 8;
 
 /// Returns the curves of a wire in the order of the file, each along the loop.
-pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
+pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[face_shape].kind else { return Ok(Vec::new()) };
     let mut uses = Vec::new();
     for child in &file.shapes[wire.shape].children {
@@ -161,7 +161,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
 }
 
 /// Returns the vertices at the start and end of an edge.
-fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
+fn vertices(file: &Topology, edge: usize) -> [Option<usize>; 2] {
     [Orientation::Forward, Orientation::Reversed].map(|orientation| {
         let children = &file.shapes[edge].children;
         children.iter().find(|child| child.orientation == orientation).map(|child| child.shape)
@@ -171,13 +171,13 @@ fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
 /// Returns the curve of an edge in the direction of the edge. `None` for an edge of no
 /// length.
 fn of_edge(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
     reversed: bool,
 ) -> Result<Option<FoundCurve>, FaceFault> {
-    let Some(index) = face.surface else { return Ok(None) };
+    let Ok(index) = face.surface else { return Ok(None) };
     let surface = &file.surfaces[index];
     let Some(p_curve) = p_curve(edge, index, location, &face.location) else {
         if edge.degenerate {
@@ -229,13 +229,13 @@ const SAME_LOCATION: f64 = 1e-9;
 /// the edge; the largest distance measured where no bound is found, as on offsets that are
 /// not rational.
 pub(super) fn gap(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
     (curve, range): (&Curve, [f64; 2]),
 ) -> f64 {
-    let (Some(surface), Some(space)) = (face.surface, &edge.curve) else { return 0.0 };
+    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return 0.0 };
     let lifted = Lifted {
         surface: &file.surfaces[surface],
         surface_location: face.location,

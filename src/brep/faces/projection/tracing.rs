@@ -3,7 +3,7 @@
 use super::{Projection, Projector};
 use crate::brep::nurbs::{Curve, Spline, Surface, Unconvertible};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{Edge, SpaceCurve};
+use crate::brep::topology::{Edge, SpaceCurve};
 use glam::{DAffine3, DVec3};
 
 /// The tolerance of a fit in space, relative to the size of the edge.
