@@ -1,8 +1,8 @@
 //! The faces of a file and their placements.
 
-use super::faces::convert;
+use super::faces::{Converted, convert};
 use super::report::{FaceCounts, ReadReport, Skipped};
-use super::topology::{Orientation, ShapeKind, Topology};
+use super::topology::{FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
@@ -57,11 +57,37 @@ struct Placed {
     shape: usize,
     reversed: bool,
     location: DAffine3,
+    /// The innermost group with a name that the face stands in.
+    part: Option<usize>,
+}
+
+impl Placed {
+    fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
+        match &file.shapes[self.shape].kind {
+            ShapeKind::Face(face) => Some(&face.label),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the part.
+    fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
+        match &file.shapes[self.part?].kind {
+            ShapeKind::Group(name) => name.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the face: that of the file or its number, behind that of its part.
+    fn name(&self, file: &Topology, number: usize) -> String {
+        let own = self.label(file).and_then(|label| label.name.clone());
+        let own = own.unwrap_or_else(|| format!("face {number}"));
+        self.part(file).map_or(own.clone(), |part| format!("{part}, {own}"))
+    }
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
 pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
-    let mut model = ModelArrays::default();
+    let mut model = ModelArrays { unit: file.unit, ..ModelArrays::default() };
     let (mut counts, mut skipped) = (Vec::new(), Vec::new());
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
@@ -72,13 +98,18 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
     for (number, (placed, converted)) in distinct.into_iter().zip(converted).enumerate() {
         match converted {
             Ok(mut converted) => {
-                counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
+                let entity = placed.label(file).and_then(|label| label.entity);
+                let Converted { exact, fitted, .. } = converted;
+                counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
-                converted.face.part = Some(format!("face {number}"));
+                converted.face.part = Some(placed.name(file, number));
                 faces.insert(placed.shape, model.faces.len());
                 model.faces.push(converted.face);
             }
-            Err(fault) => skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
+            Err(fault) => {
+                let entity = placed.label(file).and_then(|label| label.entity);
+                skipped.push(Skipped { face: number, entity, code: fault.code, why: fault.why });
+            }
         }
     }
     let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
@@ -86,9 +117,14 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
         let Some(&index) = faces.get(&placed.shape) else { continue };
         let transform = matrix(&placed.location);
         let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
-            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name: None });
+            let name = placed.part(file).map(str::to_owned);
+            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name });
             model.instances.len() - 1
         });
+        // Parts that have one placement are one instance, without a name.
+        if model.instances[group].name.as_deref() != placed.part(file) {
+            model.instances[group].name = None;
+        }
         model.instances[group].surfaces.push(index);
     }
     for instance in &mut model.instances {
@@ -113,9 +149,9 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
 fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
     // Uses still to be visited, the next one last, each with what it stands in.
-    let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
+    let mut pending = vec![(file.root, DAffine3::IDENTITY, false, None)];
     let mut visits = 0;
-    while let Some((shape_use, above, reversed)) = pending.pop() {
+    while let Some((shape_use, above, reversed, part)) = pending.pop() {
         visits += 1;
         if visits > MAX_VISITS {
             return Err(Error::BrepSyntax {
@@ -127,10 +163,13 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
         let location = above * shape_use.location;
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
-        match shape.kind {
-            ShapeKind::Face(_) => placed.push(Placed { shape: shape_use.shape, reversed, location }),
-            ShapeKind::Group(_) => {
-                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
+        match &shape.kind {
+            ShapeKind::Face(_) => {
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
+            }
+            ShapeKind::Group(name) => {
+                let part = name.as_ref().map(|_| shape_use.shape).or(part);
+                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
             }
             // Loose wires, edges and vertices are no surfaces.
             _ => {}

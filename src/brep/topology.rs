@@ -55,6 +55,17 @@ pub(crate) enum Orientation {
     External,
 }
 
+impl Orientation {
+    /// Returns the orientation of the shape turned round.
+    pub(crate) fn opposite(self) -> Self {
+        match self {
+            Self::Forward => Self::Reversed,
+            Self::Reversed => Self::Forward,
+            other => other,
+        }
+    }
+}
+
 /// The curves of an edge.
 #[derive(Debug)]
 pub(crate) struct Edge {
