@@ -56,7 +56,7 @@ pub(super) fn invert(
     let line = match line {
         Some(line) => Some(line),
         None => {
-            let parameters = traced.parameters(&mut projector)?;
+            let (parameters, _) = traced.parameters(&mut projector)?;
             parameter_line(&points, &parameters, surface, traced.size)
         }
     };
@@ -131,9 +131,8 @@ fn revolution_parameters(
     for &point in points {
         let local = frame.local_point(point);
         let radius = local.x.hypot(local.y);
-        let v = on_profile(profile, DVec3::new(radius, 0.0, local.z))?;
-        let angle = local.y.atan2(local.x);
-        let mut found = DVec3::new(angle, v, 0.0);
+        let v = on_meridian(profile, radius, local.z)?;
+        let mut found = DVec3::new(angle(local, profile.point(v)), v, 0.0);
         if let Some(last) = parameters.last() {
             // On the axis every angle is the point's.
             if radius <= LINE_TOLERANCE * size {
@@ -155,6 +154,27 @@ fn revolution_parameters(
         }
     }
     Some(parameters)
+}
+
+/// Returns the parameter of the profile's point nearest to a meridian's point at this radius and
+/// height: that on the same side of the axis, unless the surface passes the point on the other
+/// side alone, as the second half of a cone does.
+pub(super) fn on_meridian(profile: &Curve, radius: f64, height: f64) -> Option<f64> {
+    let [near, far] = [radius, -radius].map(|x| {
+        let point = DVec3::new(x, 0.0, height);
+        on_profile(profile, point).map(|v| (v, profile.point(v).distance(point)))
+    });
+    let ((near, distance), (far, other)) = (near?, far?);
+    let passes = LINE_TOLERANCE * radius.hypot(height);
+    Some(if distance > passes && other < OTHER_SIDE * distance { far } else { near })
+}
+
+/// The part of a distance that another one must be below to be clearly less.
+const OTHER_SIDE: f64 = 0.5;
+
+/// Returns the angle by which a point of the profile is turned to a point of the surface.
+pub(super) fn angle(local: DVec3, on_profile: DVec3) -> f64 {
+    local.y.atan2(local.x) - on_profile.y.atan2(on_profile.x)
 }
 
 /// Returns the ends of the parameter line through points with these parameters; `None` where

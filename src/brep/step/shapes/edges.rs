@@ -14,8 +14,7 @@ pub(super) struct Segment {
     pub(super) forward: bool,
 }
 
-/// The tolerance of edges in millimetres, a hundredth of what CAD systems resolve: curves made
-/// for faces follow an edge to a tenth of it.
+/// The least tolerance of edges and vertices in millimetres: that of OpenCASCADE.
 const TOLERANCE: f64 = 1e-7;
 
 /// The largest distance of a vertex from the curve of its edge, relative to the edge's size, or
@@ -85,7 +84,8 @@ impl Shapes<'_> {
 
     /// Appends an edge of this curve.
     pub(super) fn push_edge(&mut self, curve: SpaceCurve, vertices: Vec<Use>) -> Result<usize, FaceFault> {
-        let edge = Edge { tolerance: TOLERANCE, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
+        let tolerance = self.units.uncertainty.max(TOLERANCE);
+        let edge = Edge { tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
         self.push(ShapeKind::Edge(edge), vertices)
     }
 
