@@ -77,11 +77,10 @@ impl Placed {
         }
     }
 
-    /// Returns the name of the face: that of the file or its number, behind that of its part.
+    /// Returns the name of the face: that of the file, or its number.
     fn name(&self, file: &Topology, number: usize) -> String {
         let own = self.label(file).and_then(|label| label.name.clone());
-        let own = own.unwrap_or_else(|| format!("face {number}"));
-        self.part(file).map_or(own.clone(), |part| format!("{part}, {own}"))
+        own.unwrap_or_else(|| format!("face {number}"))
     }
 }
 
@@ -112,29 +111,15 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
             }
         }
     }
-    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
-    for placed in &placed {
-        let Some(&index) = faces.get(&placed.shape) else { continue };
-        let transform = matrix(&placed.location);
-        let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
-            let name = placed.part(file).map(str::to_owned);
-            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name });
-            model.instances.len() - 1
-        });
-        // Parts that have one placement are one instance, without a name.
-        if model.instances[group].name.as_deref() != placed.part(file) {
-            model.instances[group].name = None;
+    model.instances = instances(file, &placed, &faces);
+    if model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
+        for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
+            let Some(part) = name else { continue };
+            for index in surfaces {
+                let own = model.faces[index].part.take().unwrap_or_default();
+                model.faces[index].part = Some(format!("{part} / {own}"));
+            }
         }
-        model.instances[group].surfaces.push(index);
-    }
-    for instance in &mut model.instances {
-        instance.surfaces.sort_unstable();
-        instance.surfaces.dedup();
-    }
-    if let [only] = model.instances.as_slice()
-        && only.transform == crate::model::IDENTITY
-    {
-        model.instances.clear();
     }
     match skipped.first() {
         Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
@@ -143,6 +128,27 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
         _ if model.faces.is_empty() => Err(Error::EmptyModel),
         _ => Ok(Assembled { model, counts, skipped }),
     }
+}
+
+/// Returns the placements of faces that were read, those of one part and place together.
+fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+    let mut instances: Vec<InstanceArrays> = Vec::new();
+    let mut groups: HashMap<([u64; 12], Option<usize>), usize> = HashMap::new();
+    for placed in placed {
+        let Some(&index) = faces.get(&placed.shape) else { continue };
+        let transform = matrix(&placed.location);
+        let group = *groups.entry((transform.map(f64::to_bits), placed.part)).or_insert_with(|| {
+            let name = placed.part(file).map(str::to_owned);
+            instances.push(InstanceArrays { surfaces: Vec::new(), transform, name });
+            instances.len() - 1
+        });
+        instances[group].surfaces.push(index);
+    }
+    for instance in &mut instances {
+        instance.surfaces.sort_unstable();
+        instance.surfaces.dedup();
+    }
+    instances
 }
 
 /// Returns the faces below the root, in the order of the file.
