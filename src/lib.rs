@@ -73,6 +73,7 @@
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
 )]
 
+mod area;
 mod axis;
 mod lazy_table;
 mod param_box;
@@ -161,8 +162,9 @@ mod untrim;
 #[doc(hidden)]
 pub mod untrim;
 
+pub use area::Area;
 pub use axis::Axis;
-pub use brep::{ReadReport, Skipped};
+pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,

@@ -1,13 +1,15 @@
 //! The faces of a file and their placements.
 
+use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
-use super::report::{FaceCounts, ReadReport, Skipped};
+use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
 use super::topology::{FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::parallel;
 use glam::DAffine3;
+use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
 
 /// The most shapes visited from the root. A shape can stand in several others, so that
@@ -20,6 +22,7 @@ pub(super) struct Assembled {
     /// One entry a face of the model.
     pub(super) counts: Vec<FaceCounts>,
     pub(super) skipped: Vec<Skipped>,
+    pub(super) notes: Vec<Note>,
 }
 
 impl Assembled {
@@ -38,6 +41,7 @@ impl Assembled {
             gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
+            notes: self.notes.clone(),
             sources: self.sources(),
         }
     }
@@ -53,10 +57,10 @@ impl Assembled {
 }
 
 /// A face where an assembly places it.
-struct Placed {
-    shape: usize,
-    reversed: bool,
-    location: DAffine3,
+pub(super) struct Placed {
+    pub(super) shape: usize,
+    pub(super) reversed: bool,
+    pub(super) location: DAffine3,
     /// The innermost group with a name that the face stands in.
     part: Option<usize>,
 }
@@ -67,6 +71,11 @@ impl Placed {
             ShapeKind::Face(face) => Some(&face.label),
             _ => None,
         }
+    }
+
+    /// Returns the number by which the file calls the face.
+    fn entity(&self, file: &Topology) -> Option<u64> {
+        self.label(file).and_then(|label| label.entity)
     }
 
     /// Returns the name of the part.
@@ -86,74 +95,111 @@ impl Placed {
 
 /// Converts every face below the root once, and lists its placements if any is moved.
 pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
-    let mut model = ModelArrays { unit: file.unit, ..ModelArrays::default() };
-    let (mut counts, mut skipped) = (Vec::new(), Vec::new());
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
-    let distinct: Vec<&Placed> = placed.iter().filter(|placed| seen.insert(placed.shape)).collect();
-    let converted = parallel::map(distinct.len(), |number| convert(file, distinct[number].shape));
+    let distinct: Vec<(usize, &Placed)> =
+        placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
+    let converted = parallel::map(distinct.len(), |index| convert(file, distinct[index].1.shape));
+    let mut read = Assembled {
+        model: ModelArrays { unit: file.unit, ..ModelArrays::default() },
+        counts: Vec::new(),
+        skipped: Vec::new(),
+        notes: notes(file, &placed, &distinct, &converted),
+    };
     // The index of each shape's face among those read.
     let mut faces: HashMap<usize, usize> = HashMap::new();
-    for (number, (placed, converted)) in distinct.into_iter().zip(converted).enumerate() {
+    for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
-                let entity = placed.label(file).and_then(|label| label.entity);
                 let Converted { exact, fitted, .. } = converted;
-                counts.push(FaceCounts { number, entity, exact, fitted });
+                let entity = placed.entity(file);
+                read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.part = Some(placed.name(file, number));
-                faces.insert(placed.shape, model.faces.len());
-                model.faces.push(converted.face);
+                faces.insert(placed.shape, read.model.faces.len());
+                read.model.faces.push(converted.face);
             }
-            Err(fault) => {
-                let entity = placed.label(file).and_then(|label| label.entity);
-                skipped.push(Skipped { face: number, entity, code: fault.code, why: fault.why });
-            }
-        }
-    }
-    model.instances = instances(file, &placed, &faces);
-    if model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
-        for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
-            let Some(part) = name else { continue };
-            for index in surfaces {
-                let own = model.faces[index].part.take().unwrap_or_default();
-                model.faces[index].part = Some(format!("{part} / {own}"));
+            Err(FaceFault { code, why }) => {
+                let entity = placed.entity(file);
+                read.skipped.push(Skipped { face: number, entity, code, why });
             }
         }
     }
-    match skipped.first() {
-        Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
-            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: skipped.len() })
+    read.model.instances = instances(file, &placed, &faces);
+    if read.model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
+        name_parts(&mut read.model);
+    }
+    match read.skipped.first() {
+        Some(Skipped { face, why, .. }) if read.model.faces.is_empty() => {
+            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
         }
-        _ if model.faces.is_empty() => Err(Error::EmptyModel),
-        _ => Ok(Assembled { model, counts, skipped }),
+        _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
+        _ => Ok(read),
     }
 }
 
-/// Returns the placements of faces that were read, those of one part and place together.
+/// Returns the placements of faces, in the order of the file: those that follow each other in one
+/// part and place together.
 fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
-    let mut groups: HashMap<([u64; 12], Option<usize>), usize> = HashMap::new();
+    let mut last_part = None;
     for placed in placed {
         let Some(&index) = faces.get(&placed.shape) else { continue };
         let transform = matrix(&placed.location);
-        let group = *groups.entry((transform.map(f64::to_bits), placed.part)).or_insert_with(|| {
-            let name = placed.part(file).map(str::to_owned);
-            instances.push(InstanceArrays { surfaces: Vec::new(), transform, name });
-            instances.len() - 1
-        });
-        instances[group].surfaces.push(index);
-    }
-    for instance in &mut instances {
-        instance.surfaces.sort_unstable();
-        instance.surfaces.dedup();
+        match instances.last_mut() {
+            Some(last) if last.transform == transform && last_part == placed.part => {
+                last.surfaces.push(index);
+            }
+            _ => {
+                let name = placed.part(file).map(str::to_owned);
+                instances.push(InstanceArrays { surfaces: vec![index], transform, name });
+            }
+        }
+        last_part = placed.part;
     }
     instances
 }
 
-/// Returns the faces below the root, in the order of the file.
+/// Replaces instances that are all where their faces are by the names of their parts before
+/// those of the faces.
+fn name_parts(model: &mut ModelArrays) {
+    for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
+        let Some(part) = name else { continue };
+        for index in surfaces {
+            let own = model.faces[index].part.take().unwrap_or_default();
+            model.faces[index].part = Some(format!("{part} / {own}"));
+        }
+    }
+}
+
+/// Returns the remarks on faces, and the faces whose side of the loops nothing but the loops'
+/// directions tells.
+fn notes(
+    file: &Topology,
+    placed: &[Placed],
+    distinct: &[(usize, &Placed)],
+    converted: &[std::result::Result<Converted, FaceFault>],
+) -> Vec<Note> {
+    let uses = LazyCell::new(|| EdgeUses::of(file, placed));
+    let mut notes = Vec::new();
+    for (&(face, placed), converted) in distinct.iter().zip(converted) {
+        let Ok(converted) = converted else { continue };
+        let open = converted.complement_fits && !uses.confirm(file, placed);
+        let why = "the rest of the closed surface has the same edges: the face is the side on the left \
+                   of its edges' directions, which no seam and no neighbours confirm";
+        let complement = open.then(|| Remark::new("BREP_COMPLEMENT", why));
+        let remarks = converted.remarks.iter().cloned().chain(complement);
+        notes.extend(remarks.map(|Remark { code, why }| Note { face, code, why }));
+    }
+    notes
+}
+
+/// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
+/// shape is followed by its children; a face that is met again at its place, as between two solids,
+/// is listed once, as by `TopExp::MapShapes`.
 fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
+    let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, DAffine3::IDENTITY, false, None)];
     let mut visits = 0;
@@ -171,7 +217,9 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
         let shape = &file.shapes[shape_use.shape];
         match &shape.kind {
             ShapeKind::Face(_) => {
-                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
+                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) {
+                    placed.push(Placed { shape: shape_use.shape, reversed, location, part });
+                }
             }
             ShapeKind::Group(name) => {
                 let part = name.as_ref().map(|_| shape_use.shape).or(part);
@@ -185,7 +233,7 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
 }
 
 /// Returns the row-major 3x4 matrix of an affine map.
-fn matrix(map: &DAffine3) -> [f64; 12] {
+pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
     let rows = map.matrix3.transpose();
     let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
     let t = map.translation;

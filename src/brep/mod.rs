@@ -6,6 +6,7 @@
 //! their distance from the edges; [`assembly`] collects the faces and their placements.
 
 mod assembly;
+mod edges;
 mod faces;
 mod gap;
 mod nurbs;
@@ -15,7 +16,7 @@ mod text;
 mod topology;
 mod validation;
 
-pub use report::{ReadReport, Skipped};
+pub use report::{Note, ReadReport, Skipped};
 
 use crate::error::{Error, Result};
 use crate::model::Model;
@@ -80,7 +81,7 @@ pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
     let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
     let count = |(number, face)| report::FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
     let counts = model.faces.iter().enumerate().map(count).collect();
-    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
+    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new(), notes: Vec::new() })
 }
 
 fn assembled(text: &str) -> Result<assembly::Assembled> {

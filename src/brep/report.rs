@@ -27,6 +27,8 @@ pub struct ReadReport {
     pub unit: Option<f64>,
     /// The faces that could not be read, or not be cut into patches.
     pub skipped: Vec<Skipped>,
+    /// The faces of which the file leaves something open, with what was decided.
+    pub notes: Vec<Note>,
     /// The file's faces of the model's, one entry a face of the model: with instances a face
     /// of the file has several.
     #[serde(skip)]
@@ -57,6 +59,7 @@ impl ReadReport {
             gap: model.gap(),
             unit: model.unit(),
             skipped: Vec::new(),
+            notes: Vec::new(),
             sources: Vec::new(),
         }
     }
@@ -78,6 +81,7 @@ impl ReadReport {
             self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
         }
         self.skipped.sort_by_key(|skipped| skipped.face);
+        self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
     }
 }
 
@@ -93,6 +97,30 @@ pub struct Skipped {
     pub code: &'static str,
     /// The reason.
     pub why: String,
+}
+
+/// What the file leaves open of a face that was read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Note {
+    /// The number of the face among those of the file, from 0.
+    pub face: usize,
+    /// The stable code of the remark.
+    pub code: &'static str,
+    /// The decision, and the reason for it.
+    pub why: String,
+}
+
+/// A remark on a face whose number is not known yet.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Remark {
+    pub(super) code: &'static str,
+    pub(super) why: String,
+}
+
+impl Remark {
+    pub(super) fn new(code: &'static str, why: impl Into<String>) -> Self {
+        Self { code, why: why.into() }
+    }
 }
 
 /// The reason for which a face cannot be read.

@@ -16,6 +16,8 @@ pub(super) struct TrimUse {
     pub(super) curve: Spline,
     /// The number of the edge; `None` for curves that no edge of the file is.
     pub(super) edge: Option<u32>,
+    /// Whether the wire uses the edge against its direction.
+    pub(super) reversed: bool,
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
     /// The tolerance of the edge, and that of the vertex at its end.
@@ -25,6 +27,8 @@ pub(super) struct TrimUse {
     pub(super) gap: f64,
     /// Whether the curve is a fit, and not the file's or exact.
     pub(super) fitted: bool,
+    /// Whether the edge is a point in space, as at a pole.
+    pub(super) degenerate: bool,
     /// The plane whose section with the surface the edge is, between the curve's ends, and the
     /// distance between both.
     pub(super) section: Option<(Section, f64)>,
@@ -74,11 +78,13 @@ impl TrimUse {
         Self {
             curve,
             edge: None,
+            reversed: false,
             vertices: [None; 2],
             tolerance: 0.0,
             end_tolerance: 0.0,
             gap: 0.0,
             fitted: false,
+            degenerate: false,
             section: None,
             deviation: 0.0,
         }
@@ -142,6 +148,7 @@ pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
             edge: u32::try_from(child.shape).ok(),
+            reversed,
             vertices,
             tolerance: edge.tolerance,
             end_tolerance: vertices[1].map_or(0.0, |vertex| match file.shapes[vertex].kind {
@@ -150,6 +157,7 @@ pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<
             }),
             gap,
             fitted,
+            degenerate: edge.degenerate,
             section,
             deviation,
         });

@@ -7,6 +7,7 @@ use super::frame::Frame;
 use super::interpolation;
 use super::parameter_map::ParameterMap;
 use super::spline::{self, Spline, project};
+use super::surface::CLOSED;
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -153,6 +154,17 @@ impl Curve {
             Self::Offset { basis, .. } => basis.period(),
             _ => None,
         }
+    }
+
+    /// Returns the length after which the curve meets itself, whether or not its parameter
+    /// continues.
+    pub(crate) fn closure(&self) -> Option<f64> {
+        self.period().or_else(|| {
+            let [start, end] = self.natural_range()?;
+            let [first, last, middle] = [start, end, 0.5 * (start + end)].map(|t| self.point(t));
+            let scale = first.abs().max(middle.abs()).max_element();
+            (first.distance(last) <= CLOSED * scale).then_some(end - start)
+        })
     }
 
     /// Returns the interval around a parameter on which the curve is analytic.

@@ -145,6 +145,7 @@ const refusals = [
   ["TRIM_LOOP_OPEN", { trim: [outer(), outer().slice(1)] }, /loop 1, curve 0/],
   ["TRIM_OUTSIDE_DOMAIN", { trim: [polygon([0, 0], [1.5, 0], [1, 1])] }, /loop 0, curve 0/],
   ["TRIM_LOOP_NO_AREA", { trim: [polygon([0, 0], [1, 1])] }],
+  ["TRIM_REGION_NO_AREA", { trim: [outer(), polygon([0, 0], [0, 1], [1, 1], [1, 0])] }],
   ["TRIM_LOOPS_CROSS", { trim: [polygon([0, 0], [1, 1], [1, 0], [0, 0.5])] }],
   ["TRIM_WRONG_NESTING", { trim: [circle(true)] }, /clockwise/],
   ["GAP_INVALID", { gap: -1 }],

@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::Path;
 
 /// Reads the model in a file of interchange JSON, STEP or OpenCASCADE's BREP text, found by its
-/// content, and prints the faces left out.
+/// content, and prints the faces left out and the notes on others.
 ///
 /// # Errors
 /// [`Error::FileUnreadable`], [`Error::FileTooLarge`] before anything is read,
@@ -23,6 +23,9 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
         let (path, face, why) = (path.display(), skipped.face, &skipped.why);
         let entity = skipped.entity.map(|entity| format!(" (#{entity})")).unwrap_or_default();
         eprintln!("warning: {path}: face {face}{entity} is left out: {why}");
+    }
+    for note in &input.report.read.notes {
+        eprintln!("note: {}: face {}: {}", path.display(), note.face, note.why);
     }
     Ok(input)
 }

@@ -1,13 +1,17 @@
-//! Orientations of closed loops, and the outer loop that closed surfaces can lack.
+//! Directions of closed loops, and the outer loop that closed surfaces can lack.
 
+use super::area::{self, AREA_TOLERANCE};
 use super::rings::reversed;
-use super::uses::TrimUse;
+use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::Surface;
 use crate::brep::report::FaceFault;
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
 /// The points of a piece of a curve in the polygon that stands for it.
 const POLYGON_POINTS: usize = 8;
+
+/// The most periods that a loop's box is searched for places of a hole.
+const MAX_PLACES: f64 = 64.0;
 
 /// A loop and its polygon.
 struct Loop {
@@ -19,9 +23,7 @@ struct Loop {
 impl Loop {
     fn new(uses: Vec<TrimUse>) -> Self {
         let polygon: Vec<DVec2> = uses.iter().flat_map(points).collect();
-        let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
-        let origin = polygon[0];
-        let area = pairs.map(|(&a, &b)| 0.5 * (a - origin).perp_dot(b - origin)).sum();
+        let area = area::of_loop(&uses);
         Self { uses, polygon, area }
     }
 
@@ -65,23 +67,33 @@ fn points(trim_use: &TrimUse) -> Vec<DVec2> {
 /// others run counter-clockwise.
 ///
 /// On a surface closed in both parameters a clockwise loop inside of no other is a hole
-/// in the whole surface, whose rectangle becomes the outer loop; on other surfaces it is
-/// a loop of the wrong orientation, which is reversed.
+/// in the whole surface, whose rectangle becomes the outer loop; on other surfaces, of which no
+/// face covers the rest, it is a loop of the wrong direction, which is reversed.
 ///
 /// # Errors
-/// `BREP_LOOP_NO_AREA` for a loop without area.
-pub(super) fn orient(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
+/// `BREP_LOOP_NO_AREA` for a loop without area, `BREP_LOOP_SHIFTS` if a hole fits its outer loop
+/// at several periods, `BREP_LOOP_DIRECTIONS` if loops on a closed surface state opposite sides of
+/// it, `BREP_COVERED_TWICE` if the region is larger than the surface.
+pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
     let mut loops: Vec<Loop> = loops.into_iter().map(Loop::new).collect();
     if let Some(index) = loops.iter().position(|one| one.area == 0.0 || !one.area.is_finite()) {
         return Err(FaceFault::new("BREP_LOOP_NO_AREA", format!("loop {index} encloses no area")));
     }
-    gather(&mut loops, surface);
+    gather(&mut loops, surface)?;
     let depth = |loops: &[Loop], index: usize| {
         let point = loops[index].polygon[0];
         loops.iter().enumerate().filter(|(other, one)| *other != index && one.contains(point)).count()
     };
     let mut depths: Vec<usize> = (0..loops.len()).map(|index| depth(&loops, index)).collect();
-    if is_closed(surface) && loops.iter().zip(&depths).any(|(one, &depth)| depth == 0 && one.area < 0.0) {
+    let closed = area::of_closed(surface);
+    let outer = |positive: bool| {
+        loops.iter().zip(&depths).any(|(one, &depth)| depth == 0 && (one.area > 0.0) == positive)
+    };
+    if closed.is_some() && outer(false) {
+        if outer(true) {
+            let why = "loops beside each other on a closed surface turn in opposite directions";
+            return Err(FaceFault::new("BREP_LOOP_DIRECTIONS", why));
+        }
         loops.insert(0, whole(surface, &loops));
         depths = depths.into_iter().map(|depth| depth + 1).collect();
         depths.insert(0, 0);
@@ -89,36 +101,67 @@ pub(super) fn orient(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Vec<
     for (one, depth) in loops.iter_mut().zip(depths) {
         if (one.area > 0.0) != (depth % 2 == 0) {
             one.uses = reversed(std::mem::take(&mut one.uses));
+            one.area = -one.area;
         }
     }
-    Ok(loops.into_iter().map(|one| one.uses).collect())
+    let covered: f64 = loops.iter().map(|one| one.area).sum();
+    match closed.map(|whole| covered / whole).filter(|&part| part > 1.0 + AREA_TOLERANCE) {
+        Some(part) => {
+            let why = format!("the loops cover {part:?} of the surface, expected at most all of it");
+            Err(FaceFault::new("BREP_COVERED_TWICE", why))
+        }
+        None => Ok(loops.into_iter().map(|one| one.uses).collect()),
+    }
 }
 
-/// Moves loops by whole periods into the box of the largest one.
-fn gather(loops: &mut [Loop], surface: &Surface) {
+/// Moves loops by whole periods into the box of the largest one, and holes into that one itself.
+fn gather(loops: &mut [Loop], surface: &Surface) -> Result<(), FaceFault> {
     let largest = loops.iter().enumerate().max_by(|(_, a), (_, b)| a.area.abs().total_cmp(&b.area.abs()));
-    let Some((largest, [low, high])) = largest.map(|(index, one)| (index, one.bounds())) else { return };
-    let middle = 0.5 * (low + high);
+    let Some((largest, _)) = largest else { return Ok(()) };
     let periods = surface.periods();
-    for (index, one) in loops.iter_mut().enumerate() {
-        if index == largest {
-            continue;
-        }
-        let [low, high] = one.bounds();
-        let shift = [0, 1].map(|axis| match periods[axis] {
-            Some(period) => period * ((middle[axis] - 0.5 * (low[axis] + high[axis])) / period).round(),
-            None => 0.0,
-        });
-        if shift != [0.0, 0.0] {
-            one.translate(DVec2::from_array(shift));
+    for index in (0..loops.len()).filter(|&index| index != largest) {
+        let shift = shift(&loops[largest], &loops[index], periods).map_err(|count| {
+            let why = format!("loop {index} lies in the outer one at {count} periods, expected one");
+            FaceFault::new("BREP_LOOP_SHIFTS", why)
+        })?;
+        if shift != DVec2::ZERO {
+            loops[index].translate(shift);
         }
     }
+    Ok(())
 }
 
-/// Returns whether the surface is closed in u, and in v closed or ended by poles.
-fn is_closed(surface: &Surface) -> bool {
-    let [u, v] = surface.closures();
-    u.is_some() && (v.is_some() || surface.poles().len() == 2)
+/// Returns the whole periods by which one loop comes to the middle of another one's box, or, if
+/// it is a hole in that, into that.
+///
+/// # Errors
+/// The number of places in which the hole lies in the other loop, if there are several.
+fn shift(outer: &Loop, one: &Loop, periods: [Option<f64>; 2]) -> Result<DVec2, usize> {
+    let ([low, high], [one_low, one_high]) = (outer.bounds(), one.bounds());
+    let difference = 0.5 * (low + high - one_low - one_high);
+    // The places at which both boxes meet, and the one at which their middles are nearest.
+    let places = [0, 1].map(|axis| match periods[axis] {
+        Some(period) => {
+            let ends = [low[axis] - one_high[axis], high[axis] - one_low[axis]];
+            let [first, last] = [(ends[0] / period).ceil(), (ends[1] / period).floor()];
+            let count = (last - first + 1.0).clamp(0.0, MAX_PLACES) as u32;
+            let all = (0..count).map(|place| period * (first + f64::from(place))).collect();
+            (period * (difference[axis] / period).round(), all)
+        }
+        None => (0.0, vec![0.0]),
+    });
+    let [(u, us), (v, vs)] = places;
+    let nearest = DVec2::new(u, v);
+    if outer.area < 0.0 || one.area > 0.0 {
+        return Ok(nearest);
+    }
+    let all = us.iter().flat_map(|&u| vs.iter().map(move |&v| DVec2::new(u, v)));
+    let inside: Vec<DVec2> = all.filter(|&shift| outer.contains(one.polygon[0] + shift)).collect();
+    match inside.as_slice() {
+        [] => Ok(nearest),
+        [only] => Ok(*only),
+        several => Err(several.len()),
+    }
 }
 
 /// Returns the rectangle of a whole closed surface, cut where it does not cross the loops
