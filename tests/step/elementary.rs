@@ -194,3 +194,44 @@ fn an_ellipse_bounds_the_oblique_section_of_a_cylinder() {
     assert_near(areas(&model)[0], PI * 2.0 * 8.0_f64.sqrt(), 1e-12);
     assert_eq!(report.fitted, 0);
 }
+
+/// Half of a sphere, whose edge passes both poles: the plane of the rim contains the axis.
+#[test]
+fn an_edge_may_pass_the_poles_of_a_sphere() {
+    for turned in [0.0_f64, 0.3] {
+        let mut text = StepText::new();
+        let placement = text.placement([0.0; 3], Z, X);
+        let surface = text.add(format!("SPHERICAL_SURFACE('',#{placement},2.)"));
+        let rim = text.placement([0.0; 3], [turned.cos(), turned.sin(), 0.0], Z);
+        let circle = text.circle(rim, 2.0);
+        let at = [-2.0 * turned.sin(), 2.0 * turned.cos(), 0.0];
+        let vertex = text.vertex(at);
+        let rim = text.edge(circle, [vertex, vertex], true);
+        let path = text.edge_loop(&[(rim, true)]);
+        let half = text.face(&[path], surface, true);
+        let (model, _) = face(text, half);
+        assert_near(areas(&model)[0], TAU * 4.0, 1e-6);
+    }
+}
+
+/// A quarter of a sphere, one of whose two edges passes a pole in its middle.
+#[test]
+fn a_quarter_of_a_sphere_may_have_a_pole_on_an_edge() {
+    let mut text = StepText::new();
+    let placement = text.placement([0.0; 3], X, Z);
+    let surface = text.add(format!("SPHERICAL_SURFACE('',#{placement},2.)"));
+    // Between two half circles that meet on the axis y.
+    let ends = [[0.0, -2.0, 0.0], [0.0, 2.0, 0.0]].map(|end| text.vertex(end));
+    let mut arc = |normal: [f64; 3], start: [f64; 3]| {
+        let placement = text.placement([0.0; 3], normal, start);
+        let circle = text.circle(placement, 2.0);
+        text.edge(circle, ends, true)
+    };
+    // Through (2, 0, 0), a pole of the surface's frame, and through (0, 0, 2).
+    let front = arc(Z, [0.0, -1.0, 0.0]);
+    let top = arc([-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]);
+    let path = text.edge_loop(&[(front, true), (top, false)]);
+    let quarter = text.face(&[path], surface, true);
+    let (model, _) = face(text, quarter);
+    assert_near(areas(&model)[0], PI * 4.0, 1e-6);
+}

@@ -120,3 +120,25 @@ fn a_curve_of_itself_is_left_out() {
     assert_eq!(error.code(), "BREP_UNREADABLE");
     assert!(error.to_string().contains("nested more than 32 times"), "{error}");
 }
+
+/// Surfaces of a set, within boundary curves or whole; a set has no shells.
+#[test]
+fn the_surfaces_of_a_set_are_faces() {
+    let mut text = StepText::new();
+    let placement = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
+    let plane = text.add(format!("PLANE('',#{placement})"));
+    let circle = text.circle(placement, 2.0);
+    let segment = text.add(format!("COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#{circle})"));
+    let boundary = text.add(format!("OUTER_BOUNDARY_CURVE('',(#{segment}),.F.)"));
+    let disc = text.add(format!("CURVE_BOUNDED_SURFACE('disc',#{plane},(#{boundary}),.F.)"));
+    let sphere = text.add(format!("SPHERICAL_SURFACE('',#{placement},3.)"));
+    let zone = text.add(format!("RECTANGULAR_TRIMMED_SURFACE('',#{sphere},0.,3.,0.,0.5,.T.,.T.)"));
+    let point = text.point([0.0; 3]);
+    let set = text.add(format!("GEOMETRIC_SET('',(#{point},#{disc},#{zone}))"));
+    let (model, report) = Model::from_step(text.of(&[set], UnitsOf::Millimetres).as_bytes()).unwrap();
+    assert_eq!(report.skipped, []);
+    let found: Vec<f64> = model.faces().map(|face| crate::area::area(&face)).collect();
+    crate::assert_near(found[0], std::f64::consts::PI * 4.0, 1e-12);
+    crate::assert_near(found[1], 9.0 * 3.0 * 0.5_f64.sin(), 1e-9);
+    assert_eq!(model.faces().next().unwrap().part(), Some("part / disc"));
+}

@@ -2,7 +2,7 @@
 
 use super::{Shapes, used};
 use crate::brep::report::FaceFault;
-use crate::brep::topology::{Face, FaceLabel, ShapeKind, Use};
+use crate::brep::topology::{ShapeKind, Use};
 
 /// The deepest nesting of bodies.
 const MAX_NESTING: usize = 8;
@@ -96,22 +96,5 @@ impl Shapes<'_> {
             }
         }
         Ok(Some((entity.name(), children)))
-    }
-
-    /// Returns the face that is a whole surface of a set; `None` for points and curves.
-    fn loose_surface(&mut self, instance: u64) -> Result<Option<Use>, FaceFault> {
-        let keyword = self.file.keyword(instance);
-        if !keyword.contains("SURFACE") || keyword.ends_with("_CURVE") {
-            return Ok(None);
-        }
-        let shape = match self.surface(instance) {
-            Ok(surface) => {
-                let name = self.file.entity(instance)?.name();
-                let label = FaceLabel { entity: Some(instance), name };
-                self.push(ShapeKind::Face(Face { label, ..Face::on(surface) }), Vec::new())?
-            }
-            Err(fault) => self.unreadable(instance, fault)?,
-        };
-        Ok(Some(used(shape, true)))
     }
 }

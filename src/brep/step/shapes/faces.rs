@@ -74,6 +74,13 @@ impl Shapes<'_> {
             }
             wires.push(wire);
         }
+        let surface = match self.turned_sphere(surface, &wires) {
+            Some(turned) => {
+                self.topology.surfaces.push(turned);
+                self.topology.surfaces.len() - 1
+            }
+            None => surface,
+        };
         let label = FaceLabel { entity: Some(instance), name: entity.name() };
         self.push(ShapeKind::Face(Face { label, ..Face::on(surface) }), wires)
     }

@@ -4,6 +4,8 @@ mod bodies;
 mod edges;
 mod faces;
 mod loops;
+mod loose;
+mod spheres;
 
 use super::exchange::Exchange;
 use super::geometry::{Scale, surface};
