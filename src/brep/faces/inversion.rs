@@ -41,7 +41,14 @@ pub(super) fn invert(
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
         // The error is one of the edge's own coordinates.
         let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
-        return Ok(FoundCurve { curve, gap, fitted: error > 0.0, section: None, deviation: 0.0 });
+        return Ok(FoundCurve {
+            curve,
+            gap,
+            fitted: error > 0.0,
+            section: None,
+            deviation: 0.0,
+            is_placed: false,
+        });
     }
     let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
@@ -65,11 +72,11 @@ pub(super) fn invert(
         let line = Curve::Line { point: start, direction: end - start };
         let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]));
         let curve = Spline::segment([0.0, 1.0], start, end);
-        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0 });
+        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0, is_placed: false });
     }
     let fit = traced.fit(surface, &mut projector)?;
     let gap = gap(file, face, edge, location, (&Curve::Spline(fit.clone().into()), space.range));
-    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0 };
+    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0, is_placed: false };
     Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
 }
 

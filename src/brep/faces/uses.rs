@@ -34,6 +34,8 @@ pub(super) struct TrimUse {
     pub(super) section: Option<(Section, f64)>,
     /// The distance in the parameters by which the curve deviates from the file's.
     pub(super) deviation: f64,
+    /// Whether the file places the curve; one made from the edge may lie periods away.
+    pub(super) is_placed: bool,
 }
 
 /// The curve of an edge, in its direction, with the fields of [`TrimUse`].
@@ -43,6 +45,7 @@ pub(super) struct FoundCurve {
     pub(super) fitted: bool,
     pub(super) section: Option<(Section, f64)>,
     pub(super) deviation: f64,
+    pub(super) is_placed: bool,
 }
 
 impl FoundCurve {
@@ -87,6 +90,7 @@ impl TrimUse {
             degenerate: false,
             section: None,
             deviation: 0.0,
+            is_placed: true,
         }
     }
 
@@ -140,7 +144,7 @@ pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<
         let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
             FaceFault { code, why: format!("edge {}: {why}", child.shape) }
         })?;
-        let Some(FoundCurve { curve, gap, fitted, section, deviation }) = found else { continue };
+        let Some(FoundCurve { curve, gap, fitted, section, deviation, is_placed }) = found else { continue };
         let mut vertices = vertices(file, child.shape);
         if reversed {
             vertices.reverse();
@@ -160,6 +164,7 @@ pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<
             degenerate: edge.degenerate,
             section,
             deviation,
+            is_placed,
         });
     }
     if wire.orientation == Orientation::Reversed {
@@ -203,7 +208,8 @@ fn of_edge(
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
     let gap = gap(file, face, edge, location, (curve, p_curve.range));
-    let found = FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation };
+    let found =
+        FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation, is_placed: true };
     let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
         return Ok(Some(found));
     };
