@@ -216,16 +216,14 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
         match &shape.kind {
-            ShapeKind::Face(_) => {
-                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) {
-                    placed.push(Placed { shape: shape_use.shape, reversed, location, part });
-                }
+            ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
             }
             ShapeKind::Group(name) => {
                 let part = name.as_ref().map(|_| shape_use.shape).or(part);
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
             }
-            // Loose wires, edges and vertices are no surfaces.
+            // Loose wires, edges and vertices are no surfaces; faces met again are listed.
             _ => {}
         }
     }

@@ -24,6 +24,9 @@ const OTHER_BODIES: [&str; 9] = [
 const WITHOUT_FACES: [&str; 4] =
     ["EDGE_BASED_WIREFRAME_MODEL", "SHELL_BASED_WIREFRAME_MODEL", "TESSELLATED_SOLID", "TESSELLATED_SHELL"];
 
+/// The name of a body and the shapes that it is made of.
+type Body = (Option<String>, Vec<Use>);
+
 impl Shapes<'_> {
     /// Returns the group of an item of a representation; `None` for an item that is no body, as
     /// points, curves and placements are. A body that cannot be read is a face with the reason.
@@ -48,11 +51,7 @@ impl Shapes<'_> {
     }
 
     /// Returns the name of a body and the shapes that it is made of.
-    fn children(
-        &mut self,
-        instance: u64,
-        nesting: usize,
-    ) -> Result<Option<(Option<String>, Vec<Use>)>, FaceFault> {
+    fn children(&mut self, instance: u64, nesting: usize) -> Result<Option<Body>, FaceFault> {
         let entity = self.file.entity(instance)?;
         if nesting == MAX_NESTING {
             return Err(entity.unknown("a body of fewer levels"));
