@@ -23,7 +23,7 @@ fn assert_bounds(model: &Model, [low, high]: [[f64; 3]; 2]) {
 }
 
 /// Two uses of a part: where it is, and turned by a right angle about z and moved.
-fn of_two_uses(units: UnitsOf, swapped: bool) -> String {
+pub(crate) fn of_two_uses(units: UnitsOf, swapped: bool) -> String {
     let mut text = StepText::new();
     let part = part(&mut text, units);
     let product = text.product("bolt", part);

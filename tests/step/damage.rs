@@ -5,7 +5,7 @@ use crate::support::step::{StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use proptest::prelude::*;
 
-fn brick() -> String {
+pub(crate) fn brick() -> String {
     let mut text = StepText::new();
     let faces = box_faces(&mut text, [1.0, 2.0, 4.0]);
     let solid = text.solid("brick", &faces);

@@ -13,6 +13,7 @@ mod damage;
 mod elementary;
 mod left_out;
 mod polygons;
+mod real_files;
 mod splines;
 mod units;
 
