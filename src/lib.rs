@@ -49,8 +49,8 @@
 //!
 //! # Map
 //!
-//! A [`Model`] is valid once it is made, from interchange JSON, arrays or the BREP text of
-//! OpenCASCADE. A [`PreparedModel`] keeps what is
+//! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP or the BREP text
+//! of OpenCASCADE. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!

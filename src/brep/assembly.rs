@@ -3,7 +3,7 @@
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
 use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
-use super::text::{BrepFile, Orientation, ShapeKind};
+use super::topology::{FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
@@ -61,17 +61,47 @@ pub(super) struct Placed {
     pub(super) shape: usize,
     pub(super) reversed: bool,
     pub(super) location: DAffine3,
+    /// The innermost group with a name that the face stands in.
+    part: Option<usize>,
+}
+
+impl Placed {
+    fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
+        match &file.shapes[self.shape].kind {
+            ShapeKind::Face(face) => Some(&face.label),
+            _ => None,
+        }
+    }
+
+    /// Returns the number by which the file calls the face.
+    fn entity(&self, file: &Topology) -> Option<u64> {
+        self.label(file).and_then(|label| label.entity)
+    }
+
+    /// Returns the name of the part.
+    fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
+        match &file.shapes[self.part?].kind {
+            ShapeKind::Group(name) => name.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the face: that of the file, or its number.
+    fn name(&self, file: &Topology, number: usize) -> String {
+        let own = self.label(file).and_then(|label| label.name.clone());
+        own.unwrap_or_else(|| format!("face {number}"))
+    }
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
+pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
         placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
     let converted = parallel::map(distinct.len(), |index| convert(file, distinct[index].1.shape));
     let mut read = Assembled {
-        model: ModelArrays::default(),
+        model: ModelArrays { unit: file.unit, ..ModelArrays::default() },
         counts: Vec::new(),
         skipped: Vec::new(),
         notes: notes(file, &placed, &distinct, &converted),
@@ -81,16 +111,24 @@ pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
     for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
-                read.counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
+                let Converted { exact, fitted, .. } = converted;
+                let entity = placed.entity(file);
+                read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
-                converted.face.part = Some(format!("face {number}"));
+                converted.face.part = Some(placed.name(file, number));
                 faces.insert(placed.shape, read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
-            Err(fault) => read.skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
+            Err(FaceFault { code, why }) => {
+                let entity = placed.entity(file);
+                read.skipped.push(Skipped { face: number, entity, code, why });
+            }
         }
     }
-    read.model.instances = instances(&placed, &faces);
+    read.model.instances = instances(file, &placed, &faces);
+    if read.model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
+        name_parts(&mut read.model);
+    }
     match read.skipped.first() {
         Some(Skipped { face, why, .. }) if read.model.faces.is_empty() => {
             Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
@@ -100,27 +138,44 @@ pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
     }
 }
 
-/// Returns the placements of faces, in the order of the file; none if no face is moved.
-fn instances(placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+/// Returns the placements of faces, in the order of the file: those that follow each other in one
+/// part and place together.
+fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
+    let mut last_part = None;
     for placed in placed {
         let Some(&index) = faces.get(&placed.shape) else { continue };
         let transform = matrix(&placed.location);
         match instances.last_mut() {
-            Some(last) if last.transform == transform => last.surfaces.push(index),
-            _ => instances.push(InstanceArrays { surfaces: vec![index], transform, name: None }),
+            Some(last) if last.transform == transform && last_part == placed.part => {
+                last.surfaces.push(index);
+            }
+            _ => {
+                let name = placed.part(file).map(str::to_owned);
+                instances.push(InstanceArrays { surfaces: vec![index], transform, name });
+            }
         }
+        last_part = placed.part;
     }
-    match instances.as_slice() {
-        [only] if only.transform == crate::model::IDENTITY => Vec::new(),
-        _ => instances,
+    instances
+}
+
+/// Replaces instances that are all where their faces are by the names of their parts before
+/// those of the faces.
+fn name_parts(model: &mut ModelArrays) {
+    for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
+        let Some(part) = name else { continue };
+        for index in surfaces {
+            let own = model.faces[index].part.take().unwrap_or_default();
+            model.faces[index].part = Some(format!("{part} / {own}"));
+        }
     }
 }
 
 /// Returns the remarks on faces, and the faces whose side of the loops nothing but the loops'
 /// directions tells.
 fn notes(
-    file: &BrepFile,
+    file: &Topology,
     placed: &[Placed],
     distinct: &[(usize, &Placed)],
     converted: &[std::result::Result<Converted, FaceFault>],
@@ -142,13 +197,13 @@ fn notes(
 /// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
 /// shape is followed by its children; a face that is met again at its place, as between two solids,
 /// is listed once, as by `TopExp::MapShapes`.
-fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
+fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
     let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
-    let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
+    let mut pending = vec![(file.root, DAffine3::IDENTITY, false, None)];
     let mut visits = 0;
-    while let Some((shape_use, above, reversed)) = pending.pop() {
+    while let Some((shape_use, above, reversed, part)) = pending.pop() {
         visits += 1;
         if visits > MAX_VISITS {
             return Err(Error::BrepSyntax {
@@ -160,14 +215,15 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
         let location = above * shape_use.location;
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
-        match shape.kind {
+        match &shape.kind {
             ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
-                placed.push(Placed { shape: shape_use.shape, reversed, location });
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
             }
-            ShapeKind::Group => {
-                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
+            ShapeKind::Group(name) => {
+                let part = name.as_ref().map(|_| shape_use.shape).or(part);
+                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
             }
-            // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
+            // Loose wires, edges and vertices are no surfaces; faces met again are listed.
             _ => {}
         }
     }

@@ -1,7 +1,7 @@
 //! Edges between neighbouring faces.
 
 use super::assembly::{Placed, matrix};
-use super::text::{BrepFile, Orientation, ShapeKind, Use};
+use super::topology::{Orientation, ShapeKind, Topology, Use};
 use std::collections::HashMap;
 
 /// An edge where it is placed.
@@ -12,7 +12,7 @@ pub(super) struct EdgeUses(HashMap<PlacedEdge, [usize; 2]>);
 
 impl EdgeUses {
     /// Counts the uses, with the directions of the faces' normals. O(edges).
-    pub(super) fn of(file: &BrepFile, faces: &[Placed]) -> Self {
+    pub(super) fn of(file: &Topology, faces: &[Placed]) -> Self {
         let mut counts: HashMap<PlacedEdge, [usize; 2]> = HashMap::new();
         for face in faces {
             for (edge, reversed) in edges(file, face) {
@@ -24,14 +24,14 @@ impl EdgeUses {
 
     /// Returns whether every edge of a face is used once each way, as on a closed shell whose faces
     /// agree on the sides of their edges.
-    pub(super) fn confirm(&self, file: &BrepFile, face: &Placed) -> bool {
+    pub(super) fn confirm(&self, file: &Topology, face: &Placed) -> bool {
         edges(file, face).all(|(edge, _)| self.0.get(&edge) == Some(&[1, 1]))
     }
 }
 
 /// Returns the edges that bound a face, but those that are points, with whether the face lies on
 /// the left of each against its direction, seen from outside.
-fn edges<'a>(file: &'a BrepFile, face: &'a Placed) -> impl Iterator<Item = (PlacedEdge, bool)> + 'a {
+fn edges<'a>(file: &'a Topology, face: &'a Placed) -> impl Iterator<Item = (PlacedEdge, bool)> + 'a {
     let wires = file.shapes[face.shape].children.iter();
     let wires = wires.filter(|wire| bounds(wire) && matches!(file.shapes[wire.shape].kind, ShapeKind::Wire));
     wires.flat_map(move |wire| {

@@ -39,6 +39,8 @@ pub struct ReadReport {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FaceCounts {
     pub(crate) number: usize,
+    /// The number by which the file calls the face.
+    pub(crate) entity: Option<u64>,
     pub(crate) exact: usize,
     pub(crate) fitted: usize,
 }
@@ -65,8 +67,9 @@ impl ReadReport {
     /// Moves faces of the model, by their indices, from those that were read to those skipped.
     pub(crate) fn leave_out(&mut self, refused: &[(usize, Error)]) {
         for (face, error) in refused {
-            let FaceCounts { number, exact, fitted } =
-                self.sources.get(*face).copied().unwrap_or(FaceCounts { number: *face, exact: 0, fitted: 0 });
+            let unknown = FaceCounts { number: *face, entity: None, exact: 0, fitted: 0 };
+            let FaceCounts { number, entity, exact, fitted } =
+                self.sources.get(*face).copied().unwrap_or(unknown);
             // Other instances of the face are refused with it.
             if self.skipped.iter().any(|skipped| skipped.face == number) {
                 continue;
@@ -75,7 +78,7 @@ impl ReadReport {
             self.trims -= exact + fitted;
             self.exact -= exact;
             self.fitted -= fitted;
-            self.skipped.push(Skipped { face: number, code: error.code(), why: error.to_string() });
+            self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
         }
         self.skipped.sort_by_key(|skipped| skipped.face);
         self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
@@ -88,6 +91,9 @@ pub struct Skipped {
     /// The number of the face in the file, from 0, in the order of OpenCASCADE's
     /// `TopExp_Explorer`, each face once at its place.
     pub face: usize,
+    /// The number by which the file calls the face, if it has one, as `#` in STEP.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entity: Option<u64>,
     /// The stable code of the reason.
     pub code: &'static str,
     /// The reason.

@@ -18,7 +18,7 @@ mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};
 use super::report::{FaceFault, Remark};
-use super::text::{BrepFile, ShapeKind};
+use super::topology::{ShapeKind, Topology};
 use crate::model::trim::{FaceArrays, TrimCurveArrays};
 use glam::DVec3;
 use loops::Loops;
@@ -47,14 +47,11 @@ const MAX_PERIODS: f64 = 2.0;
 ///
 /// # Errors
 /// The reason for which it cannot be read.
-pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFault> {
+pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[shape].kind else {
         return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
     };
-    let Some(index) = face.surface else {
-        return Err(FaceFault::new("BREP_NO_SURFACE", "the face has triangles and no surface"));
-    };
-    let surface = &file.surfaces[index];
+    let surface = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
     let Loops { loops, remarks, complement_fits } = loops::of_face(file, shape, surface)?;
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim| FaceArrays {

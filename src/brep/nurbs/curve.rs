@@ -264,6 +264,27 @@ impl Curve {
         }
     }
 
+    /// Returns the curve whose point at -t is this one's at t.
+    pub(crate) fn reversed(self) -> Self {
+        match self {
+            Self::Line { point, direction } => Self::Line { point, direction: -direction },
+            Self::Conic { conic, center, x, y } => Self::Conic { conic, center, x, y: -y },
+            Self::Spline(spline) => {
+                let SplineCurve { one_period: Spline { degree, knots, mut controls }, .. } = spline;
+                controls.reverse();
+                let knots = knots.iter().rev().map(|knot| -knot).collect();
+                Self::Spline(Spline { degree, knots, controls }.into())
+            }
+            Self::Trimmed { range: [start, end], basis } => {
+                Self::Trimmed { range: [-end, -start], basis: Box::new(basis.reversed()) }
+            }
+            // The tangent turns round, and with it the side.
+            Self::Offset { distance, normal, basis } => {
+                Self::Offset { distance: -distance, normal, basis: Box::new(basis.reversed()) }
+            }
+        }
+    }
+
     /// Returns the curve in the coordinates of a frame.
     pub(crate) fn in_frame(self, frame: &Frame) -> Self {
         match self {

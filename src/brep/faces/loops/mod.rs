@@ -17,7 +17,7 @@ mod rings;
 use super::uses::{self, TrimUse};
 use crate::brep::nurbs::Surface;
 use crate::brep::report::{FaceFault, Remark};
-use crate::brep::text::{BrepFile, Orientation, ShapeKind};
+use crate::brep::topology::{Orientation, ShapeKind, Topology};
 use chain::Chain;
 pub(super) use rings::crossing;
 use std::collections::{HashMap, HashSet};
@@ -35,7 +35,7 @@ pub(super) struct Loops {
 ///
 /// # Errors
 /// The reason for which the wires bound no region of the surface.
-pub(super) fn of_face(file: &BrepFile, shape: usize, surface: &Surface) -> Result<Loops, FaceFault> {
+pub(super) fn of_face(file: &Topology, shape: usize, surface: &Surface) -> Result<Loops, FaceFault> {
     let mut chains: Vec<Chain> = Vec::new();
     for wire in &file.shapes[shape].children {
         let bounds = matches!(wire.orientation, Orientation::Forward | Orientation::Reversed);
