@@ -117,6 +117,11 @@ impl<'a> Sweep<'a> {
         if let Some(crossed) = done.iter().find(|done| done.ruling.crossing > 0.0 && is_within(&done.cell)) {
             return Err(format!("two lines within the face cross at v = {:?}", crossed.cell.v));
         }
+        for negative in done.iter().filter(|done| done.cell.winding < 0) {
+            if done.iter().any(|other| other.cell.winding > 0 && meets(negative, other)) {
+                return Err(format!("loops overlap at v = {:?}, where cells meet", negative.cell.v));
+            }
+        }
         let crossing = done.iter().map(|done| done.ruling.crossing).fold(0.0, upper_max);
         let rulings: Vec<_> = done.iter().map(|done| (done.cell.winding, &done.ruling)).collect();
         area::check(self.face, &rulings, [self.moved[0] + self.graph_error, self.moved[1]])?;
@@ -136,6 +141,19 @@ impl<'a> Sweep<'a> {
         let ruled = Ruled { left, right, domain: self.face.domain, transposed: self.transposed };
         Ok(Piece { surface, map: ParameterMap::Ruled(ruled) })
     }
+}
+
+/// Returns whether two cells may have inner points in common: over one v, on one side of a common
+/// arc or with hulls that overlap.
+fn meets(a: &Done, b: &Done) -> bool {
+    let over_one_v = a.cell.v[0] < b.cell.v[1] && b.cell.v[0] < a.cell.v[1];
+    let beside = a.cell.sides[0] == b.cell.sides[1] || a.cell.sides[1] == b.cell.sides[0];
+    let hull = |done: &Done| {
+        let hulls = [done.ruling.left.hull(), done.ruling.right.hull()];
+        [hulls[0][0].x.min(hulls[1][0].x), hulls[0][1].x.max(hulls[1][1].x)]
+    };
+    let ([a_low, a_high], [b_low, b_high]) = (hull(a), hull(b));
+    over_one_v && !beside && !(a_high < b_low || b_high < a_low)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -196,6 +214,26 @@ mod tests {
             reversed.cells.cells[index].sides.reverse();
             assert!(reversed.untrimmed().is_err());
         }
+    }
+
+    /// Such cells are balanced, and lie outside of the face.
+    #[test]
+    fn a_cut_is_refused_with_cells_that_cancel_each_other() {
+        let face = face();
+        let sweep = Sweep::new(&face, false).unwrap();
+        let Cells { arcs, cells } = &sweep.cells;
+        let pairs = cells.iter().flat_map(|a| cells.iter().map(move |b| (a, b)));
+        // The part of the hole between two cells beside it.
+        let mut across = pairs.filter_map(|(a, b)| {
+            let v = [a.v[0].max(b.v[0]), a.v[1].min(b.v[1])];
+            let [from, to] = [a.sides[1], b.sides[0]].map(|arc| arcs[arc].side.at(0.5 * (v[0] + v[1])));
+            (v[0] < v[1] && to > from + 0.1).then(|| Cell { sides: [a.sides[1], b.sides[0]], v, ..a.clone() })
+        });
+        let across = across.next().unwrap();
+        let mut cancelling = Sweep::new(&face, false).unwrap();
+        cancelling.cells.cells.extend([Cell { winding: -1, ..across.clone() }, across]);
+        let why = cancelling.untrimmed().err().unwrap();
+        assert!(why.contains("overlap"), "{why}");
     }
 
     #[test]

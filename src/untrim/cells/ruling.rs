@@ -21,8 +21,7 @@ pub(in crate::untrim) struct Ruling {
     pub(in crate::untrim) rectangle: [usize; 2],
     /// Upper bounds on the distances in u and v between the map's image and the cell.
     pub(in crate::untrim) moved: [f64; 2],
-    /// An upper bound on the width in u by which the sides cross, or of the whole cell where its
-    /// winding number is negative.
+    /// An upper bound on the width in u by which the sides cross.
     pub(in crate::untrim) crossing: f64,
 }
 
@@ -96,12 +95,7 @@ fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) ->
     let moved = largest(left.moved, right.moved);
     let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
-    let tolerance = CROSSING_PART * face.tolerances.crossing;
-    let mut crossing = negative_part(&difference, tolerance)?;
-    if cell.winding < 0 {
-        let reversed: Vec<DVec2> = difference.iter().map(|c| DVec2::new(-c.x, c.y)).collect();
-        crossing = upper_max(crossing, negative_part(&reversed, tolerance)?);
-    }
+    let crossing = negative_part(&difference, CROSSING_PART * face.tolerances.crossing)?;
     let curves = [left, right].map(|controls| Curve { controls });
     confined(face, cell, curves, Some(height), moved, crossing)
 }
@@ -190,9 +184,6 @@ fn two_curves(face: &Face, cell: &Cell, curves: [&Curve; 2], parts: [Part; 2]) -
 /// Returns the map between two curves whose v differ at equal parameters, if it does not fold.
 fn tilted(face: &Face, cell: &Cell, [left, right]: [Part; 2]) -> Option<Ruling> {
     let allowed = [FOLD_PART * face.tolerances.crossing, 0.5 * face.tolerances.snap[1]];
-    if cell.winding < 0 {
-        return None;
-    }
     let folds = folds(&left.curve, &right.curve, allowed)?;
     let moved = largest(left.moved, right.moved);
     let moved = [0, 1].map(|axis| moved[axis] + folds[axis]);
@@ -236,9 +227,9 @@ mod tests {
     }
 
     /// Maps the cell between two sides over their whole height.
-    fn map(sides: [Side; 2], winding: i32) -> Mapped {
+    fn map(sides: [Side; 2]) -> Mapped {
         let arcs = sides.map(|side| Arc { side, v: [0.25, 0.75], change: 1 });
-        mapped(&face(), &arcs, &Cell { sides: [0, 1], v: [0.25, 0.75], rectangle: [0, 0], winding })
+        mapped(&face(), &arcs, &Cell { sides: [0, 1], v: [0.25, 0.75], rectangle: [0, 0], winding: 1 })
     }
 
     fn one(mapped: Mapped) -> Ruling {
@@ -250,23 +241,16 @@ mod tests {
 
     #[test]
     fn sides_that_cross_state_the_width_and_wide_crossings_are_cut() {
-        let ruling = one(map([graph(&[0.5, 0.3]), graph(&[0.5 - 1e-10, 0.6])], 1));
+        let ruling = one(map([graph(&[0.5, 0.3]), graph(&[0.5 - 1e-10, 0.6])]));
         assert!((1e-10..=5e-10).contains(&ruling.crossing), "{}", ruling.crossing);
-        assert!(matches!(map([graph(&[0.5, 0.3]), graph(&[0.499, 0.6])], 1), Mapped::Halve));
-    }
-
-    #[test]
-    fn a_cell_of_negative_winding_states_its_width_and_is_cut_if_it_is_wide() {
-        let ruling = one(map([graph(&[0.5, 0.3]), graph(&[0.5, 0.3 + 1e-10])], -1));
-        assert!((1e-10..=5e-10).contains(&ruling.crossing), "{}", ruling.crossing);
-        assert!(matches!(map([graph(&[0.5, 0.3]), graph(&[0.5, 0.31])], -1), Mapped::Halve));
+        assert!(matches!(map([graph(&[0.5, 0.3]), graph(&[0.499, 0.6])]), Mapped::Halve));
     }
 
     #[test]
     fn a_side_beyond_the_knots_is_moved_onto_them_and_says_by_what() {
-        let ruling = one(map([graph(&[-5e-11, 0.3]), graph(&[0.5, 0.6])], 1));
+        let ruling = one(map([graph(&[-5e-11, 0.3]), graph(&[0.5, 0.6])]));
         assert!(ruling.left.start().x >= 0.0 && ruling.moved[0] >= 5e-11, "{:?}", ruling.moved);
-        assert!(matches!(map([graph(&[-1e-3, 0.3]), graph(&[0.5, 0.6])], 1), Mapped::Halve));
+        assert!(matches!(map([graph(&[-1e-3, 0.3]), graph(&[0.5, 0.6])]), Mapped::Halve));
     }
 
     #[test]
@@ -280,7 +264,7 @@ mod tests {
         });
         let side = graph(&[0.5, 0.8, 0.6, 0.9]);
         let Side::Graph(target) = side.clone() else { panic!("a graph") };
-        let ruling = one(map([own, side], 1));
+        let ruling = one(map([own, side]));
         let distances = (0..=64).map(|k| {
             let point = ruling.right.point(f64::from(k) / 64.0);
             (point.x - target.at(point.y)).abs()
