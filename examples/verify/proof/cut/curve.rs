@@ -7,6 +7,9 @@ use std::cell::OnceCell;
 /// The halvings of a curve after which it counts as touching a box.
 const MAX_HALVINGS: u32 = 40;
 
+/// The halvings of each curve for the area: a relative error of about 1e-3.
+const AREA_HALVINGS: u32 = 9;
+
 /// A homogeneous point (w u, w v, w).
 pub(super) type Point = [Interval; 3];
 
@@ -94,6 +97,20 @@ impl Node {
     }
 }
 
+impl Node {
+    /// The area between the curve and a point.
+    fn area(&self, origin: &Box2, halvings: u32) -> Interval {
+        if halvings > 0 {
+            let [low, high] = self.halves();
+            return low.area(origin, halvings - 1) + high.area(origin, halvings - 1);
+        }
+        let [from, to] = self.ends.map(|end| [0, 1].map(|axis| Interval::point(end[axis]) - origin[axis]));
+        let size = |axis: usize| Interval::point(self.hull[axis].hi) - Interval::point(self.hull[axis].lo);
+        let between = (size(0) * size(1)).magnitude();
+        HALF * (from[0] * to[1] - to[0] * from[1]) + Interval { lo: -between, hi: between }
+    }
+}
+
 impl Outline {
     /// The outline of curves that are closed together, each beginning where another one ends.
     pub(super) fn new(curves: impl Iterator<Item = Controls>) -> Self {
@@ -114,6 +131,13 @@ impl Outline {
     /// The winding number of the outline about all points of a box, `None` where it may touch it.
     pub(super) fn winding(&self, target: &Box2) -> Option<i32> {
         self.curves.iter().try_fold(0, |sum, curve| Some(sum + curve.crossings(target, 0)?))
+    }
+
+    /// The signed area within the outline: that of the polygon through points of the curves, off by
+    /// at most the boxes of the parts between them.
+    pub(super) fn area(&self) -> Interval {
+        let origin = self.bounds().map(|bounds| Interval::point(bounds.mid()));
+        self.curves.iter().fold(Interval::ZERO, |sum, curve| sum + curve.area(&origin, AREA_HALVINGS))
     }
 
     /// The box of the outline.
