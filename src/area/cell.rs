@@ -129,3 +129,38 @@ fn mean(density: &Density<'_>, part: ParamBox, counts: [usize; 2]) -> Mean {
     }
     mean
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// The smallest bound of lemma A1 for `1 / (pole - x)` over all radii below that of the pole.
+    fn least_bound(pole: f64, count: usize) -> f64 {
+        let largest = pole + (pole * pole - 1.0).sqrt();
+        let bound = |part: f64| {
+            let radius = 1.0 + part * (largest - 1.0);
+            axis_error(radius, count) / (pole - 0.5 * (radius + 1.0 / radius))
+        };
+        (1..1000).map(|k| bound(f64::from(k) / 1000.0)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The bound decreases with the number of nodes as the error does.
+    #[test]
+    fn the_error_of_a_rule_is_bounded_and_attained_to_a_factor() {
+        for (pole, counts) in [(2.0, 2..8), (4.0, 2..6)] {
+            let mean = 0.5 * ((pole + 1.0) / (pole - 1.0) as f64).ln();
+            for count in counts {
+                let rule = rule(count);
+                let terms =
+                    rule.nodes.iter().zip(&rule.weights).map(|(x, weight)| weight / (pole + 1.0 - 2.0 * x));
+                let error = (terms.sum::<f64>() - mean).abs();
+                let bound = least_bound(pole, count);
+                assert!(error <= bound, "{count} nodes, pole at {pole}: {error} above {bound}");
+                assert!(
+                    bound <= 12.0 * count as f64 * error,
+                    "{count} nodes, pole at {pole}: {error}, {bound}"
+                );
+            }
+        }
+    }
+}

@@ -4,7 +4,7 @@ use crate::bezier::{HomogeneousTangents, Patch};
 use crate::chebyshev::{Linear, coefficients, nodes};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
-use glam::{DVec3, Vec4Swizzles};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// Numerator and weight of the area density of a patch.
 ///
@@ -56,34 +56,41 @@ impl Series {
 }
 
 /// The roundings of a factor of N for each degree, and besides them: lemma R5 of
-/// docs/method.md counts 4 and 2 for a point, and a derivative has one more difference.
-const FACTOR_ROUNDINGS: [f64; 2] = [4.0, 4.0];
+/// docs/method.md counts 4 and 2 for a point, and a derivative has one more difference. The
+/// rounding of a node moves each of them by its slope, at most twice its degree: 4 nodes' units.
+const FACTOR_ROUNDINGS: [f64; 2] = [12.0, 4.0];
 /// The roundings of the products and sums of N.
 const PRODUCT_ROUNDINGS: f64 = 8.0;
-/// The roundings of a node of the grid: of the cosine and of its place in the cell.
-const NODE_ROUNDINGS: f64 = 4.0;
 
 impl<'a> Density<'a> {
     /// Makes the density of a patch. O(p q).
     pub(super) fn new(patch: &'a Patch<'a>) -> Self {
         let [p, q] = patch.degree.map(|degree| degree as f64);
-        let (mut longest, mut heaviest, mut lightest) = (0.0_f64, 0.0_f64, f64::INFINITY);
-        for control in patch.controls {
-            longest = longest.max(control.xyz().length());
-            (heaviest, lightest) = (heaviest.max(control.w), lightest.min(control.w));
-        }
         let [each, more] = FACTOR_ROUNDINGS;
-        let factor = each * (p + q) + more;
-        // A polynomial of degree n of size 1 has a derivative of at most 2n² on [0, 1].
-        let [m, n] = counts(patch).map(|count| count as f64);
-        let moved = NODE_ROUNDINGS * 2.0 * (m * m + n * n);
-        // Derivatives are at most 2p and 2q times the largest control.
-        let size = 12.0 * p * q * heaviest * longest * longest;
+        let factor = gamma(each * (p + q) + more);
+        let Sizes { point, first: [s, t] } = Sizes::new(patch);
+        // The errors of a point, of its derivatives and of theirs: basis functions sum to 1, their
+        // derivatives to at most twice the degree.
+        let errors = [1.0, 2.0 * p, 2.0 * q].map(|size| point.map(|largest| factor * size * largest));
+        let [[e, e_w], [e_s, e_ws], [e_t, e_wt]] = errors;
+        let [x, w] = point;
+        let [[x_s, w_s], [x_t, w_t]] = [s, t];
+        let plain = w * (e_s * x_t + x_s * e_t + e_s * e_t);
+        let rational = e_w * x_s * x_t
+            + e_wt * x_s * x
+            + w_t * (e_s * x + x_s * e)
+            + e_ws * x_t * x
+            + w_s * (e_t * x + x_t * e);
+        let products = w * x_s * x_t + if patch.rational { w_t * x_s * x + w_s * x_t * x } else { 0.0 };
+        let rounding =
+            plain + if patch.rational { rational } else { 0.0 } + gamma(PRODUCT_ROUNDINGS) * products;
+        let least_weight = patch.controls.iter().map(|control| control.w).fold(f64::INFINITY, f64::min);
         Self {
             patch,
-            rounding: gamma(3.0 * factor + PRODUCT_ROUNDINGS + moved) * size,
-            weight_rounding: if patch.rational { gamma(factor + moved) * heaviest } else { 0.0 },
-            least_weight: lightest,
+            // Twice, for the products of two errors.
+            rounding: 2.0 * rounding,
+            weight_rounding: if patch.rational { e_w } else { 0.0 },
+            least_weight,
         }
     }
 
@@ -130,6 +137,33 @@ impl<'a> Density<'a> {
             rounding: 4.0 * (self.rounding + transform * largest),
             weight_rounding: 4.0 * (self.weight_rounding + transform * heaviest),
         }
+    }
+}
+
+/// Upper bounds on the lengths and weights of a patch's homogeneous points and derivatives.
+struct Sizes {
+    point: [f64; 2],
+    first: [[f64; 2]; 2],
+}
+
+impl Sizes {
+    fn new(patch: &Patch<'_>) -> Self {
+        let columns = patch.degree[1] + 1;
+        let size = |vector: DVec4| [vector.xyz().length(), vector.w.abs()];
+        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        let (mut point, mut first) = ([0.0; 2], [[0.0; 2]; 2]);
+        for (index, &control) in patch.controls.iter().enumerate() {
+            point = larger(point, size(control));
+            let neighbours = [patch.controls.get(index + columns), patch.controls.get(index + 1)];
+            let has_next = [true, (index + 1) % columns != 0];
+            for axis in 0..2 {
+                if let (Some(&next), true) = (neighbours[axis], has_next[axis]) {
+                    let derivative = patch.degree[axis] as f64 * (next - control);
+                    first[axis] = larger(first[axis], size(derivative));
+                }
+            }
+        }
+        Self { point, first }
     }
 }
 

@@ -116,3 +116,47 @@ fn weighted(sizes: &[f64], counts: [usize; 2], [in_s, in_t]: [f64; 2]) -> f64 {
     let row = |row: &[f64]| row.iter().rev().fold(0.0, |sum, size| sum * in_t + size);
     sizes.chunks_exact(counts[1]).rev().fold(0.0, |sum, sizes| sum * in_s + row(sizes))
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use std::f64::consts::TAU;
+
+    /// The series of `N = (1 + b x) e_z` in s, over [-1, 1], with weight 1.
+    fn linear(b: f64) -> Series {
+        Series {
+            counts: [2, 1],
+            numerator: vec![DVec3::Z, b * DVec3::Z],
+            weight_counts: [1, 1],
+            weight: vec![1.0],
+            rounding: 0.0,
+            weight_rounding: 0.0,
+        }
+    }
+
+    /// N vanishes at -1 / b: no ellipse reaches it, and the bound holds on each.
+    #[test]
+    fn the_density_is_analytic_and_bounded_in_the_region() {
+        for b in [0.02, 0.1, 0.2, 0.3] {
+            let Region { radius, bound } = Sizes::new(&linear(b)).regions().unwrap()[0];
+            let zero: f64 = 1.0 / b;
+            assert!(radius < zero + (zero * zero - 1.0).sqrt(), "{b}: {radius} contains the zero");
+            let size = |angle: f64| {
+                let (x, y) = (angle.cos() * (radius + 1.0 / radius), angle.sin() * (radius - 1.0 / radius));
+                (1.0 + 0.5 * b * x).hypot(0.5 * b * y)
+            };
+            let largest = (0..64).map(|k| size(TAU * f64::from(k) / 64.0)).fold(0.0, f64::max);
+            assert!(largest <= bound && bound <= 1.4 * largest, "{b}: {largest}, {bound}");
+        }
+    }
+
+    /// Without a part on which N keeps away from 0 there is no region.
+    #[test]
+    fn a_zero_in_the_part_leaves_no_region() {
+        for b in [1.0, 1.5, -2.0] {
+            assert!(Sizes::new(&linear(b)).regions().is_none(), "{b}");
+        }
+    }
+}

@@ -248,7 +248,7 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
                 let part = name.as_ref().map(|_| shape_use.shape).or(part);
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
             }
-            // Loose wires, edges and vertices are no surfaces; faces met again are listed.
+            // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }

@@ -88,7 +88,8 @@ impl ReadReport {
 /// A face that could not be read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Skipped {
-    /// The number of the face among those of the file, from 0.
+    /// The number of the face in the file, from 0, in the order of OpenCASCADE's
+    /// `TopExp_Explorer`, each face once at its place.
     pub face: usize,
     /// The number by which the file calls the face, if it has one, as `#` in STEP.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -102,7 +103,7 @@ pub struct Skipped {
 /// What the file leaves open of a face that was read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Note {
-    /// The number of the face among those of the file, from 0.
+    /// The number of the face in the file, as of [`Skipped`].
     pub face: usize,
     /// The stable code of the remark.
     pub code: &'static str,

@@ -25,6 +25,8 @@ use crate::param_box::ParamBox;
 use curve::Curve;
 use face::Face;
 use glam::DVec2;
+#[cfg(feature = "internals")]
+use glam::DVec3;
 use sweep::Sweep;
 
 /// A part of a trimmed face.
@@ -56,6 +58,22 @@ pub struct Ruled {
     domain: ParamBox,
     /// Whether u and v, and s and t, have changed places.
     transposed: bool,
+}
+
+#[cfg(feature = "internals")]
+impl Ruled {
+    /// Returns the homogeneous controls `(w u, w v, w)` of the left and the right curve, in
+    /// the domain mapped to [0, 1]²; where [`Self::is_transposed`], v comes before u.
+    #[must_use]
+    pub fn sides(&self) -> [&[DVec3]; 2] {
+        [&self.left.controls, &self.right.controls]
+    }
+
+    /// Returns whether u and v, and s and t, have changed places.
+    #[must_use]
+    pub fn is_transposed(&self) -> bool {
+        self.transposed
+    }
 }
 
 impl ParameterMap {

@@ -113,12 +113,17 @@ impl<'a> Sweep<'a> {
     fn proven(&self, arcs: &[Arc], done: &[Done]) -> Result<f64, String> {
         let cells: Vec<&Cell> = done.iter().map(|done| &done.cell).collect();
         cells::balance(arcs, &cells)?;
-        let crossings: Vec<_> = done.iter().map(|done| (done.cell.v, done.ruling.crossing)).collect();
-        let in_u = self.graph_error + cells::stacked(&crossings);
+        let is_within = |cell: &Cell| cell.sides.iter().all(|&arc| arcs[arc].change == 0);
+        if let Some(crossed) = done.iter().find(|done| done.ruling.crossing > 0.0 && is_within(&done.cell)) {
+            return Err(format!("two lines within the face cross at v = {:?}", crossed.cell.v));
+        }
+        let crossing = done.iter().map(|done| done.ruling.crossing).fold(0.0, upper_max);
         let rulings: Vec<_> = done.iter().map(|done| (done.cell.winding, &done.ruling)).collect();
         area::check(self.face, &rulings, [self.moved[0] + self.graph_error, self.moved[1]])?;
         // A boundary that moves by δ moves the region by at most 2 δ (lemma T2).
-        Ok(2.0 * self.face.moved(self.moved) + self.face.moved([in_u, 0.0]) + self.face.rounding)
+        Ok(2.0 * self.face.moved(self.moved)
+            + self.face.moved([self.graph_error + crossing, 0.0])
+            + self.face.rounding)
     }
 
     fn piece(&self, surface: NurbsSurface, ruling: Ruling) -> Result<Piece, String> {

@@ -11,6 +11,8 @@ from .shapes import is_valid, through_iges, through_step
 
 # Every third STEP file is in inches.
 INCH_PERIOD = 3
+# Change of the area, relative to it, with which a translated part is another one.
+MAX_AREA_CHANGE = 1e-4
 
 
 @dataclass
@@ -21,6 +23,13 @@ class Outcome:
     seed: int
     valid: bool = True
     findings: list[str] = field(default_factory=list)
+
+
+def same_part(original: Subject, translated: Subject) -> bool:
+    """Whether OpenCASCADE translated a part to one of its area: it loses faces of some revolutions with poles."""
+    if translated is original:
+        return True
+    return is_valid(translated.shape) and abs(translated.area - original.area) <= MAX_AREA_CHANGE * original.area
 
 
 def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
@@ -41,6 +50,10 @@ def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
             subjects[name] = Subject(translate(), Path(f"{base}.{name}.brep"))
         except Exception as error:
             outcome.findings.append(f"{name}: OpenCASCADE does not translate it: {error}")
+    for name in list(subjects):
+        if not same_part(subjects["brep"], subjects[name]):
+            outcome.findings.append(f"{name}: not compared: OpenCASCADE's translation changes or breaks it")
+            del subjects[name]
     for name, subject in subjects.items():
         found = reading(command, subject)
         if subject.readable:

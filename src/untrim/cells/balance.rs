@@ -2,7 +2,6 @@
 
 use super::Cell;
 use super::order::constant;
-use crate::rounding::gamma;
 use crate::untrim::boundary::Arc;
 use std::collections::HashMap;
 
@@ -49,22 +48,4 @@ pub(in crate::untrim) fn balance(arcs: &[Arc], cells: &[&Cell]) -> Result<(), St
         }
     }
     Ok(())
-}
-
-/// Returns the largest sum of the widths by which cells cross over one v (lemma T3). O(cells log
-/// cells).
-pub(in crate::untrim) fn stacked(crossings: &[([f64; 2], f64)]) -> f64 {
-    let mut steps: Vec<(f64, bool, f64)> = crossings
-        .iter()
-        .filter(|(_, width)| *width > 0.0)
-        .flat_map(|&([low, high], width)| [(low, false, width), (high, true, -width)])
-        .collect();
-    // Cells that end at a level count with those that begin there.
-    steps.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut sum = 0.0_f64;
-    let largest = steps.iter().fold(0.0_f64, |largest, step| {
-        sum += step.2;
-        largest.max(sum)
-    });
-    (1.0 + gamma(steps.len() as f64)) * largest
 }

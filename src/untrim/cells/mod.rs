@@ -13,7 +13,7 @@ use super::face::Face;
 use crate::axis::Axis;
 use std::collections::HashMap;
 
-pub(super) use balance::{balance, stacked};
+pub(super) use balance::balance;
 
 /// A cell: the points between two arcs at v in an interval, within one rectangle of knots.
 #[derive(Debug, Clone)]

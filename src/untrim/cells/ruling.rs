@@ -21,7 +21,8 @@ pub(in crate::untrim) struct Ruling {
     pub(in crate::untrim) rectangle: [usize; 2],
     /// Upper bounds on the distances in u and v between the map's image and the cell.
     pub(in crate::untrim) moved: [f64; 2],
-    /// An upper bound on the width in u by which the sides cross.
+    /// An upper bound on the width in u by which the sides cross, or of the whole cell where its
+    /// winding number is negative.
     pub(in crate::untrim) crossing: f64,
 }
 
@@ -39,11 +40,11 @@ pub(in crate::untrim) enum Mapped {
     Halve,
 }
 
-/// The parts of the tolerance of crossings that the crossing of the sides, each of the two
-/// shifts of a side, and folds may take.
-const CROSSING_PART: f64 = 0.5;
+/// The parts of the tolerance of crossings that the crossing of the sides, or the folds between
+/// them, and each of the two shifts of a side may take.
+const CROSSING_PART: f64 = 0.75;
+const FOLD_PART: f64 = 0.75;
 const SHIFT_PART: f64 = 0.125;
-const FOLD_PART: f64 = 0.25;
 
 /// The highest degree in s of a patch over rulings that are no parameter lines.
 const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
@@ -95,7 +96,12 @@ fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) ->
     let moved = largest(left.moved, right.moved);
     let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
-    let crossing = negative_part(&difference, CROSSING_PART * face.tolerances.crossing)?;
+    let tolerance = CROSSING_PART * face.tolerances.crossing;
+    let mut crossing = negative_part(&difference, tolerance)?;
+    if cell.winding < 0 {
+        let reversed: Vec<DVec2> = difference.iter().map(|c| DVec2::new(-c.x, c.y)).collect();
+        crossing = upper_max(crossing, negative_part(&reversed, tolerance)?);
+    }
     let curves = [left, right].map(|controls| Curve { controls });
     confined(face, cell, curves, Some(height), moved, crossing)
 }
@@ -184,6 +190,9 @@ fn two_curves(face: &Face, cell: &Cell, curves: [&Curve; 2], parts: [Part; 2]) -
 /// Returns the map between two curves whose v differ at equal parameters, if it does not fold.
 fn tilted(face: &Face, cell: &Cell, [left, right]: [Part; 2]) -> Option<Ruling> {
     let allowed = [FOLD_PART * face.tolerances.crossing, 0.5 * face.tolerances.snap[1]];
+    if cell.winding < 0 {
+        return None;
+    }
     let folds = folds(&left.curve, &right.curve, allowed)?;
     let moved = largest(left.moved, right.moved);
     let moved = [0, 1].map(|axis| moved[axis] + folds[axis]);
@@ -196,4 +205,88 @@ fn is_level(left: &Curve, right: &Curve) -> bool {
         && left.controls.iter().zip(&right.controls).all(|(l, r)| {
             (l.y - r.y).abs() <= 4.0 * f64::EPSILON && (l.z - r.z).abs() <= 4.0 * f64::EPSILON * l.z
         })
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::trim::{Trim, TrimCurveArrays};
+    use crate::shapes::figure5_plane;
+
+    /// A trimmed plane, whose domain is one rectangle of knots.
+    fn face() -> Face {
+        let plane = figure5_plane().unwrap().surfaces()[0].clone();
+        let corners = [[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]].map(|corner| plane.domain().at(corner));
+        let side = |k: usize| TrimCurveArrays {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            control_points: [corners[k], corners[(k + 1) % 3]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+            ..TrimCurveArrays::default()
+        };
+        let trim = Trim::new(0, &plane, vec![(0..3).map(side).collect()]).unwrap();
+        let mut face = Face::new(0, &plane, &trim, 1e-9, false).unwrap();
+        face.tolerances.crossing = 1e-9;
+        face.tolerances.composite = 1e-9;
+        face
+    }
+
+    fn graph(coefficients: &[f64]) -> Side {
+        Side::Graph(Graph { v: [0.25, 0.75], coefficients: coefficients.to_vec() })
+    }
+
+    /// Maps the cell between two sides over their whole height.
+    fn map(sides: [Side; 2], winding: i32) -> Mapped {
+        let arcs = sides.map(|side| Arc { side, v: [0.25, 0.75], change: 1 });
+        mapped(&face(), &arcs, &Cell { sides: [0, 1], v: [0.25, 0.75], rectangle: [0, 0], winding })
+    }
+
+    fn one(mapped: Mapped) -> Ruling {
+        match mapped {
+            Mapped::One(ruling) => ruling,
+            Mapped::Divided(_) | Mapped::Halve => panic!("the cell is cut"),
+        }
+    }
+
+    #[test]
+    fn sides_that_cross_state_the_width_and_wide_crossings_are_cut() {
+        let ruling = one(map([graph(&[0.5, 0.3]), graph(&[0.5 - 1e-10, 0.6])], 1));
+        assert!((1e-10..=5e-10).contains(&ruling.crossing), "{}", ruling.crossing);
+        assert!(matches!(map([graph(&[0.5, 0.3]), graph(&[0.499, 0.6])], 1), Mapped::Halve));
+    }
+
+    #[test]
+    fn a_cell_of_negative_winding_states_its_width_and_is_cut_if_it_is_wide() {
+        let ruling = one(map([graph(&[0.5, 0.3]), graph(&[0.5, 0.3 + 1e-10])], -1));
+        assert!((1e-10..=5e-10).contains(&ruling.crossing), "{}", ruling.crossing);
+        assert!(matches!(map([graph(&[0.5, 0.3]), graph(&[0.5, 0.31])], -1), Mapped::Halve));
+    }
+
+    #[test]
+    fn a_side_beyond_the_knots_is_moved_onto_them_and_says_by_what() {
+        let ruling = one(map([graph(&[-5e-11, 0.3]), graph(&[0.5, 0.6])], 1));
+        assert!(ruling.left.start().x >= 0.0 && ruling.moved[0] >= 5e-11, "{:?}", ruling.moved);
+        assert!(matches!(map([graph(&[-1e-3, 0.3]), graph(&[0.5, 0.6])], 1), Mapped::Halve));
+    }
+
+    #[test]
+    fn a_side_that_follows_a_graph_states_its_distance_from_it() {
+        let own = Side::Own(Curve {
+            controls: vec![
+                DVec3::new(0.1, 0.25, 1.0),
+                DVec3::new(0.2 * 0.8, 0.4 * 0.8, 0.8),
+                DVec3::new(0.1, 0.75, 1.0),
+            ],
+        });
+        let side = graph(&[0.5, 0.8, 0.6, 0.9]);
+        let Side::Graph(target) = side.clone() else { panic!("a graph") };
+        let ruling = one(map([own, side], 1));
+        let distances = (0..=64).map(|k| {
+            let point = ruling.right.point(f64::from(k) / 64.0);
+            (point.x - target.at(point.y)).abs()
+        });
+        let largest = distances.fold(0.0, f64::max);
+        assert!(largest > 1e-14 && largest <= ruling.moved[0], "{largest} {:?}", ruling.moved);
+        assert!(ruling.moved[0] <= 1e-9, "{:?}", ruling.moved);
+    }
 }

@@ -4,7 +4,7 @@ use super::{TORUS, torus_area};
 use crate::support::brep::{BrepText, Child, line, minus, plus, rectangle};
 use crate::{assert_near, read, region};
 use nurbs_hausdorff::{Model, ReadReport};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn codes(report: &ReadReport) -> Vec<(usize, &str)> {
     report.notes.iter().map(|note| (note.face, note.code)).collect()
@@ -22,6 +22,31 @@ fn a_face_whose_complement_fits_as_well_is_named() {
     for open in ["1 0 0 0 0 0 1 1 0 0 0 1 0", "2 0 0 0 0 0 1 1 0 0 0 1 0 20"] {
         assert_eq!(codes(&region(open, &patch()).1), []);
     }
+}
+
+/// The edge of the pole states which of its angles the face has.
+#[test]
+fn a_face_with_the_edge_of_a_pole_is_not_named() {
+    let mut text = BrepText::new();
+    let surface = text.surface("4 0 0 0 0 0 1 1 0 0 0 1 0 10");
+    let pole = FRAC_PI_2;
+    let corners = [[1.0, 0.1], [2.0, 0.1], [2.0, pole], [1.0, pole]];
+    let vertices = [0; 3].map(|_| text.vertex([0.0; 3]));
+    let ends = [[0, 1], [1, 2], [2, 2], [2, 0]].map(|ends| ends.map(|index| vertices[index]));
+    let edges = [0, 1, 2, 3].map(|index| {
+        let (entry, [first, last]) = line(corners[index], corners[(index + 1) % 4]);
+        let p_curve = text.p_curve(entry);
+        let entries = [format!("2 {p_curve} {surface} 0 {first:?} {last:?}")];
+        plus(match index {
+            2 => text.degenerate(&entries, vertices[2]),
+            _ => text.edge(&entries, ends[index]),
+        })
+    });
+    let wire = text.wire(&edges);
+    let face = text.face(surface, &[wire]);
+    let (model, report) = read(&text, face);
+    assert_near(crate::area_of(&model), 100.0 * (1.0 - 0.1_f64.sin()), 1e-11);
+    assert_eq!(codes(&report), []);
 }
 
 /// A shell of a patch of a torus and of the rest of it, whose edges both use, the second against

@@ -177,3 +177,15 @@ test("wrong instances and units are refused", () => {
   const json = { ...interchangeSquare(), unit: -1 };
   assert.throws(() => hd.model(json), withCode("UNIT_INVALID"));
 });
+
+test("areas of the model and of its faces", () => {
+  const model = hd.model([plate(), { ...square(), trim: [circle()], part: "disc" }]);
+  const { lower, upper, faces } = model.area();
+  const disc = Math.PI / 16;
+  const ends = [...faces, { lower, upper }].map(Object.values);
+  [1 - disc, disc, 1].forEach((expected, index) => {
+    const [least, largest] = ends[index];
+    assert.ok(least - 1e-8 <= expected && expected <= largest + 1e-8, `${ends[index]}`);
+    assert.ok(largest - least <= 1e-6, `${ends[index]}`);
+  });
+});

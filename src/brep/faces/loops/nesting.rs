@@ -13,6 +13,9 @@ const POLYGON_POINTS: usize = 8;
 /// The most periods that a loop's box is searched for places of a hole.
 const MAX_PLACES: f64 = 64.0;
 
+/// The most points of a loop that are compared with another loop.
+const MAX_COMPARED: usize = 15;
+
 /// A loop and its polygon.
 struct Loop {
     uses: Vec<TrimUse>,
@@ -39,6 +42,14 @@ impl Loop {
             (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
         });
         crossings.count() % 2 == 1
+    }
+
+    /// Returns whether another loop, moved by `shift`, lies inside, by most of its points: loops may
+    /// touch in some.
+    fn surrounds(&self, other: &Self, shift: DVec2) -> bool {
+        let step = other.polygon.len().div_ceil(MAX_COMPARED);
+        let points = || other.polygon.iter().step_by(step);
+        2 * points().filter(|&&point| self.contains(point + shift)).count() > points().count()
     }
 
     fn translate(&mut self, shift: DVec2) {
@@ -81,8 +92,8 @@ pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Ve
     }
     gather(&mut loops, surface)?;
     let depth = |loops: &[Loop], index: usize| {
-        let point = loops[index].polygon[0];
-        loops.iter().enumerate().filter(|(other, one)| *other != index && one.contains(point)).count()
+        let others = loops.iter().enumerate().filter(|(other, _)| *other != index);
+        others.filter(|(_, one)| one.surrounds(&loops[index], DVec2::ZERO)).count()
     };
     let mut depths: Vec<usize> = (0..loops.len()).map(|index| depth(&loops, index)).collect();
     let closed = area::of_closed(surface);
@@ -156,7 +167,7 @@ fn shift(outer: &Loop, one: &Loop, periods: [Option<f64>; 2]) -> Result<DVec2, u
         return Ok(nearest);
     }
     let all = us.iter().flat_map(|&u| vs.iter().map(move |&v| DVec2::new(u, v)));
-    let inside: Vec<DVec2> = all.filter(|&shift| outer.contains(one.polygon[0] + shift)).collect();
+    let inside: Vec<DVec2> = all.filter(|&shift| outer.surrounds(one, shift)).collect();
     match inside.as_slice() {
         [] => Ok(nearest),
         [only] => Ok(*only),
