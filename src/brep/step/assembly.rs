@@ -36,6 +36,8 @@ struct Assembly<'a> {
     /// Groups under construction, in which they cannot stand again.
     open: HashSet<Group>,
     unit_missing: bool,
+    /// Relationships that place nothing.
+    faults: Vec<(u64, FaceFault)>,
 }
 
 /// Reads the bodies of all representations where their assemblies place them.
@@ -102,8 +104,9 @@ impl<'a> Assembly<'a> {
             }
         }
         let shapes = Shapes::new(file);
+        let faults = relations.faults.clone();
         let (placements, built, open) = (HashMap::new(), HashMap::new(), HashSet::new());
-        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false }
+        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false, faults }
     }
 
     /// Finds the placements that relationships with a transformation state.
@@ -114,6 +117,8 @@ impl<'a> Assembly<'a> {
                 continue;
             };
             let (Some(&a), Some(&b)) = (self.group_of.get(&first), self.group_of.get(&second)) else {
+                let why = format!("#{} places a representation that is not read", record.number);
+                self.faults.push((record.number, FaceFault::new("STEP_REFERENCE", why)));
                 continue;
             };
             let swapped = self.is_swapped(relations, record.number, [a, b]);
@@ -253,11 +258,15 @@ impl<'a> Assembly<'a> {
         Ok((group, to * from.inverse()))
     }
 
-    /// Returns the shells that no representation contains, as faces that cannot be read.
+    /// Returns the shells that no representation contains, and the relationships that place
+    /// nothing, as faces that cannot be read.
     fn left_over(&mut self) -> Result<Vec<Use>, FaceFault> {
         let file = self.shapes.file;
         let is_shell = |number: &u64| matches!(file.keyword(*number), "CLOSED_SHELL" | "OPEN_SHELL");
         let mut left = Vec::new();
+        for (relationship, fault) in std::mem::take(&mut self.faults) {
+            left.push(used(self.shapes.unreadable(relationship, fault)?, true));
+        }
         for &number in file.numbers.iter().filter(|number| is_shell(number)) {
             if !self.shapes.was_reached(number) {
                 let fault =

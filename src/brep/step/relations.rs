@@ -1,6 +1,7 @@
 //! Representations, and the instances that relate them to each other and to products.
 
 use super::exchange::{Exchange, Record, Value, decoded, reference};
+use crate::brep::report::FaceFault;
 use std::collections::HashMap;
 
 /// The instances that say what stands where.
@@ -13,6 +14,8 @@ pub(super) struct Relations<'a> {
     pub(super) occurrences: HashMap<u64, u64>,
     /// The representations of definitions of products.
     pub(super) definitions: Vec<(u64, u64)>,
+    /// Relationships that cannot be read, so that parts may not be where they are.
+    pub(super) faults: Vec<(u64, FaceFault)>,
 }
 
 impl<'a> Relations<'a> {
@@ -25,8 +28,12 @@ impl<'a> Relations<'a> {
             if !concerned {
                 continue;
             }
-            let Ok(record) = file.record(number) else { continue };
-            relations.add(file, record);
+            match file.record(number) {
+                Ok(record) => relations.add(file, record),
+                // The shells of a representation that is not read are reported themselves.
+                Err(fault) if keyword.contains("RELATIONSHIP") => relations.faults.push((number, fault)),
+                Err(_) => {}
+            }
         }
         relations
     }
