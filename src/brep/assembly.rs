@@ -3,7 +3,7 @@
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
 use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
-use super::topology::{FaceLabel, Orientation, ShapeKind, Topology};
+use super::topology::{Face, FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
@@ -15,6 +15,10 @@ use std::collections::{HashMap, HashSet};
 /// The most shapes visited from the root. A shape can stand in several others, so that
 /// a short file may describe more placements than memory holds.
 const MAX_VISITS: usize = 1 << 22;
+
+/// The most control points of the surfaces of all faces, half a gibibyte. Each face has a
+/// copy of its surface, so that a short file may describe more than memory holds.
+const MAX_POLES: usize = 1 << 24;
 
 /// The faces of a file with the account of each.
 pub(super) struct Assembled {
@@ -99,7 +103,14 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
         placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
-    let converted = parallel::map(distinct.len(), |index| convert(file, distinct[index].1.shape));
+    let sizes = sizes(file, &distinct);
+    let converted = parallel::map(distinct.len(), |index| {
+        if sizes[index] > MAX_POLES {
+            let why = "the faces up to this one have more than 16777216 control points";
+            return Err(FaceFault::new("BREP_TOO_LARGE", why));
+        }
+        convert(file, distinct[index].1.shape)
+    });
     let mut read = Assembled {
         model: ModelArrays { unit: file.unit, ..ModelArrays::default() },
         counts: Vec::new(),
@@ -136,6 +147,20 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
         _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
         _ => Ok(read),
     }
+}
+
+/// Returns the numbers of control points of the surfaces of all faces up to each.
+fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
+    let mut total = 0_usize;
+    let size = |(_, placed): &(usize, &Placed)| match &file.shapes[placed.shape].kind {
+        ShapeKind::Face(Face { surface: Ok(surface), .. }) => file.surfaces[*surface].pole_count(),
+        _ => 0,
+    };
+    let sums = distinct.iter().map(|face| {
+        total = total.saturating_add(size(face));
+        total
+    });
+    sums.collect()
 }
 
 /// Returns the placements of faces, in the order of the file: those that follow each other in one
@@ -223,7 +248,7 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
                 let part = name.as_ref().map(|_| shape_use.shape).or(part);
                 pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
             }
-            // Loose wires, edges and vertices are no surfaces; faces met again are listed.
+            // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }

@@ -115,3 +115,17 @@ fn an_assembly_in_itself_is_left_out() {
     assert_eq!(report.skipped.len(), 1);
     assert_eq!((report.skipped[0].code, report.skipped[0].entity), ("STEP_NESTING", Some(number as u64)));
 }
+
+/// A part whose placement refers to nothing is where it is, and the report says so.
+#[test]
+fn a_placement_of_nothing_is_reported() {
+    let text = of_two_uses(UnitsOf::Millimetres, false);
+    let line = text.lines().find(|line| line.contains("(REPRESENTATION_RELATIONSHIP('','',#")).unwrap();
+    let number: u64 = line[1..].split_once('=').unwrap().0.parse().unwrap();
+    let start = line.find("'',#").unwrap() + 3;
+    let end = start + line[start..].find(',').unwrap();
+    let broken = format!("{}#99999{}", &line[..start], &line[end..]);
+    let (_, report) = Model::from_step(text.replace(line, &broken).as_bytes()).unwrap();
+    let found: Vec<_> = report.skipped.iter().map(|skipped| (skipped.code, skipped.entity)).collect();
+    assert_eq!(found, [("STEP_REFERENCE", Some(number))]);
+}

@@ -142,3 +142,22 @@ fn the_surfaces_of_a_set_are_faces() {
     crate::assert_near(found[1], 9.0 * 3.0 * 0.5_f64.sin(), 1e-9);
     assert_eq!(model.faces().next().unwrap().part(), Some("part / disc"));
 }
+
+/// Faces share a surface of 40,000 control points, of which each face of the model has a copy.
+#[test]
+fn faces_that_share_a_large_surface_are_limited() {
+    let mut text = StepText::new();
+    let (rows, faces) = (200, 500);
+    let mut point = |row: usize, column: usize| format!("#{}", text.point([row as f64, column as f64, 0.0]));
+    let poles: Vec<String> = (0..rows)
+        .map(|row| format!("({})", (0..rows).map(|column| point(row, column)).collect::<Vec<_>>().join(",")))
+        .collect();
+    let surface =
+        text.add(format!("QUASI_UNIFORM_SURFACE('',1,1,({}),.UNSPECIFIED.,.F.,.F.,.F.)", poles.join(",")));
+    let faces: Vec<Id> = (0..faces).map(|_| text.face(&[], surface, true)).collect();
+    let shell = text.open_shell(&faces);
+    let (model, report) = Model::from_step(text.of(&[shell], UnitsOf::Millimetres).as_bytes()).unwrap();
+    let expected = (1 << 24) / (rows * rows);
+    assert_eq!((model.faces().len(), report.skipped.len()), (expected, 500 - expected));
+    assert!(report.skipped.iter().all(|skipped| skipped.code == "BREP_TOO_LARGE"));
+}

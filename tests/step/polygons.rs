@@ -28,7 +28,7 @@ pub(crate) fn box_faces(text: &mut StepText, size: [f64; 3]) -> Vec<Id> {
                 path.push((edge, false));
                 continue;
             }
-            let forward = edges.len() % 2 == 0;
+            let forward = edges.len().is_multiple_of(2);
             let [from, to] = if forward { ends } else { [ends[1], ends[0]] };
             let along = [0, 1, 2].map(|axis| corners[to][axis] - corners[from][axis]);
             let line = text.line(corners[from], along);

@@ -176,6 +176,15 @@ impl Curve {
         }
     }
 
+    /// Returns the number of control points in the file.
+    pub(crate) fn pole_count(&self) -> usize {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => 0,
+            Self::Spline(spline) => spline.poles.len(),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.pole_count(),
+        }
+    }
+
     /// Returns the degree of the polynomials that the curve is evaluated by.
     pub(crate) fn degree(&self) -> usize {
         match self {

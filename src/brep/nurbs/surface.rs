@@ -322,6 +322,16 @@ impl Surface {
         }
     }
 
+    /// Returns the number of control points in the file.
+    pub(crate) fn pole_count(&self) -> usize {
+        match self {
+            Self::Spline(spline) => spline.poles.len(),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.pole_count(),
+            Self::Plane(_) => 0,
+            Self::Revolution { profile, .. } | Self::Extrusion { profile, .. } => profile.pole_count(),
+        }
+    }
+
     /// Returns the surface without the bounds of trimmed ones.
     pub(crate) fn elementary(&self) -> &Self {
         match self {

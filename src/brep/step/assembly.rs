@@ -1,7 +1,8 @@
 //! Representations, the products that they are of, and their placements.
 
-use super::exchange::{Exchange, Record, Value, reference};
+use super::exchange::Exchange;
 use super::geometry::{Scale, operator};
+use super::relations::{Relations, items, product_name, referred, relationship, transformation};
 use super::shapes::{Shapes, used};
 use super::units::{METRES, Units};
 use crate::brep::report::FaceFault;
@@ -35,6 +36,8 @@ struct Assembly<'a> {
     /// Groups under construction, in which they cannot stand again.
     open: HashSet<Group>,
     unit_missing: bool,
+    /// Relationships that place nothing.
+    faults: Vec<(u64, FaceFault)>,
 }
 
 /// Reads the bodies of all representations where their assemblies place them.
@@ -66,111 +69,6 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
     topology.root = used(root, true);
     topology.unit = (!assembly.unit_missing).then_some(METRES);
     Ok(topology)
-}
-
-/// The instances that say what stands where.
-#[derive(Default)]
-struct Relations<'a> {
-    representations: Vec<Record<'a>>,
-    /// Relationships of two representations.
-    related: Vec<Record<'a>>,
-    /// The instances of uses of products in others, by those of the relationships that place them.
-    occurrences: HashMap<u64, u64>,
-    /// The representations of definitions of products.
-    definitions: Vec<(u64, u64)>,
-}
-
-impl<'a> Relations<'a> {
-    fn of(file: &Exchange<'a>) -> Self {
-        let mut relations = Self::default();
-        for &number in &file.numbers {
-            let keyword = file.keyword(number);
-            let concerned =
-                keyword.contains("REPRESENTATION") && !keyword.starts_with("GEOMETRIC_REPRESENTATION");
-            if !concerned {
-                continue;
-            }
-            let Ok(record) = file.record(number) else { continue };
-            relations.add(file, record);
-        }
-        relations
-    }
-
-    fn add(&mut self, file: &Exchange<'a>, record: Record<'a>) {
-        if let Some([relationship, product, ..]) = record.part("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION") {
-            if let (Some(relationship), Some(product)) = (reference(relationship), reference(product))
-                && let Some(occurrence) = referred(file, product, "PRODUCT_DEFINITION_SHAPE", 2)
-            {
-                self.occurrences.insert(relationship, occurrence);
-            }
-        } else if let Some([definition, representation, ..]) = record.part("SHAPE_DEFINITION_REPRESENTATION")
-        {
-            if let (Some(definition), Some(representation)) =
-                (reference(definition), reference(representation))
-                && let Some(product) = referred(file, definition, "PRODUCT_DEFINITION_SHAPE", 2)
-            {
-                self.definitions.push((representation, product));
-            }
-        } else if relationship(&record).is_some() {
-            self.related.push(record);
-        } else if items(&record).is_some() {
-            self.representations.push(record);
-        }
-    }
-}
-
-/// Returns the two representations that a relationship of shapes relates.
-fn relationship(record: &Record<'_>) -> Option<[u64; 2]> {
-    const KINDS: [&str; 3] = [
-        "REPRESENTATION_RELATIONSHIP",
-        "SHAPE_REPRESENTATION_RELATIONSHIP",
-        "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION",
-    ];
-    KINDS.iter().filter_map(|kind| record.part(kind)).find_map(|attributes| match attributes {
-        [_, _, first, second, ..] => Some([reference(first)?, reference(second)?]),
-        _ => None,
-    })
-}
-
-/// Returns the transformation of a relationship.
-fn transformation(record: &Record<'_>) -> Option<u64> {
-    reference(record.part("REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION")?.last()?)
-}
-
-/// Returns the items and the context of a representation of a shape.
-fn items(record: &Record<'_>) -> Option<(Vec<u64>, u64)> {
-    let attributes = record.part("REPRESENTATION").or_else(|| {
-        let kind = record.kind();
-        let of_shape =
-            kind.ends_with("SHAPE_REPRESENTATION") || kind == "SHAPE_REPRESENTATION_WITH_PARAMETERS";
-        record.part(&kind).filter(|_| of_shape)
-    });
-    match attributes? {
-        [_, Value::List(items), Value::Reference(context), ..] => {
-            Some((items.iter().filter_map(reference).collect(), *context))
-        }
-        _ => None,
-    }
-}
-
-/// Returns the reference that is an attribute of an instance of this kind.
-fn referred(file: &Exchange<'_>, instance: u64, kind: &str, attribute: usize) -> Option<u64> {
-    if !file.keyword(instance).starts_with(kind) {
-        return None;
-    }
-    file.entity(instance).ok()?.reference(attribute).ok()
-}
-
-/// Returns the name of the product that a definition defines.
-fn product_name(file: &Exchange<'_>, definition: u64) -> Option<String> {
-    let formation = referred(file, definition, "PRODUCT_DEFINITION", 2)?;
-    let product = file.entity(referred(file, formation, "PRODUCT_DEFINITION_FORMATION", 2)?).ok()?;
-    let text = |attribute: usize| match product.value(attribute) {
-        Value::Text(bytes) => Some(super::exchange::decoded(bytes)),
-        _ => None,
-    };
-    // The name, else the identifier.
-    text(1).filter(|name| !name.trim().is_empty()).or_else(|| text(0)).filter(|name| !name.trim().is_empty())
 }
 
 impl<'a> Assembly<'a> {
@@ -206,8 +104,9 @@ impl<'a> Assembly<'a> {
             }
         }
         let shapes = Shapes::new(file);
+        let faults = relations.faults.clone();
         let (placements, built, open) = (HashMap::new(), HashMap::new(), HashSet::new());
-        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false }
+        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false, faults }
     }
 
     /// Finds the placements that relationships with a transformation state.
@@ -218,6 +117,8 @@ impl<'a> Assembly<'a> {
                 continue;
             };
             let (Some(&a), Some(&b)) = (self.group_of.get(&first), self.group_of.get(&second)) else {
+                let why = format!("#{} places a representation that is not read", record.number);
+                self.faults.push((record.number, FaceFault::new("STEP_REFERENCE", why)));
                 continue;
             };
             let swapped = self.is_swapped(relations, record.number, [a, b]);
@@ -357,11 +258,15 @@ impl<'a> Assembly<'a> {
         Ok((group, to * from.inverse()))
     }
 
-    /// Returns the shells that no representation contains, as faces that cannot be read.
+    /// Returns the shells that no representation contains, and the relationships that place
+    /// nothing, as faces that cannot be read.
     fn left_over(&mut self) -> Result<Vec<Use>, FaceFault> {
         let file = self.shapes.file;
         let is_shell = |number: &u64| matches!(file.keyword(*number), "CLOSED_SHELL" | "OPEN_SHELL");
         let mut left = Vec::new();
+        for (relationship, fault) in std::mem::take(&mut self.faults) {
+            left.push(used(self.shapes.unreadable(relationship, fault)?, true));
+        }
         for &number in file.numbers.iter().filter(|number| is_shell(number)) {
             if !self.shapes.was_reached(number) {
                 let fault =

@@ -2,11 +2,12 @@
 //!
 //! The stages: [`exchange`] finds and parses instances; [`units`] and [`geometry`] read what
 //! they describe; [`shapes`] makes vertices, edges, faces and bodies of them; [`assembly`]
-//! places the representations of products.
+//! places the representations of products as their [`relations`] state.
 
 mod assembly;
 mod exchange;
 mod geometry;
+mod relations;
 mod shapes;
 mod units;
 
