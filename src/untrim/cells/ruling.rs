@@ -95,7 +95,8 @@ fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) ->
     let moved = largest(left.moved, right.moved);
     let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
-    let crossing = negative_part(&difference, CROSSING_PART * face.tolerances.crossing)?;
+    let tolerance = CROSSING_PART * face.tolerances.crossing;
+    let crossing = negative_part(&difference, tolerance)?;
     let curves = [left, right].map(|controls| Curve { controls });
     confined(face, cell, curves, Some(height), moved, crossing)
 }

@@ -39,31 +39,30 @@ impl Composition<'_> {
         let Self { face, patch, ruling, degree: [along_s, along_t] } = *self;
         let count = |degree: usize| (OVERSAMPLING * degree).clamp(2, MAX_NODES);
         let radius = self.radius();
-        let (mut error, mut scale) = (0.0_f64, 0.0_f64);
+        let twist = if face.affine { face.twist } else { 0.0 };
+        // A value takes 6 roundings a degree, and its weight's power 4, of terms whose sizes sum to
+        // at most the radius times its weight.
+        let [p, q] = patch.degree;
+        let roundings = 6.0 * (p + q + m + n) as f64 + 4.0 * (p + q) as f64 + 32.0;
+        let rounding = 2.0 * gamma(roundings) * radius;
+        let mut error = 0.0_f64;
         for t in nodes(count(along_t)) {
             let basis = bernstein(n, t);
             let line: Vec<DVec4> = controls.chunks_exact(n + 1).map(|row| combined(row, &basis)).collect();
             let [left, right] = [&ruling.left, &ruling.right].map(|curve| curve.at(t));
             let weight = self.weight(left.z, right.z);
-            scale = upper_max(scale, weight);
             let row = Row::new(face, patch, ruling, [divided(left), divided(right)]);
             for s in nodes(count(along_s)) {
-                let difference = row.at(s) * weight - combined(&line, &bernstein(m, s));
-                error = upper_max(error, difference.xyz().length() + radius * difference.w.abs());
+                let (own, made) = (row.at(s) * weight, combined(&line, &bernstein(m, s)));
+                let difference = own - made;
+                let found = difference.xyz().length() + radius * difference.w.abs();
+                error = upper_max(error, found + rounding * (own.w + made.w) + twist * own.w);
             }
         }
-        let [p, q] = patch.degree;
-        let weights = || controls.iter().map(|control| control.w);
-        let least = weights().fold(f64::INFINITY, f64::min);
-        let largest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
-        let twist = if face.affine { face.twist } else { 0.0 };
-        // A value takes 6 roundings a degree, and its weight's power 4.
-        let roundings = 6.0 * (p + q + m + n) as f64 + 4.0 * (p + q) as f64 + 32.0;
-        let size = 2.0 * radius * upper_max(scale * largest, weights().fold(0.0, f64::max));
-        let at_nodes = error + gamma(roundings) * size + twist * scale * largest;
+        let least = controls.iter().map(|control| control.w).fold(f64::INFINITY, f64::min);
         let factor = node_factor(along_s, count(along_s)) * node_factor(along_t, count(along_t));
         let far = gamma(4.0) * patch.center.length() + face.patches.point_error.after(0);
-        at_nodes * factor / least + 2.0 * twist + far
+        error * factor / least + 2.0 * twist + far
     }
 
     /// Returns the factor that makes the composition a polynomial in t.
