@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn the_error_of_a_rule_is_bounded_and_attained_to_a_factor() {
         for (pole, counts) in [(2.0, 2..8), (4.0, 2..6)] {
-            let mean = 0.5 * ((pole + 1.0) / (pole - 1.0) as f64).ln();
+            let mean = 0.5 * ((pole + 1.0) / (pole - 1.0)).ln();
             for count in counts {
                 let rule = rule(count);
                 let terms =

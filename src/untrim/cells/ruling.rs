@@ -200,7 +200,7 @@ fn is_level(left: &Curve, right: &Curve) -> bool {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
-#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
     use crate::model::trim::{Trim, TrimCurveArrays};
