@@ -147,7 +147,7 @@ mod tests {
     /// The bound decreases with the number of nodes as the error does.
     #[test]
     fn the_error_of_a_rule_is_bounded_and_attained_to_a_factor() {
-        for (pole, counts) in [(2.0, 2..8), (4.0, 2..6)] {
+        for (pole, counts) in [(2.0_f64, 2..8), (4.0, 2..6)] {
             let mean = 0.5 * ((pole + 1.0) / (pole - 1.0)).ln();
             for count in counts {
                 let rule = rule(count);
