@@ -74,8 +74,7 @@ type Set = (&'static str, fn() -> Vec<Pair>);
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
-    let [each, fine] =
-        ["--each", "--fine"].map(|option| arguments.iter().any(|argument| argument == option));
+    let [each, fine] = ["--each", "--fine"].map(|option| arguments.iter().any(|argument| argument == option));
     let prepare_only = arguments.iter().any(|argument| argument == "--prepare-only");
     let chosen = |name: &str| {
         let mut names = arguments.iter().filter(|argument| !argument.starts_with('-')).peekable();
@@ -146,7 +145,12 @@ fn shapes() -> Vec<Pair> {
     let mut pairs = Vec::new();
     for a in &models {
         for b in models.iter().filter(|b| !Rc::ptr_eq(a, b)) {
-            pairs.push(Pair { a: Rc::clone(a), b: Rc::clone(b), transform: RigidTransform::IDENTITY, name: String::new() });
+            pairs.push(Pair {
+                a: Rc::clone(a),
+                b: Rc::clone(b),
+                transform: RigidTransform::IDENTITY,
+                name: String::new(),
+            });
         }
     }
     pairs

@@ -253,7 +253,11 @@ impl<'a> Chart<'a> {
     }
 
     /// The patches within reach that steps of at most `extent` may touch.
-    pub(in crate::certified) fn all_touched(&self, extent: [f64; 2], reach: &Reach) -> [RangeInclusive<isize>; 2] {
+    pub(in crate::certified) fn all_touched(
+        &self,
+        extent: [f64; 2],
+        reach: &Reach,
+    ) -> [RangeInclusive<isize>; 2] {
         Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]))
     }
 
@@ -307,8 +311,8 @@ impl<'a> Chart<'a> {
         bounds.rescaled(widths.map(|width| (1.0 - MARGIN) * width))
     }
 
-    /// The part of a box of the chart's parameters, or a little more, in the parameters of the patch
-    /// that is so many patches away.
+    /// The part of a box of the chart's parameters that lies in the patch so many patches away, or a
+    /// little more, in that patch's parameters.
     pub(in crate::certified) fn part(&self, offsets: [isize; 2], ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
         Axis::BOTH.map(|axis| {
             let (offset, [low, high]) = (offsets[axis.index()], ends[axis.index()]);

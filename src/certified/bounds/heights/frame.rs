@@ -2,19 +2,27 @@
 
 use super::super::polynomial_difference::pseudo_inverse;
 use super::quadric::{Piece, Quadric, symmetric_product};
+use crate::axis::Axis;
 use crate::bezier::Jet;
 use crate::certified::rounding::gamma;
-use crate::certified::sheets::{Chart, Over, Reach};
-use crate::rounding::{unit, upper_max};
+use crate::certified::sheets::{Chart, Reach};
+use crate::rounding::{lower_min, unit, upper_max};
 use glam::{DMat3, DVec3};
 
 /// Roundings of a product of T, P and n with a vector, relative to the sizes of its terms.
 const FRAME_ROUNDINGS: f64 = 64.0;
 
-/// The number of boxes tried; each but the first is larger by what the last one lacked, and by half
-/// as much again.
+/// The number of boxes tried; each but the first is larger by what the last one lacked.
 const MAX_BOXES: usize = 3;
-const ENLARGEMENT: f64 = 1.5;
+
+/// The size of a box relative to what it has to contain.
+const ENLARGEMENT: f64 = 1.25;
+
+/// The largest number of patches of B over which a cell is compared.
+const MAX_PATCHES: usize = 16;
+
+/// Roundings of a parameter of the chart for a patch's, relative to its size and that of the patch.
+const PLACE_ROUNDINGS: f64 = 32.0;
 
 /// A foot's tangents T with a map P to steps of parameters and a normal.
 pub(super) struct Frame<'a> {
@@ -28,14 +36,10 @@ pub(super) struct Frame<'a> {
     pub(super) skew: f64,
 }
 
-/// A box of B's parameters.
+/// The part of B over a box of parameters.
 pub(super) struct Image {
-    pub(super) reach: Reach,
-    /// Half the widths of a box about the foot that contains it.
-    pub(super) extent: [f64; 2],
-    /// Its ends along each axis.
-    pub(super) ends: [[f64; 2]; 2],
-    /// How far P (A - B) can be from zero.
+    pub(super) pieces: Vec<Piece>,
+    /// How far `P (a - B(y))` can be from zero along each axis where y is the fixed point.
     pub(super) overshoot: [f64; 2],
 }
 
@@ -60,59 +64,78 @@ impl<'a> Frame<'a> {
         is_regular.then_some(Self { chart, jet, tangents, inverse, normal, skew })
     }
 
-    /// A box of parameters over which B lies above or below all points of a piece of A, up to the
-    /// overshoot at the ends of B's surface; `None` if B turns too far for the lemma.
-    ///
-    /// `error` bounds the rounding of computed points of B.
-    pub(super) fn image(&self, piece: &Piece, error: f64) -> Option<Image> {
-        let places = self.inverse.map(|row| piece.range(row));
-        let farthest = places.map(|[low, high]| upper_max(-low, high));
-        let rows = self.inverse.map(DVec3::length);
-        let mut extent = farthest.map(|place| ENLARGEMENT * place);
+    /// The part of B over a box of parameters that contains the fixed points for all points of a piece
+    /// of A, up to the overshoot at the ends of B's surface. `None` where B turns too far or has too
+    /// many patches for it.
+    pub(super) fn image(&self, a: &Piece) -> Option<Image> {
+        let places = self.inverse.map(|row| a.range(row));
+        let mut extent = places.map(|[low, high]| ENLARGEMENT * upper_max(-low, high));
         for _ in 0..MAX_BOXES {
             let reach = self.chart.reach_over_creases(extent);
-            let deviation = error + self.chart.step_error(&reach, [0.0; 2], extent, Over::Parts);
-            let moved = [0, 1].map(|axis| rows[axis] * deviation + self.inverse_error(axis, extent));
-            let sum = [0, 1].map(|axis| farthest[axis] + moved[axis]);
-            if (0..2).all(|axis| sum[axis] <= extent[axis]) {
-                return Some(self.image_within(reach, extent, places, moved));
+            let ends = [0, 1].map(|axis| {
+                let (at, [low, high]) = (self.chart.parameters[axis], reach.domain[axis]);
+                [(at - extent[axis]).clamp(low, high), (at + extent[axis]).clamp(low, high)]
+            });
+            let (pieces, lags) = self.pieces(&reach, extent, ends)?;
+            let gap = self.chart.gap(&reach, extent);
+            let (mut overshoot, mut lack) = ([0.0; 2], [0.0; 2]);
+            for axis in 0..2 {
+                let (at, [start, end]) = (self.chart.parameters[axis], ends[axis]);
+                let [first, last] = [0, 1].map(|end| at + places[axis][end] + lags[axis][end]);
+                let beyond = [start - first, last - end];
+                let jump = self.inverse[axis].length() * gap;
+                let rounding = gamma(PLACE_ROUNDINGS) * (1.0 + extent[axis]);
+                overshoot[axis] = upper_max(upper_max(beyond[0], beyond[1]), 0.0) + jump + rounding;
+                // Beyond an end of the surface there is nothing more.
+                for (side, beyond) in beyond.into_iter().enumerate() {
+                    if ends[axis][side] != reach.domain[axis][side] {
+                        lack[axis] = upper_max(lack[axis], beyond);
+                    }
+                }
             }
-            extent = sum.map(|sum| ENLARGEMENT * sum);
+            if lack == [0.0; 2] {
+                return Some(Image { pieces, overshoot });
+            }
+            extent = [0, 1].map(|axis| ENLARGEMENT * (extent[axis] + lack[axis]));
         }
         None
     }
 
-    /// A bound on the change of a parameter step by `I - P T`, for steps of at most `extent`.
-    fn inverse_error(&self, axis: usize, extent: [f64; 2]) -> f64 {
-        let row = self.inverse[axis];
-        let of = |other: usize| {
-            let tangent = self.tangents[other];
-            let expected = if other == axis { 1.0 } else { 0.0 };
-            let rounding = gamma(FRAME_ROUNDINGS) * (1.0 + row.length() * tangent.length());
-            ((row.dot(tangent) - expected).abs() + rounding) * extent[other]
-        };
-        of(0) + of(1)
-    }
-
-    fn image_within(
+    /// The pieces of B over a box, and the range of `(y - β) - P (B(y) - b)` over it for each axis;
+    /// `None` where they are many.
+    fn pieces(
         &self,
-        reach: Reach,
+        reach: &Reach,
         extent: [f64; 2],
-        places: [[f64; 2]; 2],
-        moved: [f64; 2],
-    ) -> Image {
-        let gap = self.chart.gap(&reach, extent);
-        let mut overshoot = [0.0; 2];
-        let ends = [0, 1].map(|axis| {
-            let at = self.chart.parameters[axis];
-            let [low, high] = reach.domain[axis];
-            let [first, last] = [places[axis][0] - moved[axis], places[axis][1] + moved[axis]];
-            let beyond = upper_max(upper_max(low - (at + first), at + last - high), 0.0);
-            let rounding = gamma(FRAME_ROUNDINGS) * (1.0 + extent[axis]);
-            overshoot[axis] = beyond + self.inverse[axis].length() * gap + rounding;
-            [(at + first).clamp(low, high), (at + last).clamp(low, high)]
-        });
-        Image { reach, extent, ends, overshoot }
+        ends: [[f64; 2]; 2],
+    ) -> Option<(Vec<Piece>, [[f64; 2]; 2])> {
+        let chart = &self.chart;
+        let [rows, columns] = chart.all_touched(extent, reach);
+        if rows.clone().count() * columns.clone().count() > MAX_PATCHES {
+            return None;
+        }
+        let (mut pieces, mut lags) = (Vec::new(), [[0.0_f64; 2]; 2]);
+        for row in rows {
+            for column in columns.clone() {
+                let offsets = [row, column];
+                let patch = chart.neighbour(offsets);
+                let part = chart.part(offsets, ends);
+                let controls = patch.restricted(part[0], part[1]);
+                let shift = self.jet.point - patch.center;
+                let piece = Piece::new(patch.degree, controls, shift, chart.radius(offsets));
+                for axis in Axis::BOTH {
+                    let index = axis.index();
+                    let places = part[index]
+                        .map(|end| chart.parameter(axis, offsets[index], end) - chart.parameters[index]);
+                    let [low, high] = piece.lag(axis, places, self.inverse[index]);
+                    let [start, end] = [0, 1].map(|line| chart.line_error(axis, offsets[index] + line));
+                    lags[index][0] = lower_min(lags[index][0], low - start - end);
+                    lags[index][1] = upper_max(lags[index][1], high + start + end);
+                }
+                pieces.push(piece);
+            }
+        }
+        Some((pieces, lags))
     }
 
     /// The paraboloid that osculates B at the foot, as a function that vanishes on it.

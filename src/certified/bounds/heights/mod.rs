@@ -1,29 +1,31 @@
 //! The bound by heights over a tangent plane of B, for cells that lie on B or nearly so, in
 //! whatever parameters.
 //!
-//! Lemma (3.17 of `docs/method.md`). Let b = B(β), P a linear map of space to parameter steps, T the
-//! derivatives of B at β, n a unit vector and `|I - T P - n nᵀ| <= ν`, `|n·T_i| <= ν |T_i|`. Let Y be a
-//! box of parameters with β, and o_i a bound on how far `β + P (a - b) + ρ(y)`,
-//! `ρ(y) = (I - P T)(y - β) - P (B(y) - b - T (y - β))`, is beyond Y along axis i, for all points a of the
-//! cell and y of Y. For any function `f(b + Y) = n·Y + Y·M Y` of which the values on the cell differ from
-//! those on B(Y) by at most Δ,
+//! Lemma (3.17 of `docs/method.md`). Let b be a point, P a linear map of space to parameter steps, T two
+//! vectors, n a unit vector, `|I - T P - n nᵀ| <= ν` and `|n·T_i| <= ν |T_i|`. Let Y be a box of B's
+//! parameters with β, and o_i a bound on how far `β + P (a - b) + (y - β) - P (B(y) - b)` is beyond Y along
+//! axis i, for all points a of the cell and all y of Y. For any function `f(b + v) = n·v + v·M v` of which the
+//! values on the cell differ from those on B(Y) by at most Δ,
 //!
 //! `d(a, B) <= ((Δ + (ν + μ) l) / (1 - μ_n - ν) + l) / (1 - 6 ν)`, `l = |T_s| o_s + |T_t| o_t`,
 //!
 //! `μ = |M| r`, `μ_n = |M n| r`, r the sum of the largest distances of the cell's points and of those of B(Y)
 //! from b, if `μ <= 1` and `μ_n + ν <= 1/2`.
 //!
-//! Feet are found by a fixed point, so that neither a map of the cell nor its
-//! Taylor polynomials are needed, and the parameters of A and B do not enter: planes are at no distance
-//! after one cell, and so are spheres, cylinders and cones.
+//! The feet are fixed points (Brouwer), so that no map of the cell into B's parameters is needed. With f that
+//! vanishes on a plane, a sphere, a cylinder or a cone, A and B on it are at no distance however their
+//! parameters run.
 
 mod frame;
 mod quadric;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
 
 use super::{CellContext, UpperBound};
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
-use frame::{Frame, Image};
+use frame::Frame;
 use glam::{DMat3, DVec3, Vec4Swizzles};
 use quadric::{Piece, Quadric};
 
@@ -35,9 +37,6 @@ const MAX_SLOPE: f64 = 4.0;
 
 /// The part of the sum of the eigenvalues that is added to the normal equations of a tilt.
 const REGULARIZATION: f64 = 1e-12;
-
-/// The largest number of patches of B over which a cell is compared.
-const MAX_PATCHES: usize = 16;
 
 /// The bound from the nearest known foot. O(p² q²) for each patch of B that is touched.
 pub(super) struct Heights;
@@ -54,15 +53,13 @@ impl UpperBound for Heights {
             return None;
         }
         let a = piece_of_a(context, &frame);
-        let image = frame.image(&a, context.pair.b.point_error)?;
-        let beyond: f64 =
-            (0..2).map(|axis| frame.tangents[axis].length() * image.overshoot[axis]).sum();
+        let image = frame.image(&a)?;
+        let beyond: f64 = (0..2).map(|axis| frame.tangents[axis].length() * image.overshoot[axis]).sum();
         let is_over = beyond <= threshold;
         if !is_over {
             return None;
         }
-        let b = pieces_of_b(&frame, &image)?;
-        let over = Over { skew: frame.skew, beyond, a: &a, b: &b };
+        let over = Over { skew: frame.skew, beyond, a: &a, b: &image.pieces };
         let mut least = over.upper_bound(&frame.plane());
         let at_center = frame.normal.dot(context.jet.point - frame.jet.point);
         for level in 0..2 {
@@ -86,8 +83,7 @@ fn leaves_slowly(context: &CellContext<'_>, frame: &Frame<'_>, threshold: f64) -
     let height = |vector: DVec3| frame.normal.dot(vector);
     let second = |own: DVec3, x: DVec3, y: DVec3| 0.5 * height(own) + x.dot(paraboloid.form * y);
     let first = height(s).abs() + height(t).abs();
-    let [ss, st, tt] =
-        [second(h * h * a.ss, s, s), second(h * k * a.st, s, t), second(k * k * a.tt, t, t)];
+    let [ss, st, tt] = [second(h * h * a.ss, s, s), second(h * k * a.st, s, t), second(k * k * a.tt, t, t)];
     first <= MAX_SLOPE * threshold && ss.abs() + 2.0 * st.abs() + tt.abs() <= MAX_SLOPE * threshold
 }
 
@@ -101,26 +97,6 @@ fn piece_of_a(context: &CellContext<'_>, frame: &Frame<'_>) -> Piece {
     }
     let shift = frame.jet.point - transform.apply(patch.center);
     Piece::new(patch.degree, controls, shift, context.patch_bounds().radius)
-}
-
-/// The parts of B's patches over the image; `None` where these are many.
-fn pieces_of_b(frame: &Frame<'_>, image: &Image) -> Option<Vec<Piece>> {
-    let [rows, columns] = frame.chart.all_touched(image.extent, &image.reach);
-    if rows.clone().count() * columns.clone().count() > MAX_PATCHES {
-        return None;
-    }
-    let mut pieces = Vec::new();
-    for row in rows {
-        for column in columns.clone() {
-            let offsets = [row, column];
-            let patch = frame.chart.neighbour(offsets);
-            let [s, t] = frame.chart.part(offsets, image.ends);
-            let controls = patch.restricted(s, t);
-            let radius = frame.chart.radius(offsets);
-            pieces.push(Piece::new(patch.degree, controls, frame.jet.point - patch.center, radius));
-        }
-    }
-    Some(pieces)
 }
 
 /// A cell and the part of B over it.

@@ -4,6 +4,7 @@
 //! `X·(M X + w n) / w²`: its values lie between the least and the largest quotient of the Bernstein
 //! coefficients of both.
 
+use crate::axis::Axis;
 use crate::bezier::dot_products;
 use crate::certified::rounding::gamma;
 use crate::rounding::{lower_min, upper_max};
@@ -34,12 +35,7 @@ pub(super) struct Piece {
 impl Piece {
     /// Takes the controls of a patch restricted to a piece; the point is at `shift` from the patch's
     /// centre, and no control point of the patch is farther than `patch_radius` from that centre.
-    pub(super) fn new(
-        degree: [usize; 2],
-        mut controls: Vec<DVec4>,
-        shift: DVec3,
-        patch_radius: f64,
-    ) -> Self {
+    pub(super) fn new(degree: [usize; 2], mut controls: Vec<DVec4>, shift: DVec3, patch_radius: f64) -> Self {
         let mut radius = 0.0_f64;
         for control in &mut controls {
             *control = (control.xyz() - control.w * shift).extend(control.w);
@@ -79,6 +75,37 @@ impl Piece {
         let slope = normal.length() + 2.0 * size * self.radius;
         let roundings = 2 * (self.controls.len() + COEFFICIENT_ROUNDINGS);
         let error = slope * self.error + gamma(roundings as f64) * terms;
+        [least - error, largest + error]
+    }
+
+    /// The range of `y - row·Y` over the piece, y the parameter along an axis that is `ends` at its start
+    /// and its end.
+    ///
+    /// With the degree p along the axis, the values are convex combinations of
+    /// `((p + 1 - k) (e - row·Y_k) w_k + k (f - row·Y_{k-1}) w_{k-1}) / ((p + 1 - k) w_k + k w_{k-1})`.
+    pub(super) fn lag(&self, axis: Axis, ends: [f64; 2], row: DVec3) -> [f64; 2] {
+        let [rows, columns] = self.degree.map(|degree| degree + 1);
+        let (lines, between, step) = match axis {
+            Axis::U => (columns, 1, columns),
+            Axis::V => (rows, columns, 1),
+        };
+        let order = self.degree[axis.index()] + 1;
+        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for line in 0..lines {
+            let term = |k: usize, share: usize, end: f64| {
+                let control = self.controls[line * between + k * step];
+                let share = share as f64;
+                (share * (end * control.w - row.dot(control.xyz())), share * control.w)
+            };
+            for k in 0..=order {
+                let first = if k < order { term(k, order - k, ends[0]) } else { (0.0, 0.0) };
+                let second = if k > 0 { term(k - 1, k, ends[1]) } else { (0.0, 0.0) };
+                let value = (first.0 + second.0) / (first.1 + second.1);
+                (least, largest) = (lower_min(least, value), upper_max(largest, value));
+            }
+        }
+        let size = ends[0].abs() + ends[1].abs() + row.length() * self.radius;
+        let error = row.length() * self.error + gamma(LINEAR_ROUNDINGS) * size;
         [least - error, largest + error]
     }
 
