@@ -113,6 +113,26 @@ fn a_cell_beyond_the_end_is_at_the_overshoot() {
     }
 }
 
+/// Where B's parameter lags behind its linear function, a cell ends beyond B although that function
+/// says that it does not.
+#[test]
+fn the_lag_of_a_parameter_shows_the_end() {
+    const BEYOND: f64 = 0.05;
+    for axis in 0..2 {
+        let place = |along: f64, across: f64| {
+            if axis == 0 { DVec3::new(along, across, 0.0) } else { DVec3::new(across, along, 0.0) }
+        };
+        // Along the axis with the controls 0, 0.7 and 1: at 0.6 with derivative 1 in the middle.
+        let b = through(|s, t| {
+            let [x, across] = if axis == 0 { [s, t] } else { [t, s] };
+            place(x * (1.4 - 0.4 * x), across)
+        });
+        let a = through(|s, t| place(0.6 + (0.4 + BEYOND) * (2.0 * s - 1.0), 0.4 + 0.2 * t));
+        let bound = bound(&patch(a), &patch(b), [0.5; 2], 1.0).unwrap();
+        assert!(bound >= BEYOND, "{bound:e} along axis {axis}");
+    }
+}
+
 /// No point of a cell is farther than its bound: oblique patches near closed surfaces, polynomial and
 /// rational, over their seams and knot lines.
 #[test]
