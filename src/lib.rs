@@ -49,8 +49,8 @@
 //!
 //! # Map
 //!
-//! A [`Model`] is valid once it is made, from interchange JSON, arrays or the BREP text of
-//! OpenCASCADE. A [`PreparedModel`] keeps what is
+//! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP or the BREP text
+//! of OpenCASCADE. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!
@@ -73,6 +73,7 @@
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
 )]
 
+mod area;
 mod axis;
 mod lazy_table;
 mod param_box;
@@ -161,8 +162,9 @@ mod untrim;
 #[doc(hidden)]
 pub mod untrim;
 
+pub use area::Area;
 pub use axis::Axis;
-pub use brep::{ReadReport, Skipped};
+pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,

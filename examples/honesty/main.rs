@@ -15,7 +15,8 @@
 //!   of B, and is the point of A at its parameters.
 //!
 //! With `--trimmed`, models have trimmed faces: random loops of lines, arcs, cubics and splines with
-//! holes, slivers and loops that touch, on every kind of surface, on A, on B or on both. Points are
+//! holes, slivers and loops that touch, discs of three arcs under affine maps, and loops whose ends and
+//! extremes lie on one level but for units in the last place, on every kind of surface, on A, on B or on both. Points are
 //! classified by counts of crossings, and points of the loops belong to the face. Where no near
 //! point of B's faces is found, B's parts are left out of the proof that lie outside the loops by
 //! these counts.
@@ -29,7 +30,7 @@
 
 mod fuzzer;
 #[path = "../verify/proof/mod.rs"]
-#[allow(dead_code, reason = "the fuzzer compares single points")]
+#[allow(dead_code, unused_imports, reason = "the fuzzer compares single points")]
 mod proof;
 #[path = "../../tests/support/mod.rs"]
 mod support;

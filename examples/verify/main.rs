@@ -3,9 +3,15 @@
 //! `nurbs-hausdorff distance A.json B.json --json > RESULT.json`
 //! `cargo run --release --example verify -- A.json B.json RESULT.json`
 //!
+//! `cargo run --release --example verify -- --cuts PART.brep OTHER.json`
+//!
+//! The second form proves of every trimmed face that the pieces it is cut into are that face, to its
+//! stated deviation and the slack: they cover it, lie in it, and are points of its surface.
+//!
 //! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
 //! bad input. Models are moved by `--rotate` and `--translate` as by the command.
 
+mod cuts;
 #[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
 #[allow(dead_code, reason = "the fuzzer compares with parts of models")]
@@ -17,17 +23,23 @@ use proof::{Claim, Model, Motion, Report, Settings, Verdict, Witness};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Proves or refutes the interval of a result.
 #[derive(Parser)]
 struct Arguments {
     /// The model measured from.
-    a: PathBuf,
+    #[arg(required_unless_present = "cuts")]
+    a: Option<PathBuf>,
     /// The model measured to.
-    b: PathBuf,
+    #[arg(required_unless_present = "cuts")]
+    b: Option<PathBuf>,
     /// The result, as `nurbs-hausdorff distance A B --json` prints it.
-    result: PathBuf,
+    #[arg(required_unless_present = "cuts")]
+    result: Option<PathBuf>,
+    /// Models, as BREP text or interchange JSON, whose faces' cuts are proved.
+    #[arg(long, num_args = 1.., conflicts_with_all = ["a", "b", "result"])]
+    cuts: Vec<PathBuf>,
     /// Seconds after which the proof is given up.
     #[arg(long, default_value_t = 60.0)]
     seconds: f64,
@@ -65,24 +77,87 @@ struct StatedPoint {
 }
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
+    let arguments = Arguments::parse();
+    if !arguments.cuts.is_empty() {
+        return prove_cuts(&arguments);
+    }
+    match run(&arguments) {
         Ok(report) => {
             for note in &report.notes {
                 println!("{note}");
             }
             println!("lower: {}; upper: {}; {} cells", word(report.lower), word(report.upper), report.cells);
             println!("{}", word(report.verdict()));
-            ExitCode::from(match report.verdict() {
-                Verdict::Proved => 0,
-                Verdict::Refuted => 1,
-                Verdict::NotProved => 3,
-            })
+            status(report.verdict())
         }
         Err(reason) => {
             eprintln!("{reason}");
             ExitCode::from(2)
         }
     }
+}
+
+fn status(verdict: Verdict) -> ExitCode {
+    ExitCode::from(match verdict {
+        Verdict::Proved => 0,
+        Verdict::Refuted => 1,
+        Verdict::NotProved => 3,
+    })
+}
+
+/// Proves the cuts of all trimmed faces, prints those that are not proved, and a line for each model.
+fn prove_cuts(arguments: &Arguments) -> ExitCode {
+    let mut worst = Verdict::Proved;
+    for path in &arguments.cuts {
+        let model = match library_model(path) {
+            Ok(model) => model,
+            Err(reason) => {
+                println!("{}: not read: {reason}", path.display());
+                continue;
+            }
+        };
+        let mut counts = [0; 4];
+        for (index, face) in model.faces().enumerate() {
+            let Some(cut) = cuts::cut(index, &face, MAX_DEVIATION * model.bounding_box().diagonal()) else {
+                continue;
+            };
+            let Ok(cut) = cut else {
+                counts[3] += 1;
+                continue;
+            };
+            let deadline = Instant::now() + Duration::from_secs_f64(arguments.seconds);
+            let finding = proof::cut::check(&cut, arguments.slack, deadline);
+            counts[finding.verdict as usize] += 1;
+            if finding.verdict != Verdict::Proved {
+                let note = finding.note.unwrap_or_default();
+                println!("{}: face {index}: {} {note}", path.display(), word(finding.verdict));
+            }
+            if finding.verdict == Verdict::Refuted || worst == Verdict::Proved {
+                worst = finding.verdict;
+            }
+        }
+        let [proved, open, refuted, uncut] = counts;
+        println!(
+            "{}: {proved} proved, {open} not proved, {refuted} refuted, {uncut} not cut",
+            path.display()
+        );
+    }
+    status(worst)
+}
+
+/// The deviation that faces are cut with, relative to the model's diagonal.
+const MAX_DEVIATION: f64 = 1e-9;
+
+/// Reads a model with the library, whose cuts are to be proved.
+fn library_model(path: &Path) -> Result<nurbs_hausdorff::Model, String> {
+    let text = read(path)?;
+    let is_json = text.trim_start().starts_with('{');
+    let model = if is_json {
+        nurbs_hausdorff::Model::from_json(&text)
+    } else {
+        nurbs_hausdorff::Model::from_brep(&text).map(|(model, _)| model)
+    };
+    model.map_err(|error| error.to_string())
 }
 
 fn word(verdict: Verdict) -> &'static str {
@@ -94,14 +169,17 @@ fn word(verdict: Verdict) -> &'static str {
 }
 
 fn run(arguments: &Arguments) -> Result<Report, String> {
+    let (Some(a), Some(b), Some(result)) = (&arguments.a, &arguments.b, &arguments.result) else {
+        return Err("no models and result".to_owned());
+    };
     let model = |path: &Path| {
         let text = read(path)?;
         Model::from_json(&text).map_err(|reason| format!("{}: {reason}", path.display()))
     };
-    let (a, b) = (model(&arguments.a)?, model(&arguments.b)?);
-    let text = read(&arguments.result)?;
+    let (a, b) = (model(a)?, model(b)?);
+    let text = read(result)?;
     let stated: Stated =
-        serde_json::from_str(&text).map_err(|error| format!("{}: {error}", arguments.result.display()))?;
+        serde_json::from_str(&text).map_err(|error| format!("{}: {error}", result.display()))?;
     if stated.forward.is_some() {
         return Err("a symmetric result: verify the results of both directions instead".to_owned());
     }

@@ -15,5 +15,5 @@ pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};
 pub(crate) use extraction::{center_grid, power_of_two_below, snapped, spans, without_removable_knots};
+pub(crate) use patch::{HomogeneousTangents, normal, relative};
 pub use patch::{Jet, Patch, PatchSet};
-pub(crate) use patch::{normal, relative};

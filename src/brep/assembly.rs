@@ -1,18 +1,24 @@
 //! The faces of a file and their placements.
 
-use super::faces::convert;
-use super::report::{FaceCounts, ReadReport, Skipped};
-use super::text::{BrepFile, Orientation, ShapeKind};
+use super::edges::EdgeUses;
+use super::faces::{Converted, convert};
+use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
+use super::topology::{Face, FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::parallel;
 use glam::DAffine3;
+use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
 
 /// The most shapes visited from the root. A shape can stand in several others, so that
 /// a short file may describe more placements than memory holds.
 const MAX_VISITS: usize = 1 << 22;
+
+/// The most control points of the surfaces of all faces, half a gibibyte. Each face has a
+/// copy of its surface, so that a short file may describe more than memory holds.
+const MAX_POLES: usize = 1 << 24;
 
 /// The faces of a file with the account of each.
 pub(super) struct Assembled {
@@ -20,6 +26,7 @@ pub(super) struct Assembled {
     /// One entry a face of the model.
     pub(super) counts: Vec<FaceCounts>,
     pub(super) skipped: Vec<Skipped>,
+    pub(super) notes: Vec<Note>,
 }
 
 impl Assembled {
@@ -38,6 +45,7 @@ impl Assembled {
             gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
+            notes: self.notes.clone(),
             sources: self.sources(),
         }
     }
@@ -53,69 +61,174 @@ impl Assembled {
 }
 
 /// A face where an assembly places it.
-struct Placed {
-    shape: usize,
-    reversed: bool,
-    location: DAffine3,
+pub(super) struct Placed {
+    pub(super) shape: usize,
+    pub(super) reversed: bool,
+    pub(super) location: DAffine3,
+    /// The innermost group with a name that the face stands in.
+    part: Option<usize>,
+}
+
+impl Placed {
+    fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
+        match &file.shapes[self.shape].kind {
+            ShapeKind::Face(face) => Some(&face.label),
+            _ => None,
+        }
+    }
+
+    /// Returns the number by which the file calls the face.
+    fn entity(&self, file: &Topology) -> Option<u64> {
+        self.label(file).and_then(|label| label.entity)
+    }
+
+    /// Returns the name of the part.
+    fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
+        match &file.shapes[self.part?].kind {
+            ShapeKind::Group(name) => name.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the face: that of the file, or its number.
+    fn name(&self, file: &Topology, number: usize) -> String {
+        let own = self.label(file).and_then(|label| label.name.clone());
+        own.unwrap_or_else(|| format!("face {number}"))
+    }
 }
 
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &BrepFile) -> Result<Assembled> {
-    let mut model = ModelArrays::default();
-    let (mut counts, mut skipped) = (Vec::new(), Vec::new());
+pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
-    let distinct: Vec<&Placed> = placed.iter().filter(|placed| seen.insert(placed.shape)).collect();
-    let converted = parallel::map(distinct.len(), |number| convert(file, distinct[number].shape));
+    let distinct: Vec<(usize, &Placed)> =
+        placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
+    let sizes = sizes(file, &distinct);
+    let converted = parallel::map(distinct.len(), |index| {
+        if sizes[index] > MAX_POLES {
+            let why = "the faces up to this one have more than 16777216 control points";
+            return Err(FaceFault::new("BREP_TOO_LARGE", why));
+        }
+        convert(file, distinct[index].1.shape)
+    });
+    let mut read = Assembled {
+        model: ModelArrays { unit: file.unit, ..ModelArrays::default() },
+        counts: Vec::new(),
+        skipped: Vec::new(),
+        notes: notes(file, &placed, &distinct, &converted),
+    };
     // The index of each shape's face among those read.
     let mut faces: HashMap<usize, usize> = HashMap::new();
-    for (number, (placed, converted)) in distinct.into_iter().zip(converted).enumerate() {
+    for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
-                counts.push(FaceCounts { number, exact: converted.exact, fitted: converted.fitted });
+                let Converted { exact, fitted, .. } = converted;
+                let entity = placed.entity(file);
+                read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
-                converted.face.part = Some(format!("face {number}"));
-                faces.insert(placed.shape, model.faces.len());
-                model.faces.push(converted.face);
+                converted.face.part = Some(placed.name(file, number));
+                faces.insert(placed.shape, read.model.faces.len());
+                read.model.faces.push(converted.face);
             }
-            Err(fault) => skipped.push(Skipped { face: number, code: fault.code, why: fault.why }),
+            Err(FaceFault { code, why }) => {
+                let entity = placed.entity(file);
+                read.skipped.push(Skipped { face: number, entity, code, why });
+            }
         }
     }
-    let mut groups: HashMap<[u64; 12], usize> = HashMap::new();
-    for placed in &placed {
-        let Some(&index) = faces.get(&placed.shape) else { continue };
-        let transform = matrix(&placed.location);
-        let group = *groups.entry(transform.map(f64::to_bits)).or_insert_with(|| {
-            model.instances.push(InstanceArrays { surfaces: Vec::new(), transform, name: None });
-            model.instances.len() - 1
-        });
-        model.instances[group].surfaces.push(index);
+    read.model.instances = instances(file, &placed, &faces);
+    if read.model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
+        name_parts(&mut read.model);
     }
-    for instance in &mut model.instances {
-        instance.surfaces.sort_unstable();
-        instance.surfaces.dedup();
-    }
-    if let [only] = model.instances.as_slice()
-        && only.transform == crate::model::IDENTITY
-    {
-        model.instances.clear();
-    }
-    match skipped.first() {
-        Some(Skipped { face, why, .. }) if model.faces.is_empty() => {
-            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: skipped.len() })
+    match read.skipped.first() {
+        Some(Skipped { face, why, .. }) if read.model.faces.is_empty() => {
+            Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
         }
-        _ if model.faces.is_empty() => Err(Error::EmptyModel),
-        _ => Ok(Assembled { model, counts, skipped }),
+        _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
+        _ => Ok(read),
     }
 }
 
-/// Returns the faces below the root, in the order of the file.
-fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
+/// Returns the numbers of control points of the surfaces of all faces up to each.
+fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
+    let mut total = 0_usize;
+    let size = |(_, placed): &(usize, &Placed)| match &file.shapes[placed.shape].kind {
+        ShapeKind::Face(Face { surface: Ok(surface), .. }) => file.surfaces[*surface].pole_count(),
+        _ => 0,
+    };
+    let sums = distinct.iter().map(|face| {
+        total = total.saturating_add(size(face));
+        total
+    });
+    sums.collect()
+}
+
+/// Returns the placements of faces, in the order of the file: those that follow each other in one
+/// part and place together.
+fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+    let mut instances: Vec<InstanceArrays> = Vec::new();
+    let mut last_part = None;
+    for placed in placed {
+        let Some(&index) = faces.get(&placed.shape) else { continue };
+        let transform = matrix(&placed.location);
+        match instances.last_mut() {
+            Some(last) if last.transform == transform && last_part == placed.part => {
+                last.surfaces.push(index);
+            }
+            _ => {
+                let name = placed.part(file).map(str::to_owned);
+                instances.push(InstanceArrays { surfaces: vec![index], transform, name });
+            }
+        }
+        last_part = placed.part;
+    }
+    instances
+}
+
+/// Replaces instances that are all where their faces are by the names of their parts before
+/// those of the faces.
+fn name_parts(model: &mut ModelArrays) {
+    for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
+        let Some(part) = name else { continue };
+        for index in surfaces {
+            let own = model.faces[index].part.take().unwrap_or_default();
+            model.faces[index].part = Some(format!("{part} / {own}"));
+        }
+    }
+}
+
+/// Returns the remarks on faces, and the faces whose side of the loops nothing but the loops'
+/// directions tells.
+fn notes(
+    file: &Topology,
+    placed: &[Placed],
+    distinct: &[(usize, &Placed)],
+    converted: &[std::result::Result<Converted, FaceFault>],
+) -> Vec<Note> {
+    let uses = LazyCell::new(|| EdgeUses::of(file, placed));
+    let mut notes = Vec::new();
+    for (&(face, placed), converted) in distinct.iter().zip(converted) {
+        let Ok(converted) = converted else { continue };
+        let open = converted.complement_fits && !uses.confirm(file, placed);
+        let why = "the rest of the closed surface has the same edges: the face is the side on the left \
+                   of its edges' directions, which no seam and no neighbours confirm";
+        let complement = open.then(|| Remark::new("BREP_COMPLEMENT", why));
+        let remarks = converted.remarks.iter().cloned().chain(complement);
+        notes.extend(remarks.map(|Remark { code, why }| Note { face, code, why }));
+    }
+    notes
+}
+
+/// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
+/// shape is followed by its children; a face that is met again at its place, as between two solids,
+/// is listed once, as by `TopExp::MapShapes`.
+fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
     let mut placed = Vec::new();
+    let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
-    let mut pending = vec![(file.root, DAffine3::IDENTITY, false)];
+    let mut pending = vec![(file.root, DAffine3::IDENTITY, false, None)];
     let mut visits = 0;
-    while let Some((shape_use, above, reversed)) = pending.pop() {
+    while let Some((shape_use, above, reversed, part)) = pending.pop() {
         visits += 1;
         if visits > MAX_VISITS {
             return Err(Error::BrepSyntax {
@@ -127,12 +240,15 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
         let location = above * shape_use.location;
         let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
         let shape = &file.shapes[shape_use.shape];
-        match shape.kind {
-            ShapeKind::Face(_) => placed.push(Placed { shape: shape_use.shape, reversed, location }),
-            ShapeKind::Group => {
-                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed)));
+        match &shape.kind {
+            ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
             }
-            // Loose wires, edges and vertices are no surfaces.
+            ShapeKind::Group(name) => {
+                let part = name.as_ref().map(|_| shape_use.shape).or(part);
+                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
+            }
+            // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }
@@ -140,7 +256,7 @@ fn placed_faces(file: &BrepFile) -> Result<Vec<Placed>> {
 }
 
 /// Returns the row-major 3x4 matrix of an affine map.
-fn matrix(map: &DAffine3) -> [f64; 12] {
+pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
     let rows = map.matrix3.transpose();
     let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
     let t = map.translation;

@@ -1,19 +1,22 @@
-//! The reader of OpenCASCADE's BREP text.
+//! The readers of boundary representations.
 //!
-//! The stages: [`text`] reads the sections into curves, surfaces and shapes as they
-//! stand in the file; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
+//! The stages: [`text`], the text of OpenCASCADE's BREP files, and [`step`] each read a format
+//! into the curves, surfaces and shapes of a [`topology`]; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
 //! their distance from the edges; [`assembly`] collects the faces and their placements.
 
 mod assembly;
+mod edges;
 mod faces;
 mod gap;
 mod nurbs;
 mod report;
+mod step;
 mod text;
+mod topology;
 mod validation;
 
-pub use report::{ReadReport, Skipped};
+pub use report::{Note, ReadReport, Skipped};
 
 use crate::error::{Error, Result};
 use crate::model::Model;
@@ -40,6 +43,24 @@ impl Model {
     }
 }
 
+impl Model {
+    /// Reads a STEP file of AP203, AP214 or AP242, in millimetres, with every face trimmed as
+    /// [`Model::from_brep`] does.
+    ///
+    /// Read are the boundary representations of solids and shells, sets of surfaces, mapped
+    /// items and assemblies with their placements. A face that cannot be read is in the report
+    /// with its number in the file. O(length).
+    ///
+    /// # Errors
+    /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::StepSyntax`],
+    /// [`Error::StepUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
+    /// [`Error::EmptyModel`] without faces.
+    pub fn from_step(bytes: &[u8]) -> Result<(Self, ReadReport)> {
+        check_length(bytes.len())?;
+        validation::into_model(assembly::assemble(&step::parse(bytes)?)?)
+    }
+}
+
 /// Reads a BREP text as a model of this name and unit, which the text does not state.
 ///
 /// # Errors
@@ -58,16 +79,20 @@ pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Mod
 #[cfg(target_arch = "wasm32")]
 pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
     let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
-    let count = |(number, face)| report::FaceCounts { number, exact: curves(face), fitted: 0 };
+    let count = |(number, face)| report::FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
     let counts = model.faces.iter().enumerate().map(count).collect();
-    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new() })
+    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new(), notes: Vec::new() })
 }
 
 fn assembled(text: &str) -> Result<assembly::Assembled> {
-    let found = text.len() as u64;
+    check_length(text.len())?;
+    assembly::assemble(&text::parse(text)?)
+}
+
+fn check_length(length: usize) -> Result<()> {
+    let found = length as u64;
     if found > Model::MAX_JSON_BYTES {
         return Err(Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES });
     }
-    let file = text::BrepFile::parse(text)?;
-    assembly::assemble(&file)
+    Ok(())
 }

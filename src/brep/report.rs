@@ -27,6 +27,8 @@ pub struct ReadReport {
     pub unit: Option<f64>,
     /// The faces that could not be read, or not be cut into patches.
     pub skipped: Vec<Skipped>,
+    /// The faces of which the file leaves something open, with what was decided.
+    pub notes: Vec<Note>,
     /// The file's faces of the model's, one entry a face of the model: with instances a face
     /// of the file has several.
     #[serde(skip)]
@@ -37,6 +39,8 @@ pub struct ReadReport {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FaceCounts {
     pub(crate) number: usize,
+    /// The number by which the file calls the face.
+    pub(crate) entity: Option<u64>,
     pub(crate) exact: usize,
     pub(crate) fitted: usize,
 }
@@ -55,6 +59,7 @@ impl ReadReport {
             gap: model.gap(),
             unit: model.unit(),
             skipped: Vec::new(),
+            notes: Vec::new(),
             sources: Vec::new(),
         }
     }
@@ -62,8 +67,9 @@ impl ReadReport {
     /// Moves faces of the model, by their indices, from those that were read to those skipped.
     pub(crate) fn leave_out(&mut self, refused: &[(usize, Error)]) {
         for (face, error) in refused {
-            let FaceCounts { number, exact, fitted } =
-                self.sources.get(*face).copied().unwrap_or(FaceCounts { number: *face, exact: 0, fitted: 0 });
+            let unknown = FaceCounts { number: *face, entity: None, exact: 0, fitted: 0 };
+            let FaceCounts { number, entity, exact, fitted } =
+                self.sources.get(*face).copied().unwrap_or(unknown);
             // Other instances of the face are refused with it.
             if self.skipped.iter().any(|skipped| skipped.face == number) {
                 continue;
@@ -72,21 +78,50 @@ impl ReadReport {
             self.trims -= exact + fitted;
             self.exact -= exact;
             self.fitted -= fitted;
-            self.skipped.push(Skipped { face: number, code: error.code(), why: error.to_string() });
+            self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
         }
         self.skipped.sort_by_key(|skipped| skipped.face);
+        self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
     }
 }
 
 /// A face that could not be read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Skipped {
-    /// The number of the face among those of the file, from 0.
+    /// The number of the face in the file, from 0, in the order of OpenCASCADE's
+    /// `TopExp_Explorer`, each face once at its place.
     pub face: usize,
+    /// The number by which the file calls the face, if it has one, as `#` in STEP.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entity: Option<u64>,
     /// The stable code of the reason.
     pub code: &'static str,
     /// The reason.
     pub why: String,
+}
+
+/// What the file leaves open of a face that was read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Note {
+    /// The number of the face in the file, as of [`Skipped`].
+    pub face: usize,
+    /// The stable code of the remark.
+    pub code: &'static str,
+    /// The decision, and the reason for it.
+    pub why: String,
+}
+
+/// A remark on a face whose number is not known yet.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Remark {
+    pub(super) code: &'static str,
+    pub(super) why: String,
+}
+
+impl Remark {
+    pub(super) fn new(code: &'static str, why: impl Into<String>) -> Self {
+        Self { code, why: why.into() }
+    }
 }
 
 /// The reason for which a face cannot be read.

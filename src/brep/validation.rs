@@ -17,9 +17,9 @@ pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
         Err(error) if read.model.faces.len() == 1 => return Err(error),
         Err(_) => parallel::map(read.model.faces.len(), |index| refusal(&read.model, index)),
     };
-    let Assembled { model: ModelArrays { name, unit, faces, instances }, counts, skipped } = read;
+    let Assembled { model: ModelArrays { name, unit, faces, instances }, counts, skipped, notes } = read;
     let model = ModelArrays { name, unit, faces: Vec::new(), instances };
-    let mut kept = Assembled { model, counts: Vec::new(), skipped };
+    let mut kept = Assembled { model, counts: Vec::new(), skipped, notes };
     let mut indices = Vec::with_capacity(refused.len());
     for ((face, counts), refusal) in faces.into_iter().zip(counts).zip(refused) {
         indices.push(match refusal {
@@ -29,7 +29,7 @@ pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
                 Some(kept.model.faces.len() - 1)
             }
             Some((code, why)) => {
-                kept.skipped.push(Skipped { face: counts.number, code, why });
+                kept.skipped.push(Skipped { face: counts.number, entity: counts.entity, code, why });
                 None
             }
         });
@@ -38,6 +38,7 @@ pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
         instance.surfaces = instance.surfaces.iter().filter_map(|&index| indices[index]).collect();
     }
     kept.skipped.sort_by_key(|skipped| skipped.face);
+    kept.notes.retain(|note| kept.skipped.iter().all(|skipped| skipped.face != note.face));
     Ok((Model::from_faces(kept.model.clone())?, kept.report()))
 }
 

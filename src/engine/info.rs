@@ -1,6 +1,7 @@
 //! A model in numbers, for people and programs that choose options.
 
 use super::PreparedModel;
+use crate::area::Area;
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::trim::TrimPiece;
@@ -31,6 +32,8 @@ pub struct ModelInfo {
     pub bounding_box: [[f64; 3]; 2],
     /// The length of the box's diagonal.
     pub diagonal: f64,
+    /// The area of all faces' pieces, in squares of the model unit.
+    pub area: Area,
 }
 
 /// A face in numbers.
@@ -60,6 +63,8 @@ pub struct SurfaceInfo {
     pub gap: f64,
     /// The number of Bézier patches.
     pub patches: usize,
+    /// The area of the face's pieces, in squares of the model unit.
+    pub area: Area,
 }
 
 impl ModelInfo {
@@ -75,23 +80,27 @@ impl ModelInfo {
     #[must_use]
     pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
         let bounding_box = prepared.bounding_box();
-        let surfaces = model.faces().zip(prepared.face_patch_counts());
+        let pieces = prepared.face_patch_counts().zip(prepared.face_areas());
+        let surfaces = model.faces().zip(pieces);
         Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             trimmed: model.faces().filter(|face| face.trim().is_some()).count(),
             gap: model.gap(),
             deviation: prepared.deviation(),
-            surfaces: surfaces.map(|(face, patches)| SurfaceInfo::new(&face, patches)).collect(),
+            surfaces: surfaces
+                .map(|(face, (patches, area))| SurfaceInfo::new(&face, patches, *area))
+                .collect(),
             patches: prepared.face_patch_counts().sum(),
             bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
             diagonal: bounding_box.diagonal(),
+            area: prepared.area(),
         }
     }
 }
 
 impl SurfaceInfo {
-    fn new(face: &Face<'_>, patches: usize) -> Self {
+    fn new(face: &Face<'_>, patches: usize, area: Area) -> Self {
         let surface = face.surface();
         let weight = surface.control_points()[0][3];
         Self {
@@ -105,6 +114,7 @@ impl SurfaceInfo {
             trim: face.trim().map(|trim| trim.loops().iter().map(|curves| curve_count(curves)).collect()),
             gap: face.gap(),
             patches,
+            area,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Models with the data that is computed from them once.
 
+use crate::area::{Area, area};
 use crate::bezier::{
     BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
 };
@@ -13,6 +14,7 @@ use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::model::Model;
+use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::rounding::gamma;
@@ -39,6 +41,7 @@ pub struct PreparedModel {
     targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
     samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
     cells: RefCell<Option<Rc<PreparedCells>>>,
+    areas: OnceCell<Vec<Area>>,
     /// The number of updates since cuts and trees were chosen.
     refits: u32,
 }
@@ -173,6 +176,7 @@ impl PreparedModel {
             targets: RefCell::default(),
             samplings: RefCell::default(),
             cells: RefCell::default(),
+            areas: OnceCell::new(),
             refits: 0,
         }
     }
@@ -269,6 +273,30 @@ impl PreparedModel {
         self.pieces.faces().iter().map(|pieces| {
             self.bezier.grids[pieces.clone()].iter().map(|grid| grid.counts().iter().product::<usize>()).sum()
         })
+    }
+
+    /// Returns the areas of the faces' pieces, in squares of the model unit, as intervals of
+    /// about 1e-7 of the area; surfaces that fold or whose weights are far apart have wider
+    /// ones (docs/area.md).
+    ///
+    /// Computed at first use, in about 20 µs a patch, on all cores.
+    pub fn face_areas(&self) -> &[Area] {
+        self.areas.get_or_init(|| {
+            let (faces, bezier) = (self.pieces.faces(), &self.bezier);
+            map(faces.len(), |face| {
+                let grids = bezier.grids[faces[face].clone()].iter();
+                let patches = grids.flat_map(|grid| {
+                    let [rows, columns] = grid.counts();
+                    (grid.first..grid.first + rows * columns).map(|index| bezier.patches.patch(index))
+                });
+                area(patches)
+            })
+        })
+    }
+
+    /// Returns the sum of [`PreparedModel::face_areas`].
+    pub fn area(&self) -> Area {
+        self.face_areas().iter().fold(Area::default(), |sum, &area| sum + area)
     }
 
     /// Returns the number of faces.

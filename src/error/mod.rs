@@ -243,6 +243,22 @@ pub enum Error {
         /// The word or number that the format requires there.
         expected: String,
     },
+    /// Text that is not in the format of ISO 10303-21, or a file that ends early.
+    #[error("line {line}: found {found:?}, expected {expected}")]
+    StepSyntax {
+        /// The line, from 1.
+        line: usize,
+        /// The token found.
+        found: String,
+        /// The token that the format requires there.
+        expected: String,
+    },
+    /// A STEP file over the limits of the reader.
+    #[error("the STEP file cannot be read: {found}")]
+    StepUnreadable {
+        /// The reason.
+        found: String,
+    },
     /// A BREP file of which no face can be read.
     #[error("none of the {faces} faces can be read; face {face}: {found}")]
     BrepUnreadable {
@@ -272,7 +288,7 @@ pub enum Error {
     /// A file of a format that the package's command line in Node reads, but this crate
     /// does not.
     #[error(
-        "found {found}; read are interchange JSON and OpenCASCADE's BREP text: \
+        "found {found}; read are interchange JSON, STEP and OpenCASCADE's BREP text: \
          `npx nurbs-hausdorff convert {path} model.json` converts it"
     )]
     FormatUnsupported {
@@ -402,6 +418,8 @@ impl Error {
             Self::UnitsDiffer { .. } => "UNITS_DIFFER",
             Self::JsonShape { .. } => "JSON_SHAPE",
             Self::BrepSyntax { .. } => "BREP_SYNTAX",
+            Self::StepSyntax { .. } => "STEP_SYNTAX",
+            Self::StepUnreadable { .. } => "STEP_UNREADABLE",
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",

@@ -74,6 +74,14 @@ pub enum TrimFault {
         /// The smallest width allowed.
         expected: f64,
     },
+    /// The loops cancel each other, so that the region is empty.
+    #[error("the region's mean width is {found:e} of the domain, expected at least {expected:e}")]
+    RegionNoArea {
+        /// Twice the area over the length of the loops.
+        found: f64,
+        /// The smallest width allowed.
+        expected: f64,
+    },
     /// Two curves cross each other.
     #[error(
         "loop {loop_index}, curve {curve}: crosses curve {other_curve} of loop {other_loop} near {at:?}, so that the winding number there is {found}, expected 0 or 1"
@@ -121,6 +129,7 @@ impl TrimFault {
             Self::LoopOpen { .. } => "TRIM_LOOP_OPEN",
             Self::OutsideDomain { .. } => "TRIM_OUTSIDE_DOMAIN",
             Self::LoopNoArea { .. } => "TRIM_LOOP_NO_AREA",
+            Self::RegionNoArea { .. } => "TRIM_REGION_NO_AREA",
             Self::LoopsCross { .. } => "TRIM_LOOPS_CROSS",
             Self::WrongNesting { .. } => "TRIM_WRONG_NESTING",
         }

@@ -24,6 +24,7 @@ export type {
   Statistics,
   SurfacePoint,
 } from "./measure/result.js";
+export type { Area, ModelArea } from "./model/area.js";
 export type {
   BrepText,
   ControlPoint,

@@ -147,7 +147,8 @@ impl Model {
         &self.surfaces
     }
 
-    /// Returns the faces, one a surface.
+    /// Returns the faces, one a surface. Those of a BREP text are in the order of OpenCASCADE's
+    /// `TopExp_Explorer`, each once at its place, without those that were skipped.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = Face<'_>> {
         self.surfaces.iter().zip(&self.faces).map(|(surface, data)| Face::new(surface, data))
     }

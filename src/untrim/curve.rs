@@ -14,8 +14,11 @@ pub(super) struct Curve {
 /// as short as the roundings of their ends.
 const MAX_ROOT_DEPTH: usize = 48;
 
-/// The number of steps of bisection and Newton's method for one root.
-const MAX_ROOT_STEPS: usize = 80;
+/// The number of steps of bisection and the secant method for one root.
+const MAX_ROOT_STEPS: usize = 160;
+
+/// The number of steps in which the bracket of a root must shrink to a quarter.
+const STEPS_OF_A_QUARTER: usize = 3;
 
 impl Curve {
     /// Makes the straight line between two points.
@@ -90,9 +93,18 @@ impl Curve {
 
     /// Returns the same for coordinate `axis` of (u, v).
     pub(super) fn derivative(&self, axis: usize) -> Vec<f64> {
+        self.differences(axis, |high, low| high - low)
+    }
+
+    /// Returns upper bounds on the terms of the coefficients of [`Curve::derivative`].
+    pub(super) fn derivative_size(&self, axis: usize) -> Vec<f64> {
+        self.differences(axis, |high, low| high.abs() + low.abs())
+    }
+
+    fn differences(&self, axis: usize, difference: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let degree = self.degree();
         if self.is_polynomial() {
-            return self.controls.windows(2).map(|pair| pair[1][axis] - pair[0][axis]).collect();
+            return self.controls.windows(2).map(|pair| difference(pair[1][axis], pair[0][axis])).collect();
         }
         (0..=2 * degree - 2)
             .map(|k| {
@@ -102,7 +114,8 @@ impl Curve {
                     if j <= degree && i < j {
                         let (low, high) = (self.controls[i], self.controls[j]);
                         let binomials = binomial(degree, i) * binomial(degree, j);
-                        sum += (j - i) as f64 * binomials * (high[axis] * low.z - low[axis] * high.z);
+                        let term = difference(high[axis] * low.z, low[axis] * high.z);
+                        sum += (j - i) as f64 * binomials * term;
                     }
                 }
                 sum / binomial(2 * degree - 2, k)
@@ -256,11 +269,16 @@ fn bracketed_root(coefficients: &[f64], [mut low, mut high]: [f64; 2]) -> f64 {
     let value = |t: f64| if rising { casteljau(coefficients, t) } else { -casteljau(coefficients, t) };
     let (mut at_low, mut at_high) = (value(low), value(high));
     let mut moved_low = None;
+    let mut width = high - low;
     for step in 0..MAX_ROOT_STEPS {
         let secant = low - at_low * (high - low) / (at_high - at_low);
-        // Every fifth step bisects, so that the bracket shrinks in any case.
         let middle = 0.5 * (low + high);
-        let t = if step % 5 == 4 || !(secant > low && secant < high) { middle } else { secant };
+        // Next to a stationary point secants shrink the bracket by little.
+        let is_slow = step % STEPS_OF_A_QUARTER == 2 && high - low > 0.25 * width;
+        if step % STEPS_OF_A_QUARTER == 2 {
+            width = high - low;
+        }
+        let t = if !is_slow && secant > low && secant < high { secant } else { middle };
         let at_t = value(t);
         if at_t == 0.0 || t <= low || t >= high {
             return t;

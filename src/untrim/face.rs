@@ -15,8 +15,8 @@ use glam::{DVec2, DVec3};
 const SNAP_SHARE: f64 = 0.25;
 const GRAPH_SHARE: f64 = 0.125;
 const COMPOSITE_SHARE: f64 = 0.0625;
-const CROSSING_SHARE: f64 = 0.3125;
-const FIT_SHARE: f64 = 0.25;
+const CROSSING_SHARE: f64 = 0.25;
+const FIT_SHARE: f64 = 0.3125;
 
 /// The largest tolerance of crossings, in parts of the domain: validation accepts loops that
 /// cross each other by up to 1e-6 of it.

@@ -8,15 +8,14 @@
 //! Sosin, Elber, *Untrimming: Precise conversion of trimmed-surfaces to tensor-product
 //! surfaces*, Computers & Graphics 70 (2018)). Lemmas and proofs are in docs/trimming.md.
 
-mod arcs;
-mod compose;
+mod area;
+mod boundary;
+mod cells;
 mod curve;
 mod derivatives;
 mod face;
-mod graph;
-mod polynomial;
+mod patch;
 mod rectangle;
-mod ruling;
 mod sweep;
 
 use crate::error::{Error, Result};
@@ -24,10 +23,11 @@ use crate::model::NurbsSurface;
 use crate::model::trim::Trim;
 use crate::param_box::ParamBox;
 use curve::Curve;
-use face::{Face, transpose};
+use face::Face;
 use glam::DVec2;
-use ruling::{Mapped, Ruling};
-use sweep::Cell;
+#[cfg(feature = "internals")]
+use glam::DVec3;
+use sweep::Sweep;
 
 /// A part of a trimmed face.
 #[derive(Debug, Clone)]
@@ -60,6 +60,22 @@ pub struct Ruled {
     transposed: bool,
 }
 
+#[cfg(feature = "internals")]
+impl Ruled {
+    /// Returns the homogeneous controls `(w u, w v, w)` of the left and the right curve, in
+    /// the domain mapped to [0, 1]²; where [`Self::is_transposed`], v comes before u.
+    #[must_use]
+    pub fn sides(&self) -> [&[DVec3]; 2] {
+        [&self.left.controls, &self.right.controls]
+    }
+
+    /// Returns whether u and v, and s and t, have changed places.
+    #[must_use]
+    pub fn is_transposed(&self) -> bool {
+        self.transposed
+    }
+}
+
 impl ParameterMap {
     /// Returns the face's (u, v) for the piece's parameters. The surface there is within
     /// [`Untrimmed::deviation`] of the piece's point. O(degree²).
@@ -83,26 +99,21 @@ pub struct Untrimmed {
     pub deviation: f64,
 }
 
-/// The number of halvings of a cell.
-const MAX_HALVINGS: usize = 32;
-
-/// The largest number of cells that a face is cut into: so many, and for each cell of the
-/// sweep. Real faces take up to 20 a cell; a composition that converges as slowly as with
-/// weights that differ by 10²⁵ would be halved for hours.
-const MAX_CELLS: usize = 1024;
-const MAX_CELLS_PER_CELL: usize = 64;
-
 /// Cuts a trimmed face, surface number `index` of its model, into pieces within
 /// `max_deviation` of it, in model units.
 ///
 /// `max_deviation` bounds the approximations; a bound on the rounding adds to it in
 /// [`Untrimmed::deviation`]. A face that it does not suffice for, whose loops touch or cross
-/// each other by more, is cut with a larger one, which the result states. O(arcs × slabs) for the sweep and O(D²) for a patch of composed
-/// degree D.
+/// each other by more, is cut with a larger one, which the result states. O(arcs × slabs) for the
+/// sweep and O(D²) for a patch of composed degree D.
+///
+/// The cut proves itself: the cells' sides are balanced against the arcs, their areas against the
+/// loops, and each patch is compared with the surface (`sweep.rs`). A cut that fails a proof is
+/// made again in the other direction and with larger deviations.
 ///
 /// # Errors
-/// `FACE_NOT_CUT` where the loops cross each other by more than the deviation, or where a
-/// cell does not converge.
+/// `FACE_NOT_CUT` where no cut is proven: the loops cross each other by more than the deviation,
+/// or a cell does not converge.
 pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: f64) -> Result<Untrimmed> {
     let mut attempt = attempt(index, surface, trim, max_deviation)?;
     let mut allowed = max_deviation;
@@ -131,10 +142,14 @@ fn attempt(
 ) -> Result<std::result::Result<Untrimmed, String>> {
     let face = Face::new(index, surface, trim, max_deviation, false)?;
     if let Some((part, moved)) = rectangle::rectangle(&face) {
-        let (surface, rounding) = rectangle::cut(surface, part)?;
-        let piece = Piece { surface, map: ParameterMap::Identity };
-        let deviation = face.moved(moved) + rounding;
-        return Ok(Ok(Untrimmed { pieces: vec![piece], deviation }));
+        let cut = rectangle::cut(surface, part)?;
+        let deviation = if &cut == surface {
+            0.0
+        } else {
+            patch::rectangle_deviation(&face, surface, &cut, part)? + face.rounding
+        };
+        let piece = Piece { surface: cut, map: ParameterMap::Identity };
+        return Ok(Ok(Untrimmed { pieces: vec![piece], deviation: face.moved(moved) + deviation }));
     }
     let across = Face::new(index, surface, trim, max_deviation, true)?;
     let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
@@ -148,83 +163,4 @@ fn attempt(
         }
     }
     Ok(Err(reason.unwrap_or_default()))
-}
-
-/// The cells of a face ruled along one axis.
-struct Sweep<'a> {
-    face: &'a Face,
-    transposed: bool,
-    cells: Vec<Cell>,
-    /// The deviation of the boundary, in model units.
-    deviation: f64,
-}
-
-impl<'a> Sweep<'a> {
-    fn new(face: &'a Face, transposed: bool) -> std::result::Result<Self, String> {
-        let boundary = arcs::boundary(face)?;
-        let cells = sweep::cells(face, &boundary);
-        // A boundary that moves by δ moves the region by at most 2 δ (lemma T2).
-        let deviation = 2.0 * face.moved(boundary.moved) + face.moved([boundary.graph_error, 0.0]);
-        Ok(Self { face, transposed, cells, deviation: deviation + face.rounding })
-    }
-
-    /// Returns an estimate of the patches that the cells take, times 2.
-    fn cost(&self) -> usize {
-        let cell = |cell: &Cell| {
-            let own = cell.sides.iter().filter(|side| matches!(side, arcs::Side::Own(_))).count();
-            if self.face.affine { 2 } else { 2 + own }
-        };
-        self.cells.iter().map(cell).sum()
-    }
-
-    /// Returns the pieces of all cells.
-    fn untrimmed(&self) -> std::result::Result<Untrimmed, String> {
-        if self.cells.is_empty() {
-            return Err("its loops enclose nothing".to_owned());
-        }
-        let mut pieces = Vec::new();
-        let mut deviation = 0.0_f64;
-        let mut open: Vec<(Cell, usize)> = self.cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
-        let max_cells = MAX_CELLS + MAX_CELLS_PER_CELL * self.cells.len();
-        let mut count = 0;
-        while let Some((cell, depth)) = open.pop() {
-            count += 1;
-            match ruling::mapped(self.face, &cell) {
-                Mapped::One(ruling) => {
-                    if let Some(composed) = compose::composed(self.face, &ruling) {
-                        let error = self.face.moved([ruling.error, 0.0]) + composed.deviation;
-                        deviation = deviation.max(error);
-                        pieces.push(self.piece(composed.surface, ruling)?);
-                        continue;
-                    }
-                }
-                Mapped::Cells(cells) => {
-                    open.extend(cells.into_iter().map(|cell| (cell, depth)));
-                    continue;
-                }
-                Mapped::Halve => {}
-            }
-            let [low, high] = cell.v;
-            let middle = 0.5 * (low + high);
-            if depth == MAX_HALVINGS || count > max_cells || !(low < middle && middle < high) {
-                let u = cell.sides[0].at(middle);
-                return Err(format!("a cell near ({u}, {middle}) of the unit domain does not converge"));
-            }
-            for v in [[low, middle], [middle, high]] {
-                open.push((Cell { v, ..cell.clone() }, depth + 1));
-            }
-        }
-        Ok(Untrimmed { pieces, deviation: deviation + self.deviation })
-    }
-
-    fn piece(&self, surface: NurbsSurface, ruling: Ruling) -> std::result::Result<Piece, String> {
-        let surface = if self.transposed {
-            transpose(self.face.index, &surface).map_err(|error| error.to_string())?
-        } else {
-            surface
-        };
-        let Ruling { left, right, .. } = ruling;
-        let ruled = Ruled { left, right, domain: self.face.domain, transposed: self.transposed };
-        Ok(Piece { surface, map: ParameterMap::Ruled(ruled) })
-    }
 }

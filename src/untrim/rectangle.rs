@@ -6,9 +6,8 @@ use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
-use crate::rounding::gamma;
 use crate::shapes::operations::cut_surface;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// The largest relative error of the loop's area against the rectangle's, which only
 /// loops that run back on themselves exceed.
@@ -45,15 +44,9 @@ pub(super) fn rectangle(face: &Face) -> Option<(ParamBox, [f64; 2])> {
     Some((ParamBox::from(sides), moved))
 }
 
-/// Returns the part of `surface` over a rectangle of normalised parameters, and an upper
-/// bound on its rounding.
-///
-/// Knot insertion replaces a control point p times at each end by a convex combination,
-/// whose factors are off by three roundings; the complement of a factor may be off by the
-/// weight ratio κ (lemma T8).
-pub(super) fn cut(surface: &NurbsSurface, part: ParamBox) -> Result<(NurbsSurface, f64)> {
+/// Returns the part of `surface` over a rectangle of normalised parameters.
+pub(super) fn cut(surface: &NurbsSurface, part: ParamBox) -> Result<NurbsSurface> {
     let mut cut = surface.clone();
-    let mut roundings = 0.0;
     for axis in Axis::BOTH {
         let [start, end] = surface.domain()[axis];
         let at = |share: f64| (1.0 - share) * start + share * end;
@@ -64,16 +57,8 @@ pub(super) fn cut(surface: &NurbsSurface, part: ParamBox) -> Result<(NurbsSurfac
             if parameter > low && parameter < high {
                 let pieces = cut_surface(&cut, axis, parameter)?;
                 cut = if side == 0 { pieces[0].clone() } else { pieces[1].clone() };
-                roundings += 6.0 * surface.degree()[axis] as f64 + 4.0;
             }
         }
     }
-    if roundings == 0.0 {
-        return Ok((cut, 0.0));
-    }
-    let points = surface.control_points();
-    let size = points.iter().map(|p| DVec3::new(p[0], p[1], p[2]).length()).fold(0.0, f64::max);
-    let largest = points.iter().map(|p| p[3]).fold(0.0, f64::max);
-    let least = points.iter().map(|p| p[3]).fold(f64::INFINITY, f64::min);
-    Ok((cut, gamma(2.0 * roundings) * size * (largest / least)))
+    Ok(cut)
 }

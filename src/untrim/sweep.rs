@@ -1,187 +1,251 @@
-//! The decomposition of a face into cells between two neighbouring arcs.
+//! A face cut along one axis, with the proof of the cut.
 
-use super::arcs::{Arc, Boundary, Side};
-use super::face::Face;
-use super::graph::Graph;
-use crate::axis::Axis;
-use std::collections::HashMap;
+use super::boundary::{self, Arc, Side};
+use super::cells::ruling::{Mapped, Ruling, mapped};
+use super::cells::{self, Cell, Cells};
+use super::face::{Face, transpose};
+use super::patch::Composed;
+use super::{ParameterMap, Piece, Ruled, Untrimmed, area, patch};
+use crate::model::NurbsSurface;
+use crate::rounding::upper_max;
 
-/// A cell: the points between two arcs at v in an interval, within one rectangle of knots.
-#[derive(Debug, Clone)]
-pub(super) struct Cell {
-    pub(super) sides: [Side; 2],
-    pub(super) v: [f64; 2],
-    /// The numbers of the knot spans in u and v.
-    pub(super) rectangle: [usize; 2],
+/// The number of halvings of a cell.
+const MAX_HALVINGS: usize = 32;
+
+/// The largest number of cells that a face is cut into: a fixed part, and one for each cell of the
+/// sweep. Real faces take up to 20 a cell; a composition that converges as slowly as with
+/// weights that differ by 10²⁵ would be halved for hours.
+const MAX_CELLS: usize = 1024;
+const MAX_CELLS_PER_CELL: usize = 64;
+
+/// The cells of a face ruled along one axis.
+pub(super) struct Sweep<'a> {
+    face: &'a Face,
+    transposed: bool,
+    cells: Cells,
+    /// The moves of the boundary in u and v (lemma T2), and the error in u of graphs (lemma T3).
+    moved: [f64; 2],
+    graph_error: f64,
 }
 
-impl Side {
-    /// Returns u at this v.
-    pub(super) fn at(&self, v: f64) -> f64 {
-        match self {
-            Self::Graph(graph) => graph.at(v),
-            Self::Own(curve) => curve.point(curve.solve(v)).x,
-        }
+/// A cell that is cut no further, with its map and its patch.
+struct Done {
+    cell: Cell,
+    ruling: Ruling,
+    composed: Composed,
+}
+
+impl<'a> Sweep<'a> {
+    pub(super) fn new(face: &'a Face, transposed: bool) -> Result<Self, String> {
+        let boundary = boundary::boundary(face)?;
+        let cells = cells::cells(face, &boundary);
+        let (moved, graph_error) = (boundary.moved, boundary.graph_error);
+        Ok(Self { face, transposed, cells, moved, graph_error })
     }
-}
 
-/// Two neighbouring arcs over a slab or several.
-#[derive(Debug, Clone, Copy)]
-struct Gap {
-    arcs: [usize; 2],
-    v: [f64; 2],
-    /// The middle of the gap in the first slab.
-    middle: [f64; 2],
-}
-
-/// The width, in parts of the domain, below which a gap counts as empty if its
-/// neighbour across a knot line covers it.
-const EMPTY_WIDTH: f64 = 4.0 * f64::EPSILON;
-
-/// Returns the cells of the face. They cover the region within the snapped boundary, and
-/// overlap only in their edges (lemma T1 of docs/trimming.md). O(slabs × arcs across one).
-pub(super) fn cells(face: &Face, boundary: &Boundary) -> Vec<Cell> {
-    let mut arcs = boundary.arcs.clone();
-    let range = arcs
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], arc| [low.min(arc.v[0]), high.max(arc.v[1])]);
-    let knots_v = &face.breaks[1];
-    for &knot in &face.breaks[0][1..face.breaks[0].len() - 1] {
-        if range[0] < range[1] {
-            let side = Side::Graph(Graph::line([knot, knot], range));
-            arcs.push(Arc { side, v: range, change: 0 });
-        }
-    }
-    let mut levels: Vec<f64> = arcs.iter().flat_map(|arc| arc.v).collect();
-    // The order of the arcs changes also where one crosses a knot line of u.
-    levels.extend(&boundary.crossings);
-    levels.extend(knots_v.iter().filter(|&&knot| range[0] < knot && knot < range[1]));
-    levels.sort_by(f64::total_cmp);
-    levels.dedup();
-    let mut starts: Vec<usize> = (0..arcs.len()).collect();
-    starts.sort_by(|&a, &b| arcs[a].v[0].total_cmp(&arcs[b].v[0]));
-    let mut starts = starts.into_iter().peekable();
-    let (mut active, mut open, mut gaps) = (Vec::new(), HashMap::new(), Vec::new());
-    for slab in levels.windows(2) {
-        let [low, high] = [slab[0], slab[1]];
-        active.retain(|&arc: &usize| arcs[arc].v[1] > low);
-        while let Some(arc) = starts.next_if(|&arc| arcs[arc].v[0] <= low) {
-            active.push(arc);
-        }
-        let is_knot = knots_v.binary_search_by(|knot| knot.total_cmp(&low)).is_ok();
-        let before = std::mem::take(&mut open);
-        for (arcs, middle) in neighbors(&arcs, &active, 0.5 * (low + high)) {
-            let gap = match before.get(&arcs) {
-                Some(&index) if !is_knot => index,
-                _ => {
-                    gaps.push(Gap { arcs, v: [low, high], middle });
-                    gaps.len() - 1
-                }
-            };
-            gaps[gap].v[1] = high;
-            open.insert(arcs, gap);
-        }
-    }
-    let mut cells: Vec<Cell> = gaps
-        .iter()
-        .map(|gap| Cell {
-            sides: gap.arcs.map(|arc| arcs[arc].side.clone()),
-            v: gap.v,
-            rectangle: rectangle(face, gap.middle),
-        })
-        .collect();
-    let flat = flat_cells(face, boundary, &cells);
-    cells.extend(flat);
-    cells
-}
-
-/// Returns the numbers of the knot spans that contain a point.
-fn rectangle(face: &Face, [u, v]: [f64; 2]) -> [usize; 2] {
-    [face.span(Axis::U, u), face.span(Axis::V, v)]
-}
-
-/// Returns the pairs of neighbouring arcs with material between them at v, each with the
-/// point in the middle.
-fn neighbors(arcs: &[Arc], active: &[usize], v: f64) -> Vec<([usize; 2], [f64; 2])> {
-    let mut order: Vec<(f64, usize)> = active.iter().map(|&arc| (arcs[arc].side.at(v), arc)).collect();
-    // Equal arcs that enter come first, so that coincident loops cancel in order.
-    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(arcs[b.1].change.cmp(&arcs[a.1].change)));
-    let mut winding = 0;
-    let windings: Vec<i32> = order
-        .iter()
-        .map(|&(_, arc)| {
-            winding += arcs[arc].change;
-            winding
-        })
-        .collect();
-    let width = |index: usize| order[index + 1].0 - order[index].0;
-    let mut found = Vec::new();
-    for index in 0..order.len().saturating_sub(1) {
-        if windings[index] == 0 {
-            continue;
-        }
-        let covers = |other: usize, line: usize| {
-            arcs[order[line].1].change == 0
-                && other + 1 < order.len()
-                && windings[other] != 0
-                && width(other) > EMPTY_WIDTH
+    /// Returns an estimate of the patches that the cells take, times 2.
+    pub(super) fn cost(&self) -> usize {
+        let is_own = |&&arc: &&usize| matches!(self.cells.arcs[arc].side, Side::Own(_));
+        let cell = |cell: &Cell| {
+            if self.face.affine { 2 } else { 2 + cell.sides.iter().filter(is_own).count() }
         };
-        let is_covered = (index > 0 && covers(index - 1, index)) || covers(index + 1, index + 1);
-        if width(index) <= EMPTY_WIDTH && is_covered {
-            continue;
-        }
-        let middle = 0.5 * (order[index].0 + order[index + 1].0);
-        found.push(([order[index].1, order[index + 1].1], [middle, v]));
+        self.cells.cells.iter().map(cell).sum()
     }
-    found
+
+    /// Returns the pieces of all cells, after the proof that they cover the face.
+    pub(super) fn untrimmed(&self) -> Result<Untrimmed, String> {
+        if self.cells.cells.is_empty() {
+            return Err("its loops enclose nothing".to_owned());
+        }
+        let mut arcs = self.cells.arcs.clone();
+        let done = self.mapped(&mut arcs)?;
+        let moved = self.proven(&arcs, &done)?;
+        let mut pieces = Vec::with_capacity(done.len());
+        let mut deviation = 0.0_f64;
+        for Done { ruling, composed, .. } in done {
+            deviation = upper_max(deviation, self.face.moved(ruling.moved) + composed.deviation);
+            pieces.push(self.piece(composed.surface, ruling)?);
+        }
+        Ok(Untrimmed { pieces, deviation: deviation + moved })
+    }
+
+    /// Returns the maps and patches of all cells, which are cut where they have none.
+    fn mapped(&self, arcs: &mut Vec<Arc>) -> Result<Vec<Done>, String> {
+        let mut done = Vec::new();
+        let mut open: Vec<(Cell, usize)> =
+            self.cells.cells.iter().rev().map(|cell| (cell.clone(), 0)).collect();
+        let max_cells = MAX_CELLS + MAX_CELLS_PER_CELL * open.len();
+        let mut count = 0;
+        while let Some((cell, depth)) = open.pop() {
+            count += 1;
+            match mapped(self.face, arcs, &cell) {
+                Mapped::One(ruling) => {
+                    if let Some(composed) = patch::composed(self.face, &ruling) {
+                        done.push(Done { cell, ruling, composed });
+                        continue;
+                    }
+                }
+                Mapped::Divided(line) => {
+                    let [left, right] = cell.sides;
+                    arcs.push(line);
+                    for sides in [[arcs.len() - 1, right], [left, arcs.len() - 1]] {
+                        open.push((Cell { sides, ..cell.clone() }, depth));
+                    }
+                    continue;
+                }
+                Mapped::Halve => {}
+            }
+            let [low, high] = cell.v;
+            let middle = 0.5 * (low + high);
+            if depth == MAX_HALVINGS || count > max_cells || !(low < middle && middle < high) {
+                let u = arcs[cell.sides[0]].side.at(middle);
+                return Err(format!("a cell near ({u}, {middle}) of the unit domain does not converge"));
+            }
+            for v in [[low, middle], [middle, high]] {
+                open.push((Cell { v, ..cell.clone() }, depth + 1));
+            }
+        }
+        Ok(done)
+    }
+
+    /// Proves that the cells cover the face and nothing else, and returns the part of the
+    /// deviation that is due to moves of the boundary.
+    fn proven(&self, arcs: &[Arc], done: &[Done]) -> Result<f64, String> {
+        let cells: Vec<&Cell> = done.iter().map(|done| &done.cell).collect();
+        cells::balance(arcs, &cells)?;
+        let is_within = |cell: &Cell| cell.sides.iter().all(|&arc| arcs[arc].change == 0);
+        if let Some(crossed) = done.iter().find(|done| done.ruling.crossing > 0.0 && is_within(&done.cell)) {
+            return Err(format!("two lines within the face cross at v = {:?}", crossed.cell.v));
+        }
+        for negative in done.iter().filter(|done| done.cell.winding < 0) {
+            if done.iter().any(|other| other.cell.winding > 0 && meets(negative, other)) {
+                return Err(format!("loops overlap at v = {:?}, where cells meet", negative.cell.v));
+            }
+        }
+        let crossing = done.iter().map(|done| done.ruling.crossing).fold(0.0, upper_max);
+        let rulings: Vec<_> = done.iter().map(|done| (done.cell.winding, &done.ruling)).collect();
+        area::check(self.face, &rulings, [self.moved[0] + self.graph_error, self.moved[1]])?;
+        // A boundary that moves by δ moves the region by at most 2 δ (lemma T2).
+        Ok(2.0 * self.face.moved(self.moved)
+            + self.face.moved([self.graph_error + crossing, 0.0])
+            + self.face.rounding)
+    }
+
+    fn piece(&self, surface: NurbsSurface, ruling: Ruling) -> Result<Piece, String> {
+        let surface = if self.transposed {
+            transpose(self.face.index, &surface).map_err(|error| error.to_string())?
+        } else {
+            surface
+        };
+        let Ruling { left, right, .. } = ruling;
+        let ruled = Ruled { left, right, domain: self.face.domain, transposed: self.transposed };
+        Ok(Piece { surface, map: ParameterMap::Ruled(ruled) })
+    }
 }
 
-/// Returns cells without area for the flat parts of the boundary that no cell touches:
-/// slivers lower than the tolerance.
-fn flat_cells(face: &Face, boundary: &Boundary, cells: &[Cell]) -> Vec<Cell> {
-    let mut found = Vec::new();
-    if boundary.flats.is_empty() {
-        return found;
-    }
-    let margin = face.tolerances.snap[0];
-    for flat in &boundary.flats {
-        let mut covers: Vec<[f64; 2]> = cells
-            .iter()
-            .filter(|cell| cell.v.contains(&flat.v))
-            .map(|cell| [cell.sides[0].at(flat.v), cell.sides[1].at(flat.v)])
-            .collect();
-        covers.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        covers.push([f64::INFINITY; 2]);
-        let mut reached = flat.u[0];
-        for [low, high] in covers {
-            let end = low.min(flat.u[1]);
-            if end > reached + margin {
-                found.extend(flat_pieces(face, [reached, end], flat.v));
-            }
-            reached = reached.max(high);
-            if reached >= flat.u[1] {
-                break;
-            }
-        }
-    }
-    found
+/// Returns whether two cells may have inner points in common: over one v, on one side of a common
+/// arc or with hulls that overlap.
+fn meets(a: &Done, b: &Done) -> bool {
+    let over_one_v = a.cell.v[0] < b.cell.v[1] && b.cell.v[0] < a.cell.v[1];
+    let beside = a.cell.sides[0] == b.cell.sides[1] || a.cell.sides[1] == b.cell.sides[0];
+    let hull = |done: &Done| {
+        let hulls = [done.ruling.left.hull(), done.ruling.right.hull()];
+        [hulls[0][0].x.min(hulls[1][0].x), hulls[0][1].x.max(hulls[1][1].x)]
+    };
+    let ([a_low, a_high], [b_low, b_high]) = (hull(a), hull(b));
+    over_one_v && !beside && !(a_high < b_low || b_high < a_low)
 }
 
-/// Returns a cell without height for each knot span of an interval of u.
-fn flat_pieces(face: &Face, [from, to]: [f64; 2], v: f64) -> Vec<Cell> {
-    let inner = face.breaks[0].iter().copied().filter(|&knot| from < knot && knot < to);
-    let mut ends: Vec<f64> = inner.collect();
-    ends.insert(0, from);
-    ends.push(to);
-    ends.windows(2)
-        .map(|pair| {
-            let line =
-                |u: f64| Side::Own(super::curve::Curve::line(glam::DVec2::new(u, v), glam::DVec2::new(u, v)));
-            Cell {
-                sides: [line(pair[0]), line(pair[1])],
-                v: [v, v],
-                rectangle: rectangle(face, [0.5 * (pair[0] + pair[1]), v]),
-            }
-        })
-        .collect()
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::trim::{Trim, TrimCurveArrays};
+    use crate::shapes::figure5_plane;
+
+    /// A plane with a square hole in a square, both turned, as a face ruled along u.
+    fn face() -> Face {
+        let plane = figure5_plane().unwrap().surfaces()[0].clone();
+        let ring = |radius: f64, sense: f64| {
+            let corner = |k: i32| {
+                let angle = 0.3 + sense * std::f64::consts::FRAC_PI_2 * f64::from(k);
+                let [u, v] = plane.domain().at([0.5 + radius * angle.cos(), 0.5 + radius * angle.sin()]);
+                [u, v, 1.0]
+            };
+            let side = |k: i32| TrimCurveArrays {
+                degree: 1,
+                knots: vec![0.0, 0.0, 1.0, 1.0],
+                control_points: vec![corner(k), corner(k + 1)],
+                ..TrimCurveArrays::default()
+            };
+            (0..4).map(side).collect::<Vec<_>>()
+        };
+        let trim = Trim::new(0, &plane, vec![ring(0.4, 1.0), ring(0.2, -1.0)]).unwrap();
+        Face::new(0, &plane, &trim, 1e-9, false).unwrap()
+    }
+
+    #[test]
+    fn a_cut_is_refused_without_one_of_its_cells_and_with_one_twice() {
+        let face = face();
+        let sweep = Sweep::new(&face, false).unwrap();
+        assert!(sweep.untrimmed().is_ok());
+        let count = sweep.cells.cells.len();
+        assert!(count >= 8, "{count}");
+        for index in 0..count {
+            let mut without = Sweep::new(&face, false).unwrap();
+            let cell = without.cells.cells.remove(index);
+            let why = without.untrimmed().err().unwrap();
+            assert!(why.contains("winding number"), "{why}");
+            let mut twice = Sweep::new(&face, false).unwrap();
+            twice.cells.cells.push(cell);
+            assert!(twice.untrimmed().err().unwrap().contains("winding number"));
+        }
+    }
+
+    #[test]
+    fn a_cut_is_refused_whose_cell_is_shorter_or_between_other_arcs() {
+        let face = face();
+        for index in 0..Sweep::new(&face, false).unwrap().cells.cells.len() {
+            let mut shorter = Sweep::new(&face, false).unwrap();
+            let [low, high] = shorter.cells.cells[index].v;
+            shorter.cells.cells[index].v = [low, high.next_down()];
+            assert!(shorter.untrimmed().is_err());
+            let mut reversed = Sweep::new(&face, false).unwrap();
+            reversed.cells.cells[index].sides.reverse();
+            assert!(reversed.untrimmed().is_err());
+        }
+    }
+
+    /// Such cells are balanced, and lie outside of the face.
+    #[test]
+    fn a_cut_is_refused_with_cells_that_cancel_each_other() {
+        let face = face();
+        let sweep = Sweep::new(&face, false).unwrap();
+        let Cells { arcs, cells } = &sweep.cells;
+        let pairs = cells.iter().flat_map(|a| cells.iter().map(move |b| (a, b)));
+        // The part of the hole between two cells beside it.
+        let mut across = pairs.filter_map(|(a, b)| {
+            let v = [a.v[0].max(b.v[0]), a.v[1].min(b.v[1])];
+            let [from, to] = [a.sides[1], b.sides[0]].map(|arc| arcs[arc].side.at(0.5 * (v[0] + v[1])));
+            (v[0] < v[1] && to > from + 0.1).then(|| Cell { sides: [a.sides[1], b.sides[0]], v, ..a.clone() })
+        });
+        let across = across.next().unwrap();
+        let mut cancelling = Sweep::new(&face, false).unwrap();
+        cancelling.cells.cells.extend([Cell { winding: -1, ..across.clone() }, across]);
+        let why = cancelling.untrimmed().err().unwrap();
+        assert!(why.contains("overlap"), "{why}");
+    }
+
+    #[test]
+    fn a_cut_is_refused_that_has_lost_a_loop() {
+        let mut face = face();
+        let hole = face.loops.pop().unwrap();
+        let sweep = Sweep::new(&face, false).unwrap();
+        assert!(sweep.untrimmed().is_ok());
+        let cells = sweep.cells;
+        face.loops.push(hole);
+        let lost = Sweep { face: &face, transposed: false, cells, moved: [0.0; 2], graph_error: 0.0 };
+        let why = lost.untrimmed().err().unwrap();
+        assert!(why.contains("area"), "{why}");
+    }
 }

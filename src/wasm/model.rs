@@ -2,6 +2,7 @@
 
 use super::convert;
 use super::surfaces::Surfaces;
+use crate::area::Area;
 use crate::brep::{self, ReadReport};
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
@@ -134,6 +135,11 @@ impl PreparedModel {
         Ok(())
     }
 
+    /// `{lower, upper, faces}`: the area and those of the faces.
+    pub fn area(&self) -> std::result::Result<JsValue, JsValue> {
+        convert::to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
+    }
+
     /// Undefined is the default tolerance.
     pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
         convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), tolerance)?)
@@ -154,6 +160,14 @@ impl PreparedModel {
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {
         Rc::clone(&self.prepared)
     }
+}
+
+/// The area of a model with those of its faces.
+#[derive(Serialize)]
+struct ModelArea<'a> {
+    #[serde(flatten)]
+    sum: Area,
+    faces: &'a [Area],
 }
 
 /// A model's interchange JSON, and the report on reading it.

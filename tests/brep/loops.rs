@@ -1,9 +1,9 @@
 //! Loops: joints, gaps, edges and what makes a face unreadable.
 
-use crate::support::brep::{BrepText, line, minus, plus, polygon, rectangle};
+use crate::support::brep::{BrepText, circle, line, minus, plus, polygon, rectangle};
 use crate::{area_of, assert_near, read, region};
 use nurbs_hausdorff::Model;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const PLANE: &str = "1 0 0 0 0 0 1 1 0 0 0 1 0";
 
@@ -235,5 +235,26 @@ fn the_tolerance_of_a_vertex_closes_a_loop() {
         // A segment along the missing part, or an end moved by half of it.
         assert!(report.gap > 0.4 * off && report.gap <= 1.001 * off, "{}", report.gap);
         assert_near(area_of(&model), 1.0, 1e-12);
+    }
+}
+
+/// A disc with a hole that touches its boundary in the point at which both circles begin, and one
+/// that nearly does: which of them lies in the other is not seen there.
+#[test]
+fn a_hole_that_touches_the_outer_loop_where_both_begin_is_a_hole() {
+    for radius in [3.447_254_171_715_894, 0.5, 9.0] {
+        for gap in [0.0, 1e-9] {
+            for turns in [[1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]] {
+                let hole = circle([10.0 - radius - gap, 0.0], radius, turns[1]);
+                let mut loops = [circle([0.0, 0.0], 10.0, turns[0]), hole];
+                for _ in 0..2 {
+                    loops.reverse();
+                    let (model, report) = region(PLANE, &loops);
+                    assert!(report.skipped.is_empty(), "{:?}", report.skipped);
+                    let expected = PI * (100.0 - radius * radius);
+                    assert_near(area_of(&model), expected, 1e-9);
+                }
+            }
+        }
     }
 }

@@ -6,6 +6,7 @@
 mod support;
 
 mod area;
+mod closed;
 mod elementary;
 mod loops;
 mod missing;

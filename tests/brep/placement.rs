@@ -42,6 +42,38 @@ fn a_face_in_several_places_becomes_instances() {
     assert!(model.faces().all(|face| face.is_reversed()));
 }
 
+/// `TopExp_Explorer` meets the faces of a part at one place, then those of another, then again one
+/// at the first place; a face that two shells share is met once more and counted once.
+#[test]
+fn faces_are_in_the_explorers_order() {
+    let mut text = BrepText::new();
+    text.location(MOVE);
+    let plane = text.surface(PLANE);
+    // The squares [0, 1 + n]² have their number in their area.
+    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let at = |shape, location| Child { shape, sign: '+', location };
+    let shells = [[1, 0], [0, 1]].map(|order| text.shape("Sh\n", &order.map(|index| plus(faces[index]))));
+    let last = text.shape("Sh\n", &[plus(faces[2])]);
+    let shapes = [at(shells[0], 0), at(shells[1], 1), at(last, 0), at(shells[1], 0), at(last, 1)];
+    let compound = text.shape("Co\n", &shapes);
+    let (model, report) = Model::from_brep(&text.text(plus(compound))).unwrap();
+    let areas: Vec<f64> = model.faces().map(|face| crate::area::area(&face).round()).collect();
+    assert_eq!(areas, [4.0, 1.0, 1.0, 4.0, 9.0, 9.0]);
+    let places: Vec<f64> = model.faces().map(|face| corner_of(&face)).collect();
+    assert_eq!(places, [0.0, 0.0, 10.0, 10.0, 0.0, 10.0]);
+    // Faces are named by their first place.
+    let names: Vec<_> = model.faces().map(|face| face.part().unwrap().to_owned()).collect();
+    assert_eq!(names, ["face 0", "face 1", "face 1", "face 0", "face 4", "face 4"]);
+    assert_eq!(report.surfaces, 3);
+}
+
+/// The least x of a face of a plane.
+fn corner_of(face: &nurbs_hausdorff::model::Face<'_>) -> f64 {
+    let surface = face.surface();
+    let [u, v] = surface.domain().intervals();
+    evaluator::point(surface, u[0], v[0])[0]
+}
+
 #[test]
 fn surfaces_are_placed_within_their_faces() {
     let mut text = BrepText::new();

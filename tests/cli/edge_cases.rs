@@ -1,6 +1,7 @@
 //! The command line where users and machines are not as hoped.
 
 use crate::support::fixtures::peaked_sheet;
+use crate::support::step::{StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
 use serde_json::Value;
@@ -78,6 +79,25 @@ fn binary_brep_is_named() {
         b"\nOpen CASCADE Topology V4, (c) Open Cascade\nLocations 0\nCurve2ds 1\n\x01\xff",
     );
     assert_refused(&run(&["info", &path]), "BREP_SYNTAX", &["in binary", "BRepTools::Write"]);
+}
+
+/// A triangle in millimetres, and a face without a surface, which is named by its number.
+#[test]
+fn a_step_file_is_read_by_its_content() {
+    let mut text = StepText::new();
+    let corners = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(|corner| text.point(corner));
+    let path = text.add(format!("POLY_LOOP('',(#{},#{},#{}))", corners[0], corners[1], corners[2]));
+    let bound = text.add(format!("FACE_OUTER_BOUND('',#{path},.T.)"));
+    let face = text.add(format!("FACE('',(#{bound}))"));
+    let broken = text.add(format!("ADVANCED_FACE('',(#{bound}),#9999,.T.)"));
+    let shell = text.open_shell(&[face, broken]);
+    let path = file("triangle", text.of(&[shell], UnitsOf::Millimetres).as_bytes());
+    let run = run(&["info", "--json", &path]);
+    let json: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((json["unit"].as_f64(), json["diagonal"].as_f64()), (Some(1e-3), Some(5.0)));
+    assert!(run.stderr.contains(&format!("face 1 (#{broken}) is left out: #9999")), "{}", run.stderr);
+    let cut = file("cut", b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=POINT(");
+    assert_refused(&self::run(&["info", &cut]), "STEP_SYNTAX", &[&cut, "line 5"]);
 }
 
 #[test]

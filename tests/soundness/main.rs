@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 // Three examples are tools whose answers are tested here, by a module of each.
+#[path = "../../examples/verify/cuts.rs"]
+mod cuts;
 #[path = "../../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
 #[path = "../known_pairs/mod.rs"]

@@ -15,4 +15,5 @@ pub mod fixtures;
 pub mod gpu;
 pub mod models;
 pub mod quadrature;
+pub mod step;
 pub mod trims;

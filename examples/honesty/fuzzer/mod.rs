@@ -13,4 +13,4 @@ mod partners;
 mod refits;
 mod sheet;
 mod surfaces;
-mod trims;
+pub(crate) mod trims;

@@ -7,6 +7,7 @@
 mod bezier;
 mod boxes;
 mod closest;
+pub(crate) mod cut;
 mod frame;
 pub(crate) mod interval;
 mod surface;
@@ -15,7 +16,7 @@ mod upper;
 mod vector;
 
 pub(crate) use frame::Motion;
-pub(crate) use surface::Model;
+pub(crate) use surface::{Model, Surface};
 pub(crate) use upper::Witness;
 
 use bezier::Patch;

@@ -12,8 +12,8 @@ pub(crate) struct Model {
 #[derive(Debug, Clone, Deserialize)]
 pub(crate) struct Surface {
     pub(crate) degree: [usize; 2],
-    knots_u: Vec<f64>,
-    knots_v: Vec<f64>,
+    pub(crate) knots_u: Vec<f64>,
+    pub(crate) knots_v: Vec<f64>,
     pub(crate) ctrl: Vec<Vec<[f64; 4]>>,
 }
 

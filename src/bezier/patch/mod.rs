@@ -2,9 +2,11 @@
 
 pub(in crate::bezier) mod evaluate;
 pub(in crate::bezier) mod subdivide;
+mod tensor_grid;
 
 pub use evaluate::Jet;
 pub(crate) use evaluate::normal;
+pub(crate) use tensor_grid::HomogeneousTangents;
 
 use crate::axis::Axis;
 use crate::bvh::Aabb;

@@ -5,7 +5,7 @@ use super::section::Section;
 use super::uses::{FoundCurve, gap};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{BrepFile, Edge, Face};
+use crate::brep::topology::{Edge, Face, Topology};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ const LINE_TOLERANCE: f64 = 1e-7;
 /// `BREP_NO_P_CURVE` if the edge does not lie on the surface, else those of the edge's own
 /// curve.
 pub(super) fn invert(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     surface: &Surface,
     edge: &Edge,
@@ -41,7 +41,14 @@ pub(super) fn invert(
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
         // The error is one of the edge's own coordinates.
         let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
-        return Ok(FoundCurve { curve, gap, fitted: error > 0.0, section: None, deviation: 0.0 });
+        return Ok(FoundCurve {
+            curve,
+            gap,
+            fitted: error > 0.0,
+            section: None,
+            deviation: 0.0,
+            is_placed: false,
+        });
     }
     let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
@@ -56,7 +63,7 @@ pub(super) fn invert(
     let line = match line {
         Some(line) => Some(line),
         None => {
-            let parameters = traced.parameters(&mut projector)?;
+            let (parameters, _) = traced.parameters(&mut projector)?;
             parameter_line(&points, &parameters, surface, traced.size)
         }
     };
@@ -65,11 +72,11 @@ pub(super) fn invert(
         let line = Curve::Line { point: start, direction: end - start };
         let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]));
         let curve = Spline::segment([0.0, 1.0], start, end);
-        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0 });
+        return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0, is_placed: false });
     }
     let fit = traced.fit(surface, &mut projector)?;
     let gap = gap(file, face, edge, location, (&Curve::Spline(fit.clone().into()), space.range));
-    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0 };
+    let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0, is_placed: false };
     Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
 }
 
@@ -131,9 +138,8 @@ fn revolution_parameters(
     for &point in points {
         let local = frame.local_point(point);
         let radius = local.x.hypot(local.y);
-        let v = on_profile(profile, DVec3::new(radius, 0.0, local.z))?;
-        let angle = local.y.atan2(local.x);
-        let mut found = DVec3::new(angle, v, 0.0);
+        let v = on_meridian(profile, radius, local.z)?;
+        let mut found = DVec3::new(angle(local, profile.point(v)), v, 0.0);
         if let Some(last) = parameters.last() {
             // On the axis every angle is the point's.
             if radius <= LINE_TOLERANCE * size {
@@ -155,6 +161,27 @@ fn revolution_parameters(
         }
     }
     Some(parameters)
+}
+
+/// Returns the parameter of the profile's point nearest to a meridian's point at this radius and
+/// height: that on the same side of the axis, unless the surface passes the point on the other
+/// side alone, as the second half of a cone does.
+pub(super) fn on_meridian(profile: &Curve, radius: f64, height: f64) -> Option<f64> {
+    let [near, far] = [radius, -radius].map(|x| {
+        let point = DVec3::new(x, 0.0, height);
+        on_profile(profile, point).map(|v| (v, profile.point(v).distance(point)))
+    });
+    let ((near, distance), (far, other)) = (near?, far?);
+    let passes = LINE_TOLERANCE * radius.hypot(height);
+    Some(if distance > passes && other < OTHER_SIDE * distance { far } else { near })
+}
+
+/// The part of a distance that another one must be below to be clearly less.
+const OTHER_SIDE: f64 = 0.5;
+
+/// Returns the angle by which a point of the profile is turned to a point of the surface.
+pub(super) fn angle(local: DVec3, on_profile: DVec3) -> f64 {
+    local.y.atan2(local.x) - on_profile.y.atan2(on_profile.x)
 }
 
 /// Returns the ends of the parameter line through points with these parameters; `None` where

@@ -2,29 +2,26 @@
 //!
 //! The stages: [`uses`] finds the curve of each edge in the parameter plane, made by
 //! [`inversion`] and [`projection`] where the file has none, or the plane
-//! [`section`] that it is; [`chain`] orders them head to tail across periods; [`rings`] closes loops that run around a
-//! period; [`nesting`] decides orientations and adds a missing outer loop; [`mapping`]
-//! takes the curves to the parameters of the exact NURBS; [`joints`] makes the loops
-//! meet in equal floats.
+//! [`section`] that it is; [`loops`] makes closed loops of them, with the material on their
+//! left; [`mapping`] takes the curves to the parameters of the exact NURBS; [`joints`] makes
+//! the loops meet in equal floats.
 
-mod chain;
 mod fit;
 mod inversion;
 mod joints;
+mod loops;
 mod mapping;
 mod metric;
-mod nesting;
 mod projection;
-mod rings;
 mod section;
 mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};
-use super::report::FaceFault;
-use super::text::{BrepFile, Orientation, ShapeKind};
+use super::report::{FaceFault, Remark};
+use super::topology::{ShapeKind, Topology};
 use crate::model::trim::{FaceArrays, TrimCurveArrays};
-use chain::Chain;
 use glam::DVec3;
+use loops::Loops;
 use mapping::Mapped;
 use metric::Metric;
 use uses::TrimUse;
@@ -36,6 +33,10 @@ pub(super) struct Converted {
     pub(super) exact: usize,
     /// The number of fitted trimming curves.
     pub(super) fitted: usize,
+    /// What the report says of the face.
+    pub(super) remarks: Vec<Remark>,
+    /// Whether the rest of the closed surface is a face with the same edges.
+    pub(super) complement_fits: bool,
 }
 
 /// The longest range of a periodic parameter that loops may cover, in periods. A loop of
@@ -46,15 +47,12 @@ const MAX_PERIODS: f64 = 2.0;
 ///
 /// # Errors
 /// The reason for which it cannot be read.
-pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFault> {
+pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[shape].kind else {
         return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
     };
-    let Some(index) = face.surface else {
-        return Err(FaceFault::new("BREP_NO_SURFACE", "the face has triangles and no surface"));
-    };
-    let surface = &file.surfaces[index];
-    let loops = loops(file, shape, surface)?;
+    let surface = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
+    let Loops { loops, remarks, complement_fits } = loops::of_face(file, shape, surface)?;
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim| FaceArrays {
         gap: scale * net.error,
@@ -69,7 +67,7 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
             return Err(FaceFault::new("BREP_UNBOUNDED", "the face has no loops and its surface no bounds"));
         };
         let net = net(surface, [u, v])?;
-        return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0 });
+        return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0, remarks, complement_fits });
     }
     let net = net(surface, ranges(surface, &loops)?)?;
     let metric = Metric::of(&net)?;
@@ -83,25 +81,7 @@ pub(super) fn convert(file: &BrepFile, shape: usize) -> Result<Converted, FaceFa
     let fitted = curves().filter(|curve| curve.fitted || net.error > 0.0).count();
     let exact = curves().count() - fitted;
     let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
-    Ok(Converted { face: arrays(net, Some(trim)), exact, fitted })
-}
-
-/// Returns the loops of a face in the parameters of the file, closed and oriented with
-/// the material on the left.
-fn loops(file: &BrepFile, shape: usize, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
-    let mut chains: Vec<Chain> = Vec::new();
-    for wire in &file.shapes[shape].children {
-        let bounds = matches!(wire.orientation, Orientation::Forward | Orientation::Reversed);
-        if !bounds || !matches!(file.shapes[wire.shape].kind, ShapeKind::Wire) {
-            continue;
-        }
-        let uses = uses::of_wire(file, shape, wire)?;
-        if !uses.is_empty() {
-            chains.push(chain::chain(uses, surface)?);
-        }
-    }
-    let loops = rings::close(chains, surface)?;
-    nesting::orient(loops, surface)
+    Ok(Converted { face: arrays(net, Some(trim)), exact, fitted, remarks, complement_fits })
 }
 
 /// Returns the ranges of u and v that loops cover.

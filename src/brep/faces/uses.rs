@@ -6,7 +6,7 @@ use super::section::Section;
 use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{BrepFile, Edge, Face, Orientation, PCurve, ShapeKind, Use};
+use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
 use glam::{DAffine3, DVec3};
 
 /// An edge as part of a loop.
@@ -16,6 +16,8 @@ pub(super) struct TrimUse {
     pub(super) curve: Spline,
     /// The number of the edge; `None` for curves that no edge of the file is.
     pub(super) edge: Option<u32>,
+    /// Whether the wire uses the edge against its direction.
+    pub(super) reversed: bool,
     /// The vertices at the start and the end, as indices of shapes.
     pub(super) vertices: [Option<usize>; 2],
     /// The tolerance of the edge, and that of the vertex at its end.
@@ -25,11 +27,15 @@ pub(super) struct TrimUse {
     pub(super) gap: f64,
     /// Whether the curve is a fit, and not the file's or exact.
     pub(super) fitted: bool,
+    /// Whether the edge is a point in space, as at a pole.
+    pub(super) degenerate: bool,
     /// The plane whose section with the surface the edge is, between the curve's ends, and the
     /// distance between both.
     pub(super) section: Option<(Section, f64)>,
     /// The distance in the parameters by which the curve deviates from the file's.
     pub(super) deviation: f64,
+    /// Whether the file places the curve; one made from the edge may lie periods away.
+    pub(super) is_placed: bool,
 }
 
 /// The curve of an edge, in its direction, with the fields of [`TrimUse`].
@@ -39,6 +45,7 @@ pub(super) struct FoundCurve {
     pub(super) fitted: bool,
     pub(super) section: Option<(Section, f64)>,
     pub(super) deviation: f64,
+    pub(super) is_placed: bool,
 }
 
 impl FoundCurve {
@@ -74,13 +81,16 @@ impl TrimUse {
         Self {
             curve,
             edge: None,
+            reversed: false,
             vertices: [None; 2],
             tolerance: 0.0,
             end_tolerance: 0.0,
             gap: 0.0,
             fitted: false,
+            degenerate: false,
             section: None,
             deviation: 0.0,
+            is_placed: true,
         }
     }
 
@@ -119,7 +129,7 @@ impl TrimUse {
 const BOX_PARTS: usize = 8;
 
 /// Returns the curves of a wire in the order of the file, each along the loop.
-pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
+pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[face_shape].kind else { return Ok(Vec::new()) };
     let mut uses = Vec::new();
     for child in &file.shapes[wire.shape].children {
@@ -134,7 +144,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
         let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
             FaceFault { code, why: format!("edge {}: {why}", child.shape) }
         })?;
-        let Some(FoundCurve { curve, gap, fitted, section, deviation }) = found else { continue };
+        let Some(FoundCurve { curve, gap, fitted, section, deviation, is_placed }) = found else { continue };
         let mut vertices = vertices(file, child.shape);
         if reversed {
             vertices.reverse();
@@ -142,6 +152,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
         uses.push(TrimUse {
             curve: if reversed { curve.reversed() } else { curve },
             edge: u32::try_from(child.shape).ok(),
+            reversed,
             vertices,
             tolerance: edge.tolerance,
             end_tolerance: vertices[1].map_or(0.0, |vertex| match file.shapes[vertex].kind {
@@ -150,8 +161,10 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
             }),
             gap,
             fitted,
+            degenerate: edge.degenerate,
             section,
             deviation,
+            is_placed,
         });
     }
     if wire.orientation == Orientation::Reversed {
@@ -161,7 +174,7 @@ pub(super) fn of_wire(file: &BrepFile, face_shape: usize, wire: &Use) -> Result<
 }
 
 /// Returns the vertices at the start and end of an edge.
-fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
+fn vertices(file: &Topology, edge: usize) -> [Option<usize>; 2] {
     [Orientation::Forward, Orientation::Reversed].map(|orientation| {
         let children = &file.shapes[edge].children;
         children.iter().find(|child| child.orientation == orientation).map(|child| child.shape)
@@ -171,13 +184,13 @@ fn vertices(file: &BrepFile, edge: usize) -> [Option<usize>; 2] {
 /// Returns the curve of an edge in the direction of the edge. `None` for an edge of no
 /// length.
 fn of_edge(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
     reversed: bool,
 ) -> Result<Option<FoundCurve>, FaceFault> {
-    let Some(index) = face.surface else { return Ok(None) };
+    let Ok(index) = face.surface else { return Ok(None) };
     let surface = &file.surfaces[index];
     let Some(p_curve) = p_curve(edge, index, location, &face.location) else {
         if edge.degenerate {
@@ -195,7 +208,8 @@ fn of_edge(
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
     let gap = gap(file, face, edge, location, (curve, p_curve.range));
-    let found = FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation };
+    let found =
+        FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation, is_placed: true };
     let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
         return Ok(Some(found));
     };
@@ -229,13 +243,13 @@ const SAME_LOCATION: f64 = 1e-9;
 /// the edge; the largest distance measured where no bound is found, as on offsets that are
 /// not rational.
 pub(super) fn gap(
-    file: &BrepFile,
+    file: &Topology,
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
     (curve, range): (&Curve, [f64; 2]),
 ) -> f64 {
-    let (Some(surface), Some(space)) = (face.surface, &edge.curve) else { return 0.0 };
+    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return 0.0 };
     let lifted = Lifted {
         surface: &file.surfaces[surface],
         surface_location: face.location,

@@ -7,6 +7,7 @@ use super::frame::Frame;
 use super::interpolation;
 use super::parameter_map::ParameterMap;
 use super::spline::{self, Spline, project};
+use super::surface::CLOSED;
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -155,12 +156,32 @@ impl Curve {
         }
     }
 
+    /// Returns the length after which the curve meets itself, whether or not its parameter
+    /// continues.
+    pub(crate) fn closure(&self) -> Option<f64> {
+        self.period().or_else(|| {
+            let [start, end] = self.natural_range()?;
+            let [first, last, middle] = [start, end, 0.5 * (start + end)].map(|t| self.point(t));
+            let scale = first.abs().max(middle.abs()).max_element();
+            (first.distance(last) <= CLOSED * scale).then_some(end - start)
+        })
+    }
+
     /// Returns the interval around a parameter on which the curve is analytic.
     pub(crate) fn cell(&self, t: f64) -> [f64; 2] {
         match self {
             Self::Line { .. } | Self::Conic { .. } => [f64::NEG_INFINITY, f64::INFINITY],
             Self::Spline(spline) => spline.basis.cell(t),
             Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.cell(t),
+        }
+    }
+
+    /// Returns the number of control points in the file.
+    pub(crate) fn pole_count(&self) -> usize {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => 0,
+            Self::Spline(spline) => spline.poles.len(),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.pole_count(),
         }
     }
 
@@ -249,6 +270,27 @@ impl Curve {
                 basis.offset(*inner, *direction)?.offset(distance, normal)
             }
             _ => None,
+        }
+    }
+
+    /// Returns the curve whose point at -t is this one's at t.
+    pub(crate) fn reversed(self) -> Self {
+        match self {
+            Self::Line { point, direction } => Self::Line { point, direction: -direction },
+            Self::Conic { conic, center, x, y } => Self::Conic { conic, center, x, y: -y },
+            Self::Spline(spline) => {
+                let SplineCurve { one_period: Spline { degree, knots, mut controls }, .. } = spline;
+                controls.reverse();
+                let knots = knots.iter().rev().map(|knot| -knot).collect();
+                Self::Spline(Spline { degree, knots, controls }.into())
+            }
+            Self::Trimmed { range: [start, end], basis } => {
+                Self::Trimmed { range: [-end, -start], basis: Box::new(basis.reversed()) }
+            }
+            // The tangent turns round, and with it the side.
+            Self::Offset { distance, normal, basis } => {
+                Self::Offset { distance: -distance, normal, basis: Box::new(basis.reversed()) }
+            }
         }
     }
 

@@ -127,9 +127,9 @@ impl SplineSurface {
     }
 }
 
-/// The distance of the ends of a closed surface relative to its coordinates: the
+/// The distance of the ends of a closed curve or surface relative to its coordinates: the
 /// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
-const CLOSED: f64 = 1e-9;
+pub(super) const CLOSED: f64 = 1e-9;
 
 /// The sine of the angle between the tangents, or the one of rounding, below which a normal
 /// has no digits.
@@ -266,6 +266,8 @@ impl Surface {
                 spline.bases[axis].period().or_else(|| spline.closed(axis).then_some(end - start))
             }),
             Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.closures(),
+            Self::Revolution { kind, profile, .. } if *kind != "sphere" => [Some(TAU), profile.closure()],
+            Self::Extrusion { profile, .. } => [profile.closure(), None],
             _ => self.periods(),
         }
     }
@@ -317,6 +319,16 @@ impl Surface {
             Self::Extrusion { profile, .. } => profile.is_conic(),
             Self::Trimmed { basis, .. } => basis.is_ruled_by_angles(),
             _ => false,
+        }
+    }
+
+    /// Returns the number of control points in the file.
+    pub(crate) fn pole_count(&self) -> usize {
+        match self {
+            Self::Spline(spline) => spline.poles.len(),
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.pole_count(),
+            Self::Plane(_) => 0,
+            Self::Revolution { profile, .. } | Self::Extrusion { profile, .. } => profile.pole_count(),
         }
     }
 

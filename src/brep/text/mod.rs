@@ -6,51 +6,35 @@ mod locations;
 mod surfaces;
 mod topology;
 
-pub(crate) use topology::{Edge, Face, Orientation, PCurve, Shape, ShapeKind, SpaceCurve, Use};
-
-use super::nurbs::{Curve, Surface};
+use super::topology::Topology;
 use crate::error::Result;
 use lexer::{Dimension, Lexer};
 use topology::Sections;
 
-/// The content of a BREP text. Indices are from 0.
-#[derive(Debug)]
-pub(crate) struct BrepFile {
-    /// Curves in parameter planes, as curves of the plane z = 0.
-    pub(crate) p_curves: Vec<Curve>,
-    pub(crate) curves: Vec<Curve>,
-    pub(crate) surfaces: Vec<Surface>,
-    /// Every shape follows its children.
-    pub(crate) shapes: Vec<Shape>,
-    pub(crate) root: Use,
-}
-
-impl BrepFile {
-    /// Parses a text. O(length).
-    ///
-    /// # Errors
-    /// [`crate::Error::BrepSyntax`] with the line of the first word that is not what
-    /// the format requires.
-    pub(crate) fn parse(text: &str) -> Result<Self> {
-        let mut lexer = Lexer::new(text);
-        let version = version(&mut lexer)?;
-        let locations = locations::read(&mut lexer)?;
-        let p_curves = curves::read(&mut lexer, "Curve2ds", Dimension::Two)?;
-        let curves = curves::read(&mut lexer, "Curves", Dimension::Three)?;
-        // Polygons and triangles approximate what the curves and surfaces give exactly.
-        skip_to(&mut lexer, "Surfaces")?;
-        let surfaces = surfaces::read(&mut lexer)?;
-        skip_to(&mut lexer, "TShapes")?;
-        let sections = Sections {
-            version,
-            locations: &locations,
-            curves_2d: p_curves.len(),
-            curves_3d: curves.len(),
-            surfaces: surfaces.len(),
-        };
-        let (shapes, root) = topology::read(&mut lexer, &sections)?;
-        Ok(Self { p_curves, curves, surfaces, shapes, root })
-    }
+/// Parses a text. O(length).
+///
+/// # Errors
+/// [`crate::Error::BrepSyntax`] with the line of the first word that is not what
+/// the format requires.
+pub(super) fn parse(text: &str) -> Result<Topology> {
+    let mut lexer = Lexer::new(text);
+    let version = version(&mut lexer)?;
+    let locations = locations::read(&mut lexer)?;
+    let p_curves = curves::read(&mut lexer, "Curve2ds", Dimension::Two)?;
+    let curves = curves::read(&mut lexer, "Curves", Dimension::Three)?;
+    // Polygons and triangles approximate what the curves and surfaces give exactly.
+    skip_to(&mut lexer, "Surfaces")?;
+    let surfaces = surfaces::read(&mut lexer)?;
+    skip_to(&mut lexer, "TShapes")?;
+    let sections = Sections {
+        version,
+        locations: &locations,
+        curves_2d: p_curves.len(),
+        curves_3d: curves.len(),
+        surfaces: surfaces.len(),
+    };
+    let (shapes, root) = topology::read(&mut lexer, &sections)?;
+    Ok(Topology { p_curves, curves, surfaces, shapes, root, unit: None })
 }
 
 /// Reads the header, `CASCADE Topology V1` to `V3`, before which the name of a Draw

@@ -1,80 +1,10 @@
 //! The section of shapes: vertices, edges, wires, faces and what contains them.
 
 use super::lexer::{Dimension, Lexer};
+use crate::brep::report::FaceFault;
+use crate::brep::topology::{Edge, Face, Orientation, PCurve, Shape, ShapeKind, SpaceCurve, Use};
 use crate::error::Result;
 use glam::DAffine3;
-
-/// A shape and its children.
-#[derive(Debug)]
-pub(crate) struct Shape {
-    pub(crate) kind: ShapeKind,
-    pub(crate) children: Vec<Use>,
-}
-
-#[derive(Debug)]
-pub(crate) enum ShapeKind {
-    /// A vertex with its tolerance.
-    Vertex(f64),
-    Edge(Edge),
-    Wire,
-    Face(Face),
-    /// A shell, solid, compound solid or compound.
-    Group,
-}
-
-/// A shape as the child of another.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Use {
-    /// The index in [`super::BrepFile::shapes`].
-    pub(crate) shape: usize,
-    pub(crate) orientation: Orientation,
-    pub(crate) location: DAffine3,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Orientation {
-    Forward,
-    Reversed,
-    /// Within the shape that it belongs to, so that it bounds nothing.
-    Internal,
-    /// Outside of the shape that it belongs to, so that it bounds nothing.
-    External,
-}
-
-/// The curves of an edge.
-#[derive(Debug)]
-pub(crate) struct Edge {
-    pub(crate) tolerance: f64,
-    pub(crate) degenerate: bool,
-    pub(crate) curve: Option<SpaceCurve>,
-    pub(crate) p_curves: Vec<PCurve>,
-}
-
-/// A curve in space, restricted to a range of its parameter.
-#[derive(Debug)]
-pub(crate) struct SpaceCurve {
-    /// The index in the file's list of curves.
-    pub(crate) curve: usize,
-    pub(crate) location: DAffine3,
-    pub(crate) range: [f64; 2],
-}
-
-/// A curve, or the two curves of a seam, in the parameter plane of a surface.
-#[derive(Debug)]
-pub(crate) struct PCurve {
-    /// The index of the curve of an edge used forward, then of one used reversed.
-    pub(crate) curves: [usize; 2],
-    pub(crate) surface: usize,
-    pub(crate) location: DAffine3,
-    pub(crate) range: [f64; 2],
-}
-
-#[derive(Debug)]
-pub(crate) struct Face {
-    /// The index in the file's list of surfaces; `None` for a face of triangles only.
-    pub(crate) surface: Option<usize>,
-    pub(crate) location: DAffine3,
-}
 
 /// The sections above the shapes, to which shapes refer.
 pub(super) struct Sections<'a> {
@@ -150,16 +80,18 @@ fn kind(lexer: &mut Lexer<'_>, sections: &Sections<'_>) -> Result<ShapeKind> {
                 "0" | "1" => {}
                 "2" => {
                     lexer.count("the index of a triangulation")?;
-                    let location = DAffine3::IDENTITY;
-                    return Ok(ShapeKind::Face(Face { surface: None, location }));
+                    let why = "the face has triangles and no surface";
+                    let surface = Err(FaceFault::new("BREP_NO_SURFACE", why));
+                    return Ok(ShapeKind::Face(Face { surface, ..Face::on(0) }));
                 }
                 _ => return Err(lexer.error(word, NATURAL)),
             }
             lexer.number("a tolerance")?;
             let surface = lexer.index(sections.surfaces, "the index of a surface")?.checked_sub(1);
-            ShapeKind::Face(Face { surface, location: location(lexer, sections)? })
+            let surface = surface.ok_or_else(|| FaceFault::new("BREP_NO_SURFACE", "the face has no surface"));
+            ShapeKind::Face(Face { surface, location: location(lexer, sections)?, ..Face::on(0) })
         }
-        "Sh" | "So" | "CS" | "Co" => ShapeKind::Group,
+        "Sh" | "So" | "CS" | "Co" => ShapeKind::Group(None),
         _ => return Err(lexer.error(kind, KINDS)),
     })
 }

@@ -3,4 +3,4 @@ export type { CadKind } from "./kind.js";
 export type { CadOptions } from "./options.js";
 export type { PeerLoader } from "./peers/peers.js";
 export { convertCad, readCad } from "./read.js";
-export type { CadReport, SkippedFace } from "./report.js";
+export type { CadReport, FaceNote, SkippedFace } from "./report.js";

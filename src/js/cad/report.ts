@@ -8,6 +8,14 @@ export interface SkippedFace {
   why: string;
 }
 
+/** A face of which the file leaves something open, and what was decided. */
+export interface FaceNote {
+  /** The face's name or number in its file. */
+  face: string;
+  /** The decision and its reason in words. */
+  why: string;
+}
+
 /** What reading a CAD file kept, changed and left out. */
 export interface CadReport {
   /** The kind of file, found by its content. */
@@ -30,4 +38,9 @@ export interface CadReport {
   unit: number | null;
   /** The faces left out. */
   skipped: SkippedFace[];
+  /**
+   * The faces of which the file leaves something open, as those on a closed surface whose
+   * complement has the same edges.
+   */
+  notes: FaceNote[];
 }

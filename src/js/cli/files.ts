@@ -79,4 +79,7 @@ function warn(path: string, report: CadReport | null): void {
   for (const { face, why } of report?.skipped ?? []) {
     process.stderr.write(`warning: ${path}: ${face} is left out: ${why}\n`);
   }
+  for (const { face, why } of report?.notes ?? []) {
+    process.stderr.write(`note: ${path}: ${face}: ${why}\n`);
+  }
 }

@@ -3,6 +3,7 @@ import type { CadReport } from "../cad/report.js";
 import { HausdorffError, translating } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
+import type { ModelArea } from "./area.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation } from "./tessellation.js";
 
@@ -72,6 +73,16 @@ export class NurbsModel {
   get boundingBox(): { min: Vector3; max: Vector3 } {
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = this.prepared.boundingBox;
     return { min: [a, b, c], max: [d, e, f] };
+  }
+
+  /**
+   * The area of the model and of each of its surfaces, in squares of the model unit, as
+   * intervals of about 1e-6 of the area: a face that is missing shows. Computed at the first
+   * call, in about 0.1 ms a Bézier patch.
+   */
+  area(): ModelArea {
+    const prepared = this.prepared;
+    return translating(() => prepared.area() as ModelArea);
   }
 
   /**

@@ -2,6 +2,7 @@
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
+import type { ModelArea } from "../model/area.js";
 import type { Numbers } from "../model/surface.js";
 import type { Tessellation } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
@@ -81,6 +82,13 @@ export class NurbsModel {
   /** The box of all control points, which contains the model. */
   get boundingBox(): { min: Vector3; max: Vector3 } {
     return this.#facts.boundingBox;
+  }
+
+  /** As the plain model's, in the worker. */
+  async area(): Promise<ModelArea> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("area", [id]);
+    return result as ModelArea;
   }
 
   /** As the plain model's, in the worker. */

@@ -81,6 +81,7 @@ class Server {
       }
       return this.#keep(id, await this.#readCad(bytes as ArrayBuffer, options as CadOptions));
     },
+    area: ([, model]) => this.#model(model).area(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, surface, points, options]) => {
       const model = this.#model(id);

@@ -28,7 +28,18 @@ pub(super) fn validate(winding: &Winding) -> Result<(), TrimFault> {
             return Err(TrimFault::WrongNesting { loop_index, at, found, turn, others });
         }
     }
-    Ok(())
+    region(winding)
+}
+
+/// Checks that the loops together enclose area, which those that cancel each other do not.
+fn region(winding: &Winding) -> Result<(), TrimFault> {
+    let sum =
+        |of: fn(&Winding, usize) -> f64| -> f64 { (0..winding.loops()).map(|one| of(winding, one)).sum() };
+    let found = 2.0 * sum(Winding::signed_area) / sum(Winding::length);
+    if found >= MIN_WIDTH {
+        return Ok(());
+    }
+    Err(TrimFault::RegionNoArea { found: if found.is_nan() { 0.0 } else { found }, expected: MIN_WIDTH })
 }
 
 /// Returns 1 for a loop that turns counterclockwise, else -1.

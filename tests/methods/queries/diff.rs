@@ -1,11 +1,12 @@
 //! The comparison of faces against distances known from geometry.
 
 use crate::support::cpu;
+use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DiffOptions, DiffResult, Engine, FaceState, Options};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Backend, Model, PreparedModel, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Backend, Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
 const ROUNDING: f64 = 1e-12;
@@ -112,6 +113,24 @@ fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     let face = &result.a[0];
     assert_eq!(face.state, FaceState::Undecided);
     assert!(face.lower <= whole.upper && whole.lower <= face.upper);
+}
+
+/// A plate whose hole moved: the farthest points are on the hole's edge, and no bound but one over
+/// tiny cells tells them from those beside it.
+#[test]
+fn a_face_that_is_decided_ends_after_few_cells() {
+    let plate = |x: f64| {
+        let sheet = plane([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [[0.0, 60.0], [0.0, 40.0]]);
+        let loops = vec![rectangle([0.0, 0.0], [60.0, 40.0]), reversed(circle([x, 12.0], 3.0))];
+        let faces = vec![face(sheet, loops)];
+        Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap()
+    };
+    let result = diff(&plate(15.0), &plate(15.01), &DiffOptions::default());
+    for face in result.a.iter().chain(&result.b) {
+        assert_eq!(face.state, FaceState::Changed);
+        assert!(face.lower <= 0.01 + ROUNDING && 0.01 - 1e-6 <= face.upper, "{face:?}");
+        assert!(face.cells <= 80_000, "{} cells", face.cells);
+    }
 }
 
 #[test]

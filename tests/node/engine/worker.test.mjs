@@ -68,6 +68,8 @@ test("models of arrays, JSON and text, faces and triangles", async () => {
   assert.equal(b.surfaceCount, 1);
   const { state } = await hd.diff(a, b);
   assert.equal(state, "changed");
+  const area = await a.area();
+  assert.ok(area.lower <= 1 && 1 <= area.upper && area.faces.length === 1);
   const { positions, indices } = await a.tessellate({ tolerance: 0.1 });
   assert.ok(positions instanceof Float32Array && indices.length >= 6);
   const shapes = await hd.shapes();

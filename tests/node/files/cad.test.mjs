@@ -167,6 +167,20 @@ test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   );
 });
 
+test("an OpenCASCADE that is started anew leaves no listeners on the process", {
+  skip: missing,
+}, async () => {
+  await loaded();
+  const counts = () =>
+    ["uncaughtException", "unhandledRejection"].map((e) => process.listenerCount(e));
+  const before = counts();
+  for (const _ of [1, 2]) {
+    // Each function is a host's own, and starts a module.
+    await readCad(sharedFile("step/screw.step"), { occt: () => startOcct });
+  }
+  assert.deepEqual(counts(), before);
+});
+
 /** BREP text of a box of this length, by OpenCASCADE. */
 let oc;
 async function boxText(length) {
@@ -181,7 +195,7 @@ test("BREP text, and its unit as the caller states it", async () => {
   assert.deepEqual(report, {
     kind: "brep",
     ...{ surfaces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap },
-    ...{ unit: null, skipped: [] },
+    ...{ unit: null, skipped: [], notes: [] },
   });
   near(report.gap, 0, 1e-12);
   assert.equal((await readCad(bytes, { unit: 0.0254 })).report.unit, 0.0254);

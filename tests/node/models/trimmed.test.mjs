@@ -145,6 +145,7 @@ const refusals = [
   ["TRIM_LOOP_OPEN", { trim: [outer(), outer().slice(1)] }, /loop 1, curve 0/],
   ["TRIM_OUTSIDE_DOMAIN", { trim: [polygon([0, 0], [1.5, 0], [1, 1])] }, /loop 0, curve 0/],
   ["TRIM_LOOP_NO_AREA", { trim: [polygon([0, 0], [1, 1])] }],
+  ["TRIM_REGION_NO_AREA", { trim: [outer(), polygon([0, 0], [0, 1], [1, 1], [1, 0])] }],
   ["TRIM_LOOPS_CROSS", { trim: [polygon([0, 0], [1, 1], [1, 0], [0, 0.5])] }],
   ["TRIM_WRONG_NESTING", { trim: [circle(true)] }, /clockwise/],
   ["GAP_INVALID", { gap: -1 }],
@@ -175,4 +176,16 @@ test("wrong instances and units are refused", () => {
   assert.throws(model({ unit: "mm" }), withCode("ARGUMENT_INVALID", /unit/));
   const json = { ...interchangeSquare(), unit: -1 };
   assert.throws(() => hd.model(json), withCode("UNIT_INVALID"));
+});
+
+test("areas of the model and of its faces", () => {
+  const model = hd.model([plate(), { ...square(), trim: [circle()], part: "disc" }]);
+  const { lower, upper, faces } = model.area();
+  const disc = Math.PI / 16;
+  const ends = [...faces, { lower, upper }].map(Object.values);
+  [1 - disc, disc, 1].forEach((expected, index) => {
+    const [least, largest] = ends[index];
+    assert.ok(least - 1e-8 <= expected && expected <= largest + 1e-8, `${ends[index]}`);
+    assert.ok(largest - least <= 1e-6, `${ends[index]}`);
+  });
 });

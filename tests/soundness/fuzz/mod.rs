@@ -11,6 +11,7 @@ pub mod extraction;
 pub mod json_text;
 pub mod options;
 pub mod search;
+pub mod step_text;
 mod support;
 pub mod trims;
 
@@ -18,7 +19,7 @@ pub mod trims;
 pub type Check = fn(&[u8]);
 
 /// The targets by name.
-pub const TARGETS: [(&str, Check); 8] = [
+pub const TARGETS: [(&str, Check); 9] = [
     ("arrays", arrays::check),
     ("brep_text", brep_text::check),
     ("closest_point", closest_point::check),
@@ -26,5 +27,6 @@ pub const TARGETS: [(&str, Check); 8] = [
     ("json_text", json_text::check),
     ("options", options::check),
     ("search", search::check),
+    ("step_text", step_text::check),
     ("trims", trims::check),
 ];

@@ -1,5 +1,6 @@
 //! The independent checker: right results are proved, wrong ones refuted.
 
+mod cuts;
 mod exact;
 mod intervals;
 mod remainders;

@@ -68,7 +68,7 @@ function note(report: CadReport): HTMLElement {
   return details;
 }
 
-function list({ trims, exact, fitted, gap, unit, skipped }: CadReport): HTMLElement {
+function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): HTMLElement {
   const suffix = unit === null ? "" : ` ${unitName(unit)}`;
   const lines = [
     `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
@@ -77,6 +77,7 @@ function list({ trims, exact, fitted, gap, unit, skipped }: CadReport): HTMLElem
   ];
   const more = skipped.length - MAX_SKIPPED;
   if (more > 0) lines.push(`and ${grouped(more)} more skipped`);
+  lines.push(...notes.slice(0, MAX_SKIPPED).map(({ face, why }) => `${face}: ${why}`));
   const node = document.createElement("ul");
   node.append(
     ...lines.map((text) => {

@@ -196,7 +196,7 @@ fn rectangle(low: DVec2, high: DVec2) -> Ring {
     polygon(&[low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)])
 }
 
-fn polygon(corners: &[DVec2]) -> Ring {
+pub(super) fn polygon(corners: &[DVec2]) -> Ring {
     let side = |k: usize| {
         let ends = [corners[k], corners[(k + 1) % corners.len()]];
         bezier(ends.map(|end| weighted(end, 1.0)).to_vec())
@@ -205,7 +205,7 @@ fn polygon(corners: &[DVec2]) -> Ring {
 }
 
 /// Returns a circle of rational quadratic arcs, counterclockwise.
-fn circle(center: DVec2, radius: f64, start: f64, arcs: usize) -> Ring {
+pub(super) fn circle(center: DVec2, radius: f64, start: f64, arcs: usize) -> Ring {
     let half = PI / arcs as f64;
     let at = |angle: f64, radius: f64| center + radius * DVec2::from_angle(angle);
     let corner = |k: usize| at(start + 2.0 * half * (k % arcs) as f64, radius);
@@ -259,7 +259,7 @@ fn spline(rng: &mut Rng, center: DVec2, radius: f64) -> Ring {
     vec![TrimCurveArrays { degree, knots: knots.collect(), control_points: points, gap: 0.0, edge: None }]
 }
 
-fn reversed(ring: Ring) -> Ring {
+pub(super) fn reversed(ring: Ring) -> Ring {
     let reverse = |mut curve: TrimCurveArrays| {
         curve.reverse();
         curve

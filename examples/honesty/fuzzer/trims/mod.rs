@@ -1,5 +1,6 @@
 //! Random pairs of trimmed models.
 
+mod levels;
 mod loops;
 mod region;
 
@@ -136,7 +137,8 @@ fn faces(rng: &mut Rng, weights: Weights) -> Option<Faces> {
 /// Returns a surface with random loops that the library accepts.
 fn trimmed(rng: &mut Rng, surface: SurfaceArrays) -> Option<DrawnFace> {
     (0..ATTEMPTS).find_map(|_| {
-        let face = DrawnFace { surface: surface.clone(), rings: Some(loops::rings(rng)) };
+        let rings = if rng.u8(0..3) == 0 { levels::rings(rng) } else { loops::rings(rng) };
+        let face = DrawnFace { surface: surface.clone(), rings: Some(rings) };
         model(std::slice::from_ref(&face)).map(|_| face)
     })
 }

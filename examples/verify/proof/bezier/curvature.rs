@@ -1,12 +1,14 @@
-//! Bounds of the second derivatives of rational Bézier patches.
+//! Bounds of the first and second derivatives of rational Bézier patches.
 
 use super::net::{Homogeneous, Net, project};
 use crate::proof::interval::Interval;
 use crate::proof::vector::{Vector, difference, exactly, middle, norm};
 
-/// Upper bounds of the norms of a patch's second derivatives over its domain [0, 1]².
+/// Upper bounds of the norms of a patch's first and second derivatives over its domain [0, 1]².
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SecondDerivatives {
+    /// Of the derivatives along u and along v.
+    pub(crate) first: [f64; 2],
     /// Of the derivatives along u twice and along v twice.
     pub(crate) pure: [f64; 2],
     /// Of the mixed derivative.
@@ -40,7 +42,7 @@ impl SecondDerivatives {
         let least = net.points.iter().map(|point| point[3]).reduce(|a, b| a.hull(b));
         let weight = Interval::point(least.map_or(0.0, |weight| weight.lo));
         if weight.lo <= 0.0 {
-            return Self { pure: [f64::INFINITY; 2], mixed: f64::INFINITY };
+            return Self { first: [f64::INFINITY; 2], pure: [f64::INFINITY; 2], mixed: f64::INFINITY };
         }
         let size = largest(net.hull_points().map(|point| norm(&difference(&point, &center))));
         let patch = Differences { degree: net.degree, points: shifted };
@@ -57,7 +59,7 @@ impl SecondDerivatives {
         let mixed = along[0].along(1).sizes();
         let cross = first[0].1 * first[1].0.weight + first[1].1 * first[0].0.weight;
         let mixed = (mixed.numerator + cross + size * mixed.weight) / weight;
-        Self { pure: pure.map(|bound| bound.hi), mixed: mixed.hi }
+        Self { first: first.map(|(_, slope)| slope.hi), pure: pure.map(|bound| bound.hi), mixed: mixed.hi }
     }
 }
 

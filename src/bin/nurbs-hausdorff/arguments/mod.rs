@@ -12,7 +12,7 @@ use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
-/// How far apart are two NURBS models? Models are files of interchange JSON or BREP text.
+/// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
 #[derive(Debug, Parser)]
 #[command(version, about)]
 pub(crate) struct Arguments {

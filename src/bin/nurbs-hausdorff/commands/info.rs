@@ -3,11 +3,12 @@
 use crate::arguments::InfoArguments;
 use crate::failure::Failure;
 use crate::input::{Input, read};
+use crate::output::report::short;
 use crate::output::{print, print_json};
 use nurbs_hausdorff::ModelInfo;
 use std::fmt::Write;
 
-/// Prints the surfaces, patches and bounding box of the model.
+/// Prints the surfaces, patches, areas and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let Input { model, prepared, .. } = read(&arguments.model)?;
     let info = ModelInfo::of_prepared(&model, &prepared);
@@ -27,6 +28,7 @@ fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
     if let Some(unit) = info.unit {
         writeln!(out, "unit      {unit:?} m")?;
     }
+    writeln!(out, "area      {} to {}", short(info.area.lower), short(info.area.upper))?;
     let trimmed = if info.trimmed > 0 { format!("{} trimmed, ", info.trimmed) } else { String::new() };
     writeln!(out, "surfaces  {}, {trimmed}{} Bézier patches", info.surfaces.len(), info.patches)?;
     if info.trimmed > 0 || info.gap > 0.0 {
@@ -38,7 +40,7 @@ fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
         let [[u_start, u_end], [v_start, v_end]] = surface.domain;
         let kind = if surface.rational { "rational" } else { "polynomial" };
         let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
-        let patches = surface.patches;
+        let (patches, area) = (surface.patches, short(surface.area.lower));
         let trim = surface.trim.as_ref().map_or(String::new(), |loops| {
             format!("  {} loops of {} curves", loops.len(), loops.iter().sum::<usize>())
         });
@@ -46,7 +48,7 @@ fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
         writeln!(
             out,
             "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
-             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches{trim}{part}"
+             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches  area {area}{trim}{part}"
         )?;
     }
     Ok(())

@@ -3,6 +3,9 @@
 /// The bytes in which a text's signature is searched: comments and blanks may precede it.
 const HEAD_LENGTH: usize = 1024;
 
+/// The word with which a STEP file begins.
+const STEP_SIGNATURE: &[u8] = b"ISO-10303-21";
+
 /// The column, from 0, that names a line's section in IGES.
 const IGES_SECTION_COLUMN: usize = 72;
 
@@ -10,6 +13,12 @@ const IGES_SECTION_COLUMN: usize = 72;
 pub(crate) fn is_brep(text: &str) -> bool {
     let text = text.trim_start();
     text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")
+}
+
+/// Whether bytes are a STEP file.
+pub(crate) fn is_step(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
+    head.windows(STEP_SIGNATURE.len()).any(|window| window == STEP_SIGNATURE)
 }
 
 /// Whether bytes are what OpenCASCADE writes of a shape in binary.
@@ -21,10 +30,8 @@ pub(crate) fn is_binary_brep(bytes: &[u8]) -> bool {
 /// not.
 pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
     let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
-    let contains = |text: &str| head.windows(text.len()).any(|window| window == text.as_bytes());
     let signatures = [
         (head.starts_with(b"3D Geometry File Format"), "a Rhino 3DM file"),
-        (contains("ISO-10303-21"), "a STEP file"),
         (is_iges(head), "an IGES file"),
         (head.starts_with(b"PK\x03\x04"), "a zip archive, as FreeCAD documents are"),
         (head.starts_with(&[0x1f, 0x8b]), "a file compressed by gzip"),

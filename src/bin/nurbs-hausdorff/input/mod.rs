@@ -9,19 +9,23 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Reads the model in a file of interchange JSON or OpenCASCADE's BREP text, found by its content,
-/// and prints the faces left out.
+/// Reads the model in a file of interchange JSON, STEP or OpenCASCADE's BREP text, found by its
+/// content, and prints the faces left out and the notes on others.
 ///
 /// # Errors
 /// [`Error::FileUnreadable`], [`Error::FileTooLarge`] before anything is read,
 /// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`],
-/// [`Model::from_brep`] and [`PreparedModel`]; all with the path.
+/// [`Model::from_step`], [`Model::from_brep`] and [`PreparedModel`]; all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     let input = bytes(path).and_then(|bytes| parse(path, bytes));
     let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
     for skipped in &input.report.read.skipped {
         let (path, face, why) = (path.display(), skipped.face, &skipped.why);
-        eprintln!("warning: {path}: face {face} is left out: {why}");
+        let entity = skipped.entity.map(|entity| format!(" (#{entity})")).unwrap_or_default();
+        eprintln!("warning: {path}: face {face}{entity} is left out: {why}");
+    }
+    for note in &input.report.read.notes {
+        eprintln!("note: {}: face {}: {}", path.display(), note.face, note.why);
     }
     Ok(input)
 }
@@ -77,16 +81,25 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
             expected: "BREP text, as BRepTools::Write writes it".to_owned(),
         });
     }
+    if format::is_step(&bytes) {
+        let (model, read) = Model::from_step(&bytes)?;
+        return of_cad(model, read, "step");
+    }
     let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
     if format::is_brep(&text) {
-        let (model, mut read) = Model::from_brep(&text)?;
-        let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
-        return Ok(Input { model, prepared, report: CadReport { kind: "brep", read } });
+        let (model, read) = Model::from_brep(&text)?;
+        return of_cad(model, read, "brep");
     }
     let model = Model::from_json(&text)?;
     let prepared = PreparedModel::new(&model)?;
     let report = CadReport { kind: "json", read: ReadReport::of_exact(&model) };
     Ok(Input { model, prepared, report })
+}
+
+/// Prepares a model of a CAD file without the faces that cannot be cut into patches.
+fn of_cad(model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
+    let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
+    Ok(Input { model, prepared, report: CadReport { kind, read } })
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>> {

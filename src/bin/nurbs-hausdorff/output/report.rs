@@ -124,7 +124,7 @@ fn machine(out: &mut String, result: &DistanceResult) -> Result {
 }
 
 /// The number to six digits without trailing zeros.
-fn short(number: f64) -> String {
+pub(crate) fn short(number: f64) -> String {
     let rounded = format!("{number:.5e}");
     rounded.parse::<f64>().map_or(rounded, |number| format!("{number:?}"))
 }

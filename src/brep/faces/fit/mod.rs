@@ -2,8 +2,8 @@
 
 mod jet;
 
+use super::loops::crossing;
 use super::metric::Metric;
-use super::rings::crossing;
 use crate::brep::nurbs::{ParameterMap, Spline};
 use glam::{DVec3, DVec4};
 use jet::{Interval, Jet, ORDER};

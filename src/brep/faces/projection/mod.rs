@@ -4,6 +4,7 @@ mod tracing;
 
 pub(super) use tracing::Traced;
 
+use super::inversion::{angle, on_meridian};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::brep::nurbs::{Conic, Curve, Frame, Surface};
@@ -218,11 +219,9 @@ fn solved(a: DVec3, b: DVec3, r: DVec3) -> Option<DVec3> {
 fn on_revolution(frame: &Frame, profile: &Curve, point: DVec3) -> Option<DVec3> {
     let local = frame.local_point(point);
     let meridian = |point: DVec3| DVec3::new(point.x.hypot(point.y), 0.0, point.z);
-    let v = super::inversion::on_profile(profile, meridian(local))
+    let v = on_meridian(profile, local.x.hypot(local.y), local.z)
         .or_else(|| nearest(profile, |on_profile| meridian(on_profile).distance_squared(meridian(local))))?;
-    let on_profile = profile.point(v);
-    let angle = local.y.atan2(local.x) - on_profile.y.atan2(on_profile.x);
-    Some(DVec3::new(angle, v, 0.0))
+    Some(DVec3::new(angle(local, profile.point(v)), v, 0.0))
 }
 
 fn on_extrusion(direction: DVec3, profile: &Curve, point: DVec3) -> Option<DVec3> {

@@ -3,18 +3,20 @@
 use super::{Projection, Projector};
 use crate::brep::nurbs::{Curve, Spline, Surface, Unconvertible};
 use crate::brep::report::FaceFault;
-use crate::brep::text::{Edge, SpaceCurve};
+use crate::brep::topology::{Edge, SpaceCurve};
 use glam::{DAffine3, DVec3};
 
 /// The tolerance of a fit in space, relative to the size of the edge.
 const FIT_TOLERANCE: f64 = 1e-8;
 
-/// The part of an edge's own tolerance by which a fit may deviate, if that is more.
-const PART_OF_TOLERANCE: f64 = 0.1;
+/// The part of an edge's distance from its surface by which a fit may deviate, if that is more.
+/// A fit to less of it would make the gap no smaller, and converges slowly: the tangents of
+/// projections are exact for edges on the surface alone.
+const PART_OF_DISTANCE: f64 = 0.1;
 
 /// The distance from an edge to its surface, relative to the size of the edge, beyond which
-/// the nearest point is searched globally, and the part of that size within which an edge
-/// must lie to be one of the surface.
+/// the nearest point is searched globally. An edge must lie within as much, or within its
+/// tolerance if that is more, to be one of the surface.
 const NEAR: f64 = 1e-3;
 
 /// The pieces at the start, and the deepest bisection of a piece.
@@ -39,6 +41,7 @@ pub(in crate::brep::faces) struct Traced<'a> {
     pub(in crate::brep::faces) to_face: DAffine3,
     /// The diagonal of the box of its samples.
     pub(in crate::brep::faces) size: f64,
+    /// The tolerance of the edge in the face's coordinates.
     tolerance: f64,
 }
 
@@ -57,11 +60,11 @@ impl<'a> Traced<'a> {
         if space.range[0] >= space.range[1] {
             return Err(Unconvertible::Range);
         }
-        let mut traced = Self { curve, range: space.range, to_face, size: 0.0, tolerance: 0.0 };
+        let mut traced =
+            Self { curve, range: space.range, to_face, size: 0.0, tolerance: scale * edge.tolerance };
         let points = || super::super::inversion::samples(space.range).map(|t| traced.point(t));
         let low = points().fold(DVec3::INFINITY, DVec3::min);
         traced.size = low.distance(points().fold(DVec3::NEG_INFINITY, DVec3::max));
-        traced.tolerance = (FIT_TOLERANCE * traced.size).max(PART_OF_TOLERANCE * scale * edge.tolerance);
         Ok(traced)
     }
 
@@ -69,9 +72,9 @@ impl<'a> Traced<'a> {
         self.to_face.transform_point3(self.curve.point(t))
     }
 
-    /// Returns the derivative by a difference quotient of second order inside of the range.
-    fn tangent(&self, t: f64) -> DVec3 {
-        let [start, end] = self.range;
+    /// Returns the derivative by a difference quotient of second order inside of a part of the
+    /// range on which the edge is smooth.
+    fn tangent(&self, t: f64, [start, end]: [f64; 2]) -> DVec3 {
         let step = DIFFERENCE * (end - start);
         let inner = t.clamp(start + step, end - step);
         let [a, b, c] = [inner - step, inner, inner + step].map(|t| self.point(t));
@@ -80,23 +83,26 @@ impl<'a> Traced<'a> {
     }
 
     /// Returns the parameters of equally spaced points of the edge on the surface, each beside
-    /// the one before it.
+    /// the one before it, and their largest distance from it.
     ///
     /// # Errors
     /// `BREP_NO_P_CURVE` if the edge leaves the surface.
     pub(in crate::brep::faces) fn parameters(
         &self,
         projector: &mut Projector<'_>,
-    ) -> Result<Vec<DVec3>, FaceFault> {
+    ) -> Result<(Vec<DVec3>, f64), FaceFault> {
         let samples: Vec<f64> = super::super::inversion::samples(self.range).collect();
         // From the middle to both ends, which may be singular.
         let middle = samples.len() / 2;
-        let first = self.project(projector, samples[middle], None)?.parameters;
+        let first = self.project(projector, samples[middle], None)?;
+        let mut distance = first.distance;
         let mut follow = |indices: &mut dyn Iterator<Item = usize>| -> Result<Vec<DVec3>, FaceFault> {
-            let mut last = first;
+            let mut last = first.parameters;
             indices
                 .map(|index| {
-                    last = self.project(projector, samples[index], Some(last))?.parameters;
+                    let found = self.project(projector, samples[index], Some(last))?;
+                    distance = distance.max(found.distance);
+                    last = found.parameters;
                     Ok(last)
                 })
                 .collect()
@@ -104,9 +110,28 @@ impl<'a> Traced<'a> {
         let after = follow(&mut (middle + 1..samples.len()))?;
         let mut all = follow(&mut (0..middle).rev())?;
         all.reverse();
-        all.push(first);
+        all.push(first.parameters);
         all.extend(after);
-        Ok(all)
+        Ok((all, distance))
+    }
+
+    /// Returns the parts of the range between the edge's knots.
+    fn smooth_parts(&self) -> Vec<[f64; 2]> {
+        let [start, end] = self.range;
+        let mut breaks = vec![start];
+        let mut last = start;
+        while last < end {
+            let next = self.curve.cell(last)[1].min(end);
+            if next <= last {
+                break;
+            }
+            breaks.push(next);
+            last = next;
+        }
+        if last < end {
+            breaks.push(end);
+        }
+        breaks.windows(2).map(|pair| [pair[0], pair[1]]).collect()
     }
 
     fn project(
@@ -119,15 +144,15 @@ impl<'a> Traced<'a> {
         let found = projector
             .project(self.point(t), near, NEAR * self.size)
             .ok_or_else(|| fault("no curve in the parameters, and no points to make one of".to_owned()))?;
-        if found.distance.is_nan() || found.distance > NEAR * self.size + self.tolerance / PART_OF_TOLERANCE {
+        if found.distance.is_nan() || found.distance > (NEAR * self.size).max(self.tolerance) {
             return Err(fault(format!("the edge is {:e} from the surface", found.distance)));
         }
         Ok(found)
     }
 
     /// Returns the cubic spline of the parameters that passes through points of the edge with
-    /// its tangents, from 8 pieces halved until the deviation at three points of each is within
-    /// the tolerance.
+    /// its tangents: at least 8 pieces between the edge's knots, halved until the deviation at
+    /// three points of each is within the tolerance. Tangents at knots are those of each side.
     ///
     /// # Errors
     /// `BREP_NO_P_CURVE` if the edge leaves the surface, or deeper halving would be needed.
@@ -136,22 +161,32 @@ impl<'a> Traced<'a> {
         surface: &Surface,
         projector: &mut Projector<'_>,
     ) -> Result<Spline, FaceFault> {
-        let samples = self.parameters(projector)?;
+        let (samples, distance) = self.parameters(projector)?;
         let [start, end] = self.range;
-        let stride = (samples.len() - 1) / FIRST_PIECES;
-        let mut nodes = Vec::with_capacity(FIRST_PIECES + 1);
-        for piece in 0..=FIRST_PIECES {
-            let t = if piece == FIRST_PIECES {
-                end
-            } else {
-                start + (end - start) * piece as f64 / FIRST_PIECES as f64
-            };
-            nodes.push(self.node(projector, t, samples[piece * stride])?);
-        }
+        let near = |t: f64| {
+            let sample = (t - start) / (end - start) * (samples.len() - 1) as f64;
+            samples[(sample.round() as usize).min(samples.len() - 1)]
+        };
+        let tolerance = (FIT_TOLERANCE * self.size).max(PART_OF_DISTANCE * distance);
+        let parts = self.smooth_parts();
+        let pieces = FIRST_PIECES.div_ceil(parts.len());
         let mut spline = Spline { degree: 3, knots: vec![start; 4], controls: Vec::new() };
-        spline.controls.push(nodes[0].at.extend(1.0));
-        for pair in nodes.windows(2) {
-            self.piece(surface, projector, [pair[0], pair[1]], 0, &mut spline)?;
+        for part in parts {
+            let [low, high] = part;
+            let at = |piece: usize| {
+                let fraction = piece as f64 / pieces as f64;
+                if piece == pieces { high } else { low + fraction * (high - low) }
+            };
+            let mut from = self.node(projector, low, near(low), part)?;
+            if spline.controls.is_empty() {
+                spline.controls.push(from.at.extend(1.0));
+            }
+            for piece in 1..=pieces {
+                let to = self.node(projector, at(piece), near(at(piece)), part)?;
+                let piece = Piece { surface, tolerance, part, depth: 0 };
+                self.piece(&piece, projector, [from, to], &mut spline)?;
+                from = to;
+            }
         }
         spline.knots.push(end);
         Ok(spline)
@@ -160,24 +195,27 @@ impl<'a> Traced<'a> {
     /// Appends the cubic between two nodes, or those between its halves.
     fn piece(
         &self,
-        surface: &Surface,
+        piece: &Piece<'_>,
         projector: &mut Projector<'_>,
         [from, to]: [Node; 2],
-        depth: usize,
         spline: &mut Spline,
     ) -> Result<(), FaceFault> {
+        let Piece { surface, tolerance, part, depth } = *piece;
         let third = (to.t - from.t) / 3.0;
         let controls = [from.at, from.at + third * from.velocity, to.at - third * to.velocity, to.at];
-        let mut within = true;
+        let mut deviation = 0.0_f64;
         for fraction in CHECKS {
             let at = cubic(controls, fraction);
             let t = from.t + fraction * (to.t - from.t);
             let nearest = self.project(projector, t, Some(at))?.parameters;
             let on_surface = surface.point(at.x, at.y);
             let moved = on_surface.distance(surface.point(nearest.x, nearest.y));
-            within &= moved <= self.tolerance;
+            // NaN is no deviation that a piece may have.
+            deviation = if moved.is_nan() { f64::INFINITY } else { deviation.max(moved) };
         }
-        if within {
+        // Where the edge runs along the end of the surface and leaves it, no cubic follows its
+        // projection; the edge's own tolerance allows for that, and the gap states it.
+        if deviation <= tolerance || depth == MAX_DEPTH && deviation <= self.tolerance {
             spline.controls.extend(controls[1..].iter().map(|control| control.extend(1.0)));
             spline.knots.extend([to.t; 3]);
             return Ok(());
@@ -186,19 +224,26 @@ impl<'a> Traced<'a> {
             let why = format!("no cubic curve on the {} follows the edge", surface.kind());
             return Err(FaceFault::new("BREP_NO_P_CURVE", why));
         }
-        let middle = self.node(projector, 0.5 * (from.t + to.t), cubic(controls, 0.5))?;
-        self.piece(surface, projector, [from, middle], depth + 1, spline)?;
-        self.piece(surface, projector, [middle, to], depth + 1, spline)
+        let middle = self.node(projector, 0.5 * (from.t + to.t), cubic(controls, 0.5), part)?;
+        let half = Piece { depth: depth + 1, ..*piece };
+        self.piece(&half, projector, [from, middle], spline)?;
+        self.piece(&half, projector, [middle, to], spline)
     }
 
-    /// Returns the node at a parameter of the edge.
-    fn node(&self, projector: &mut Projector<'_>, t: f64, near: DVec3) -> Result<Node, FaceFault> {
+    /// Returns the node at a parameter of a smooth part of the edge.
+    fn node(
+        &self,
+        projector: &mut Projector<'_>,
+        t: f64,
+        near: DVec3,
+        part: [f64; 2],
+    ) -> Result<Node, FaceFault> {
         let at = self.project(projector, t, Some(near))?.parameters;
-        if let Some(velocity) = projector.velocity(at, self.tangent(t)) {
+        if let Some(velocity) = projector.velocity(at, self.tangent(t, part)) {
             return Ok(Node { t, at, velocity });
         }
         // Where a tangent of the surface vanishes, the curve continues that beside the point.
-        let [start, end] = self.range;
+        let [start, end] = part;
         let step = BESIDE_SINGULAR * (end - start) * if t - start > end - t { -1.0 } else { 1.0 };
         let mut beside = [near; 3];
         for index in [2, 1, 0] {
@@ -215,6 +260,16 @@ impl<'a> Traced<'a> {
         continued.at[exact] = at[exact];
         Ok(continued)
     }
+}
+
+/// The conditions under which a piece of a fit is made.
+#[derive(Clone, Copy)]
+struct Piece<'a> {
+    surface: &'a Surface,
+    tolerance: f64,
+    /// The smooth part of the edge that the piece is of.
+    part: [f64; 2],
+    depth: usize,
 }
 
 /// A point of the edge in the parameters, with the derivative by the edge's parameter.

@@ -2,7 +2,7 @@ import { HausdorffError, translating } from "../../error.js";
 import type { InterchangeModel } from "../../model/surface.js";
 import { brepInterchange } from "../prepare/brep.js";
 import type { FacesFile } from "../prepare/faces.js";
-import type { CadReport, SkippedFace } from "../report.js";
+import type { CadReport, FaceNote, SkippedFace } from "../report.js";
 import type { DocumentShape, DocumentShapes } from "./fcstd.js";
 import { joined } from "./join.js";
 
@@ -22,12 +22,15 @@ export function documentModel(
   const models: InterchangeModel[] = [];
   const reports: CadReport[] = [];
   const lost: SkippedFace[] = [...skipped];
+  const notes: FaceNote[] = [];
   for (const shape of shapes) {
     try {
       const { model, report } = shapeModel(shape);
       models.push(model);
       reports.push(report);
-      lost.push(...report.skipped.map(({ face, why }) => ({ face: `${shape.name} ${face}`, why })));
+      const named = ({ face, why }: SkippedFace) => ({ face: `${shape.name} ${face}`, why });
+      lost.push(...report.skipped.map(named));
+      notes.push(...report.notes.map(named));
     } catch (error) {
       if (!(error instanceof HausdorffError)) throw error;
       const hasNoFace = error.code === "EMPTY_MODEL" || shape.brep.trim() === "";
@@ -51,6 +54,7 @@ export function documentModel(
       gap: reports.reduce((largest, { gap }) => Math.max(largest, gap), 0),
       unit: FREECAD_UNIT,
       skipped: lost,
+      notes,
     },
   };
 }

@@ -50,7 +50,10 @@ async function load(peer: Peer, loader: PeerLoader | undefined): Promise<object>
   const imported = loader ? await loader() : await importPeer(peer);
   let module = unwrapped(imported);
   // `module` is bitbybit's name for what others take themselves.
-  if (typeof module === "function") module = unwrapped(await module({ ...QUIET, module: QUIET }));
+  if (typeof module === "function") {
+    const factory = module;
+    module = unwrapped(await withoutListeners(() => factory({ ...QUIET, module: QUIET })));
+  }
   if (typeof module !== "object" || module === null) {
     throw new HausdorffError(
       "OPTION_INVALID",
@@ -65,6 +68,34 @@ type Factory = (options: object) => unknown;
 function unwrapped(value: unknown): object | Factory | null | undefined {
   const { default: inner } = (value ?? {}) as { default?: unknown };
   return (typeof value === "object" && inner !== undefined ? inner : value) as object;
+}
+
+/** The part of Node's process on which Emscripten's modules listen. */
+interface Listened {
+  listeners(event: string): readonly unknown[];
+  removeListener(event: string, listener: unknown): void;
+}
+
+const LISTENED_EVENTS = ["uncaughtException", "unhandledRejection"];
+
+/**
+ * Calls `run` and takes the listeners that it adds to Node's process off again. Emscripten's throw
+ * what they are given, as Node does without them, and keep every module that was started alive.
+ */
+function withoutListeners<T>(run: () => T): T {
+  const { process } = globalThis as { process?: Partial<Listened> };
+  if (process?.listeners === undefined || process.removeListener === undefined) return run();
+  const listened = process as Listened;
+  const before = LISTENED_EVENTS.map((event) => new Set(listened.listeners(event)));
+  try {
+    return run();
+  } finally {
+    for (const [index, event] of LISTENED_EVENTS.entries()) {
+      for (const listener of listened.listeners(event)) {
+        if (!before[index]?.has(listener)) listened.removeListener(event, listener);
+      }
+    }
+  }
 }
 
 async function importPeer(peer: Peer): Promise<unknown> {

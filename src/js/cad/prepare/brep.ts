@@ -14,8 +14,9 @@ export interface BrepFile {
 }
 
 /** A report of the module: it numbers the faces. */
-export interface ModuleReport extends Omit<CadReport, "kind" | "skipped"> {
+export interface ModuleReport extends Omit<CadReport, "kind" | "skipped" | "notes"> {
   skipped: { face: number; why: string }[];
+  notes: { face: number; why: string }[];
 }
 
 /**
@@ -44,14 +45,12 @@ export function brepInterchange(
 
 /** The report with what the translation to BREP text lost. */
 function completed({ kind, declared }: BrepFile, report: ModuleReport): CadReport {
-  const skipped: SkippedFace[] = report.skipped.map(({ face, why }) => ({
-    face: `face ${face}`,
-    why,
-  }));
+  const named = ({ face, why }: { face: number; why: string }) => ({ face: `face ${face}`, why });
+  const skipped: SkippedFace[] = report.skipped.map(named);
   const missing = declared - report.surfaces - skipped.length;
   if (missing > 0) {
     const why = "OpenCASCADE did not translate them";
     skipped.push({ face: `${missing} of ${declared} faces`, why });
   }
-  return { ...report, kind, unit: report.unit ?? null, skipped };
+  return { ...report, kind, unit: report.unit ?? null, skipped, notes: report.notes.map(named) };
 }

@@ -18,5 +18,5 @@ export function rewritten(text: string): { json: string; report: CadReport } {
 }
 
 function exact(report: ModuleReport): CadReport {
-  return { ...report, kind: "json", unit: report.unit ?? null, skipped: [] };
+  return { ...report, kind: "json", unit: report.unit ?? null, skipped: [], notes: [] };
 }

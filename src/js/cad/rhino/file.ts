@@ -79,7 +79,17 @@ export function rhinoModel(
   const surfaces = faces.length;
   return {
     model,
-    report: { kind: "3dm", surfaces, trims, exact: trims - fitted, fitted, gap, unit, skipped },
+    report: {
+      kind: "3dm",
+      surfaces,
+      trims,
+      exact: trims - fitted,
+      fitted,
+      gap,
+      unit,
+      skipped,
+      notes: [],
+    },
   };
 }
 

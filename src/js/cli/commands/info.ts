@@ -1,8 +1,9 @@
 import { translating } from "../../error.js";
+import type { Area } from "../../model/area.js";
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { Invocation } from "../arguments/arguments.js";
 import { convertFile } from "../files.js";
-import { full } from "../output/numbers.js";
+import { full, short } from "../output/numbers.js";
 import { print, printJson } from "../output/output.js";
 
 /** A model in numbers, as the native command prints it. */
@@ -18,6 +19,8 @@ interface ModelInfo {
   patches: number;
   boundingBox: [number[], number[]];
   diagonal: number;
+  /** The area of all faces, in squares of the model unit. */
+  area: Area;
 }
 
 interface SurfaceInfo {
@@ -30,9 +33,10 @@ interface SurfaceInfo {
   trim?: number[];
   part?: string;
   patches: number;
+  area: Area;
 }
 
-/** Prints the surfaces, patches and bounding box of a model. */
+/** Prints the surfaces, patches, areas and bounding box of a model. */
 export async function info(values: Invocation["values"]): Promise<void> {
   const { json } = await convertFile(String(values.get("model")));
   const info = translating(() => PreparedModel.info(json) as ModelInfo);
@@ -48,6 +52,7 @@ function text(info: ModelInfo): string {
     `model     ${name ?? "without a name"}`,
     `box       ${min} to ${max}, diagonal ${full(info.diagonal)}`,
     ...(unit === undefined ? [] : [`unit      ${full(unit)} m`]),
+    `area      ${interval(info.area)}`,
     `surfaces  ${surfaces.length}, ${faces}${patches} Bézier patches`,
     ...(trimmed > 0 || gap > 0
       ? [`gap       ${full(gap)}, deviation of the pieces ${full(deviation)}`]
@@ -55,6 +60,11 @@ function text(info: ModelInfo): string {
     ...surfaces.map(surfaceLine),
   ];
   return `${lines.join("\n")}\n`;
+}
+
+/** Both ends in six digits. */
+function interval({ lower, upper }: Area): string {
+  return `${short(lower)} to ${short(upper)}`;
 }
 
 function surfaceLine(surface: SurfaceInfo, index: number): string {
@@ -68,6 +78,7 @@ function surfaceLine(surface: SurfaceInfo, index: number): string {
     clamped.every(Boolean) ? "clamped" : "unclamped",
     `${u} x ${v}`,
     `${patches} patches`,
+    `area ${short(surface.area.lower)}`,
     ...(trim ? [`${trim.length} loops of ${trim.reduce((sum, one) => sum + one, 0)} curves`] : []),
     ...(part ? [part] : []),
   ];

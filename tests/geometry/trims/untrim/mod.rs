@@ -234,3 +234,69 @@ fn a_ring_narrower_than_the_deviation_is_covered() {
         assert_reaches_boundary(&trim, &cut, 1e-4);
     }
 }
+
+/// Arcs of a circle of radius 1/8 about a point beside the knot line u = 0.7 of the sheet touch
+/// that line in the middle of their height, where the order of arc and line does not show.
+#[test]
+fn circles_that_touch_a_knot_line_are_cut_on_their_side_of_it() {
+    let sheet = sheet();
+    for (side, start) in [(-1.0, 0.0), (1.0, 0.0), (-1.0, 0.5 * PI), (1.0, 0.4)] {
+        let circle = arcs([0.7 + side * 0.125, 0.75], 0.125, start, 4);
+        let (trim, island) = cut(&sheet, vec![circle.clone()], 1e-8);
+        assert_covers(&sheet, &trim, &island, 0.002);
+        assert_reaches_boundary(&trim, &island, 1e-8);
+        let outer = rectangle([0.3, 0.25], [1.0, 1.25]);
+        let (trim, around) = cut(&sheet, vec![outer, reversed(circle)], 1e-8);
+        assert_covers(&sheet, &trim, &around, 0.002);
+        assert_on_surface(&sheet, &around, 1e-12);
+        assert_reaches_boundary(&trim, &around, 1e-8);
+    }
+}
+
+/// A circle of three arcs of 120°, whose last weights and points are off by a few units as affine
+/// maps of OpenCASCADE write them: the levels of both sides differ by units, too.
+#[test]
+fn a_circle_of_three_arcs_with_rounded_weights_is_a_disc() {
+    let half = 3.0_f64.sqrt() / 2.0;
+    let mut random = fastrand::Rng::with_seed(11);
+    for _ in 0..40 {
+        let [a, b, c, d] = [(); 4].map(|()| 4.0 * random.f64() - 2.0);
+        if (a * d - b * c).abs() < 0.2 {
+            continue;
+        }
+        let mut off = || 1.0 + f64::from(random.i32(-8..=8)) * f64::EPSILON;
+        let corners =
+            [[1.0, 0.0], [1.0, 2.0 * half], [-0.5, half], [-2.0, 0.0], [-0.5, -half], [1.0, -2.0 * half]];
+        let weights = [1.0, 0.5, 1.0, 0.5, 1.0, 0.5];
+        let image = |k: usize, off: &mut dyn FnMut() -> f64| {
+            let ([x, y], w) = (corners[k % 6], weights[k % 6]);
+            [(20.0 + 5.0 * (a * x + b * y)) * off(), (15.0 + 5.0 * (c * x + d * y)) * off(), w * off()]
+        };
+        let mut points: Vec<[f64; 3]> = (0..6).map(|k| image(k, &mut off)).collect();
+        points.push([points[0][0], points[0][1], off()]);
+        if a * d < b * c {
+            points.reverse();
+        }
+        let third = 2.0 * PI / 3.0;
+        let knots = [0.0, 0.0, 0.0, third, third, 2.0 * third, 2.0 * third, 2.0 * PI, 2.0 * PI, 2.0 * PI];
+        let curve = TrimCurveArrays {
+            degree: 2,
+            knots: knots.to_vec(),
+            control_points: points,
+            ..TrimCurveArrays::default()
+        };
+        // The plane ends where the disc does, as files write it.
+        let reach = |x: f64, y: f64| 5.0 * (x * x + y * y).sqrt();
+        let plate = plane(
+            [20.0 - 1.001 * reach(a, b), 20.0 + 1.001 * reach(a, b)],
+            [15.0 - 1.001 * reach(c, d), 15.0 + 1.001 * reach(c, d)],
+        );
+        let (trim, cut) = cut(&plate, vec![vec![curve]], 1e-8);
+        let expected = 25.0 * PI * (a * d - b * c).abs();
+        assert!(cut.deviation <= 1e-8, "{}", cut.deviation);
+        let length = 2.0 * PI * reach(a, b).hypot(reach(c, d));
+        let found = area(&cut);
+        assert!((found - expected).abs() <= cut.deviation * length + 1e-12 * expected, "{found} {expected}");
+        assert_covers(&plate, &trim, &cut, 0.05);
+    }
+}

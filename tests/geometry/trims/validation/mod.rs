@@ -161,6 +161,9 @@ fn open_loops_and_curves_outside_are_refused() {
 fn loops_without_area_crossing_loops_and_wrong_nesting_are_refused() {
     let back = vec![line([1.0, 1.0], [2.0, 2.0]), line([2.0, 2.0], [1.0, 1.0])];
     refused("TRIM_LOOP_NO_AREA", &["loop 0"], vec![back]);
+    let whole = rectangle([0.0, 0.0], [4.0, 4.0]);
+    let nothing = vec![whole.clone(), reversed(whole)];
+    refused("TRIM_REGION_NO_AREA", &["mean width is 0e0"], nothing);
     let eight = polygon(&[[1.0, 1.0], [3.0, 2.5], [3.0, 1.0], [1.0, 2.0]]);
     refused("TRIM_LOOPS_CROSS", &["loop 0", "winding number there is -1"], vec![eight]);
     let lens = vec![circle([1.5, 2.0], 1.0), circle([2.5, 2.0], 1.0)];

@@ -1,7 +1,8 @@
 //! Rational curves as polynomial pieces, with a proven bound on the error.
 
-use super::curve::{Curve, divided};
 use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
+use crate::rounding::upper_max;
+use crate::untrim::curve::{Curve, divided};
 use glam::DVec3;
 
 /// The degrees tried, increasing.
@@ -71,7 +72,7 @@ fn approximation(curve: &Curve, degree: usize) -> (Curve, [f64; 2]) {
     for t in nodes(count) {
         let homogeneous = curve.at(t);
         let difference = (divided(homogeneous) - piece.point(t)).abs() * (homogeneous.z / least);
-        error = [error[0].max(difference.x), error[1].max(difference.y)];
+        error = [upper_max(error[0], difference.x), upper_max(error[1], difference.y)];
     }
     (piece, error.map(|value| value * node_factor(total, count)))
 }

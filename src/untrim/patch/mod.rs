@@ -1,17 +1,27 @@
 //! The composition of a surface with a ruled map, as one Bézier patch.
 
+mod proof;
+
+use super::cells::ruling::Ruling;
 use super::curve::{Curve, blossom, casteljau, divided};
 use super::face::Face;
-use super::ruling::Ruling;
-use crate::bezier::Patch;
+use crate::axis::Axis;
+use crate::bezier::{Patch, extract, power_of_two_below};
 use crate::chebyshev::{MAX_NODES, coefficients, nodes, to_bernstein};
+use crate::error::Result;
 use crate::limits::MAX_WEIGHT_RATIO;
-use crate::model::{NurbsSurface, SurfaceArrays};
-use crate::rounding::gamma;
-use glam::{DVec2, DVec4, Vec4Swizzles};
+use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
+use proof::Composition;
 
 /// The highest degree in t of a fit; a cell that needs more is halved.
 const MAX_FIT_DEGREE: usize = 12;
+
+/// The estimated error of a fit, relative to the tolerance, for which the proof is tried: it
+/// gives up to twice the largest error, the product of the node factors √2 of s and of t.
+const ESTIMATE: f64 = 0.5;
 
 /// A patch, and an upper bound on its distance from the composition.
 pub(super) struct Composed {
@@ -24,8 +34,9 @@ pub(super) struct Composed {
 ///
 /// For each t the composition along s is a Bézier curve whose homogeneous controls are
 /// blossoms of the surface at the ends of the ruling; they are polynomials in t of a known
-/// degree D. Their Chebyshev series of degree D, found from D + 1 values, is truncated: the
-/// remainder is the proven error (lemma T4). O(p (p q + q²) D + p D²).
+/// degree D. Their Chebyshev series of degree D, found from D + 1 values, is truncated. The
+/// deviation is that which [`Composition::deviation`] proves of the finished patch.
+/// O(p (p q + q²) D + p D²).
 pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
     let patch = face.patch(ruling.rectangle);
     let degree = composed_degree(face, &patch, ruling);
@@ -37,21 +48,16 @@ pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
     let series: Vec<Vec<DVec4>> =
         (0..order).map(|i| coefficients(&rows.iter().map(|row| row[i]).collect::<Vec<_>>())).collect();
     let is_polynomial = is_polynomial(face, &patch, ruling);
-    let radius = patch.local_points().map(|point| point.length()).fold(0.0, f64::max);
+    let composition = Composition { face, patch, ruling, degree: [order - 1, degree] };
+    let radius = composition.radius();
     let least = rows.iter().flatten().map(|value| value.w).fold(f64::INFINITY, f64::min);
     let remainder = |from: usize| {
-        let tail = |series: &Vec<DVec4>| {
-            series[from..]
-                .iter()
-                .map(|c| c.xyz().length() + if is_polynomial { 0.0 } else { radius * c.w.abs() })
-                .sum::<f64>()
-        };
+        let size = |c: &DVec4| c.xyz().length() + if is_polynomial { 0.0 } else { radius * c.w.abs() };
+        let tail = |series: &Vec<DVec4>| series[from..].iter().map(size).sum::<f64>();
         series.iter().map(tail).fold(0.0, f64::max)
     };
     for fit in 1..=degree.clamp(1, MAX_FIT_DEGREE) {
-        // The estimate by sampled weights spares conversions; the bound below is proven.
-        let error = if fit >= degree { 0.0 } else { remainder(fit + 1) };
-        if error > face.tolerances.fit * least {
+        if fit < degree && remainder(fit + 1) > ESTIMATE * face.tolerances.fit * least {
             continue;
         }
         let mut controls: Vec<Vec<DVec4>> = series.iter().map(|series| to_bernstein(series, fit)).collect();
@@ -60,16 +66,60 @@ pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
         }
         let weights = controls.iter().flatten().map(|control| control.w);
         let (low, high) = weights.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
-        if !(low > 0.0 && high < MAX_WEIGHT_RATIO * low && error <= face.tolerances.fit * low) {
+        if !(low > 0.0 && high < MAX_WEIGHT_RATIO * low) {
             continue;
         }
-        let rounding = rounding(&patch, &series, fit, degree, radius, low);
-        let arrays = arrays(&patch, &controls, fit);
-        let surface = NurbsSurface::new(face.index, arrays).ok()?;
-        let twist = if face.affine { face.twist } else { 0.0 };
-        return Some(Composed { surface, deviation: error / low + rounding + twist });
+        let surface = NurbsSurface::new(face.index, arrays(&patch, &controls, fit)).ok()?;
+        let deviation = composition.deviation(surface.degree(), &relative(&surface, patch.center));
+        if deviation <= face.tolerances.fit || fit >= degree {
+            return deviation.is_finite().then_some(Composed { surface, deviation });
+        }
     }
     None
+}
+
+/// Returns an upper bound on the distance between `cut` and the part of the face's `surface` over a
+/// rectangle of normalised parameters that its domain stands for. O(spans × nodes × controls).
+pub(super) fn rectangle_deviation(
+    face: &Face,
+    surface: &NurbsSurface,
+    cut: &NurbsSurface,
+    part: ParamBox,
+) -> Result<f64> {
+    let domain = cut.domain();
+    // Extraction divides weights by a power of 2 near the largest.
+    let unit = |surface: &NurbsSurface| {
+        power_of_two_below(surface.control_points().iter().map(|point| point[3]).fold(0.0, f64::max))
+    };
+    let scale = unit(cut) / unit(surface);
+    let at = |axis: Axis, value: f64| {
+        let [start, end] = domain[axis];
+        let [low, high] = part[axis];
+        let share = (value - start) / (end - start);
+        (1.0 - share) * low + share * high
+    };
+    let pieces = extract(&Model::new(None, vec![cut.clone()])?);
+    let deviations = (0..pieces.patches.len()).map(|index| {
+        let piece = pieces.patches.patch(index);
+        let [us, vs] = Axis::BOTH.map(|axis| piece.domain[axis].map(|value| at(axis, value)));
+        let side = |u: f64| Curve::line(DVec2::new(u, vs[0]), DVec2::new(u, vs[1]));
+        let rectangle =
+            [face.span(Axis::U, 0.5 * (us[0] + us[1])), face.span(Axis::V, 0.5 * (vs[0] + vs[1]))];
+        let ruling = Ruling::between_lines(us.map(side), rectangle);
+        let composition =
+            Composition { face, patch: face.patch(rectangle), ruling: &ruling, degree: piece.degree };
+        let shift = piece.center - composition.patch.center;
+        let controls: Vec<DVec4> =
+            piece.controls.iter().map(|c| (c.xyz() + c.w * shift).extend(c.w) * scale).collect();
+        composition.deviation(piece.degree, &controls)
+    });
+    Ok(deviations.fold(pieces.point_error.after(0), upper_max))
+}
+
+/// Returns the homogeneous controls of a surface relative to a point.
+fn relative(surface: &NurbsSurface, center: DVec3) -> Vec<DVec4> {
+    let control = |&[x, y, z, w]: &[f64; 4]| ((DVec3::new(x, y, z) - center) * w).extend(w);
+    surface.control_points().iter().map(control).collect()
 }
 
 /// Returns whether patch and map are polynomials, so that all weights are equal.
@@ -102,7 +152,7 @@ fn across(face: &Face, patch: &Patch<'_>, ruling: &Ruling, t: f64) -> Vec<DVec4>
     let is_matched = ruling.height.is_some();
     if face.affine {
         let c = patch.controls;
-        let at = |side: glam::DVec3| side.z * c[0] + side.x * (c[2] - c[0]) + side.y * (c[1] - c[0]);
+        let at = |side: DVec3| side.z * c[0] + side.x * (c[2] - c[0]) + side.y * (c[1] - c[0]);
         let factors = if is_matched { [1.0; 2] } else { [right.z, left.z] };
         return vec![at(left) * factors[0], at(right) * factors[1]];
     }
@@ -150,36 +200,4 @@ fn arrays(patch: &Patch<'_>, controls: &[Vec<DVec4>], degree: usize) -> SurfaceA
         counts: [along_s + 1, degree + 1],
         control_points,
     }
-}
-
-/// Returns an upper bound on the rounding of a composed patch (lemma T7): of the values at
-/// the nodes, of the series and of its conversion.
-fn rounding(
-    patch: &Patch<'_>,
-    series: &[Vec<DVec4>],
-    fit: usize,
-    degree: usize,
-    radius: f64,
-    least_weight: f64,
-) -> f64 {
-    let [p, q] = patch.degree;
-    let size = |c: &DVec4| c.xyz().length() + radius * c.w.abs();
-    let largest = series
-        .iter()
-        .map(|series| {
-            series[..=fit.min(degree)]
-                .iter()
-                .enumerate()
-                .map(|(j, c)| conversion_size(j) * size(c))
-                .sum::<f64>()
-        })
-        .fold(0.0, f64::max);
-    let roundings = 2.0 * (fit + 1) as f64 * (24.0 * (p + q) as f64 + degree as f64 + 8.0) + 8.0;
-    gamma(roundings) * largest / least_weight + gamma(4.0) * (radius + patch.center.length())
-}
-
-/// Returns an upper bound on the largest Bernstein coefficient of `T_j(2x - 1)` of any
-/// degree from j on: `C(2j, 2i) / C(j, i)` is largest in the middle, and below 2^j.
-fn conversion_size(j: usize) -> f64 {
-    (j as f64).exp2()
 }

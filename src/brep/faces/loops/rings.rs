@@ -1,7 +1,7 @@
 //! Loops that run around a period and so do not close in the parameters.
 
 use super::chain::Chain;
-use super::uses::TrimUse;
+use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::{Spline, Surface};
 use crate::brep::report::FaceFault;
 use glam::DVec3;
@@ -96,8 +96,8 @@ fn cap(ring: Chain, surface: &Surface) -> Result<Vec<TrimUse>, FaceFault> {
         _ if along != 0 => return Err(lone_ring(surface)),
         (Some(pole), _) => (ring.uses, pole),
         // The apex is on the other side of the ring: the loop runs the wrong way round.
-        (None, Some(&pole)) => (reversed(ring.uses), pole),
-        (None, None) => return Err(lone_ring(surface)),
+        (None, Some(&pole)) if poles.len() == 1 => (reversed(ring.uses), pole),
+        _ => return Err(lone_ring(surface)),
     };
     let (start, end) = (uses[0].curve.start(), uses[uses.len() - 1].curve.end());
     let along_pole = TrimUse::segment(DVec3::new(end.x, pole, 0.0), DVec3::new(start.x, pole, 0.0));
@@ -178,7 +178,7 @@ fn begun_at(
 const SAME_PARAMETER: f64 = 1e-9;
 
 /// Returns the parameter at which a coordinate of a curve passes `target`, by bisection.
-pub(super) fn crossing(curve: &Spline, axis: usize, target: f64) -> f64 {
+pub(in crate::brep::faces) fn crossing(curve: &Spline, axis: usize, target: f64) -> f64 {
     let [mut low, mut high] = curve.domain();
     let rising = curve.start()[axis] < target;
     // 60 halvings exhaust the digits of float64.

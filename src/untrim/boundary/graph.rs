@@ -1,8 +1,10 @@
 //! Boundaries as graphs u = g(v) of polynomials, with a proven bound on the error.
 
-use super::curve::{Curve, blossom, casteljau, divided};
+use super::run::Run;
 use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
-use glam::DVec3;
+use crate::rounding::upper_max;
+use crate::untrim::curve::{Curve, blossom, casteljau, divided};
+use glam::{DVec2, DVec3};
 
 /// The degrees tried, increasing; above 9 more pieces are cheaper than higher degrees.
 const DEGREES: [usize; 7] = [1, 2, 3, 4, 5, 7, 9];
@@ -16,21 +18,21 @@ const OVERSAMPLING: usize = 2;
 
 /// The polynomial graph u = g(v) over an interval.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Graph {
+pub(in crate::untrim) struct Graph {
     /// The interval of v.
-    pub(super) v: [f64; 2],
+    pub(in crate::untrim) v: [f64; 2],
     /// The Bernstein coefficients of g over it.
-    pub(super) coefficients: Vec<f64>,
+    pub(in crate::untrim) coefficients: Vec<f64>,
 }
 
 impl Graph {
     /// Makes the straight line from (u0, v0) to (u1, v1).
-    pub(super) fn line(u: [f64; 2], v: [f64; 2]) -> Self {
+    pub(in crate::untrim) fn line(u: [f64; 2], v: [f64; 2]) -> Self {
         let coefficients = if u[0] == u[1] { vec![u[0]] } else { u.to_vec() };
         Self { v, coefficients }
     }
 
-    pub(super) fn degree(&self) -> usize {
+    pub(in crate::untrim) fn degree(&self) -> usize {
         self.coefficients.len() - 1
     }
 
@@ -39,12 +41,12 @@ impl Graph {
     }
 
     /// Returns g(v). O(degree²).
-    pub(super) fn at(&self, v: f64) -> f64 {
+    pub(in crate::untrim) fn at(&self, v: f64) -> f64 {
         casteljau(&self.coefficients, self.local(v))
     }
 
     /// Returns the part over [from, to] as a curve of constant speed in v, of degree at least 1.
-    pub(super) fn restricted(&self, [from, to]: [f64; 2]) -> Curve {
+    pub(in crate::untrim) fn restricted(&self, [from, to]: [f64; 2]) -> Curve {
         let interval = [self.local(from), self.local(to)];
         let degree = self.degree().max(1);
         let controls = (0..=degree)
@@ -62,15 +64,14 @@ impl Graph {
     }
 }
 
-/// Returns a graph of least degree for a chain of curves of increasing v, head to tail,
-/// that has its ends and is within `tolerance` of it in u at equal v, with the proven
+/// Returns a graph of least degree for a chain of runs of increasing v, head to tail,
+/// that has the chain's ends and is within `tolerance` of it in u at equal v, with the proven
 /// bound; `None` where degree 9 does not suffice.
-pub(super) fn fit(chain: &[Curve], tolerance: f64) -> Option<(Graph, f64)> {
-    let (start, end) = (chain[0].start(), chain[chain.len() - 1].end());
+pub(super) fn fit(chain: &[Run], [start, end]: [DVec2; 2], tolerance: f64) -> Option<(Graph, f64)> {
     let v = [start.y, end.y];
     let u_at = |v: f64| {
-        let piece = chain.partition_point(|curve| curve.end().y < v).min(chain.len() - 1);
-        let curve = &chain[piece];
+        let piece = chain.partition_point(|run| run.ends[1].y < v).min(chain.len() - 1);
+        let curve = &chain[piece].curve;
         curve.point(curve.solve(v)).x
     };
     let values: Vec<f64> = nodes(MAX_GRAPH_DEGREE + 1).map(|x| u_at((1.0 - x) * v[0] + x * v[1])).collect();
@@ -93,7 +94,7 @@ pub(super) fn fit(chain: &[Curve], tolerance: f64) -> Option<(Graph, f64)> {
             bernstein.truncate(1);
         }
         let graph = Graph { v, coefficients: bernstein };
-        let error = chain.iter().map(|curve| residual(&graph, curve)).fold(0.0, f64::max);
+        let error = chain.iter().map(|run| residual(&graph, &run.curve)).fold(0.0, upper_max);
         if error <= tolerance {
             return Some((graph, error));
         }
@@ -105,11 +106,11 @@ pub(super) fn fit(chain: &[Curve], tolerance: f64) -> Option<(Graph, f64)> {
 ///
 /// The product with w^m, m the degree of g, is a polynomial of degree d m in τ, which
 /// [`node_factor`] bounds from its values at nodes.
-fn residual(graph: &Graph, curve: &Curve) -> f64 {
+pub(in crate::untrim) fn residual(graph: &Graph, curve: &Curve) -> f64 {
+    let at = |point: DVec2| (point.x - graph.at(point.y)).abs();
     if curve.degree() == 1 && curve.is_polynomial() && graph.degree() <= 1 {
         // Two straight lines differ most at an end.
-        let at = |point: glam::DVec2| (point.x - graph.at(point.y)).abs();
-        return at(curve.start()).max(at(curve.end()));
+        return upper_max(at(curve.start()), at(curve.end()));
     }
     let power = graph.degree().max(1);
     let degree = curve.degree() * power;
@@ -118,9 +119,8 @@ fn residual(graph: &Graph, curve: &Curve) -> f64 {
     let mut largest = 0.0_f64;
     for node in nodes(count) {
         let homogeneous = curve.at(node);
-        let point = divided(homogeneous);
         let weight = (homogeneous.z / least).powi(power as i32);
-        largest = largest.max(weight * (point.x - graph.at(point.y)).abs());
+        largest = upper_max(largest, weight * at(divided(homogeneous)));
     }
     largest * node_factor(degree, count)
 }

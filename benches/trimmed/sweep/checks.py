@@ -1,0 +1,125 @@
+"""Checks of one file against the shape that OpenCASCADE reads from it, and of two files of one part.
+
+Every check returns the sentences of what it found wrong, none if all holds.
+"""
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from OCP.TopoDS import TopoDS_Shape
+
+from .command import Command, Refused
+from .meshes import mesh, write_points, write_triangles
+from .shapes import Area, area, diagonal, distance, edge_tolerance, faces, write_brep
+
+# Largest distance of OpenCASCADE's mesh from its shape, relative to the diagonal.
+DEFLECTION = 1e-3
+# The mesh's own distance from the surface exceeds the deflection where that is asked of
+# edges only; pieces farther than this multiple are outside of the face.
+MESH_SLACK = 4.0
+# Distances that OpenCASCADE's own accuracy excuses, relative to the diagonal.
+AGREEMENT = 1e-6
+# Difference of areas that is reported, relative to the whole model's.
+AREA_AGREEMENT = 1e-6
+# Width of an area's interval that is reported, relative to it: twice the one aimed at.
+MAX_AREA_WIDTH = 2e-6
+
+
+@dataclass
+class Subject:
+    """A file's shape as OpenCASCADE reads it, as BREP text for the command."""
+
+    shape: TopoDS_Shape
+    path: Path
+    diagonal: float = 0.0
+    tolerance: float = 0.0
+    areas: list[Area] = field(default_factory=list)
+    gap: float = 0.0
+    readable: bool = False
+
+    def __post_init__(self):
+        write_brep(self.shape, self.path)
+        self.diagonal, self.tolerance = diagonal(self.shape), edge_tolerance(self.shape)
+        self.areas = [area(face) for face in faces(self.shape)]
+
+    @property
+    def area(self) -> float:
+        return math.fsum(area.value for area in self.areas)
+
+    @property
+    def slack(self) -> float:
+        """Distance that the file's own gaps excuse."""
+        return self.gap + self.tolerance + AGREEMENT * self.diagonal
+
+
+def reading(command: Command, subject: Subject) -> list[str]:
+    """The file is read, without faces left out, and has OpenCASCADE's area."""
+    try:
+        info, warnings = command.info(subject.path)
+    except Refused as refused:
+        return [f"refused ({refused.status}): {refused.message}"]
+    subject.readable, subject.gap = True, info["gap"]
+    # Notes name faces of which the file leaves something open; warnings, those left out.
+    found = [line.split(": ", 2)[-1] for line in warnings if not line.startswith("note:")]
+    if len(info["surfaces"]) != len(subject.areas):
+        found.append(f"{len(info['surfaces'])} of {len(subject.areas)} faces")
+    return found + areas(info, subject)
+
+
+def areas(info: dict, subject: Subject) -> list[str]:
+    """The areas of all faces are OpenCASCADE's, in ascending order: the two number faces differently."""
+    found, allowed = [], AREA_AGREEMENT * subject.area
+    spread = math.fsum(area.spread for area in subject.areas)
+    lower, upper = info["area"]["lower"], info["area"]["upper"]
+    if not lower - allowed - spread <= subject.area <= upper + allowed + spread:
+        found.append(f"area in [{lower:.9g}, {upper:.9g}], OpenCASCADE's {subject.area:.9g}")
+    if upper - lower > MAX_AREA_WIDTH * upper:
+        found.append(f"area not narrow: [{lower:.9g}, {upper:.9g}]")
+    ours = sorted((face["area"]["lower"], face["area"]["upper"]) for face in info["surfaces"])
+    if len(ours) == len(subject.areas):
+        for (lower, upper), theirs in zip(ours, sorted(subject.areas, key=lambda area: area.value)):
+            if not lower - allowed - theirs.spread <= theirs.value <= upper + allowed + theirs.spread:
+                found.append(f"a face's area in [{lower:.9g}, {upper:.9g}], OpenCASCADE's {theirs.value:.9g}")
+    return found
+
+
+def coverage(command: Command, subject: Subject) -> list[str]:
+    """OpenCASCADE's points lie on the model, and the model on OpenCASCADE's triangles."""
+    found = []
+    deflection = DEFLECTION * subject.diagonal
+    meshed = mesh(subject.shape, deflection)
+    if meshed.failed:
+        return [f"OpenCASCADE meshes no face {meshed.failed}: not compared"]
+    points, triangles = subject.path.with_suffix(".points.json"), subject.path.with_suffix(".mesh.json")
+    write_points(meshed, points)
+    write_triangles(meshed, triangles)
+    found += farther(command, points, subject.path, subject.slack, "a point of OpenCASCADE's faces")
+    limit = MESH_SLACK * deflection + subject.slack
+    # The mesh may be coarser than it is asked to be: a point that is farther from it counts
+    # only if it is far from the shape.
+    return found + farther(command, subject.path, triangles, limit, "a point of the model", subject)
+
+
+def farther(command: Command, a: Path, b: Path, limit: float, name: str, shape: Subject | None = None) -> list[str]:
+    """Every point of a lies within `limit` of b, and, given a shape, the farthest is not on that."""
+    try:
+        result = command.distance(a, b, "--limit", repr(limit))
+    except Refused as refused:
+        return [f"{name}: refused ({refused.status}): {refused.message}"]
+    within = result.get("within")
+    at = result["witness"]["a"]
+    if within or (shape and within is False and distance(at["point"], shape.shape) <= limit):
+        return []
+    verdict = "is farther" if within is False else "may be farther"
+    bounds = f"[{result['lower']:.6g}, {result['upper']:.6g}]"
+    return [f"{name} {verdict} than {limit:.3g}: {bounds} at {at['point']}, surface {at['surface']}"]
+
+
+def agreement(command: Command, a: Subject, b: Subject) -> list[str]:
+    """Two files of one part are as near to each other as their gaps state, both ways."""
+    if not a.readable or not b.readable:
+        return []
+    limit = a.slack + b.slack
+    forward = farther(command, a.path, b.path, limit, f"a point of {a.path.name}")
+    return forward + farther(command, b.path, a.path, limit, f"a point of {b.path.name}")

@@ -1,0 +1,66 @@
+"""One generated part, in three formats, through all checks."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import parts
+
+from .checks import Subject, agreement, coverage, reading
+from .command import Command
+from .shapes import is_valid, through_iges, through_step
+
+# Every third STEP file is in inches.
+INCH_PERIOD = 3
+# Change of the area, relative to it, with which a translated part is another one.
+MAX_AREA_CHANGE = 1e-4
+
+
+@dataclass
+class Outcome:
+    """The findings about a part, each a sentence that begins with the format."""
+
+    kind: str
+    seed: int
+    valid: bool = True
+    findings: list[str] = field(default_factory=list)
+
+
+def same_part(original: Subject, translated: Subject) -> bool:
+    """Whether OpenCASCADE translated a part to one of its area: it loses faces of some revolutions with poles."""
+    if translated is original:
+        return True
+    return is_valid(translated.shape) and abs(translated.area - original.area) <= MAX_AREA_CHANGE * original.area
+
+
+def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
+    """Makes the part, writes it to `folder` and checks it.
+
+    Raises what OpenCASCADE raises where the drawn numbers give no part.
+    """
+    shape = parts.make(kind, seed)
+    base = folder / f"{kind}_{seed}"
+    outcome = Outcome(kind, seed, is_valid(shape))
+    subjects = {"brep": Subject(shape, Path(f"{base}.brep"))}
+    unit = "INCH" if seed % INCH_PERIOD == 1 else "MM"
+    for name, translate in (
+        ("step", lambda: through_step(shape, Path(f"{base}.step"), unit)),
+        ("iges", lambda: through_iges(shape, Path(f"{base}.iges"))),
+    ):
+        try:
+            subjects[name] = Subject(translate(), Path(f"{base}.{name}.brep"))
+        except Exception as error:
+            outcome.findings.append(f"{name}: OpenCASCADE does not translate it: {error}")
+    for name in list(subjects):
+        if not same_part(subjects["brep"], subjects[name]):
+            outcome.findings.append(f"{name}: not compared: OpenCASCADE's translation changes or breaks it")
+            del subjects[name]
+    for name, subject in subjects.items():
+        found = reading(command, subject)
+        if subject.readable:
+            found += coverage(command, subject)
+        outcome.findings += [f"{name}: {sentence}" for sentence in found]
+    for name in ("step", "iges"):
+        if name in subjects:
+            found = agreement(command, subjects["brep"], subjects[name])
+            outcome.findings += [f"brep and {name}: {sentence}" for sentence in found]
+    return outcome

@@ -1,0 +1,149 @@
+//! Closed outlines of rational Bézier curves, and winding numbers about boxes.
+
+use super::{Box2, Controls};
+use crate::proof::interval::Interval;
+use std::cell::OnceCell;
+
+/// The halvings of a curve after which it counts as touching a box.
+const MAX_HALVINGS: u32 = 40;
+
+/// The halvings of each curve for the area: a relative error of about 1e-3.
+const AREA_HALVINGS: u32 = 9;
+
+/// A homogeneous point (w u, w v, w).
+pub(super) type Point = [Interval; 3];
+
+const HALF: Interval = Interval { lo: 0.5, hi: 0.5 };
+
+/// A closed outline, the union of closed loops.
+pub(super) struct Outline {
+    curves: Vec<Node>,
+}
+
+/// A part of a curve with its box, and its halves once they are needed.
+struct Node {
+    controls: Vec<Point>,
+    hull: Box2,
+    /// Points in the enclosures of the ends: parts that meet have the same one there.
+    ends: [[f64; 2]; 2],
+    halves: OnceCell<Box<[Node; 2]>>,
+}
+
+fn project([x, y, w]: Point) -> Box2 {
+    [x / w, y / w]
+}
+
+fn middle(point: Point) -> [f64; 2] {
+    project(point).map(Interval::mid)
+}
+
+impl Node {
+    fn new(controls: Vec<Point>, ends: [[f64; 2]; 2]) -> Self {
+        let points = ends.iter().map(|end| end.map(Interval::point));
+        let hull = controls
+            .iter()
+            .map(|&point| project(point))
+            .chain(points)
+            .reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
+        let hull = hull.unwrap_or([Interval::ENTIRE; 2]);
+        Self { controls, hull, ends, halves: OnceCell::new() }
+    }
+
+    fn halves(&self) -> &[Node; 2] {
+        self.halves.get_or_init(|| {
+            let (mut low, mut high) = (self.controls.clone(), self.controls.clone());
+            for round in 1..low.len() {
+                for k in 0..low.len() - round {
+                    high[k] = std::array::from_fn(|axis| (high[k][axis] + high[k + 1][axis]) * HALF);
+                }
+                low[round] = high[0];
+            }
+            let joint = middle(high[0]);
+            let [start, end] = self.ends;
+            Box::new([Self::new(low, [start, joint]), Self::new(high, [joint, end])])
+        })
+    }
+
+    /// Crossings of the curve with the ray from the box to the right, upwards ones positive;
+    /// `None` where the curve may touch the box.
+    ///
+    /// A part whose box does not meet this one is replaced by the chord of its ends: both lie in
+    /// its box, which is convex.
+    fn crossings(&self, target: &Box2, halvings: u32) -> Option<i32> {
+        let [x, y] = &self.hull;
+        if x.hi < target[0].lo || y.hi < target[1].lo || y.lo > target[1].hi {
+            return Some(0);
+        }
+        if x.lo > target[0].hi {
+            let height = target[1].mid();
+            let [start, end] = self.ends;
+            return Some(match (start[1] <= height, end[1] <= height) {
+                (true, false) => 1,
+                (false, true) => -1,
+                _ => 0,
+            });
+        }
+        let within =
+            |end: [f64; 2]| (0..2).all(|axis| target[axis].lo <= end[axis] && end[axis] <= target[axis].hi);
+        // What is smaller than the box by far is not worth a closer look.
+        let is_smaller = (0..2).all(|axis| {
+            64.0 * (self.hull[axis].hi - self.hull[axis].lo) <= target[axis].hi - target[axis].lo
+        });
+        if halvings == MAX_HALVINGS || is_smaller || self.ends.iter().any(|&end| within(end)) {
+            return None;
+        }
+        let [low, high] = self.halves();
+        Some(low.crossings(target, halvings + 1)? + high.crossings(target, halvings + 1)?)
+    }
+}
+
+impl Node {
+    /// The area between the curve and a point.
+    fn area(&self, origin: &Box2, halvings: u32) -> Interval {
+        if halvings > 0 {
+            let [low, high] = self.halves();
+            return low.area(origin, halvings - 1) + high.area(origin, halvings - 1);
+        }
+        let [from, to] = self.ends.map(|end| [0, 1].map(|axis| Interval::point(end[axis]) - origin[axis]));
+        let size = |axis: usize| Interval::point(self.hull[axis].hi) - Interval::point(self.hull[axis].lo);
+        let between = (size(0) * size(1)).magnitude();
+        HALF * (from[0] * to[1] - to[0] * from[1]) + Interval { lo: -between, hi: between }
+    }
+}
+
+impl Outline {
+    /// The outline of curves that are closed together, each beginning where another one ends.
+    pub(super) fn new(curves: impl Iterator<Item = Controls>) -> Self {
+        let exact = |controls: Controls| controls.iter().map(|point| point.map(Interval::point)).collect();
+        Self::of_intervals(curves.map(exact))
+    }
+
+    /// As [`Self::new`] for controls that are known to rounding; ends that meet must have the
+    /// same enclosures.
+    pub(super) fn of_intervals(curves: impl Iterator<Item = Vec<Point>>) -> Self {
+        let node = |controls: Vec<Point>| {
+            let ends = [controls[0], controls[controls.len() - 1]].map(middle);
+            Node::new(controls, ends)
+        };
+        Self { curves: curves.map(node).collect() }
+    }
+
+    /// The winding number of the outline about all points of a box, `None` where it may touch it.
+    pub(super) fn winding(&self, target: &Box2) -> Option<i32> {
+        self.curves.iter().try_fold(0, |sum, curve| Some(sum + curve.crossings(target, 0)?))
+    }
+
+    /// The signed area within the outline: that of the polygon through points of the curves, off by
+    /// at most the boxes of the parts between them.
+    pub(super) fn area(&self) -> Interval {
+        let origin = self.bounds().map(|bounds| Interval::point(bounds.mid()));
+        self.curves.iter().fold(Interval::ZERO, |sum, curve| sum + curve.area(&origin, AREA_HALVINGS))
+    }
+
+    /// The box of the outline.
+    pub(super) fn bounds(&self) -> Box2 {
+        let hulls = self.curves.iter().map(|curve| curve.hull);
+        let union = hulls.reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
+        union.unwrap_or([Interval::ZERO; 2])
+    }
+}

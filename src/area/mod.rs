@@ -1,0 +1,143 @@
+//! Areas of patches, faces and models, as intervals that contain them.
+//!
+//! The area of a patch is the integral of a density whose square is a rational function.
+//! Chebyshev series prove complex ellipses in which the density is analytic, and the bound
+//! there proves the error of Gauss's rule; parts for which that fails, as at poles, are
+//! halved. Lemmas and proofs are in docs/area.md.
+
+mod cell;
+mod density;
+mod ellipse;
+mod gauss;
+
+use crate::axis::Axis;
+use crate::bezier::Patch;
+use crate::param_box::ParamBox;
+use crate::rounding::gamma;
+use cell::Cell;
+use density::Density;
+use serde::Serialize;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::ops::Add;
+
+/// The width of an area that is aimed at, relative to it: two digits more than the samples of
+/// a field give, so that a lost sliver is seen.
+const MAX_RELATIVE_WIDTH: f64 = 1e-6;
+
+/// The parts of it for the quadrature and for parts that are not narrow enough.
+const QUADRATURE_SHARE: f64 = 0.5;
+const OPEN_SHARE: f64 = 0.5;
+
+/// The largest number of parts of a face, and for each of its patches: a patch with a pole
+/// takes 150, one that folds thousands. Where they do not suffice, the interval is wider.
+const MAX_CELLS: usize = 1024;
+const MAX_CELLS_PER_PATCH: usize = 256;
+
+/// An interval that contains an area, in squares of the model unit.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Area {
+    /// A lower bound on the area.
+    pub lower: f64,
+    /// An upper bound on the area.
+    pub upper: f64,
+}
+
+impl Add for Area {
+    type Output = Self;
+
+    /// Returns the interval of the sum, with its rounding.
+    fn add(self, other: Self) -> Self {
+        let rounding = gamma(1.0);
+        Self {
+            lower: (self.lower + other.lower) * (1.0 - rounding),
+            upper: (self.upper + other.upper) * (1.0 + rounding),
+        }
+    }
+}
+
+/// Returns the area of the patches of a face, within [`MAX_RELATIVE_WIDTH`] of it unless that
+/// takes too many parts or float64 does not resolve it.
+///
+/// O(patches degree³) where all patches are regular, and as much for each further part.
+pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
+    let patches: Vec<Patch<'a>> = patches.collect();
+    let densities: Vec<Density<'_>> = patches.iter().map(Density::new).collect();
+    let mut parts = Parts::default();
+    for density in &densities {
+        parts.add(density, Cell::new(density, ParamBox::UNIT));
+    }
+    let max_cells = MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len();
+    let mut count = patches.len();
+    while count < max_cells
+        && parts.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * parts.closed.lower
+        && let Some(Open { density, cell, axis }) = parts.take()
+    {
+        for half in cell.part.halves(axis) {
+            parts.add(density, Cell::new(density, half));
+            count += 1;
+        }
+    }
+    parts.sum()
+}
+
+/// The parts of a face.
+#[derive(Default)]
+struct Parts<'a> {
+    /// The area of the parts that are narrow enough.
+    closed: Area,
+    /// The other parts, the widest area on top.
+    open: BinaryHeap<Open<'a>>,
+    /// The sum of their widths, up to rounding: it decides only when to end.
+    open_width: f64,
+}
+
+impl<'a> Parts<'a> {
+    fn add(&mut self, density: &'a Density<'a>, cell: Cell) {
+        match cell.halve {
+            None => self.closed = self.closed + cell.area,
+            Some(axis) => {
+                self.open_width += cell.width();
+                self.open.push(Open { density, cell, axis });
+            }
+        }
+    }
+
+    /// Takes the part of the widest area.
+    fn take(&mut self) -> Option<Open<'a>> {
+        let widest = self.open.pop()?;
+        self.open_width -= widest.cell.width();
+        Some(widest)
+    }
+
+    fn sum(&self) -> Area {
+        self.open.iter().fold(self.closed, |sum, open| sum + open.cell.area)
+    }
+}
+
+/// A part that may be halved, ordered by the width of its area.
+struct Open<'a> {
+    density: &'a Density<'a>,
+    cell: Cell,
+    axis: Axis,
+}
+
+impl PartialEq for Open<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Open<'_> {}
+
+impl PartialOrd for Open<'_> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Open<'_> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.cell.width().total_cmp(&other.cell.width())
+    }
+}

@@ -1,0 +1,82 @@
+//! The curves of a wire head to tail, across periods.
+
+use super::frame::Frame;
+use super::order::{self, Circuit};
+use crate::brep::faces::uses::TrimUse;
+use crate::brep::nurbs::Surface;
+use crate::brep::report::{FaceFault, Remark};
+use glam::DVec3;
+
+/// Curves head to tail, and the periods by which the end lies from the start.
+#[derive(Debug, Clone)]
+pub(super) struct Chain {
+    pub(super) uses: Vec<TrimUse>,
+    /// The turns of u and of v from start to end; `[0, 0]` is a closed loop.
+    pub(super) turns: [i32; 2],
+    /// What the report says of the curves.
+    pub(super) remarks: Vec<Remark>,
+}
+
+/// Orders the curves of a wire and moves them by whole periods, so that each begins near
+/// the end of the one before it.
+///
+/// # Errors
+/// `BREP_LOOP_OPEN` if a curve begins farther from the end of the one before it than the
+/// tolerances of the edges and of their common vertex allow; those of [`order::circuit`].
+pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, FaceFault> {
+    let frame = Frame::of(&uses, surface);
+    let Circuit { uses: circuit, is_placed } = order::circuit(uses, &frame)?;
+    let (start, end) = (circuit[0].curve.start(), circuit[circuit.len() - 1].curve.end());
+    // A chain whose ends are one point in space, as at a pole, closes along that and does not turn.
+    let ends = [&circuit[circuit.len() - 1], &circuit[0]];
+    let closes = is_placed || frame.reach(end, start) <= frame.allowed(ends);
+    let turns = if closes { [0, 0] } else { frame.turns(start, end) };
+    let moved = |point: DVec3| {
+        let shift = [0, 1].map(|axis| f64::from(turns[axis]) * frame.closures[axis].unwrap_or(0.0));
+        point + DVec3::new(shift[0], shift[1], 0.0)
+    };
+    let count = circuit.len();
+    let mut chain = Chain { uses: Vec::with_capacity(count), turns, remarks: Vec::new() };
+    for (index, next) in circuit.iter().enumerate() {
+        chain.uses.push(next.clone());
+        let (from, to) = match circuit.get(index + 1) {
+            Some(after) => (next.curve.end(), after.curve.start()),
+            None => (next.curve.end(), moved(start)),
+        };
+        let after = &circuit[(index + 1) % count];
+        chain.bridge(&frame, [next, after], [from, to])?;
+    }
+    Ok(chain)
+}
+
+impl Chain {
+    /// Adds the segment that joins two curves where they are far apart in the parameters: along
+    /// one point of space, as at a pole, or within the tolerance, which is its gap, or between both
+    /// sides of a seam at whose end the file has no edge, which is remarked.
+    fn bridge(
+        &mut self,
+        frame: &Frame<'_>,
+        [last, next]: [&TrimUse; 2],
+        [from, to]: [DVec3; 2],
+    ) -> Result<(), FaceFault> {
+        let allowed = frame.allowed([last, next]);
+        let is_near = Frame::is_near(frame.distance(from, to));
+        let apart = frame.distance_in_space(from, to);
+        let mut gap = if is_near { apart } else { frame.reach(from, to) };
+        let is_seam_end = last.edge.is_some() && last.edge == next.edge && apart <= allowed;
+        if !(gap <= allowed) && is_seam_end {
+            gap = apart;
+            let why =
+                format!("the loop is closed along {from:?} to {to:?}, where the seam ends without an edge");
+            self.remarks.push(Remark::new("BREP_SEAM_END", why));
+        }
+        if gap.is_nan() || gap > allowed {
+            let why = format!("a loop is open by {gap:e}, expected at most {allowed:e}");
+            return Err(FaceFault::new("BREP_LOOP_OPEN", why));
+        }
+        if !is_near {
+            self.uses.push(TrimUse { gap, ..TrimUse::segment(from, to) });
+        }
+        Ok(())
+    }
+}

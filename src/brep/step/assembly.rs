@@ -1,0 +1,290 @@
+//! Representations, the products that they are of, and their placements.
+
+use super::exchange::Exchange;
+use super::geometry::{Scale, operator};
+use super::relations::{Relations, items, product_name, referred, relationship, transformation};
+use super::shapes::{Shapes, used};
+use super::units::{METRES, Units};
+use crate::brep::report::FaceFault;
+use crate::brep::topology::{ShapeKind, Topology, Use};
+use glam::DAffine3;
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// The deepest nesting of assemblies.
+const MAX_NESTING: usize = 64;
+
+/// A group of representations in one coordinate system, by the first of them.
+type Group = u64;
+
+/// A group placed in another one.
+struct Placement {
+    child: Group,
+    transform: Result<DAffine3, FaceFault>,
+}
+
+/// The representations of a file and how they refer to each other.
+struct Assembly<'a> {
+    shapes: Shapes<'a>,
+    /// The units of each representation.
+    units: HashMap<u64, Result<Units, FaceFault>>,
+    /// The representations of each group, in the order of the file.
+    groups: BTreeMap<Group, Vec<u64>>,
+    group_of: HashMap<u64, Group>,
+    placements: HashMap<Group, Vec<Placement>>,
+    names: HashMap<Group, String>,
+    built: HashMap<Group, Option<usize>>,
+    /// Groups under construction, in which they cannot stand again.
+    open: HashSet<Group>,
+    unit_missing: bool,
+    /// Relationships that place nothing.
+    faults: Vec<(u64, FaceFault)>,
+}
+
+/// Reads the bodies of all representations where their assemblies place them.
+///
+/// # Errors
+/// `STEP_TOO_MANY_SHAPES`.
+pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
+    let relations = Relations::of(file);
+    let mut assembly = Assembly::new(file, &relations);
+    assembly.place(&relations);
+    let children: HashSet<Group> =
+        assembly.placements.values().flatten().map(|placement| placement.child).collect();
+    let mapped = assembly.mapped(file);
+    let all: Vec<Group> = assembly.groups.keys().copied().collect();
+    let is_root = |group: &&Group| !children.contains(group) && !mapped.contains(group);
+    let mut uses = Vec::new();
+    for &root in all.iter().filter(is_root) {
+        uses.extend(assembly.group(root, 0)?);
+    }
+    // Groups that only stand in each other have no root.
+    for group in all {
+        if !assembly.built.contains_key(&group) {
+            uses.extend(assembly.group(group, 0)?);
+        }
+    }
+    uses.extend(assembly.left_over()?);
+    let root = assembly.shapes.push(ShapeKind::Group(None), uses)?;
+    let mut topology = assembly.shapes.topology;
+    topology.root = used(root, true);
+    topology.unit = (!assembly.unit_missing).then_some(METRES);
+    Ok(topology)
+}
+
+impl<'a> Assembly<'a> {
+    fn new(file: &'a Exchange<'a>, relations: &Relations<'a>) -> Self {
+        let mut units = HashMap::new();
+        let mut parents: HashMap<u64, u64> = HashMap::new();
+        for record in &relations.representations {
+            if let Some((_, context)) = items(record) {
+                units.insert(record.number, Units::of_context(file, context));
+                parents.insert(record.number, record.number);
+            }
+        }
+        for record in relations.related.iter().filter(|record| transformation(record).is_none()) {
+            let Some([first, second]) = relationship(record) else { continue };
+            if let (Some(first), Some(second)) = (root(&parents, first), root(&parents, second)) {
+                parents.insert(first.max(second), first.min(second));
+            }
+        }
+        let mut groups: BTreeMap<Group, Vec<u64>> = BTreeMap::new();
+        let mut group_of = HashMap::new();
+        for record in &relations.representations {
+            if let Some(group) = root(&parents, record.number) {
+                groups.entry(group).or_default().push(record.number);
+                group_of.insert(record.number, group);
+            }
+        }
+        let mut names = HashMap::new();
+        for &(representation, definition) in &relations.definitions {
+            if let (Some(&group), Some(name)) =
+                (group_of.get(&representation), product_name(file, definition))
+            {
+                names.entry(group).or_insert(name);
+            }
+        }
+        let shapes = Shapes::new(file);
+        let faults = relations.faults.clone();
+        let (placements, built, open) = (HashMap::new(), HashMap::new(), HashSet::new());
+        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false, faults }
+    }
+
+    /// Finds the placements that relationships with a transformation state.
+    fn place(&mut self, relations: &Relations<'_>) {
+        for record in &relations.related {
+            let (Some([first, second]), Some(operation)) = (relationship(record), transformation(record))
+            else {
+                continue;
+            };
+            let (Some(&a), Some(&b)) = (self.group_of.get(&first), self.group_of.get(&second)) else {
+                let why = format!("#{} places a representation that is not read", record.number);
+                self.faults.push((record.number, FaceFault::new("STEP_REFERENCE", why)));
+                continue;
+            };
+            let swapped = self.is_swapped(relations, record.number, [a, b]);
+            let transform = self.transform([first, second], operation, swapped);
+            let (child, parent) = if swapped { (b, a) } else { (a, b) };
+            self.placements.entry(parent).or_default().push(Placement { child, transform });
+        }
+    }
+
+    /// Returns whether the first of two related groups is the assembly: by the rule it is the
+    /// part, and some writers turn it round.
+    fn is_swapped(&self, relations: &Relations<'_>, relationship: u64, [first, second]: [Group; 2]) -> bool {
+        let Some(&occurrence) = relations.occurrences.get(&relationship) else { return false };
+        let Ok(occurrence) = self.shapes.file.entity(occurrence) else { return false };
+        let (Ok(assembly), Ok(part)) = (occurrence.reference(3), occurrence.reference(4)) else {
+            return false;
+        };
+        let represents = |product: u64, group: Group| {
+            let mut of_product =
+                relations.definitions.iter().filter(|&&(_, definition)| definition == product);
+            of_product.any(|(representation, _)| self.group_of.get(representation) == Some(&group))
+        };
+        represents(assembly, first) && represents(part, second) && !represents(part, first)
+    }
+
+    fn scale(&self, representation: u64) -> Result<Scale, FaceFault> {
+        match self.units.get(&representation) {
+            Some(units) => Ok(Scale::of_space(&units.clone()?)),
+            None => Ok(Scale::of_space(&Units::NONE)),
+        }
+    }
+
+    /// Returns the map from the coordinates of the part to those of the assembly.
+    fn transform(&self, related: [u64; 2], operation: u64, swapped: bool) -> Result<DAffine3, FaceFault> {
+        let file = self.shapes.file;
+        let entity = file.entity(operation)?;
+        let map = match entity.kind.as_str() {
+            "ITEM_DEFINED_TRANSFORMATION" => {
+                let mut maps = [DAffine3::IDENTITY; 2];
+                for side in [0, 1] {
+                    maps[side] = operator(file, entity.reference(2 + side)?, &self.scale(related[side])?)?;
+                }
+                maps[1] * maps[0].inverse()
+            }
+            _ => operator(file, operation, &self.scale(related[1])?)?,
+        };
+        Ok(if swapped { map.inverse() } else { map })
+    }
+
+    /// Returns the groups that mapped items place.
+    fn mapped(&self, file: &Exchange<'_>) -> HashSet<Group> {
+        let items = file.numbers.iter().filter(|&&number| file.keyword(number) == "MAPPED_ITEM");
+        let source = |&number: &u64| referred(file, number, "MAPPED_ITEM", 1);
+        let sources = items.filter_map(source).filter_map(|map| referred(file, map, "REPRESENTATION_MAP", 1));
+        sources.filter_map(|representation| self.group_of.get(&representation).copied()).collect()
+    }
+
+    /// Returns the use of a group with all that stands in it; `None` if that is nothing.
+    fn group(&mut self, group: Group, nesting: usize) -> Result<Option<Use>, FaceFault> {
+        if let Some(&known) = self.built.get(&group) {
+            return Ok(known.map(|shape| used(shape, true)));
+        }
+        if nesting == MAX_NESTING || !self.open.insert(group) {
+            let why =
+                format!("the assembly of #{group} contains itself, or has more than {MAX_NESTING} levels");
+            let shape = self.shapes.unreadable(group, FaceFault::new("STEP_NESTING", why))?;
+            return Ok(Some(used(shape, true)));
+        }
+        let mut children = Vec::new();
+        for representation in self.groups.get(&group).cloned().unwrap_or_default() {
+            self.items(representation, nesting, &mut children)?;
+        }
+        for Placement { child, transform } in self.placements.remove(&group).unwrap_or_default() {
+            match transform {
+                Ok(location) => {
+                    let placed = self.group(child, nesting + 1)?;
+                    children.extend(placed.map(|child| Use { location, ..child }));
+                }
+                Err(fault) => children.push(used(self.shapes.unreadable(child, fault)?, true)),
+            }
+        }
+        self.open.remove(&group);
+        let name = self.names.get(&group).cloned();
+        let empty = children.is_empty();
+        let shape = if empty { None } else { Some(self.shapes.push(ShapeKind::Group(name), children)?) };
+        self.built.insert(group, shape);
+        Ok(shape.map(|shape| used(shape, true)))
+    }
+
+    /// Appends the bodies and mapped items of a representation.
+    fn items(
+        &mut self,
+        representation: u64,
+        nesting: usize,
+        children: &mut Vec<Use>,
+    ) -> Result<(), FaceFault> {
+        let record = self.shapes.file.record(representation)?;
+        let Some((items, _)) = items(&record) else { return Ok(()) };
+        for item in items {
+            if self.shapes.file.keyword(item) == "MAPPED_ITEM" {
+                match self.mapping(item, representation) {
+                    Ok((child, location)) => {
+                        let placed = self.group(child, nesting + 1)?;
+                        children.extend(placed.map(|child| Use { location, ..child }));
+                    }
+                    Err(fault) => children.push(used(self.shapes.unreadable(item, fault)?, true)),
+                }
+                continue;
+            }
+            let units = match self.units.get(&representation) {
+                Some(Ok(units)) => *units,
+                Some(Err(fault)) => {
+                    let fault = fault.clone();
+                    children.push(used(self.shapes.unreadable(representation, fault)?, true));
+                    return Ok(());
+                }
+                None => Units::NONE,
+            };
+            self.shapes.set_units(units);
+            if let Some(body) = self.shapes.body(item)? {
+                self.unit_missing |= units.length.is_none();
+                children.push(body);
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the group that an item maps, and the map.
+    fn mapping(&self, item: u64, representation: u64) -> Result<(Group, DAffine3), FaceFault> {
+        let file = self.shapes.file;
+        let entity = file.entity(item)?;
+        let map = file.entity(entity.reference(1)?)?;
+        let source = map.reference(1)?;
+        let group = self.group_of.get(&source).copied().ok_or_else(|| map.fault(1, "a representation"))?;
+        let from = operator(file, map.reference(0)?, &self.scale(source)?)?;
+        let to = operator(file, entity.reference(2)?, &self.scale(representation)?)?;
+        Ok((group, to * from.inverse()))
+    }
+
+    /// Returns the shells that no representation contains, and the relationships that place
+    /// nothing, as faces that cannot be read.
+    fn left_over(&mut self) -> Result<Vec<Use>, FaceFault> {
+        let file = self.shapes.file;
+        let is_shell = |number: &u64| matches!(file.keyword(*number), "CLOSED_SHELL" | "OPEN_SHELL");
+        let mut left = Vec::new();
+        for (relationship, fault) in std::mem::take(&mut self.faults) {
+            left.push(used(self.shapes.unreadable(relationship, fault)?, true));
+        }
+        for &number in file.numbers.iter().filter(|number| is_shell(number)) {
+            if !self.shapes.was_reached(number) {
+                let fault =
+                    FaceFault::new("STEP_LOOSE", format!("no representation contains the shell #{number}"));
+                left.push(used(self.shapes.unreadable(number, fault)?, true));
+            }
+        }
+        Ok(left)
+    }
+}
+
+/// Returns the representative of an element of a forest; `None` if it is not in it.
+fn root(parents: &HashMap<u64, u64>, mut element: u64) -> Option<u64> {
+    loop {
+        let parent = *parents.get(&element)?;
+        if parent == element {
+            return Some(element);
+        }
+        element = parent;
+    }
+}

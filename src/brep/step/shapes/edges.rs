@@ -1,0 +1,204 @@
+//! Edges: the parts of curves between vertices.
+
+use super::{Shapes, used};
+use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::report::FaceFault;
+use crate::brep::step::geometry::{curve, nearest_parameter, point, trimmed};
+use crate::brep::topology::{Edge, ShapeKind, SpaceCurve, Use};
+use glam::{DAffine3, DVec3};
+
+/// The shape of an edge, and whether the edge of the file runs along its curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Segment {
+    pub(super) shape: usize,
+    pub(super) forward: bool,
+}
+
+/// The least tolerance of edges and vertices in millimetres: that of OpenCASCADE.
+const TOLERANCE: f64 = 1e-7;
+
+/// The largest distance of a vertex from the curve of its edge, relative to the edge's size, or
+/// in uncertainties of the file if that is more.
+const NEAR: f64 = 1e-3;
+const UNCERTAINTIES: f64 = 10.0;
+
+/// Part of a range below which parameters are the same.
+const SAME_PARAMETER: f64 = 1e-9;
+
+/// A vertex: its shape and its point.
+#[derive(Debug, Clone, Copy)]
+struct Vertex {
+    shape: usize,
+    point: DVec3,
+}
+
+impl Shapes<'_> {
+    /// Returns the segments of an edge in its direction.
+    ///
+    /// # Errors
+    /// `STEP_EDGE` if the vertices bound no part of the curve, and those of entities.
+    pub(super) fn edge(&mut self, instance: u64) -> Result<Vec<Segment>, FaceFault> {
+        if let Some(known) = self.edges.get(&instance) {
+            return known.clone();
+        }
+        let found = self.new_edge(instance);
+        self.edges.insert(instance, found.clone());
+        found
+    }
+
+    fn new_edge(&mut self, instance: u64) -> Result<Vec<Segment>, FaceFault> {
+        let entity = self.file.entity(instance)?;
+        if entity.kind != "EDGE_CURVE" {
+            return Err(entity.unknown("an edge with a curve"));
+        }
+        let [start, end] = [self.vertex(entity.reference(1)?)?, self.vertex(entity.reference(2)?)?];
+        let geometry = trimmed(curve(self.file, entity.reference(3)?, &self.scale())?);
+        let forward = entity.flag(4)?;
+        let ends = if forward { [start, end] } else { [end, start] };
+        let fault = |why: &str| FaceFault::new("STEP_EDGE", format!("edge #{instance}: {why}"));
+        let parameters = ends.map(|end| nearest_parameter(&geometry, end.point));
+        let [Some(from), Some(to)] = parameters else { return Err(fault("its curve has no range")) };
+        let closed = start.shape == end.shape;
+        let part = part(geometry, [from, to], closed).map_err(fault)?;
+        let Part { curve, range, turned } = part;
+        let ends = if turned { [ends[1], ends[0]] } else { ends };
+        let distances = [0, 1].map(|end| curve.point(range[end]).distance(ends[end].point));
+        let size = size(&curve, range);
+        let allowed = (NEAR * size).max(UNCERTAINTIES * self.units.uncertainty);
+        for end in [0, 1] {
+            let distance = distances[end];
+            if !(distance <= allowed) {
+                return Err(fault(&format!("its curve ends {distance:e} from its vertex")));
+            }
+            if let ShapeKind::Vertex(tolerance) = &mut self.topology.shapes[ends[end].shape].kind {
+                *tolerance = tolerance.max(distance);
+            }
+        }
+        self.topology.curves.push(curve);
+        let curve = self.topology.curves.len() - 1;
+        let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range };
+        let children = vec![used(ends[0].shape, true), used(ends[1].shape, false)];
+        let shape = self.push_edge(space, children)?;
+        Ok(vec![Segment { shape, forward: forward != turned }])
+    }
+
+    /// Appends an edge of this curve.
+    pub(super) fn push_edge(&mut self, curve: SpaceCurve, vertices: Vec<Use>) -> Result<usize, FaceFault> {
+        let tolerance = self.units.uncertainty.max(TOLERANCE);
+        let edge = Edge { tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
+        self.push(ShapeKind::Edge(edge), vertices)
+    }
+
+    /// Appends the straight edge between two points, each the instance of a point, which
+    /// stands for a vertex; none between equal points.
+    pub(super) fn straight(&mut self, points: [u64; 2]) -> Result<Option<Segment>, FaceFault> {
+        let [start, end] = [self.vertex_at(points[0])?, self.vertex_at(points[1])?];
+        if start.point == end.point {
+            return Ok(None);
+        }
+        self.topology.curves.push(Curve::Line { point: start.point, direction: end.point - start.point });
+        let curve = self.topology.curves.len() - 1;
+        let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range: [0.0, 1.0] };
+        let shape = self.push_edge(space, vec![used(start.shape, true), used(end.shape, false)])?;
+        Ok(Some(Segment { shape, forward: true }))
+    }
+
+    fn vertex(&mut self, instance: u64) -> Result<Vertex, FaceFault> {
+        let entity = self.file.entity(instance)?;
+        if entity.kind != "VERTEX_POINT" {
+            return Err(entity.unknown("a vertex with a point"));
+        }
+        self.vertex_of(instance, entity.reference(1)?)
+    }
+
+    fn vertex_at(&mut self, at: u64) -> Result<Vertex, FaceFault> {
+        self.vertex_of(at, at)
+    }
+
+    /// Returns the vertex of an instance that has its point at another.
+    fn vertex_of(&mut self, instance: u64, at: u64) -> Result<Vertex, FaceFault> {
+        let point = point(self.file, at, &self.scale())?;
+        let shape = match self.vertices.get(&instance) {
+            Some(known) => known.clone()?,
+            None => {
+                let tolerance = self.units.uncertainty.max(TOLERANCE);
+                let made = self.push(ShapeKind::Vertex(tolerance), Vec::new());
+                self.vertices.insert(instance, made.clone());
+                made?
+            }
+        };
+        Ok(Vertex { shape, point })
+    }
+}
+
+/// The diagonal of the box of some points of a curve.
+fn size(curve: &Curve, [start, end]: [f64; 2]) -> f64 {
+    let points =
+        || [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| curve.point(start + part * (end - start))).into_iter();
+    points().fold(DVec3::INFINITY, DVec3::min).distance(points().fold(DVec3::NEG_INFINITY, DVec3::max))
+}
+
+/// The part of a curve that an edge is.
+struct Part {
+    curve: Curve,
+    range: [f64; 2],
+    /// Whether it runs from the second end to the first one.
+    turned: bool,
+}
+
+/// Returns the part of a curve from one parameter to another. Around a closed curve it runs
+/// over the curve's end, and it is the whole curve if the ends are one vertex; an open curve
+/// has one part between two points, whatever the direction stated.
+fn part(curve: Curve, [from, mut to]: [f64; 2], closed: bool) -> Result<Part, &'static str> {
+    if let Some(period) = curve.period() {
+        to += period * ((from - to) / period).ceil();
+        if closed || to - from <= SAME_PARAMETER * period {
+            to = from + period;
+        }
+        return Ok(Part { curve, range: [from, to], turned: false });
+    }
+    let Some([start, end]) = curve.natural_range() else {
+        return match from.partial_cmp(&to) {
+            Some(std::cmp::Ordering::Less) => Ok(Part { curve, range: [from, to], turned: false }),
+            Some(std::cmp::Ordering::Greater) => Ok(Part { curve, range: [to, from], turned: true }),
+            _ => Err("its vertices are one point of an open curve"),
+        };
+    };
+    let margin = SAME_PARAMETER * (end - start);
+    let is_loop =
+        curve.point(start).distance(curve.point(end)) <= SAME_PARAMETER * size(&curve, [start, end]);
+    if !is_loop {
+        let whole = closed && (from - to).abs() <= margin;
+        return match (from < to, whole) {
+            (_, true) => Err("its vertices are one point of an open curve"),
+            (true, _) => Ok(Part { curve, range: [from, to], turned: false }),
+            (false, _) => Ok(Part { curve, range: [to, from], turned: true }),
+        };
+    }
+    let from = if end - from <= margin { start } else { from };
+    let to = if to - start <= margin || closed && from == start { end } else { to };
+    if from < to && to - from > margin {
+        return Ok(Part { curve, range: [from, to], turned: false });
+    }
+    let to = if closed { from } else { to };
+    let curve =
+        over_the_end(&curve, [from, to]).ok_or("it runs over the end of a curve that is no B-spline")?;
+    let range = curve.domain();
+    Ok(Part { curve: Curve::Spline(curve.into()), range, turned: false })
+}
+
+/// Returns the B-spline from a parameter over the end of a closed curve to another one.
+fn over_the_end(curve: &Curve, [from, to]: [f64; 2]) -> Option<Spline> {
+    let Curve::Spline(_) = curve else { return None };
+    let [start, end] = curve.natural_range()?;
+    let (mut joined, _, _) = curve.spline([from, end]).ok()?;
+    let (second, _, _) = curve.spline([start, to]).ok()?;
+    let shift = end - start;
+    // The homogeneous points of both sides of the joint are multiples of each other.
+    let factor = joined.controls.last()?.w / second.controls.first()?.w;
+    let degree = joined.degree;
+    joined.knots.pop();
+    joined.knots.extend(second.knots.iter().skip(degree + 1).map(|knot| knot + shift));
+    joined.controls.extend(second.controls.iter().skip(1).map(|&control| factor * control));
+    Some(joined)
+}

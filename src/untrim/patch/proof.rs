@@ -1,0 +1,186 @@
+//! The distance of a finished patch from the composition, proven from values.
+
+use crate::bezier::Patch;
+use crate::chebyshev::{MAX_NODES, node_factor, nodes};
+use crate::limits::MAX_DEGREE;
+use crate::rounding::{gamma, upper_max};
+use crate::untrim::cells::ruling::Ruling;
+use crate::untrim::curve::divided;
+use crate::untrim::face::Face;
+use glam::{DVec2, DVec4, Vec4Swizzles};
+
+/// The number of nodes along s and along t, in multiples of the degree: the largest value there
+/// is within a factor √2 of the largest.
+const OVERSAMPLING: usize = 2;
+
+/// A surface composed with a ruled map.
+pub(super) struct Composition<'a> {
+    pub(super) face: &'a Face,
+    pub(super) patch: Patch<'a>,
+    pub(super) ruling: &'a Ruling,
+    /// The degrees in s and t of its homogeneous form.
+    pub(super) degree: [usize; 2],
+}
+
+impl Composition<'_> {
+    /// Returns the radius of the patch about its centre.
+    pub(super) fn radius(&self) -> f64 {
+        self.patch.local_points().map(|point| point.length()).fold(0.0, upper_max)
+    }
+
+    /// Returns an upper bound on the distance between S(φ(s, t)) and the point at (s, t) of the
+    /// Bézier patch of degrees `[m, n]` with these homogeneous controls, relative to the centre of
+    /// S's patch (lemma T4 of docs/trimming.md).
+    ///
+    /// Both are evaluated at nodes, S at the points of φ; how the patch was made has no influence.
+    /// The difference of the homogeneous forms is a polynomial, which its values at the nodes
+    /// bound (lemma T5). O(nodes × controls).
+    pub(super) fn deviation(&self, [m, n]: [usize; 2], controls: &[DVec4]) -> f64 {
+        let Self { face, patch, ruling, degree: [along_s, along_t] } = *self;
+        let count = |degree: usize| (OVERSAMPLING * degree).clamp(2, MAX_NODES);
+        let radius = self.radius();
+        let (mut error, mut scale) = (0.0_f64, 0.0_f64);
+        for t in nodes(count(along_t)) {
+            let basis = bernstein(n, t);
+            let line: Vec<DVec4> = controls.chunks_exact(n + 1).map(|row| combined(row, &basis)).collect();
+            let [left, right] = [&ruling.left, &ruling.right].map(|curve| curve.at(t));
+            let weight = self.weight(left.z, right.z);
+            scale = upper_max(scale, weight);
+            let row = Row::new(face, patch, ruling, [divided(left), divided(right)]);
+            for s in nodes(count(along_s)) {
+                let difference = row.at(s) * weight - combined(&line, &bernstein(m, s));
+                error = upper_max(error, difference.xyz().length() + radius * difference.w.abs());
+            }
+        }
+        let [p, q] = patch.degree;
+        let weights = || controls.iter().map(|control| control.w);
+        let least = weights().fold(f64::INFINITY, f64::min);
+        let largest = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
+        let twist = if face.affine { face.twist } else { 0.0 };
+        // A value takes 6 roundings a degree, and its weight's power 4.
+        let roundings = 6.0 * (p + q + m + n) as f64 + 4.0 * (p + q) as f64 + 32.0;
+        let size = 2.0 * radius * upper_max(scale * largest, weights().fold(0.0, f64::max));
+        let at_nodes = error + gamma(roundings) * size + twist * scale * largest;
+        let factor = node_factor(along_s, count(along_s)) * node_factor(along_t, count(along_t));
+        let far = gamma(4.0) * patch.center.length() + face.patches.point_error.after(0);
+        at_nodes * factor / least + 2.0 * twist + far
+    }
+
+    /// Returns the factor that makes the composition a polynomial in t.
+    fn weight(&self, left: f64, right: f64) -> f64 {
+        let power = if self.face.affine { 1 } else { self.patch.degree.iter().sum::<usize>() };
+        let weight = if self.ruling.height.is_some() { left } else { left * right };
+        weight.powi(power as i32)
+    }
+}
+
+/// The patch along one ruling.
+struct Row<'a> {
+    patch: Patch<'a>,
+    /// The ends of the ruling in the patch's parameters.
+    ends: [DVec2; 2],
+    /// The controls of the curve of constant v, if the ruling is one.
+    line: Option<Vec<DVec4>>,
+}
+
+impl<'a> Row<'a> {
+    fn new(face: &Face, patch: Patch<'a>, ruling: &Ruling, ends: [DVec2; 2]) -> Self {
+        let rectangle = face.rectangle(ruling.rectangle);
+        let (low, lengths) = (DVec2::from(rectangle.low()), DVec2::from(rectangle.lengths()));
+        let ends = ends.map(|end| (end - low) / lengths);
+        let mut row = Self { patch, ends, line: None };
+        row.line = ruling.height.is_some().then(|| row.line_at(ends[0].y));
+        row
+    }
+
+    /// Returns the controls of the curve of constant v.
+    fn line_at(&self, v: f64) -> Vec<DVec4> {
+        let basis = bernstein(self.patch.degree[1], v);
+        self.patch.controls.chunks_exact(self.patch.degree[1] + 1).map(|row| combined(row, &basis)).collect()
+    }
+
+    /// Returns the homogeneous point of the patch.
+    fn at(&self, s: f64) -> DVec4 {
+        let point = self.ends[0] * (1.0 - s) + self.ends[1] * s;
+        let basis = bernstein(self.patch.degree[0], point.x);
+        match &self.line {
+            Some(line) => combined(line, &basis),
+            None => combined(&self.line_at(point.y), &basis),
+        }
+    }
+}
+
+/// Returns the values of the Bernstein polynomials of this degree.
+fn bernstein(degree: usize, t: f64) -> [f64; MAX_DEGREE + 1] {
+    let mut values = [0.0; MAX_DEGREE + 1];
+    values[0] = 1.0;
+    for level in 1..=degree {
+        for index in (1..=level).rev() {
+            values[index] = values[index] * (1.0 - t) + values[index - 1] * t;
+        }
+        values[0] *= 1.0 - t;
+    }
+    values
+}
+
+/// Returns the sum of controls times Bernstein polynomials.
+fn combined(controls: &[DVec4], basis: &[f64]) -> DVec4 {
+    controls.iter().zip(basis).fold(DVec4::ZERO, |sum, (&control, &share)| sum + control * share)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::trim::{Trim, TrimCurveArrays};
+    use crate::model::{NurbsSurface, SurfaceArrays};
+    use crate::untrim::curve::Curve;
+
+    /// A rational biquadratic face over [0, 1]², and a map onto a trapezium in it.
+    fn face_and_ruling() -> (Face, Ruling) {
+        let control_points = (0..9)
+            .map(|k| {
+                let (i, j) = (f64::from(k / 3), f64::from(k % 3));
+                [i, j, (i * j).sin(), 1.0 + 0.2 * (i - j)]
+            })
+            .collect();
+        let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+        let arrays =
+            SurfaceArrays { degree: [2, 2], knots: [knots.clone(), knots], counts: [3, 3], control_points };
+        let surface = NurbsSurface::new(0, arrays).unwrap();
+        let corners = [[0.1, 0.2], [0.7, 0.2], [0.9, 0.8], [0.3, 0.8]];
+        let side = |k: usize| TrimCurveArrays {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            control_points: [corners[k], corners[(k + 1) % 4]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+            ..TrimCurveArrays::default()
+        };
+        let trim = Trim::new(0, &surface, vec![(0..4).map(side).collect()]).unwrap();
+        let line = |from: usize, to: usize| Curve::line(corners[from].into(), corners[to].into());
+        let ruling = Ruling::between_lines([line(0, 3), line(1, 2)], [0, 0]);
+        (Face::new(0, &surface, &trim, 1e-9, false).unwrap(), ruling)
+    }
+
+    #[test]
+    fn a_moved_control_point_is_seen_whichever_it_is() {
+        let (face, ruling) = face_and_ruling();
+        let composed = crate::untrim::patch::composed(&face, &ruling).unwrap();
+        let patch = face.patch([0, 0]);
+        let composition = Composition { face: &face, patch, ruling: &ruling, degree: [2, 4] };
+        let degree = composed.surface.degree();
+        let exact = crate::untrim::patch::relative(&composed.surface, patch.center);
+        let deviation = composition.deviation(degree, &exact);
+        assert_eq!(deviation, composed.deviation);
+        assert!(deviation < 4e-10, "{deviation}");
+        for index in 0..exact.len() {
+            let mut moved = exact.clone();
+            moved[index].z += 1e-3 * moved[index].w;
+            let found = composition.deviation(degree, &moved);
+            // The point at the largest value of the Bernstein polynomials moves by this share.
+            let largest = |n: usize, k: usize| bernstein(n, k as f64 / n as f64)[k];
+            let order = degree[1] + 1;
+            let share = largest(degree[0], index / order) * largest(degree[1], index % order);
+            assert!(found > 0.5e-3 * share && found < 8e-3, "{index}: {found} {share}");
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Products, their placements and names.
+
+use crate::polygons::box_faces;
+use crate::support::step::{Id, StepText, UnitsOf};
+use crate::{areas, assert_near, read};
+use nurbs_hausdorff::Model;
+
+/// The box [0, 1] x [0, 2] x [0, 4] in a representation with these units.
+fn part(text: &mut StepText, units: UnitsOf) -> Id {
+    let faces = box_faces(text, [1.0, 2.0, 4.0]);
+    let solid = text.solid("", &faces);
+    let context = text.context(units);
+    text.representation(&[solid], context)
+}
+
+#[track_caller]
+fn assert_bounds(model: &Model, [low, high]: [[f64; 3]; 2]) {
+    let bounds = model.bounding_box();
+    for axis in 0..3 {
+        assert_near(bounds.min[axis], low[axis], 1e-12);
+        assert_near(bounds.max[axis], high[axis], 1e-12);
+    }
+}
+
+/// Two uses of a part: where it is, and turned by a right angle about z and moved.
+pub(crate) fn of_two_uses(units: UnitsOf, swapped: bool) -> String {
+    let mut text = StepText::new();
+    let part = part(&mut text, units);
+    let product = text.product("bolt", part);
+    let context = text.context(UnitsOf::Millimetres);
+    let home = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let away = text.placement([10.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]);
+    let whole = text.representation(&[home, away], context);
+    let assembly = text.product("pair", whole);
+    for target in [home, away] {
+        let items = if swapped { [target, home] } else { [home, target] };
+        let map = text.add(format!("ITEM_DEFINED_TRANSFORMATION('','',#{},#{})", items[0], items[1]));
+        let [first, second] = if swapped { [whole, part] } else { [part, whole] };
+        let relation = text.add(format!(
+            "(REPRESENTATION_RELATIONSHIP('','',#{first},#{second})\
+             REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{map})SHAPE_REPRESENTATION_RELATIONSHIP())"
+        ));
+        let use_of = text.add(format!("NEXT_ASSEMBLY_USAGE_OCCURRENCE('','','',#{assembly},#{product},$)"));
+        let shape = text.add(format!("PRODUCT_DEFINITION_SHAPE('','',#{use_of})"));
+        text.add(format!("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{relation},#{shape})"));
+    }
+    text.text()
+}
+
+#[test]
+fn parts_stand_where_their_assembly_places_them() {
+    for swapped in [false, true] {
+        let (model, report) = read(&of_two_uses(UnitsOf::Millimetres, swapped));
+        // Turned, the box reaches from 8 to 10 in x and from 0 to 1 in y.
+        assert_bounds(&model, [[0.0, 0.0, 0.0], [10.0, 2.0, 4.0]]);
+        assert_eq!(report.surfaces, 6);
+        assert_eq!(model.faces().len(), 12);
+        let total: f64 = areas(&model).iter().sum();
+        assert_near(total, 2.0 * 28.0, 1e-12);
+        assert_eq!(model.faces().next().unwrap().part(), Some("bolt / face 0"));
+    }
+}
+
+#[test]
+fn a_part_in_inches_stands_in_an_assembly_in_millimetres() {
+    let (model, _) = read(&of_two_uses(UnitsOf::InchesAndDegrees, false));
+    assert_bounds(&model, [[10.0 - 50.8, 0.0, 0.0], [25.4, 50.8, 101.6]]);
+}
+
+#[test]
+fn mapped_items_place_a_representation() {
+    let mut text = StepText::new();
+    let part = part(&mut text, UnitsOf::Millimetres);
+    let context = text.context(UnitsOf::Millimetres);
+    let origin = text.placement([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{part})"));
+    let target = text.placement([5.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let item = text.add(format!("MAPPED_ITEM('',#{map},#{target})"));
+    let whole = text.representation(&[item], context);
+    text.product("", whole);
+    let (model, _) = read(&text.text());
+    // The axes x, y and z of the part become y, z and x, and its height 1 becomes x = 5.
+    assert_bounds(&model, [[4.0, 0.0, 0.0], [8.0, 1.0, 2.0]]);
+}
+
+/// A relationship without a transformation joins the bodies to the product's representation.
+#[test]
+fn related_representations_are_one() {
+    let mut text = StepText::new();
+    let part = part(&mut text, UnitsOf::Millimetres);
+    let context = text.context(UnitsOf::Millimetres);
+    let empty = text.representation(&[], context);
+    text.add(format!("SHAPE_REPRESENTATION_RELATIONSHIP('','',#{empty},#{part})"));
+    text.product("it''s \\X2\\00DC\\X0\\", empty);
+    let (model, report) = read(&text.text());
+    assert_eq!((report.surfaces, model.faces().len()), (6, 6));
+    assert_eq!(model.faces().next().unwrap().part(), Some("it's Ü / face 0"));
+}
+
+/// An assembly that contains itself is left out, and ends.
+#[test]
+fn an_assembly_in_itself_is_left_out() {
+    let mut text = StepText::new();
+    let faces = box_faces(&mut text, [1.0, 2.0, 4.0]);
+    let solid = text.solid("", &faces);
+    let context = text.context(UnitsOf::Millimetres);
+    let origin = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    // The representation is the third instance after this one.
+    let number = text.entities.len() + 3;
+    let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{number})"));
+    let item = text.add(format!("MAPPED_ITEM('',#{map},#{origin})"));
+    assert_eq!(text.representation(&[solid, item], context), number);
+    let (model, report) = Model::from_step(text.text().as_bytes()).unwrap();
+    assert_eq!(model.faces().len(), 6);
+    assert_eq!(report.skipped.len(), 1);
+    assert_eq!((report.skipped[0].code, report.skipped[0].entity), ("STEP_NESTING", Some(number as u64)));
+}
+
+/// A part whose placement refers to nothing is where it is, and the report says so.
+#[test]
+fn a_placement_of_nothing_is_reported() {
+    let text = of_two_uses(UnitsOf::Millimetres, false);
+    let line = text.lines().find(|line| line.contains("(REPRESENTATION_RELATIONSHIP('','',#")).unwrap();
+    let number: u64 = line[1..].split_once('=').unwrap().0.parse().unwrap();
+    let start = line.find("'',#").unwrap() + 3;
+    let end = start + line[start..].find(',').unwrap();
+    let broken = format!("{}#99999{}", &line[..start], &line[end..]);
+    let (_, report) = Model::from_step(text.replace(line, &broken).as_bytes()).unwrap();
+    let found: Vec<_> = report.skipped.iter().map(|skipped| (skipped.code, skipped.entity)).collect();
+    assert_eq!(found, [("STEP_REFERENCE", Some(number))]);
+}
