@@ -1,9 +1,10 @@
 //! The work of method `certified` on whole families of pairs: what a change of
 //! the search is judged by.
 //!
-//! `cargo bench --bench work [-- SET …] [--prepare-only]`, with
+//! `cargo bench --bench work [-- SET …] [--each] [--fine] [--prepare-only]`, with
 //! `RAYON_NUM_THREADS=1` for one thread. Prints, for every set, the pairs, the
-//! cells bounded and the seconds of all searches. Under an instruction counter,
+//! cells bounded and the seconds of all searches; with `--each` for every pair, too, and with
+//! `--fine` at 1e-8 instead of 1e-6 of the diagonal. Under an instruction counter,
 //! a second run with `--prepare-only` gives what to subtract.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
@@ -17,6 +18,7 @@ use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::rc::Rc;
+use support::clock::Stopwatch;
 use support::shared;
 
 /// Shapes of every kind; each is measured against every other.
@@ -64,6 +66,7 @@ struct Pair {
     a: Rc<PreparedModel>,
     b: Rc<PreparedModel>,
     transform: RigidTransform,
+    name: String,
 }
 
 /// A name, and what makes the pairs.
@@ -71,6 +74,7 @@ type Set = (&'static str, fn() -> Vec<Pair>);
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let [each, fine] = ["--each", "--fine"].map(|option| arguments.iter().any(|argument| argument == option));
     let prepare_only = arguments.iter().any(|argument| argument == "--prepare-only");
     let chosen = |name: &str| {
         let mut names = arguments.iter().filter(|argument| !argument.starts_with('-')).peekable();
@@ -79,17 +83,29 @@ fn main() {
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
     println!("| set | pairs | cells | seconds | not converged |");
     println!("|---|---|---|---|---|");
-    let sets: [Set; 4] =
-        [("references", references), ("shapes", shapes), ("sweeps", sweeps), ("refits", refits)];
+    let sets: [Set; 5] = [
+        ("references", references),
+        ("shapes", shapes),
+        ("sweeps", sweeps),
+        ("refits", refits),
+        ("coincident", coincident),
+    ];
     for (name, pairs) in sets.into_iter().filter(|(name, _)| chosen(name)) {
         let pairs = pairs();
         let (mut cells, mut seconds, mut ended) = (0, 0.0, 0);
-        for Pair { a, b, transform } in &pairs {
+        for Pair { a, b, transform, name: pair } in &pairs {
             let max_cells = if prepare_only { Some(1) } else { Some(MAX_CELLS) };
-            let options = Options { transform: *transform, max_cells, ..Options::default() };
+            let tolerance = if fine { 1e-8 } else { Options::default().tolerance };
+            let options = Options { transform: *transform, max_cells, tolerance, ..Options::default() };
+            let watch = Stopwatch::start(true);
             let result =
                 pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
-            cells += result.certified().map_or(0, |details| details.cells);
+            let of_pair = result.certified().map_or(0, |details| details.cells);
+            if each {
+                let (stop, spent) = (result.certified().map(|details| details.stop), watch.cpu_seconds());
+                println!("| {pair} | | {of_pair} | {spent:.3} | {stop:?} |");
+            }
+            cells += of_pair;
             seconds += result.seconds.solve;
             ended += usize::from(!result.converged);
         }
@@ -118,6 +134,7 @@ fn references() -> Vec<Pair> {
         a: Rc::new(shared::load(&folder, &reference.a)),
         b: Rc::new(shared::load(&folder, &reference.b)),
         transform: RigidTransform::translation(reference.translation).expect("a translation"),
+        name: format!("{} to {}", reference.a, reference.b),
     };
     shared::references(&folder).into_iter().map(pair).collect()
 }
@@ -128,7 +145,12 @@ fn shapes() -> Vec<Pair> {
     let mut pairs = Vec::new();
     for a in &models {
         for b in models.iter().filter(|b| !Rc::ptr_eq(a, b)) {
-            pairs.push(Pair { a: Rc::clone(a), b: Rc::clone(b), transform: RigidTransform::IDENTITY });
+            pairs.push(Pair {
+                a: Rc::clone(a),
+                b: Rc::clone(b),
+                transform: RigidTransform::IDENTITY,
+                name: String::new(),
+            });
         }
     }
     pairs
@@ -148,7 +170,7 @@ fn sweeps() -> Vec<Pair> {
         for position in 0..POSITIONS {
             let along = reach * (2.0 * position as f64 / (POSITIONS - 1) as f64 - 1.0);
             let transform = RigidTransform::translation(aside + along * axis).expect("a translation");
-            pairs.push(Pair { a: Rc::clone(&a), b: Rc::clone(&b), transform });
+            pairs.push(Pair { a: Rc::clone(&a), b: Rc::clone(&b), transform, name: String::new() });
         }
     }
     pairs
@@ -161,8 +183,30 @@ fn refits() -> Vec<Pair> {
         let refit = prepared(&refit_model(&model, count).expect("a refit"));
         let model = prepared(&model);
         let transform = RigidTransform::IDENTITY;
-        pairs.push(Pair { a: Rc::clone(&model), b: Rc::clone(&refit), transform });
-        pairs.push(Pair { a: refit, b: model, transform });
+        pairs.push(Pair { a: Rc::clone(&model), b: Rc::clone(&refit), transform, name: String::new() });
+        pairs.push(Pair { a: refit, b: model, transform, name: String::new() });
+    }
+    pairs
+}
+
+/// Pairs that lie on each other in other parameters, in both directions.
+fn coincident() -> Vec<Pair> {
+    let Some(folder) = shared::folder().map(|models| models.with_file_name("coincident")) else {
+        println!("SKIPPED coincident: there is no ../shared/coincident");
+        return Vec::new();
+    };
+    let files = std::fs::read_dir(&folder).expect("the pairs of ../shared/coincident");
+    let mut names: Vec<String> = files
+        .filter_map(|file| Some(file.ok()?.file_name().to_str()?.strip_suffix("_A.json")?.to_owned()))
+        .collect();
+    names.sort();
+    let mut pairs = Vec::new();
+    for name in names {
+        let [a, b] = ["A", "B"].map(|side| Rc::new(shared::load(&folder, &format!("{name}_{side}"))));
+        let transform = RigidTransform::IDENTITY;
+        let back = format!("{name}, back");
+        pairs.push(Pair { a: Rc::clone(&a), b: Rc::clone(&b), transform, name });
+        pairs.push(Pair { a: b, b: a, transform, name: back });
     }
     pairs
 }

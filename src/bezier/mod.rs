@@ -8,8 +8,8 @@ mod patch;
 
 pub use basis::MAX_ORDER;
 pub(crate) use basis::{
-    GridBasis, Interpolation, Restriction, bernstein, binomials, elevation_shares, length_bounds, scaled,
-    squares, unscale,
+    GridBasis, Interpolation, Restriction, bernstein, binomials, dot_products, elevation_shares,
+    length_bounds, scaled, squares, unscale,
 };
 pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};

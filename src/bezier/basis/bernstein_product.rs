@@ -65,6 +65,28 @@ pub(crate) fn squares(degree: [usize; 2], controls: &[DVec4]) -> Vec<(f64, f64)>
     sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).collect()
 }
 
+/// Returns the Bernstein coefficients, of twice the degrees, of `n·m` and `d e` for the
+/// homogeneous controls `(n, d)` and `(m, e)` of two rational functions of these degrees, t fastest.
+///
+/// O(p² q²).
+pub(crate) fn dot_products(degree: [usize; 2], left: &[DVec4], right: &[DVec4]) -> Vec<(f64, f64)> {
+    let [left, right] = [left, right].map(|controls| scaled(degree, controls));
+    let (columns, doubled) = (degree[1] + 1, degree.map(|degree| 2 * degree));
+    let mut sums = vec![DVec4::ZERO; (doubled[0] + 1) * (doubled[1] + 1)];
+    for (i, left) in left.chunks_exact(columns).enumerate() {
+        for (k, right) in right.chunks_exact(columns).enumerate() {
+            let sums = &mut sums[(i + k) * (doubled[1] + 1)..][..=doubled[1]];
+            for (j, &factor) in left.iter().enumerate() {
+                for (sum, &control) in sums[j..].iter_mut().zip(right) {
+                    *sum += factor * control;
+                }
+            }
+        }
+    }
+    unscale(doubled, &mut sums);
+    sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).collect()
+}
+
 /// Adds the products of each two rows, coordinate by coordinate, to `sums`.
 #[inline(always)]
 fn add_products<R: AsRef<[DVec4]>>(rows: &[R], sums: &mut [DVec4]) {
@@ -119,6 +141,21 @@ mod tests {
         let line = [DVec4::new(3.0, 0.0, 0.0, 1.0), DVec4::new(0.0, 4.0, 0.0, 1.0)];
         let [least, largest] = length_bounds([1, 0], &line);
         assert!(least <= 2.4 && (4.0..4.0 + 1e-12).contains(&largest), "{least} {largest}");
+    }
+
+    /// The product of two different nets has the values of the product, and that of a net with itself
+    /// the coefficients of its square.
+    #[test]
+    fn dot_products_are_those_of_the_functions() {
+        let left = [DVec4::new(1.0, 2.0, 0.5, 1.0), DVec4::new(-1.0, 3.0, 2.0, 0.5)];
+        let right = [DVec4::new(0.5, -1.0, 4.0, 2.0), DVec4::new(3.0, 1.0, -2.0, 1.5)];
+        let found = dot_products([1, 0], &left, &right);
+        // The middle coefficients are means: (l0·r1 + l1·r0) / 2.
+        let expected = [(0.5, 2.0), (0.5 * (4.0 + 4.5), 0.5 * (1.5 + 1.0)), (-4.0, 0.75)];
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found.0 - expected.0).abs() < 1e-15 && (found.1 - expected.1).abs() < 1e-15);
+        }
+        assert_eq!(dot_products([1, 0], &left, &left), squares([1, 0], &left));
     }
 
     /// Numerators of 1e160 have squares beyond float64, whose differences are NaN.

@@ -16,6 +16,7 @@ mod blocks_attained;
 mod boxes;
 mod cell_context;
 mod convex_combination;
+mod heights;
 mod polynomial_difference;
 mod same_net;
 mod sphere;
@@ -29,6 +30,7 @@ pub(super) use taylor::halved_sides;
 
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
+use heights::Heights;
 use polynomial_difference::PolynomialDifference;
 pub(super) use polynomial_difference::block;
 use same_net::SameNet;
@@ -47,8 +49,8 @@ trait UpperBound: Sync {
 const WITH_ANY_FOOT: [&dyn UpperBound; 3] = [&SameNet, &InSphere, &Taylor];
 
 /// The bounds that need the nearest feet, cheapest first.
-const WITH_NEAREST_FEET: [&dyn UpperBound; 5] =
-    [&ConvexCombination, &InSphere, &Taylor, &PolynomialDifference, &Bilinear];
+const WITH_NEAREST_FEET: [&dyn UpperBound; 6] =
+    [&ConvexCombination, &InSphere, &Taylor, &PolynomialDifference, &Heights, &Bilinear];
 
 /// The least of the bounds with the inherited foot, or the first that is at
 /// most the threshold.

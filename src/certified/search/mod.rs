@@ -204,6 +204,14 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
+    /// Whether the rounding of these coordinates decides the width that a search without a limit can reach, and it is
+    /// reached although nodes are left.
+    fn is_as_narrow_as_possible(&self) -> bool {
+        let Goal { tolerance, limit, lost, .. } = self.goal;
+        let Interval { lower, upper } = self.interval();
+        limit.is_none() && tolerance <= lost && upper - lower <= self.min_tolerance()
+    }
+
     /// The pruning threshold: a node whose upper bound is at most this is not
     /// searched further.
     pub(crate) fn prune_threshold(&self) -> f64 {
@@ -267,6 +275,9 @@ impl<'a> BranchAndBound<'a> {
         }
         if self.frontier.is_empty() {
             return Some(if self.exhausted { Stop::Precision } else { Stop::Converged });
+        }
+        if self.is_as_narrow_as_possible() {
+            return Some(Stop::Precision);
         }
         // What a kernel could not bound it cannot bound in parts either, and it would
         // lose their feet: they stay in float64.

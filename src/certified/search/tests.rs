@@ -101,6 +101,25 @@ fn a_limit_is_decided_by_the_interval() {
     });
 }
 
+/// A search for less than rounding allows stops where the interval is as narrow as it can be requested,
+/// although nodes are left, unless a limit is to be decided; a wider interval is searched further.
+#[test]
+fn a_search_below_rounding_stops_where_the_interval_is_narrow() {
+    with_squares(|pair| {
+        let lost = BranchAndBound::new(pair, 1.0, None, 0.0).goal.lost;
+        for (above, limit, stop) in
+            [(0.25, None, Some(Stop::Precision)), (1.5, None, None), (0.25, Some(1.0), None)]
+        {
+            let search = BranchAndBound::new(pair, 0.1 * lost, limit, 0.0);
+            let upper = search.incumbent.lower_bound() + above * lost + 0.5 * search.min_tolerance();
+            let root = SearchNode { upper, ..SearchNode::root(upper) };
+            let mut search = BranchAndBound { frontier: Frontier::new(root), ..search };
+            assert_eq!(search.advance_once(1), stop, "{above} {limit:?}");
+            assert_eq!(search.work.cells, usize::from(stop.is_none()));
+        }
+    });
+}
+
 /// Nodes that a kernel leaves, for another one or for float64, stay in the interval, and so does
 /// what it pruned.
 #[test]

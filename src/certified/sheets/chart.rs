@@ -253,7 +253,11 @@ impl<'a> Chart<'a> {
     }
 
     /// The patches within reach that steps of at most `extent` may touch.
-    pub(super) fn all_touched(&self, extent: [f64; 2], reach: &Reach) -> [RangeInclusive<isize>; 2] {
+    pub(in crate::certified) fn all_touched(
+        &self,
+        extent: [f64; 2],
+        reach: &Reach,
+    ) -> [RangeInclusive<isize>; 2] {
         Axis::BOTH.map(|axis| self.touched(axis, extent[axis.index()], &reach.patches[axis.index()]))
     }
 
@@ -305,6 +309,23 @@ impl<'a> Chart<'a> {
         };
         // Widths that are smaller by the margin make bounds larger by it.
         bounds.rescaled(widths.map(|width| (1.0 - MARGIN) * width))
+    }
+
+    /// The part of a box of the chart's parameters that lies in the patch so many patches away, or a
+    /// little more, in that patch's parameters.
+    pub(in crate::certified) fn part(&self, offsets: [isize; 2], ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        Axis::BOTH.map(|axis| {
+            let (offset, [low, high]) = (offsets[axis.index()], ends[axis.index()]);
+            let (start, width) = (self.line(axis, offset), self.width(axis, offset));
+            let [low, high] = [(low - start) / width - MARGIN, (high - start) / width + MARGIN];
+            [low.clamp(0.0, 1.0 - MARGIN), high.clamp(MARGIN, 1.0)]
+        })
+    }
+
+    /// An upper bound on the distance of the control points of that patch from its centre.
+    pub(in crate::certified) fn radius(&self, offsets: [isize; 2]) -> f64 {
+        let index = self.patch_at(offsets);
+        self.sheets.bounds(index).whole(&self.sheets.bezier.patches.patch(index)).radius
     }
 
     /// The patch that is so many patches away, cyclically.

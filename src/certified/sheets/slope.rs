@@ -67,6 +67,12 @@ impl Chart<'_> {
         (1.0 + SUM_ROUNDINGS * UNIT_ROUNDOFF) * error + self.jet_scale().quadratic_error(steps, JET_ROUNDINGS)
     }
 
+    /// A bound on the jumps of points between any two points within `extent` of the chart's.
+    pub(in crate::certified) fn gap(&self, reach: &Reach, extent: [f64; 2]) -> f64 {
+        let touched = self.all_touched(extent, reach);
+        Axis::BOTH.iter().flat_map(|&axis| self.sums(axis, &touched)).map(|sum| sum.gaps).sum()
+    }
+
     /// The sums of the jumps at the seams across an axis before and after the point.
     fn sums(&self, axis: Axis, touched: &[RangeInclusive<isize>; 2]) -> [Slope; 2] {
         let (range, along) = (&touched[axis.index()], &touched[axis.other().index()]);

@@ -26,6 +26,7 @@ mod spline;
 mod strip;
 
 pub(in crate::certified) use block::block;
+pub(super) use sliding::pseudo_inverse;
 
 use super::{CellContext, UpperBound};
 use aligned_map::AlignedMap;

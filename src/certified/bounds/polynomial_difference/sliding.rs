@@ -179,7 +179,7 @@ impl<'a> Sliding<'a> {
 }
 
 /// The pseudo-inverse of two tangents, by rows; of the longer one where they are about parallel.
-fn pseudo_inverse([s, t]: [DVec3; 2]) -> [DVec3; 2] {
+pub(in crate::certified::bounds) fn pseudo_inverse([s, t]: [DVec3; 2]) -> [DVec3; 2] {
     let [ss, st, tt] = [s.dot(s), s.dot(t), t.dot(t)];
     let determinant = ss * tt - st * st;
     if determinant > MIN_SINE_SQUARED * ss * tt {

@@ -165,5 +165,11 @@ fn inner_lines(chart: &Chart<'_>, axis: Axis, [low, high]: [f64; 2], gap: f64) -
     // Lines that have been passed must join.
     let is_joined = (1..start).all(|line| chart.is_joined(axis, line));
     let overhang = upper_max(chart.line(axis, start - 1) - low, high - chart.line(axis, end));
-    (is_joined && overhang <= gap).then(|| InnerLines { start, end, overhang: upper_max(0.0, overhang) })
+    // The limit on lines may have ended either loop before the image does.
+    let is_covered = chart.line(axis, start) > low + gap && chart.line(axis, end) >= high - gap;
+    (is_joined && is_covered && overhang <= gap).then(|| InnerLines {
+        start,
+        end,
+        overhang: upper_max(0.0, overhang),
+    })
 }
