@@ -60,13 +60,16 @@ impl<'a> Sweep<'a> {
         let mut arcs = self.cells.arcs.clone();
         let done = self.mapped(&mut arcs)?;
         let moved = self.proven(&arcs, &done)?;
-        let mut pieces = Vec::with_capacity(done.len());
-        let mut deviation = 0.0_f64;
-        for Done { ruling, composed, .. } in done {
-            deviation = upper_max(deviation, self.face.moved(ruling.moved) + composed.deviation);
-            pieces.push(self.piece(composed.surface, ruling)?);
-        }
-        Ok(Untrimmed { pieces, deviation: deviation + moved })
+        let deviation = moved + self.largest_deviation(&done);
+        let pieces = done.into_iter().map(|done| self.piece(done.composed.surface, done.ruling));
+        Ok(Untrimmed { pieces: pieces.collect::<Result<_, _>>()?, deviation })
+    }
+
+    /// Returns the largest deviation of a patch from its cell: of the map, and of the patch from the
+    /// surface under it.
+    fn largest_deviation(&self, done: &[Done]) -> f64 {
+        let own = |done: &Done| self.face.moved(done.ruling.moved) + done.composed.deviation;
+        done.iter().map(own).fold(0.0, upper_max)
     }
 
     /// Returns the maps and patches of all cells, which are cut where they have none.
@@ -149,6 +152,7 @@ mod tests {
     use super::*;
     use crate::model::trim::{Trim, TrimCurveArrays};
     use crate::shapes::figure5_plane;
+    use crate::untrim::boundary::graph::Graph;
 
     /// A plane with a square hole in a square, both turned, as a face ruled along u.
     fn face() -> Face {
@@ -201,6 +205,50 @@ mod tests {
             reversed.cells.cells[index].sides.reverse();
             assert!(reversed.untrimmed().is_err());
         }
+    }
+
+    /// Two lines in the hole that cross by less than the tolerance: their cells cancel each other.
+    #[test]
+    fn a_cut_is_refused_with_lines_within_the_face_that_cross() {
+        let mut face = face();
+        face.tolerances.crossing = 1e-9;
+        let mut sweep = Sweep::new(&face, false).unwrap();
+        let (v, first) = ([0.49, 0.51], sweep.cells.arcs.len());
+        for u in [0.5, 0.5 + 1e-10] {
+            let side = Side::Graph(Graph::line([u, u], v));
+            sweep.cells.arcs.push(Arc { side, v, change: 0 });
+        }
+        for sides in [[first, first + 1], [first + 1, first]] {
+            sweep.cells.cells.push(Cell { sides, v, rectangle: [0, 0], winding: 1 });
+        }
+        let why = sweep.untrimmed().err().unwrap();
+        assert!(why.contains("cross"), "{why}");
+    }
+
+    /// Every part of the deviation counts, once or, for moves of the boundary, twice.
+    #[test]
+    fn the_deviation_is_the_sum_of_its_parts() {
+        let face = face();
+        let sweep = Sweep::new(&face, false).unwrap();
+        let mut arcs = sweep.cells.arcs.clone();
+        let mut done = sweep.mapped(&mut arcs).unwrap();
+        let (base, pieces) = (sweep.proven(&arcs, &done).unwrap(), sweep.largest_deviation(&done));
+        let added = |found: f64, base: f64, expected: f64| {
+            assert!((found - base - expected).abs() <= 1e-12 * expected, "{found} {base} {expected}");
+        };
+        let of = |moved: [f64; 2]| face.moved(moved);
+        let moved = Sweep { moved: [1e-3, 2e-3], ..Sweep::new(&face, false).unwrap() };
+        added(moved.proven(&arcs, &done).unwrap(), base - 2.0 * of(sweep.moved), 2.0 * of([1e-3, 2e-3]));
+        let fitted = Sweep { graph_error: 1e-3, ..Sweep::new(&face, false).unwrap() };
+        added(fitted.proven(&arcs, &done).unwrap(), base - of([sweep.graph_error, 0.0]), of([1e-3, 0.0]));
+        done[0].ruling.moved = [1e-3, 2e-3];
+        let own = done[0].composed.deviation;
+        added(sweep.largest_deviation(&done), own, of([1e-3, 2e-3]));
+        done[0].composed.deviation = 0.5;
+        added(sweep.largest_deviation(&done), of([1e-3, 2e-3]), 0.5);
+        assert!(pieces < 1e-9, "{pieces}");
+        done[0].ruling.crossing = 1e-3;
+        added(sweep.proven(&arcs, &done).unwrap(), base, of([1e-3, 0.0]));
     }
 
     #[test]

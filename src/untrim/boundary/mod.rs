@@ -160,3 +160,36 @@ impl Boundary {
         Ok(())
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::trim::{Trim, TrimCurveArrays};
+    use crate::shapes::figure5_plane;
+
+    /// Two corners of a pentagon are at levels that are one within the tolerance.
+    #[test]
+    fn vertices_that_are_moved_to_one_level_state_the_move() {
+        let apart = 1e-11;
+        let plane = figure5_plane().unwrap().surfaces()[0].clone();
+        let corners = [[0.5, 0.1], [0.9, 0.5], [0.6, 0.9], [0.2, 0.8], [0.1, 0.5 + apart]];
+        let corners = corners.map(|corner| plane.domain().at(corner));
+        let side = |k: usize| TrimCurveArrays {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            control_points: [corners[k], corners[(k + 1) % 5]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+            ..TrimCurveArrays::default()
+        };
+        let trim = Trim::new(0, &plane, vec![(0..5).map(side).collect()]).unwrap();
+        let mut face = Face::new(0, &plane, &trim, 1e-9, false).unwrap();
+        face.tolerances.snap = [1e-10; 2];
+        let found = boundary(&face).unwrap();
+        assert!((0.5 * apart..=2.0 * apart).contains(&found.moved[1]), "{:?}", found.moved);
+        let levels = found.arcs.iter().flat_map(|arc| arc.v);
+        let near: Vec<f64> = levels.filter(|v| (v - 0.5).abs() < 1e-9).collect();
+        assert!(near.len() == 4 && near.iter().all(|v| *v == near[0]), "{near:?}");
+        face.tolerances.snap = [1e-15; 2];
+        assert_eq!(boundary(&face).unwrap().moved, [0.0; 2]);
+    }
+}

@@ -143,6 +143,14 @@ mod tests {
     }
 
     #[test]
+    fn a_part_beyond_its_arc_states_what_it_misses_and_one_that_falls_is_none() {
+        let missing = part(&Side::Own(quarter()), [-0.1, 0.3]).unwrap();
+        assert_eq!(missing.moved, [0.0, 0.1]);
+        assert!(part(&Side::Own(quarter()), [0.4, 0.2]).is_none());
+        assert!(part(&Side::Own(quarter()), [0.3, 0.3]).is_none());
+    }
+
+    #[test]
     fn a_line_one_unit_high_is_followed_within_the_bound() {
         let v = [0.4807692307692307, 0.4807692307692307_f64.next_up()];
         let graph = Graph::line([0.2, 0.8], v);

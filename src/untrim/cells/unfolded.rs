@@ -114,6 +114,18 @@ mod tests {
         assert_eq!(folds(&right, &left, TOLERANCE), None);
     }
 
+    /// The side that hurries ahead and then turns away folds the map along itself alone.
+    #[test]
+    fn a_map_that_folds_along_one_side_is_refused_on_either() {
+        let straight = |u: f64| curve(&[[u, 0.0, 1.0], [u, 1.0, 1.0]]);
+        let ahead = |from: f64, to: f64| {
+            curve(&[[from, 0.0, 1.0], [from, 1.0, 1.0], [from, 1.0, 1.0], [to, 1.0, 1.0]])
+        };
+        assert_eq!(folds(&straight(0.0), &ahead(0.1, 1.0), TOLERANCE), None);
+        assert_eq!(folds(&ahead(-0.1, -1.0), &straight(0.0), TOLERANCE), None);
+        assert!(folds(&straight(0.0), &straight(0.1), TOLERANCE).is_some());
+    }
+
     #[test]
     fn a_map_that_folds_in_a_part_is_refused_or_bounded_by_its_size() {
         // The left side passes through the right one near its upper end.

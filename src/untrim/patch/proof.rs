@@ -160,6 +160,16 @@ mod tests {
         (Face::new(0, &surface, &trim, 1e-9, false).unwrap(), ruling)
     }
 
+    /// The point of a patch at the largest value of a Bernstein polynomial.
+    fn point(degree: [usize; 2], controls: &[DVec4], index: usize) -> glam::DVec3 {
+        let order = degree[1] + 1;
+        let at = [index / order, index % order];
+        let basis = [0, 1].map(|axis| bernstein(degree[axis], at[axis] as f64 / degree[axis] as f64));
+        let line: Vec<DVec4> = controls.chunks_exact(order).map(|row| combined(row, &basis[1])).collect();
+        let sum = combined(&line, &basis[0]);
+        sum.xyz() / sum.w
+    }
+
     #[test]
     fn a_moved_control_point_is_seen_whichever_it_is() {
         let (face, ruling) = face_and_ruling();
@@ -180,6 +190,12 @@ mod tests {
             let order = degree[1] + 1;
             let share = largest(degree[0], index / order) * largest(degree[1], index % order);
             assert!(found > 0.5e-3 * share && found < 8e-3, "{index}: {found} {share}");
+            // A weight of its own, which the homogeneous points do not show.
+            let mut heavier = exact.clone();
+            heavier[index].w *= 1.001;
+            let found = composition.deviation(degree, &heavier);
+            let [from, to] = [&exact, &heavier].map(|net| point(degree, net, index));
+            assert!(found >= from.distance(to) && found > 1e-5 * share, "{index}: {found} {share}");
         }
     }
 }
