@@ -65,7 +65,11 @@ pub(super) async fn certified(
     let Some(witness) = search.witness() else { return Ok(None) };
     let (within, work) = (search.within(), search.work());
     let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
-    let stop = if stop == Stop::Converged && !is_decided { Stop::Precision } else { stop };
+    let stop = match stop {
+        Stop::Converged if !is_decided => Stop::Precision,
+        Stop::Precision if is_decided => Stop::Converged,
+        other => other,
+    };
     let [from, to] = search.witness_patches(witness);
     let notice = kernels.failure.map(|error| format!("{error}; the rest was computed on the CPU"));
     let directed = DirectedResult {

@@ -43,10 +43,20 @@ fn exact_offsets() {
     both("parts of spheres of 1 and 1.1", &one, &larger, RigidTransform::IDENTITY, 1e-6, 0.1);
 }
 
+/// A quadric in other parameters is at no distance by its heights, which are bounded in float64, so
+/// that kernels find too little to do.
 #[test]
-fn a_copy_by_other_parameters() {
+fn a_copy_by_other_parameters_takes_few_cells_on_either() {
     let [part, sphere] = sphere_parts([1.0, 1.0]).unwrap();
-    both("a part of a sphere", &part, &sphere, RigidTransform::IDENTITY, 1e-6, 0.0);
+    let Some(engine) = engine("a part of a sphere") else { return };
+    for backend in [Backend::Cpu, Backend::Gpu] {
+        let options = Options { tolerance: 1e-6, backend, ..Options::default() };
+        let result = measure(&engine, &part, &sphere, &options);
+        let details = result.certified().unwrap();
+        assert!(result.converged && result.lower <= ROUNDING, "{:?}", details.stop);
+        assert!(result.upper <= details.tolerance + ROUNDING, "{}", result.upper);
+        assert!(details.cells < 100, "{}", details.cells);
+    }
 }
 
 #[test]

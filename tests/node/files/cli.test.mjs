@@ -273,7 +273,9 @@ test("completions are the native command's", () => {
   assert.match(stderr, /native command/);
 });
 
-test("CAD files are read in Node, and STEP files natively to the same part", { skip: missing }, () => {
+test("CAD files are read in Node, and STEP files natively to the same part", {
+  skip: missing,
+}, () => {
   const part = file("screw.step", sharedFile("step/screw.step"));
   const distance = node("distance", part, part, "--tolerance", "1e-3", "--json");
   assert.equal(distance.status, 0, distance.stderr);

@@ -67,10 +67,10 @@ pub(super) fn check(face: &Face, maps: &[&Map]) -> Finding {
     }
     // No box is inside: the region is narrower than the limit, or nothing.
     let area = face.loops.area();
-    let whole = face.loops.bounds().map(|bounds| bounds.hi - bounds.lo);
+    let length = face.loops.bounds().iter().map(|bounds| bounds.hi - bounds.lo).fold(0.0, f64::max);
     if area.lo > 0.0 {
         found
-    } else if area.hi <= NO_AREA * whole[0] * whole[1] {
+    } else if area.hi <= NO_AREA * length * length {
         Finding::refuted("the loops are around nothing".to_owned())
     } else {
         Finding::OPEN
