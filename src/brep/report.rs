@@ -27,7 +27,7 @@ pub struct ReadReport {
     pub unit: Option<f64>,
     /// The faces that could not be read, or not be cut into patches.
     pub skipped: Vec<Skipped>,
-    /// The faces of which the file leaves something open, with what was decided.
+    /// The faces that the file leaves ambiguous, with what was decided.
     pub notes: Vec<Note>,
     /// The file's faces of the model's, one entry a face of the model: with instances a face
     /// of the file has several.

@@ -39,7 +39,7 @@ export interface CadReport {
   /** The faces left out. */
   skipped: SkippedFace[];
   /**
-   * The faces of which the file leaves something open, as those on a closed surface whose
+   * The faces that the file leaves ambiguous, as those on a closed surface whose
    * complement has the same edges.
    */
   notes: FaceNote[];

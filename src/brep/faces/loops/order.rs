@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 /// the square of their number. A wire in order may have any number.
 const MAX_DISORDERED: usize = 2000;
 
-/// The most walks of which a circuit is put together, as each takes a search of all joints.
+/// Maximum walks joined into one circuit; each costs a search over all joints.
 const MAX_WALKS: usize = 64;
 
 /// The most curves that are tried in the search of all circuits: a wire of two seams has 6

@@ -51,7 +51,7 @@ fn nested(file: &Exchange<'_>, instance: u64, scale: &Scale, nesting: usize) -> 
     }
 }
 
-/// Returns the curve of which a trimmed one is a part.
+/// Returns the basis curve of a trimmed curve.
 pub(in crate::brep::step) fn trimmed(curve: Curve) -> Curve {
     match curve {
         Curve::Trimmed { basis, .. } => trimmed(*basis),
