@@ -197,8 +197,8 @@ fn name_parts(model: &mut ModelArrays) {
     }
 }
 
-/// Returns the remarks on faces, and the faces whose side of the loops nothing but the loops'
-/// directions tells.
+/// Returns the remarks on faces, and the faces whose side of the loops follows from the
+/// loops' directions alone.
 fn notes(
     file: &Topology,
     placed: &[Placed],

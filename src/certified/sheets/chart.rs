@@ -311,8 +311,8 @@ impl<'a> Chart<'a> {
         bounds.rescaled(widths.map(|width| (1.0 - MARGIN) * width))
     }
 
-    /// The part of a box of the chart's parameters that lies in the patch so many patches away, or a
-    /// little more, in that patch's parameters.
+    /// The part of a box of the chart's parameters in the patch at `offsets`, or a little more, in
+    /// that patch's parameters.
     pub(in crate::certified) fn part(&self, offsets: [isize; 2], ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
         Axis::BOTH.map(|axis| {
             let (offset, [low, high]) = (offsets[axis.index()], ends[axis.index()]);

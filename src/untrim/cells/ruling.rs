@@ -66,7 +66,7 @@ pub(in crate::untrim) fn mapped(face: &Face, arcs: &[Arc], cell: &Cell) -> Mappe
     between(face, cell, sides).map_or(Mapped::Halve, Mapped::One)
 }
 
-/// Returns the map between two sides of which at least one is a graph.
+/// Returns the map between two sides, at least one of them a graph.
 fn between(face: &Face, cell: &Cell, sides: [&Side; 2]) -> Option<Ruling> {
     let composed = |graph: &Graph, height: &Curve| follow(graph, height, face.tolerances.composite);
     match sides {

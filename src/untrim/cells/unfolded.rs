@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn halves_of_a_circle_that_meet_in_its_poles_do_not_fold() {
         let w = std::f64::consts::FRAC_1_SQRT_2;
-        // The right half in two arcs of which one is longer, so that v differs at equal parameters.
+        // Two arcs of different weights, so that v differs at equal parameters.
         let left = curve(&[[0.5, 0.0, 1.0], [0.0, 0.0, w], [0.0, 0.5, 1.0]]);
         let right = curve(&[[0.5, 0.0, 1.0], [1.0, 0.0, 0.5 * w], [1.0, 0.5, 1.0]]);
         assert_eq!(folds(&left, &right, TOLERANCE), Some([0.0; 2]));

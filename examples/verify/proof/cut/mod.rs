@@ -79,7 +79,7 @@ struct Face {
     /// Half of the limit, in the frame: what a piece may be off the surface by, and what a place on
     /// the surface may be off the region by.
     limit: f64,
-    /// Sizes in u and v of boxes of which no two points are farther than half of that from each
+    /// Sizes in u and v of boxes in which no two points are farther than half of that from each
     /// other on the surface: such a box, and one about it that is larger by as much on each side.
     small: [f64; 2],
     loops: Outline,

@@ -66,7 +66,7 @@ fn cancels(chain: &Chain, surface: &Surface) -> bool {
     in_pairs && area::of_loop(&chain.uses).abs() <= area::NO_AREA * whole
 }
 
-/// Returns whether the loops bound two regions of a closed surface, of which their directions
+/// Returns whether the loops bound two regions of a closed surface, so that their directions
 /// choose one.
 ///
 /// A seam, whose edge is used once each way, lies in the face on both its sides, and the edge

@@ -46,8 +46,8 @@ enum Meeting {
 pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, FaceFault> {
     let search = Search { uses: &uses, frame, whole: frame.whole() };
     let in_file: Vec<usize> = (0..uses.len()).collect();
-    // Curves that were made from edges are where they are but for periods, which the order of the
-    // file tells.
+    // Curves that were made from edges are where they are but for periods, which follow from
+    // the order of the file.
     if !uses.iter().all(|one| one.is_placed) && search.is_circuit(&in_file, Meeting::OnSurface) {
         let moved = search.moved(&in_file);
         if search.fits(&moved) {

@@ -137,7 +137,7 @@ impl<'a> Lexer<'a> {
         if self.token()? == Token::Mark(mark) { Ok(()) } else { Err(self.error(start, expected)) }
     }
 
-    /// Moves behind the next occurrence of a word; false if there is none.
+    /// Moves behind the next occurrence of a word; returns false where the word does not follow.
     pub(in crate::brep::step) fn skip_behind(&mut self, word: &[u8]) -> bool {
         let rest = &self.bytes[self.position..];
         let found = rest.windows(word.len()).position(|window| window == word);

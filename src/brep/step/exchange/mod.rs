@@ -103,7 +103,7 @@ impl<'a> Exchange<'a> {
     }
 
     /// Returns the name of an instance's entity without parsing its attributes; the first of
-    /// a complex instance. Empty if there is none.
+    /// a complex instance; empty without such a part.
     pub(super) fn keyword(&self, number: u64) -> &'a str {
         let Some(position) = self.positions.get(&number) else { return "" };
         let mut lexer = self.lexer.at(position.start);
