@@ -86,6 +86,7 @@ mod parallel;
 mod pieces;
 mod rounding;
 mod symmetry;
+mod tolerance;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 

@@ -28,7 +28,7 @@ OTHERS = [
 
 def measure(arguments, a, b):
     command = [arguments.command, "distance", arguments.pairs / f"{a}.brep", arguments.pairs / f"{b}.brep"]
-    options = ["--json", "--max-seconds", "60", "--tolerance", str(arguments.tolerance)]
+    options = ["--json", "--max-seconds", "60", "--relative-tolerance", str(arguments.tolerance)]
     start = time.perf_counter()
     run = subprocess.run([*command, *options], capture_output=True, text=True)
     seconds = time.perf_counter() - start

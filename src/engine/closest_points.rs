@@ -9,12 +9,16 @@ use crate::model::RigidTransform;
 use crate::parallel::map_ranges;
 use crate::progress::{Monitor, Progress};
 use crate::rounding::{VANISHING_LENGTH, gamma};
+use crate::tolerance::PermittedWidth;
 use glam::DVec3;
 use serde::Deserialize;
 
 /// The number of points between two checkpoints: some tens of milliseconds of work on
 /// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
 const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
+
+/// The excess of a distance, as a fraction of the diagonal, unless the options state one.
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
 
 /// The roundings of a distance of two points, relative to it: three differences,
 /// their squares, two sums and a root.
@@ -24,11 +28,11 @@ const DISTANCE_ROUNDINGS: f64 = 7.0;
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct ClosestPointOptions {
-    /// The largest excess of a distance over the least one, relative to the diagonal of the
-    /// model's control-net box; positive.
-    pub tolerance: f64,
-    /// Whether the tolerance is in model units.
-    pub absolute: bool,
+    /// The permitted excess of a distance over the least one, in model units, positive.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the diagonal of the model's control-net box; 1e-9 if
+    /// neither is given. Both at once are an error.
+    pub relative_tolerance: Option<f64>,
     /// Moves the points before they are measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -37,7 +41,7 @@ pub struct ClosestPointOptions {
 
 impl Default for ClosestPointOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-9, absolute: false, transform: RigidTransform::IDENTITY }
+        Self { tolerance: None, relative_tolerance: None, transform: RigidTransform::IDENTITY }
     }
 }
 
@@ -80,16 +84,15 @@ impl Engine {
         options: &ClosestPointOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<ClosestPoints> {
-        let positive = options.tolerance > 0.0 && options.tolerance.is_finite();
-        if !positive {
-            return Err(Error::out_of_range("tolerance", options.tolerance, "a positive finite number"));
-        }
+        let ClosestPointOptions { tolerance, relative_tolerance, transform } = *options;
+        let permitted = PermittedWidth { tolerance, relative_tolerance };
+        permitted.validate()?;
         validate(points)?;
         let flat = model.target(Flatness::Loose);
-        let (target, transform) = (&flat.target, options.transform);
+        let target = &flat.target;
         let pieces = model.pieces();
         let diagonal = model.bounding_box().diagonal();
-        let gap = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+        let gap = permitted.in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
         let point_error = model.bezier().point_error.after(MAX_HALVINGS);
         let mut progress = Progress::new(monitor, false);
         let mut found = ClosestPoints::default();

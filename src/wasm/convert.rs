@@ -7,7 +7,7 @@ use crate::engine::{
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::tessellate::Tessellation;
+use crate::tessellate::{Tessellation, TessellationOptions};
 use glam::{DQuat, DVec3};
 use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::de::DeserializeOwned;
@@ -56,6 +56,14 @@ pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<Fi
     let transform = rigid_transform(transform)?;
     let options: FieldOptions = properties(options).map_err(invalid)?;
     Ok(FieldOptions { transform, ..options })
+}
+
+/// The options of a tessellation, as [`options`].
+///
+/// # Errors
+/// [`Error::OptionInvalid`].
+pub(super) fn tessellation_options(options: &JsValue) -> Result<TessellationOptions> {
+    properties(options).map_err(invalid)
 }
 
 /// The transform of an object; undefined is the identity.

@@ -140,9 +140,10 @@ impl PreparedModel {
         convert::to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
     }
 
-    /// Undefined is the default tolerance.
-    pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), tolerance)?)
+    /// Triangles to display, by a plain object of options.
+    pub fn tessellate(&self, options: &JsValue) -> std::result::Result<JsValue, JsValue> {
+        let options = convert::tessellation_options(options)?;
+        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), &options)?)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::support::trims::{
 };
 use glam::DVec3;
 use nurbs_hausdorff::model::ModelArrays;
+use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{
     Backend, DistanceResult, Engine, Method, Model, NoMonitor, Options, PreparedModel, SurfaceArrays,
@@ -329,12 +330,12 @@ fn the_gap_stands_beside_the_interval() {
 #[test]
 fn a_tolerance_below_the_deviation_stops_with_the_least_one_possible() {
     let (a, b) = (plate(10.0), plate(10.5));
-    let options = Options { tolerance: 1e-14, ..Options::default() };
+    let options = Options { relative_tolerance: Some(1e-14), ..Options::default() };
     let result = measure(&a, &b, &options);
     let details = result.certified().unwrap();
     assert!(!result.converged && details.min_tolerance > 1e-14 * result.diagonal);
     assert!(result.lower <= 0.5 && 0.5 <= result.upper, "[{}, {}]", result.lower, result.upper);
-    let options = Options { tolerance: 2.0 * details.min_tolerance, absolute: true, ..Options::default() };
+    let options = Options { tolerance: Some(2.0 * details.min_tolerance), ..Options::default() };
     assert!(measure(&a, &b, &options).converged);
 }
 
@@ -397,7 +398,8 @@ fn closest_points_and_faces_are_those_of_the_trimmed_model() {
 #[test]
 fn display_triangles_cover_the_trimmed_area() {
     let model = plate(10.0);
-    let triangles = nurbs_hausdorff::tessellate::tessellate(&model, Some(1e-3)).unwrap();
+    let triangles =
+        tessellate(&model, &TessellationOptions { tolerance: Some(1e-3), ..Default::default() }).unwrap();
     assert_eq!(triangles.surfaces.len(), 7);
     let top = triangles.indices[triangles.surfaces[0].clone()].chunks(3).map(|corners| {
         let [a, b, c] = [0, 1, 2].map(|k| {

@@ -13,8 +13,8 @@ use crate::progress::{Monitor, Progress};
 use glam::DVec3;
 use web_time::Instant;
 
-/// The part of the tolerance to which the distance of a face is searched while its
-/// state is undecided: a face whose distance differs from the tolerance by more than
+/// The part of the limit to which the distance of a face is searched while its
+/// state is undecided: a face whose distance differs from the limit by more than
 /// a hundredth is decided.
 const DECISION_PART: f64 = 1e-2;
 
@@ -87,7 +87,7 @@ impl Engine {
         let of_b: Vec<_> = of_b.into_iter().map(|found| found.reversed(&transform)).collect();
         Ok(DiffResult {
             state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
-            tolerance: options.tolerance,
+            limit: options.limit,
             unit: a.unit().or(b.unit()),
             model_gap: a.gap() + b.gap(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
@@ -132,7 +132,7 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let searches = map(count, |index| {
-                let mut search = self.decision(first + index, options.tolerance);
+                let mut search = self.decision(first + index, options.limit);
                 advance(&mut search, FIRST_CELLS);
                 search
             });
@@ -153,8 +153,8 @@ impl<'a> Side<'a> {
     }
 
     /// The search that decides the state of a face.
-    fn decision(&self, face: usize, tolerance: f64) -> BranchAndBound<'a> {
-        BranchAndBound::new(self.pair(face), DECISION_PART * tolerance, Some(tolerance), 0.0)
+    fn decision(&self, face: usize, limit: f64) -> BranchAndBound<'a> {
+        BranchAndBound::new(self.pair(face), DECISION_PART * limit, Some(limit), 0.0)
     }
 
     /// Ends the search of a face, and narrows the interval of a changed one.
@@ -192,7 +192,7 @@ impl<'a> Side<'a> {
         options: &DiffOptions,
     ) -> Result<FaceDifference> {
         let Interval { lower, upper } = interval;
-        let state = state(interval, options.tolerance);
+        let state = state(interval, options.limit);
         let witness = witness(search, self.pieces).ok_or(Error::EmptyModel)?;
         Ok(FaceDifference { face, state, lower, upper, witness, cells: search.work().cells })
     }
@@ -224,10 +224,10 @@ fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
 }
 
 /// The state that follows from an interval.
-fn state(interval: Interval, tolerance: f64) -> FaceState {
-    if interval.upper <= tolerance {
+fn state(interval: Interval, limit: f64) -> FaceState {
+    if interval.upper <= limit {
         FaceState::Unchanged
-    } else if interval.lower > tolerance {
+    } else if interval.lower > limit {
         FaceState::Changed
     } else {
         FaceState::Undecided

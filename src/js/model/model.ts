@@ -5,7 +5,7 @@ import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { controlPoints, type Numbers } from "./surface.js";
-import type { Tessellation } from "./tessellation.js";
+import type { Tessellation, TessellationOptions } from "./tessellation.js";
 
 /** The largest index that the module's 32 bits take. */
 const MAX_SURFACE = 2 ** 32 - 1;
@@ -86,22 +86,15 @@ export class NurbsModel {
   }
 
   /**
-   * Triangles that deviate from the model by at most `tolerance` (in model
-   * units; by default 2e-4 of the model's diagonal), provided that about a
-   * million of them suffice.
+   * Triangles that deviate from the model by at most the options' tolerance, provided
+   * that about a million of them suffice.
    *
-   * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless `tolerance` is
-   * positive and finite.
+   * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless the tolerance is
+   * positive and finite; `OPTION_INVALID`.
    */
-  tessellate({ tolerance }: { tolerance?: number } = {}): Tessellation {
+  tessellate(options: TessellationOptions = {}): Tessellation {
     const prepared = this.prepared;
-    if (tolerance !== undefined && typeof tolerance !== "number") {
-      throw new HausdorffError(
-        "OPTION_INVALID",
-        `tolerance is ${typeof tolerance}, expected a number`,
-      );
-    }
-    return translating(() => prepared.tessellate(tolerance) as Tessellation);
+    return translating(() => prepared.tessellate(options) as Tessellation);
   }
 
   /**

@@ -4,7 +4,7 @@ import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
 import type { Numbers } from "../model/surface.js";
-import type { Tessellation } from "../model/tessellation.js";
+import type { Tessellation, TessellationOptions } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
 import type { ModelFacts } from "./messages.js";
 
@@ -92,7 +92,7 @@ export class NurbsModel {
   }
 
   /** As the plain model's, in the worker. */
-  async tessellate(options: { tolerance?: number } = {}): Promise<Tessellation> {
+  async tessellate(options: TessellationOptions = {}): Promise<Tessellation> {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("tessellate", [id, options]);
     return result as Tessellation;

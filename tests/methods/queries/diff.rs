@@ -93,7 +93,7 @@ fn the_transform_moves_a_and_its_witnesses() {
 fn the_farthest_face_is_as_far_as_the_model() {
     for [one, other] in [["bottle", "torus"], ["sphere", "sphere-larger"], ["wavy-sheet", "wavy-sheet-b"]] {
         let (a, b) = (shape(one).unwrap(), shape(other).unwrap());
-        let result = diff(&a, &b, &DiffOptions { tolerance: 1e-4, ..DiffOptions::default() });
+        let result = diff(&a, &b, &DiffOptions { limit: 1e-4, ..DiffOptions::default() });
         let whole = cpu::measure(&a, &b, &Options::default());
         let largest = |bound: fn(&nurbs_hausdorff::FaceDifference) -> f64| {
             result.a.iter().map(bound).fold(0.0_f64, f64::max)
@@ -108,8 +108,8 @@ fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     let [a, b] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
     let whole = cpu::measure(&a, &b, &Options::default());
     // At the distance itself no search of a few cells can decide.
-    let tolerance = 0.5 * (whole.lower + whole.upper);
-    let result = diff(&a, &b, &DiffOptions { tolerance, max_cells: 1, ..DiffOptions::default() });
+    let limit = 0.5 * (whole.lower + whole.upper);
+    let result = diff(&a, &b, &DiffOptions { limit, max_cells: 1, ..DiffOptions::default() });
     let face = &result.a[0];
     assert_eq!(face.state, FaceState::Undecided);
     assert!(face.lower <= whole.upper && whole.lower <= face.upper);
@@ -135,8 +135,8 @@ fn a_face_that_is_decided_ends_after_few_cells() {
 
 #[test]
 fn options_out_of_range_are_refused() {
-    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let options = DiffOptions { tolerance, ..DiffOptions::default() };
+    for limit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = DiffOptions { limit, ..DiffOptions::default() };
         assert_eq!(options.validate().unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
     let options = DiffOptions { max_cells: 0, ..DiffOptions::default() };

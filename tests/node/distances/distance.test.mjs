@@ -63,7 +63,7 @@ test("concentric spheres are the difference of their radii apart", async () => {
     const result = await hd.distance(a, b, {
       method,
       samples: 16,
-      tolerance: 1e-3,
+      relativeTolerance: 1e-3,
       symmetric: true,
     });
     near(result.computed, 0.2, 1e-12);
@@ -80,7 +80,7 @@ test("the certified interval is as narrow as requested", async () => {
   const b = hd.shape("sphere-larger");
   const intervals = [];
   const result = await hd.distance(a, b, {
-    tolerance: 1e-4,
+    relativeTolerance: 1e-4,
     onProgress: (_, interval) => interval && intervals.push(interval),
   });
   assert.equal(result.method, "certified");

@@ -156,7 +156,7 @@ test("nothing blocks the caller's thread for more than 50 ms", async () => {
     const [a, b] = await Promise.all(names.map((name) => hd.shape(name)));
     await hd.distance(a, b, { method: "hierarchy" });
     await hd.distance(a, b, { method: "iteration", field: true });
-    await hd.closestPoints(a, points, { tolerance: 1e-3 });
+    await hd.closestPoints(a, points, { relativeTolerance: 1e-3 });
   };
   await blocksAtMost(50, work);
 });

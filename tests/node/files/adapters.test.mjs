@@ -32,7 +32,7 @@ async function liesOn(model, points) {
 
 /** Fails unless the directed distance contains `expected` in an interval of this width. */
 async function distanceIs(a, b, expected, width = 1e-6) {
-  const { lower, upper } = await hd.distance(a, b, { tolerance: width, absolute: true });
+  const { lower, upper } = await hd.distance(a, b, { tolerance: width });
   near(lower, expected, 2 * width);
   near(upper, expected, 2 * width);
 }

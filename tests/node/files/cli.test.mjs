@@ -73,7 +73,7 @@ function alike(ours, theirs, tolerance, where = "") {
 const VALUES = {
   method: ["hierarchy"],
   tolerance: ["1e-3"],
-  absolute: [],
+  "relative-tolerance": ["1e-3"],
   limit: ["2.5"],
   "max-seconds": ["60"],
   "max-cells": ["5"],
@@ -174,7 +174,7 @@ function shape(name) {
 
 test("both compare faces", () => {
   const lines = ({ stdout }) => stdout.split("\n").filter((line) => !line.startsWith("seconds"));
-  for (const options of [[], ["--tolerance", "4"], ["--max-cells", "2", "--tolerance", "1e-9"]]) {
+  for (const options of [[], ["--limit", "4"], ["--max-cells", "2", "--limit", "1e-9"]]) {
     const args = ["diff", squares[0], squares[3], ...options];
     const [ours, theirs] = both(...args);
     assert.deepEqual(lines(ours).length, lines(theirs).length);

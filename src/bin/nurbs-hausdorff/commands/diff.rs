@@ -41,7 +41,7 @@ fn lines(out: &mut String, result: &DiffResult) -> Result {
         FaceState::Undecided => "undecided",
         FaceState::Changed => "changed",
     };
-    writeln!(out, "models     {} at a tolerance of {:?}", state(result.state), result.tolerance)?;
+    writeln!(out, "models     {} at a limit of {:?}", state(result.state), result.limit)?;
     let listed = [FaceState::Changed, FaceState::Undecided];
     for (index, (name, faces)) in [("A", &result.a), ("B", &result.b)].into_iter().enumerate() {
         let [changed, undecided] = listed.map(|state| result.faces_in(state)[index].len());

@@ -34,7 +34,7 @@ function text(result: DiffResult): string {
     ["A", result.a, "a"],
     ["B", result.b, "b"],
   ] as const;
-  const lines = [`models     ${result.state} at a tolerance of ${full(result.tolerance)}`];
+  const lines = [`models     ${result.state} at a limit of ${full(result.limit)}`];
   for (const [name, faces] of models) {
     const [unchanged, changed, undecided] = (["unchanged", "changed", "undecided"] as const).map(
       (state) => faces.filter((face) => face.state === state).length,
