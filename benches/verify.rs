@@ -147,7 +147,7 @@ fn check(pair: Pair) -> Row {
     let result = pollster::block_on(engine.distance(&a, &b, &pair.options, &mut NoMonitor));
     let result = result.unwrap_or_else(|error| panic!("{}: {error}", pair.name));
     let found = result.witness.a;
-    let witness = Witness { surface: found.surface, u: found.u, v: found.v };
+    let witness = Witness { surface: found.face, u: found.u, v: found.v };
     let claim = Claim { lower: result.lower, upper: result.upper, witness };
     let transform = pair.options.transform;
     let motion =

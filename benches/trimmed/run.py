@@ -49,7 +49,7 @@ def row(arguments, a, b, truth):
         verdict = ("agrees" if agrees else "differs") if holds else "**EXCEEDS UPPER**"
     times = result["seconds"]
     return (
-        f"| {a} | {b} | [{lower:.9g}, {upper:.9g}] | {(upper - lower) / diagonal:.1e} | {result.get('modelGap', 0):.1e} "
+        f"| {a} | {b} | [{lower:.9g}, {upper:.9g}] | {(upper - lower) / diagonal:.1e} | {result.get('gap', 0):.1e} "
         f"| {times['prepare']:.2f} | {times['solve']:.2f} | {seconds:.2f} | {truth if truth is not None else ''} {verdict} |"
     )
 

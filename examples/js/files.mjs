@@ -8,8 +8,8 @@ const hd = await Hausdorff.create();
 const [a, b] = [first, second].map((file) => hd.model(readFileSync(file, "utf8")));
 const result = await hd.diff(a, b, { limit: Number(limit) });
 for (const [name, faces] of [
-  ["A", result.a],
-  ["B", result.b],
+  ["A", result.facesOfA],
+  ["B", result.facesOfB],
 ]) {
   for (const { face, state, upper, witness } of faces) {
     const where = name === "A" ? witness.a.point : witness.b.point;

@@ -58,8 +58,8 @@ pub struct ClosestPoints {
     pub signed: Vec<f64>,
     /// The feet, the points of the model that were found: x, y, z each.
     pub feet: Vec<f64>,
-    /// The indices of the feet's surfaces.
-    pub surfaces: Vec<u32>,
+    /// The indices of the feet's faces.
+    pub faces: Vec<u32>,
     /// The feet's parameters there: u, v each.
     pub parameters: Vec<f64>,
 }
@@ -118,7 +118,7 @@ impl Engine {
                     );
                     part.signed.push(super::field::signed(point, &foot));
                     part.feet.extend_from_slice(&foot.point.to_array());
-                    part.surfaces.push(pieces.face(patch.surface) as u32);
+                    part.faces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);
                     part.parameters.extend_from_slice(&pieces.face_parameters(patch.surface, of_piece));
                 }
@@ -153,7 +153,7 @@ impl ClosestPoints {
         self.bounds.append(&mut other.bounds);
         self.signed.append(&mut other.signed);
         self.feet.append(&mut other.feet);
-        self.surfaces.append(&mut other.surfaces);
+        self.faces.append(&mut other.faces);
         self.parameters.append(&mut other.parameters);
     }
 }

@@ -41,8 +41,8 @@ pub struct Tessellation {
     pub indices: Vec<u32>,
     /// The point that positions are relative to, the centre of the model's box.
     pub origin: DVec3,
-    /// The range of `indices` of each surface.
-    pub surfaces: Vec<Range<usize>>,
+    /// The range of `indices` of each face.
+    pub faces: Vec<Range<usize>>,
 }
 
 /// Returns triangles whose Hausdorff distance from the model is at most the options'
@@ -79,7 +79,7 @@ pub(crate) fn tessellate_patches(
         normals: Vec::new(),
         indices: Vec::new(),
         origin: aabb.center(),
-        surfaces: Vec::with_capacity(pieces.face_count()),
+        faces: Vec::with_capacity(pieces.face_count()),
     };
     let divisions = Divisions::of_model(model, tolerance);
     for face in pieces.faces() {
@@ -88,7 +88,7 @@ pub(crate) fn tessellate_patches(
             let vertices = VertexGrid::new(&model.patches, &model.grids[piece], &divisions[piece], tolerance);
             tessellation.append(&vertices);
         }
-        tessellation.surfaces.push(first..tessellation.indices.len());
+        tessellation.faces.push(first..tessellation.indices.len());
     }
     Ok(tessellation)
 }

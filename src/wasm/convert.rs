@@ -201,7 +201,7 @@ struct DeviationArrays {
 
 #[derive(Serialize)]
 struct FieldArrays {
-    surface: usize,
+    face: usize,
     counts: [usize; 2],
     #[serde(with = "serde_wasm_bindgen::preserve")]
     points: Float64Array,
@@ -220,7 +220,7 @@ struct FieldArrays {
 impl From<&Field> for FieldArrays {
     fn from(field: &Field) -> Self {
         Self {
-            surface: field.surface,
+            face: field.face,
             counts: field.counts,
             points: field.points.as_slice().into(),
             feet: field.feet.as_slice().into(),
@@ -243,7 +243,7 @@ struct ClosestPointArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     feet: Float64Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
-    surfaces: Uint32Array,
+    faces: Uint32Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     parameters: Float64Array,
 }
@@ -258,7 +258,7 @@ pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsVal
         bounds: found.bounds.as_slice().into(),
         signed: found.signed.as_slice().into(),
         feet: found.feet.as_slice().into(),
-        surfaces: found.surfaces.as_slice().into(),
+        faces: found.faces.as_slice().into(),
         parameters: found.parameters.as_slice().into(),
     })
 }
@@ -273,8 +273,8 @@ pub(super) fn tessellation(tessellation: &Tessellation) -> std::result::Result<J
         normals: tessellation.normals.as_slice().into(),
         indices: tessellation.indices.as_slice().into(),
         origin: tessellation.origin.to_array(),
-        surfaces: tessellation
-            .surfaces
+        faces: tessellation
+            .faces
             .iter()
             .map(|range| IndexRange { first_index: range.start, index_count: range.len() })
             .collect(),
@@ -290,7 +290,7 @@ struct TessellationArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     indices: Uint32Array,
     origin: [f64; 3],
-    surfaces: Vec<IndexRange>,
+    faces: Vec<IndexRange>,
 }
 
 #[derive(Serialize)]

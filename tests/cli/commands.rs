@@ -68,7 +68,7 @@ fn iteration_prints_one_object_with_every_key() {
         "lower",
         "upper",
         "converged",
-        "modelGap",
+        "gap",
         "bounds",
         "witness",
         "samples",
@@ -81,7 +81,7 @@ fn iteration_prints_one_object_with_every_key() {
     found.sort_unstable();
     assert_eq!(found, expected);
     assert_eq!(keys(&result["bounds"]), ["kA", "kARigorous", "kB"]);
-    assert_eq!(keys(&result["witness"]["a"]), ["point", "surface", "u", "v"]);
+    assert_eq!(keys(&result["witness"]["a"]), ["face", "point", "u", "v"]);
     assert_eq!(keys(&result["seconds"]), ["compile", "prepare", "solve"]);
     assert_eq!((&result["method"], &result["backend"]), (&json!("iteration"), &json!("cpu")));
     assert_eq!(result["computed"], 3.0);
@@ -195,7 +195,7 @@ fn people_get_text() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("degree 1,1  net 2x2  polynomial  clamped"), "{text}");
     let info = printed(&run(&["info", &a, "--json"]));
-    assert_eq!(info["surfaces"][0]["counts"], json!([2, 2]));
+    assert_eq!(info["faces"][0]["counts"], json!([2, 2]));
 }
 
 #[test]
@@ -265,7 +265,8 @@ fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any()
     let result: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(result["state"], "changed");
     assert!(
-        result["a"][0]["lower"].as_f64().unwrap() <= 3.0 && 3.0 <= result["a"][0]["upper"].as_f64().unwrap()
+        result["facesOfA"][0]["lower"].as_f64().unwrap() <= 3.0
+            && 3.0 <= result["facesOfA"][0]["upper"].as_f64().unwrap()
     );
     assert_eq!(status(&run(&["diff", &a, &b, "--limit", "4"])), 0);
     assert_eq!(status(&run(&["diff", &a, &b, "--translate", "0,0,3"])), 0);

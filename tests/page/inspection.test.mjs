@@ -200,7 +200,7 @@ test("a result is exported as JSON, CSV, PNG, glTF and a report", async () => {
   assert.equal(result.lower, Number(lower));
   assert.deepEqual(models, { a: "torus", b: "torus" });
   const csv = (await exported("#export-csv")).bytes.toString().trim().split("\n");
-  assert.match(csv[0], /^surface,x,y,z,foot_x/);
+  assert.match(csv[0], /^face,x,y,z,foot_x/);
   const [, x, y, z, fx, fy, fz, distance] = csv[1].split(",").map(Number);
   assert.ok(Math.abs(Math.hypot(x - fx, y - fy, z - fz) - distance) < 1e-9);
   const png = await exported("#export-png");

@@ -3,7 +3,7 @@
 mod face;
 mod search;
 
-use super::{PreparedModel, Witness};
+use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use serde::{Deserialize, Serialize};
@@ -83,7 +83,7 @@ pub enum FaceState {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct FaceDifference {
-    /// The index of the face's surface in its model.
+    /// The index of the face in its model.
     pub face: usize,
     /// The state, which follows from the interval and the limit.
     pub state: FaceState,
@@ -110,16 +110,14 @@ pub struct DiffResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
-    /// The sum of both models' gaps, as in [`super::DistanceResult::model_gap`].
-    pub model_gap: f64,
+    /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
+    pub gap: f64,
     /// Every face of A, in order, compared with B.
-    pub a: Vec<FaceDifference>,
+    pub faces_of_a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.
-    pub b: Vec<FaceDifference>,
-    /// The seconds that preparation took; 0 where both models were prepared before.
-    pub prepare_seconds: f64,
-    /// The seconds that the searches took.
-    pub solve_seconds: f64,
+    pub faces_of_b: Vec<FaceDifference>,
+    /// Where the time went.
+    pub seconds: Seconds,
 }
 
 impl DiffResult {
@@ -127,7 +125,7 @@ impl DiffResult {
     /// farthest first within a model.
     #[must_use]
     pub fn faces_in(&self, state: FaceState) -> [Vec<&FaceDifference>; 2] {
-        [&self.a, &self.b].map(|faces| {
+        [&self.faces_of_a, &self.faces_of_b].map(|faces| {
             let mut found: Vec<_> = faces.iter().filter(|face| face.state == state).collect();
             found.sort_by(|one, other| other.lower.total_cmp(&one.lower));
             found

@@ -3,7 +3,7 @@
 use super::face::Face;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{BranchAndBound, Interval, Operand, Pair};
-use crate::engine::{Engine, PreparedModel, Witness};
+use crate::engine::{Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
@@ -61,7 +61,7 @@ impl Engine {
         let (whole_a, whole_b) = (flat_a.operand(a), flat_b.operand(b));
         let faces_a = Face::all(a, &flat_a);
         let faces_b = Face::all(b, &flat_b);
-        let prepare_seconds = started.elapsed().as_secs_f64();
+        let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
         let forward = Side {
             whole: whole_a,
@@ -89,12 +89,11 @@ impl Engine {
             state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
             limit: options.limit,
             unit: a.unit().or(b.unit()),
-            model_gap: a.gap() + b.gap(),
+            gap: a.gap() + b.gap(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
-            a: of_a,
-            b: of_b,
-            prepare_seconds,
-            solve_seconds: started.elapsed().as_secs_f64() - prepare_seconds,
+            faces_of_a: of_a,
+            faces_of_b: of_b,
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }
 }

@@ -82,7 +82,7 @@ impl Direction<'_> {
             notice: None,
             diagonal: pair.diagonal,
             unit: self.unit(),
-            model_gap: self.model_gap(),
+            gap: self.gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: self.to.bezier().patches.len(),
             seconds: Seconds {

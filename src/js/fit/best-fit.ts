@@ -26,7 +26,7 @@ export interface BestFitOptions {
   /** Cancels the work: the promise rejects with code `CANCELLED`. */
   signal?: AbortSignal;
   /** Called after every step with its number and the root mean square of the distances so far. */
-  onStep?: (step: number, rms: number) => void;
+  onProgress?: (step: number, rms: number) => void;
 }
 
 /** The position of one model that fits another best. */
@@ -76,7 +76,7 @@ export async function bestFit<Model>(
   a: Model,
   b: Model,
   {
-    onStep,
+    onProgress,
     tolerance,
     relativeTolerance,
     maxSteps,
@@ -110,7 +110,7 @@ export async function bestFit<Model>(
       [position, at] = [moved, next.at];
       damping = Math.max(damping / DAMPING_FACTOR, MIN_DAMPING);
     } else damping *= DAMPING_FACTOR;
-    onStep?.(step, Math.sqrt(at.meanSquare));
+    onProgress?.(step, Math.sqrt(at.meanSquare));
   }
   return result(position, at, before, most, false);
 }

@@ -27,8 +27,8 @@ export interface ClosestPoints {
   signed: Float64Array<ArrayBuffer>;
   /** x, y, z of every foot, the point of the model that was found. */
   feet: Float64Array<ArrayBuffer>;
-  /** The index of every foot's surface. */
-  surfaces: Uint32Array<ArrayBuffer>;
+  /** The index of every foot's face. */
+  faces: Uint32Array<ArrayBuffer>;
   /** u, v of every foot on its surface. */
   parameters: Float64Array<ArrayBuffer>;
 }

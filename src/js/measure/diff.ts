@@ -28,7 +28,7 @@ export type FaceState = "unchanged" | "undecided" | "changed";
  * in `[lower, upper]`.
  */
 export interface FaceDifference {
-  /** Index of the face's surface in its model. */
+  /** Index of the face in its model. */
   face: number;
   state: FaceState;
   lower: number;
@@ -50,11 +50,11 @@ export interface DiffResult {
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
   /** The sum of both models' gaps, as in a distance. */
-  modelGap: number;
+  gap: number;
   /** Every face of A, in order, compared with B. */
-  a: FaceDifference[];
+  facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */
-  b: FaceDifference[];
-  prepareSeconds: number;
-  solveSeconds: number;
+  facesOfB: FaceDifference[];
+  /** Where the time went. */
+  seconds: { prepare: number; compile: number; solve: number };
 }

@@ -16,6 +16,6 @@ export interface Tessellation {
   indices: Uint32Array<ArrayBuffer>;
   /** The point that positions are relative to, in float64. */
   origin: [x: number, y: number, z: number];
-  /** The range of `indices` of each surface. */
-  surfaces: { firstIndex: number; indexCount: number }[];
+  /** The range of `indices` of each face. */
+  faces: { firstIndex: number; indexCount: number }[];
 }

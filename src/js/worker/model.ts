@@ -69,14 +69,14 @@ export class NurbsModel {
     return this.#facts.gap;
   }
 
-  /** The name of a surface in its source, or null. */
-  part(surface: number): string | null {
-    return this.#facts.parts[surface] ?? null;
+  /** The name of a face in its source, or null. */
+  faceName(face: number): string | null {
+    return this.#facts.faceNames[face] ?? null;
   }
 
-  /** Number of surfaces, at least 1. */
-  get surfaceCount(): number {
-    return this.#facts.surfaceCount;
+  /** Number of faces, at least 1. */
+  get faceCount(): number {
+    return this.#facts.faceCount;
   }
 
   /** The box of all control points, which contains the model. */
@@ -100,12 +100,12 @@ export class NurbsModel {
 
   /** As the plain model's; what is called afterwards uses the new control points. */
   async update(
-    surface: number,
+    face: number,
     points: Numbers,
     options: { homogeneous?: boolean } = {},
   ): Promise<void> {
     const id = NurbsModel.id(this, this.#channel, "the model");
-    const [facts] = await this.#channel.call("update", [id, surface, points, options]);
+    const [facts] = await this.#channel.call("update", [id, face, points, options]);
     this.#facts = facts as ModelFacts;
   }
 

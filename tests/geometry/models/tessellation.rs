@@ -141,11 +141,11 @@ fn torn_surfaces_are_not_bridged() {
 #[test]
 fn surfaces_have_their_own_part_of_the_indices() {
     let tessellation = of(&shape("cylinder").unwrap(), None);
-    assert_eq!(tessellation.surfaces.len(), 3);
-    assert_eq!(tessellation.surfaces[0].start, 0);
-    assert_eq!(tessellation.surfaces[2].end, tessellation.indices.len());
-    assert!(tessellation.surfaces.windows(2).all(|pair| pair[0].end == pair[1].start));
-    assert!(tessellation.surfaces.iter().all(|range| !range.is_empty()));
+    assert_eq!(tessellation.faces.len(), 3);
+    assert_eq!(tessellation.faces[0].start, 0);
+    assert_eq!(tessellation.faces[2].end, tessellation.indices.len());
+    assert!(tessellation.faces.windows(2).all(|pair| pair[0].end == pair[1].start));
+    assert!(tessellation.faces.iter().all(|range| !range.is_empty()));
 }
 
 #[test]

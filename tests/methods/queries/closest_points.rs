@@ -41,7 +41,7 @@ fn feet_lie_where_their_surface_has_them() {
     let points = points(50);
     let found = closest(&model, &points, &ClosestPointOptions::default()).unwrap();
     for (index, parameters) in found.parameters.chunks_exact(2).enumerate() {
-        let surface = &model.surfaces()[found.surfaces[index] as usize];
+        let surface = &model.surfaces()[found.faces[index] as usize];
         let point =
             DVec3::from_array(crate::support::evaluator::point(surface, parameters[0], parameters[1]));
         assert!(point.distance(DVec3::from_slice(&found.feet[3 * index..])) < 1e-12);

@@ -17,9 +17,9 @@ test("the raised one of two squares is the face that changed", async () => {
   const result = await hd.diff(a, b, { limit: 0.01, onProgress: (f) => fractions.push(f) });
   assert.equal(result.state, "changed");
   assert.equal(result.limit, 0.01);
-  assert.deepEqual(states(result.a), ["unchanged", "changed"]);
-  assert.deepEqual(states(result.b), ["unchanged", "changed"]);
-  const { lower, upper, face, witness } = result.a[1];
+  assert.deepEqual(states(result.facesOfA), ["unchanged", "changed"]);
+  assert.deepEqual(states(result.facesOfB), ["unchanged", "changed"]);
+  const { lower, upper, face, witness } = result.facesOfA[1];
   assert.ok(lower <= 0.5 && 0.5 <= upper && upper - lower <= 0.5e-3);
   assert.equal(face, 1);
   assert.equal(witness.a.point[2], 7);

@@ -129,7 +129,7 @@ test("every sample comes back with field", async () => {
   const result = await hd.distance(a, b, { method: "iteration", samples: 5, field: true });
   assert.equal(result.field.length, 2);
   result.field.forEach((field, index) => {
-    assert.equal(field.surface, index);
+    assert.equal(field.face, index);
     assert.deepEqual(field.counts, [5, 5]);
     assert.ok(field.points instanceof Float64Array && field.feet instanceof Float64Array);
     assert.equal(field.points.length, 75);

@@ -22,7 +22,7 @@ test("a part that a rigid motion moved returns", async () => {
   const steps = [];
   const fit = await bestFit(hd, part, part, {
     transform,
-    onStep: (step, rms) => steps.push([step, rms]),
+    onProgress: (step, rms) => steps.push([step, rms]),
   });
   assert.ok(fit.converged, JSON.stringify(fit));
   assert.ok(fit.rmsBefore > 0.01, `${fit.rmsBefore}`);

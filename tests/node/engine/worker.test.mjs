@@ -65,7 +65,7 @@ test("models of arrays, JSON and text, faces and triangles", async () => {
   const [a, b, c] = await Promise.all(inputs.map((input) => hd.model(input)));
   assert.deepEqual(c.boundingBox, { min: [0, 0, 2], max: [1, 1, 2] });
   assert.equal(c.name, "square");
-  assert.equal(b.surfaceCount, 1);
+  assert.equal(b.faceCount, 1);
   const { state } = await hd.diff(a, b);
   assert.equal(state, "changed");
   const area = await a.area();

@@ -3,7 +3,7 @@ import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
 import { type DiffReply, SIDES } from "../worker/protocol.ts";
-import { type Change, changesOf, countsOf } from "./changes.ts";
+import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
 
 /** The limit proposed for new models, as a fraction of the diagonal. */
@@ -92,7 +92,7 @@ export class FacesPanel {
     this.#setState("done");
     this.#result = result;
     const table = SIDES.map((side) => {
-      const { unchanged, changed, undecided } = countsOf(result[side]);
+      const { unchanged, changed, undecided } = countsOf(facesOf(result, side));
       const name = side.toUpperCase();
       return `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
     });
@@ -102,7 +102,7 @@ export class FacesPanel {
       undecided: `Undecided at ${result.limit}:`,
     }[result.state];
     summary.replaceChildren(
-      ...[verdict, ...table, `in ${duration(result.solveSeconds)}`].map((text) => {
+      ...[verdict, ...table, `in ${duration(result.seconds.solve)}`].map((text) => {
         const line = document.createElement("span");
         line.textContent = text;
         return line;

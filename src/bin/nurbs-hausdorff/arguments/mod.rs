@@ -32,7 +32,7 @@ pub(crate) enum Command {
     /// Exit status: 0 if no face changed by more than --limit, 1 if one did,
     /// 2 for bad input, 3 if a face could not be decided and none changed.
     Diff(DiffArguments),
-    /// Prints the surfaces, patches and bounding box of a model.
+    /// Prints the faces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Writes a model as interchange JSON, and prints what reading it kept and left out.
     Convert(ConvertArguments),

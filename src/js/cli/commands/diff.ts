@@ -31,8 +31,8 @@ export async function diff(
 
 function text(result: DiffResult): string {
   const models = [
-    ["A", result.a, "a"],
-    ["B", result.b, "b"],
+    ["A", result.facesOfA, "a"],
+    ["B", result.facesOfB, "b"],
   ] as const;
   const lines = [`models     ${result.state} at a limit of ${full(result.limit)}`];
   for (const [name, faces] of models) {
@@ -56,8 +56,8 @@ function text(result: DiffResult): string {
       if (more > 0) lines.push(`           and ${more} more faces of ${name}`);
     }
   }
-  const { prepareSeconds, solveSeconds } = result;
-  lines.push(`seconds    ${prepareSeconds.toFixed(3)} prepare, ${solveSeconds.toFixed(3)} solve`);
+  const { prepare, solve } = result.seconds;
+  lines.push(`seconds    ${prepare.toFixed(3)} prepare, ${solve.toFixed(3)} solve`);
   return `${lines.join("\n")}\n`;
 }
 
