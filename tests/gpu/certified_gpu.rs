@@ -51,7 +51,7 @@ fn a_copy_by_other_parameters_takes_few_cells_on_either() {
     let [part, sphere] = sphere_parts([1.0, 1.0]).unwrap();
     let Some(engine) = engine("a part of a sphere") else { return };
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let options = Options { tolerance: 1e-6, backend, ..Options::default() };
+        let options = Options { relative_tolerance: Some(1e-6), backend, ..Options::default() };
         let result = measure(&engine, &part, &sphere, &options);
         let details = result.certified().unwrap();
         assert!(result.converged && result.lower <= ROUNDING, "{:?}", details.stop);
