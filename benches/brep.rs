@@ -30,7 +30,7 @@ fn main() {
                 let loops: usize = model.faces().filter_map(|face| Some(face.trim()?.loops().len())).sum();
                 println!(
                     "| {name} | {size} | {} | {loops} | {} | {} | {} | {:.1e} | {} | {fastest:.1} |",
-                    report.surfaces,
+                    report.faces,
                     report.trims,
                     report.exact,
                     report.fitted,

@@ -114,7 +114,12 @@ impl Bench<'_> {
         if !name.contains(&self.requested) {
             return;
         }
-        let options = Options { tolerance, transform, backend: Backend::Cpu, ..Options::default() };
+        let options = Options {
+            relative_tolerance: Some(tolerance),
+            transform,
+            backend: Backend::Cpu,
+            ..Options::default()
+        };
         let run =
             || pollster::block_on(self.engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
         let fastest = (1..ROUNDS).fold(run(), |fastest, _| {

@@ -103,7 +103,11 @@ fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, arguments: &Argu
         let preparation = Stopwatch::start(true);
         let [a, b] = pair.map(|model| PreparedModel::new(model).expect("valid trims"));
         let distance = |max_cells: usize| {
-            let options = Options { tolerance, max_cells: Some(max_cells), ..Options::default() };
+            let options = Options {
+                relative_tolerance: Some(tolerance),
+                max_cells: Some(max_cells),
+                ..Options::default()
+            };
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance")
         };
         // A search that ends after its first cell prepares all.

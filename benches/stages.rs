@@ -162,7 +162,7 @@ fn certified_search(c: &mut Criterion) {
         let model = PreparedModel::new(&net).expect("valid trims");
         let options = Options {
             method: Method::Certified,
-            tolerance: 1e-9,
+            relative_tolerance: Some(1e-9),
             max_cells: Some(CELLS),
             transform: RigidTransform::translation(DVec3::new(0.0, 0.0, 1e-3)).expect("finite"),
             ..Options::default()

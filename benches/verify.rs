@@ -147,7 +147,7 @@ fn check(pair: Pair) -> Row {
     let result = pollster::block_on(engine.distance(&a, &b, &pair.options, &mut NoMonitor));
     let result = result.unwrap_or_else(|error| panic!("{}: {error}", pair.name));
     let found = result.witness.a;
-    let witness = Witness { surface: found.surface, u: found.u, v: found.v };
+    let witness = Witness { surface: found.face, u: found.u, v: found.v };
     let claim = Claim { lower: result.lower, upper: result.upper, witness };
     let transform = pair.options.transform;
     let motion =
@@ -219,7 +219,8 @@ fn soundness_pairs() -> Vec<Pair> {
         let [a, b] = ["A", "B"].map(|side| read(&shared("soundness").join(format!("{name}_{side}.json"))));
         let diagonal = a.bounding_box().diagonal().max(b.bounding_box().diagonal());
         // Two points have no diagonal to be relative to.
-        let options = Options { absolute: diagonal == 0.0, ..options(RigidTransform::IDENTITY) };
+        let tolerance = (diagonal == 0.0).then_some(1e-6);
+        let options = Options { tolerance, ..options(RigidTransform::IDENTITY) };
         Pair { name, a, b, options }
     };
     names.into_iter().map(pair).collect()
@@ -230,8 +231,8 @@ fn random_pairs() -> Vec<Pair> {
         let pair = fuzzer::pairs::pair(seed);
         let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
         let options = Options {
-            absolute: diagonal == 0.0,
-            tolerance: pair.tolerance,
+            tolerance: (diagonal == 0.0).then_some(pair.tolerance),
+            relative_tolerance: (diagonal != 0.0).then_some(pair.tolerance),
             max_cells: Some(pair.max_cells),
             ..options(pair.transform)
         };

@@ -95,8 +95,9 @@ fn main() {
         let (mut cells, mut seconds, mut ended) = (0, 0.0, 0);
         for Pair { a, b, transform, name: pair } in &pairs {
             let max_cells = if prepare_only { Some(1) } else { Some(MAX_CELLS) };
-            let tolerance = if fine { 1e-8 } else { Options::default().tolerance };
-            let options = Options { transform: *transform, max_cells, tolerance, ..Options::default() };
+            let relative_tolerance = fine.then_some(1e-8);
+            let options =
+                Options { transform: *transform, max_cells, relative_tolerance, ..Options::default() };
             let watch = Stopwatch::start(true);
             let result =
                 pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");

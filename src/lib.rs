@@ -86,6 +86,7 @@ mod parallel;
 mod pieces;
 mod rounding;
 mod symmetry;
+mod tolerance;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
@@ -168,8 +169,8 @@ pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,
-    DistanceResult, Engine, FaceDifference, FaceState, FieldOptions, Method, ModelInfo, Options,
-    PreparedModel, Statistics, SurfaceInfo, SurfacePoint, Witness,
+    DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo, Options,
+    PreparedModel, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

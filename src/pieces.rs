@@ -26,7 +26,7 @@ pub(crate) struct FacePieces {
     /// The pieces of each face.
     faces: Vec<Range<usize>>,
     /// The name of each face.
-    parts: Vec<Option<String>>,
+    face_names: Vec<Option<String>>,
     /// An upper bound on the Hausdorff distance between each face and its pieces, the
     /// largest over all faces.
     deviation: f64,
@@ -50,12 +50,12 @@ impl FacePieces {
     /// [`crate::Error::FaceNotCut`].
     pub(crate) fn new(model: &Model) -> Result<(Self, Cow<'_, Model>)> {
         if !model.is_trimmed() {
-            let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
+            let face_names = model.faces().map(|face| face.name().map(str::to_owned)).collect();
             let count = model.surfaces().len();
             let pieces = Self {
                 origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
                 faces: (0..count).map(|face| face..face + 1).collect(),
-                parts,
+                face_names,
                 deviation: 0.0,
             };
             return Ok((pieces, Cow::Borrowed(model)));
@@ -103,8 +103,8 @@ impl FacePieces {
 
     /// Makes the pieces of all faces, with the untrimmed model.
     fn of_cuts(model: &Model, cuts: Vec<Untrimmed>) -> Result<(Self, Model)> {
-        let parts = model.faces().map(|face| face.part().map(str::to_owned)).collect();
-        let mut pieces = Self { origins: Vec::new(), faces: Vec::new(), parts, deviation: 0.0 };
+        let face_names = model.faces().map(|face| face.name().map(str::to_owned)).collect();
+        let mut pieces = Self { origins: Vec::new(), faces: Vec::new(), face_names, deviation: 0.0 };
         let mut surfaces: Vec<NurbsSurface> = Vec::new();
         for (face, untrimmed) in cuts.into_iter().enumerate() {
             pieces.deviation = pieces.deviation.max(untrimmed.deviation);
@@ -135,8 +135,8 @@ impl FacePieces {
     }
 
     /// Returns the name of a face, if it has one.
-    pub(crate) fn part(&self, face: usize) -> Option<&str> {
-        self.parts[face].as_deref()
+    pub(crate) fn face_name(&self, face: usize) -> Option<&str> {
+        self.face_names[face].as_deref()
     }
 
     /// Returns, for each piece, the parts of the samples and cells along both parameters of
@@ -174,8 +174,8 @@ impl FacePieces {
     pub(crate) fn surface_point(&self, piece: usize, parameters: [f64; 2], point: DVec3) -> SurfacePoint {
         let [u, v] = self.face_parameters(piece, parameters);
         let surface = self.face(piece);
-        let part = self.parts[surface].clone();
-        SurfacePoint { surface, part, u, v, point: point.to_array() }
+        let face_name = self.face_names[surface].clone();
+        SurfacePoint { face: surface, face_name, u, v, point: point.to_array() }
     }
 }
 
@@ -261,7 +261,7 @@ mod tests {
             surface: surface.clone(),
             trim: Some(vec![(0..3).map(side).collect()]),
             reversed: false,
-            part: Some(format!("face {number}")),
+            face_name: Some(format!("face {number}")),
             kind: None,
             gap: 0.0,
         };
@@ -285,12 +285,12 @@ mod tests {
         let cuts = failing(&model, &[1]);
         let Cuttable { model, pieces, untrimmed, refused } =
             FacePieces::without_failures(model, cuts).unwrap();
-        let parts: Vec<_> = model.faces().map(|face| face.part().unwrap().to_owned()).collect();
-        assert_eq!(parts, ["face 0", "face 2"]);
-        assert_eq!((pieces.face_count(), pieces.part(1)), (2, Some("face 2")));
+        let names: Vec<_> = model.faces().map(|face| face.name().unwrap().to_owned()).collect();
+        assert_eq!(names, ["face 0", "face 2"]);
+        assert_eq!((pieces.face_count(), pieces.face_name(1)), (2, Some("face 2")));
         assert_eq!(pieces.faces().last().unwrap().end, untrimmed.surfaces().len());
         report.leave_out(&refused);
-        assert_eq!((report.surfaces, report.skipped.len()), (2, 1));
+        assert_eq!((report.faces, report.skipped.len()), (2, 1));
         let skipped = &report.skipped[0];
         assert_eq!((skipped.face, skipped.code), (1, "FACE_NOT_CUT"));
         assert!(skipped.why.contains("surface 1: the trimmed face cannot be cut"), "{}", skipped.why);

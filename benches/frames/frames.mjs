@@ -12,8 +12,8 @@ export const sizes = [
 ];
 
 export const methods = [
-  { method: "certified", tolerance: 1e-4 },
-  { method: "hierarchy", tolerance: 1e-4, grid: 64 },
+  { method: "certified", relativeTolerance: 1e-4 },
+  { method: "hierarchy", relativeTolerance: 1e-4, grid: 64 },
 ];
 
 const { values } = parseArgs({ options: { chromium: { type: "boolean", default: false } } });

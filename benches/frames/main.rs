@@ -23,7 +23,7 @@ fn main() {
     println!("net, method                frames/s   median ms  fastest ms  of which update ms");
     for (counts, frames) in SIZES {
         for method in [Method::Certified, Method::Hierarchy] {
-            let options = Options { method, tolerance: 1e-4, grid: 64, ..Options::default() };
+            let options = Options { method, relative_tolerance: Some(1e-4), grid: 64, ..Options::default() };
             let source = sheet(counts);
             let mut prepared = PreparedModel::new(&source).expect("valid trims");
             let (mut times, mut updates) = (Vec::new(), 0.0);

@@ -28,7 +28,7 @@ OTHERS = [
 
 def measure(arguments, a, b):
     command = [arguments.command, "distance", arguments.pairs / f"{a}.brep", arguments.pairs / f"{b}.brep"]
-    options = ["--json", "--max-seconds", "60", "--tolerance", str(arguments.tolerance)]
+    options = ["--json", "--max-seconds", "60", "--relative-tolerance", str(arguments.tolerance)]
     start = time.perf_counter()
     run = subprocess.run([*command, *options], capture_output=True, text=True)
     seconds = time.perf_counter() - start
@@ -49,7 +49,7 @@ def row(arguments, a, b, truth):
         verdict = ("agrees" if agrees else "differs") if holds else "**EXCEEDS UPPER**"
     times = result["seconds"]
     return (
-        f"| {a} | {b} | [{lower:.9g}, {upper:.9g}] | {(upper - lower) / diagonal:.1e} | {result.get('modelGap', 0):.1e} "
+        f"| {a} | {b} | [{lower:.9g}, {upper:.9g}] | {(upper - lower) / diagonal:.1e} | {result.get('gap', 0):.1e} "
         f"| {times['prepare']:.2f} | {times['solve']:.2f} | {seconds:.2f} | {truth if truth is not None else ''} {verdict} |"
     )
 

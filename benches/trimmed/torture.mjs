@@ -21,8 +21,8 @@ async function read(file) {
   let result;
   try {
     const model = await readCad(readFileSync(file), { name: file });
-    const { surfaces, fitted, trims, gap, skipped } = model.report;
-    result = { surfaces, trims, fitted, gap, skipped: skipped.map(({ code, why }) => code ?? why) };
+    const { faces, fitted, trims, gap, skipped } = model.report;
+    result = { faces, trims, fitted, gap, skipped: skipped.map(({ code, why }) => code ?? why) };
   } catch (error) {
     if (error.name !== "HausdorffError") throw error;
     result = { error: error.code, why: error.message.slice(0, 200) };
@@ -78,19 +78,19 @@ async function main() {
   };
   const report = (result) => {
     results.push(result);
-    const { surfaces, skipped, error, panic, hang } = result;
+    const { faces, skipped, error, panic, hang } = result;
     console.log(
       result.file,
-      surfaces === undefined
+      faces === undefined
         ? (error ?? (hang ? "HANG" : `PANIC ${panic} ${result.why}`))
-        : `${surfaces} faces, skipped: ${counts(skipped).join(", ") || 0}`,
+        : `${faces} faces, skipped: ${counts(skipped).join(", ") || 0}`,
     );
   };
   await Promise.all(Array.from({ length: Number(option("--jobs") ?? 1) }, take));
-  const read = results.filter(({ surfaces }) => surfaces !== undefined);
+  const read = results.filter(({ faces }) => faces !== undefined);
   const sum = (value) => read.reduce((total, result) => total + value(result), 0);
   console.log(`\n${results.length} files, ${read.length} read`);
-  console.log(`faces: ${sum((r) => r.surfaces)} read, ${sum((r) => r.skipped.length)} skipped`);
+  console.log(`faces: ${sum((r) => r.faces)} read, ${sum((r) => r.skipped.length)} skipped`);
   for (const line of counts(read.flatMap((r) => r.skipped))) console.log(`  skipped ${line}`);
   for (const line of counts(results.filter((r) => r.error).map((r) => r.error))) console.log(`  error ${line}`);
   console.log(`panics: ${results.filter((r) => r.panic !== undefined).length}`);

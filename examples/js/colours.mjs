@@ -1,9 +1,9 @@
 // A three.js mesh coloured by the distance of its vertices from a model: red at
-// `tolerance` and beyond, white on the model. A page adds the mesh to its scene.
+// `limit` and beyond, white on the model. A page adds the mesh to its scene.
 import { Hausdorff } from "nurbs-hausdorff";
 import { BufferAttribute, Color, Mesh, MeshBasicMaterial, TorusGeometry } from "three";
 
-const tolerance = 0.2;
+const limit = 0.2;
 const hd = await Hausdorff.create();
 const model = hd.shape("torus");
 const { min, max } = model.boundingBox;
@@ -11,12 +11,12 @@ const { min, max } = model.boundingBox;
 const radius = (max[0] - min[0]) / 2;
 const geometry = new TorusGeometry(0.75 * radius, 0.25 * radius, 24, 96);
 const points = geometry.getAttribute("position").array;
-const { distances, bounds } = await hd.closestPoints(model, points, { tolerance: 1e-6 });
+const { distances, bounds } = await hd.closestPoints(model, points, { relativeTolerance: 1e-6 });
 
 const [on, off] = [new Color("white"), new Color("red")];
 const colours = new Float32Array(points.length);
 distances.forEach((distance, index) => {
-  const fraction = Math.min(distance / tolerance, 1);
+  const fraction = Math.min(distance / limit, 1);
   on.clone()
     .lerp(off, fraction)
     .toArray(colours, 3 * index);

@@ -14,7 +14,7 @@ const hd = await Hausdorff.create();
 const a = hd.model([patch(0, 0, 0, 0.25)]);
 const b = hd.model([patch(0, 0, 0, 0)]);
 
-const result = await hd.distance(a, b, { symmetric: true, tolerance: 1e-9 });
+const result = await hd.distance(a, b, { symmetric: true, relativeTolerance: 1e-9 });
 console.log(`between ${result.lower} and ${result.upper}`);
 console.log(`A to B: ${result.forward.upper}, B to A: ${result.reverse.upper}`);
 const { point, u, v } = result.witness.a;

@@ -27,7 +27,7 @@ const hd = await Hausdorff.create({ backend: "cpu" });
 const [fixed, moving] = [hd.model([sheet]), hd.model([sheet])];
 for (let frame = 0; frame < 10; frame++) {
   moving.update(0, wave(0.1 * frame));
-  const { lower, upper } = await hd.distance(moving, fixed, { tolerance: 1e-4 });
+  const { lower, upper } = await hd.distance(moving, fixed, { relativeTolerance: 1e-4 });
   console.log(`frame ${frame}: between ${lower.toFixed(5)} and ${upper.toFixed(5)}`);
 }
 for (const owner of [fixed, moving, hd]) owner.dispose();

@@ -3,13 +3,13 @@
 import { readFileSync } from "node:fs";
 import { Hausdorff } from "nurbs-hausdorff";
 
-const [first, second, tolerance] = process.argv.slice(2);
+const [first, second, limit] = process.argv.slice(2);
 const hd = await Hausdorff.create();
 const [a, b] = [first, second].map((file) => hd.model(readFileSync(file, "utf8")));
-const result = await hd.diff(a, b, { tolerance: Number(tolerance) });
+const result = await hd.diff(a, b, { limit: Number(limit) });
 for (const [name, faces] of [
-  ["A", result.a],
-  ["B", result.b],
+  ["A", result.facesOfA],
+  ["B", result.facesOfB],
 ]) {
   for (const { face, state, upper, witness } of faces) {
     const where = name === "A" ? witness.a.point : witness.b.point;

@@ -38,7 +38,7 @@ impl Assembled {
             face.gap + curves.map(|curve| curve.gap).fold(0.0, f64::max)
         };
         ReadReport {
-            surfaces: self.counts.len(),
+            faces: self.counts.len(),
             trims: curves().count(),
             exact: self.counts.iter().map(|face| face.exact).sum(),
             fitted: self.counts.iter().map(|face| face.fitted).sum(),
@@ -126,7 +126,7 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
                 let entity = placed.entity(file);
                 read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
-                converted.face.part = Some(placed.name(file, number));
+                converted.face.face_name = Some(placed.name(file, number));
                 faces.insert(placed.shape, read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
@@ -191,8 +191,8 @@ fn name_parts(model: &mut ModelArrays) {
     for InstanceArrays { surfaces, name, .. } in std::mem::take(&mut model.instances) {
         let Some(part) = name else { continue };
         for index in surfaces {
-            let own = model.faces[index].part.take().unwrap_or_default();
-            model.faces[index].part = Some(format!("{part} / {own}"));
+            let own = model.faces[index].face_name.take().unwrap_or_default();
+            model.faces[index].face_name = Some(format!("{part} / {own}"));
         }
     }
 }

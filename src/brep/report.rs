@@ -10,7 +10,7 @@ use serde::Serialize;
 #[serde(rename_all = "camelCase")]
 pub struct ReadReport {
     /// The number of faces read.
-    pub surfaces: usize,
+    pub faces: usize,
     /// The number of trimming curves of those faces.
     pub trims: usize,
     /// The number of trimming curves that are exact images of the file's.
@@ -52,7 +52,7 @@ impl ReadReport {
         let loops = model.faces().filter_map(|face| face.to_arrays().trim).flatten();
         let trims = loops.map(|curves| curves.len()).sum();
         Self {
-            surfaces: model.surfaces().len(),
+            faces: model.surfaces().len(),
             trims,
             exact: trims,
             fitted: 0,
@@ -74,7 +74,7 @@ impl ReadReport {
             if self.skipped.iter().any(|skipped| skipped.face == number) {
                 continue;
             }
-            self.surfaces -= 1;
+            self.faces -= 1;
             self.trims -= exact + fitted;
             self.exact -= exact;
             self.fitted -= fitted;

@@ -23,7 +23,7 @@ pub(super) async fn certified(
     gpu: Option<&Rc<Gpu>>,
     progress: &mut Progress<'_>,
 ) -> Result<Option<(DirectedResult, Option<String>)>> {
-    let tolerance = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+    let tolerance = options.width(diagonal);
     let started = Instant::now();
     let generatrix = Generatrix::new(&pair, tolerance);
     let slack = generatrix.as_ref().map_or(0.0, |generatrix| generatrix.slack);

@@ -9,12 +9,16 @@ use crate::model::RigidTransform;
 use crate::parallel::map_ranges;
 use crate::progress::{Monitor, Progress};
 use crate::rounding::{VANISHING_LENGTH, gamma};
+use crate::tolerance::PermittedWidth;
 use glam::DVec3;
 use serde::Deserialize;
 
 /// The number of points between two checkpoints: some tens of milliseconds of work on
 /// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
 const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
+
+/// The excess of a distance, as a fraction of the diagonal, unless the options state one.
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
 
 /// The roundings of a distance of two points, relative to it: three differences,
 /// their squares, two sums and a root.
@@ -24,11 +28,11 @@ const DISTANCE_ROUNDINGS: f64 = 7.0;
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct ClosestPointOptions {
-    /// The largest excess of a distance over the least one, relative to the diagonal of the
-    /// model's control-net box; positive.
-    pub tolerance: f64,
-    /// Whether the tolerance is in model units.
-    pub absolute: bool,
+    /// The permitted excess of a distance over the least one, in model units, positive.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the diagonal of the model's control-net box; 1e-9 if
+    /// neither is given. Both at once are an error.
+    pub relative_tolerance: Option<f64>,
     /// Moves the points before they are measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -37,7 +41,7 @@ pub struct ClosestPointOptions {
 
 impl Default for ClosestPointOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-9, absolute: false, transform: RigidTransform::IDENTITY }
+        Self { tolerance: None, relative_tolerance: None, transform: RigidTransform::IDENTITY }
     }
 }
 
@@ -54,8 +58,8 @@ pub struct ClosestPoints {
     pub signed: Vec<f64>,
     /// The feet, the points of the model that were found: x, y, z each.
     pub feet: Vec<f64>,
-    /// The indices of the feet's surfaces.
-    pub surfaces: Vec<u32>,
+    /// The indices of the feet's faces.
+    pub faces: Vec<u32>,
     /// The feet's parameters there: u, v each.
     pub parameters: Vec<f64>,
 }
@@ -80,16 +84,15 @@ impl Engine {
         options: &ClosestPointOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<ClosestPoints> {
-        let positive = options.tolerance > 0.0 && options.tolerance.is_finite();
-        if !positive {
-            return Err(Error::out_of_range("tolerance", options.tolerance, "a positive finite number"));
-        }
+        let ClosestPointOptions { tolerance, relative_tolerance, transform } = *options;
+        let permitted = PermittedWidth { tolerance, relative_tolerance };
+        permitted.validate()?;
         validate(points)?;
         let flat = model.target(Flatness::Loose);
-        let (target, transform) = (&flat.target, options.transform);
+        let target = &flat.target;
         let pieces = model.pieces();
         let diagonal = model.bounding_box().diagonal();
-        let gap = if options.absolute { options.tolerance } else { options.tolerance * diagonal };
+        let gap = permitted.in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
         let point_error = model.bezier().point_error.after(MAX_HALVINGS);
         let mut progress = Progress::new(monitor, false);
         let mut found = ClosestPoints::default();
@@ -115,7 +118,7 @@ impl Engine {
                     );
                     part.signed.push(super::field::signed(point, &foot));
                     part.feet.extend_from_slice(&foot.point.to_array());
-                    part.surfaces.push(pieces.face(patch.surface) as u32);
+                    part.faces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);
                     part.parameters.extend_from_slice(&pieces.face_parameters(patch.surface, of_piece));
                 }
@@ -150,7 +153,7 @@ impl ClosestPoints {
         self.bounds.append(&mut other.bounds);
         self.signed.append(&mut other.signed);
         self.feet.append(&mut other.feet);
-        self.surfaces.append(&mut other.surfaces);
+        self.faces.append(&mut other.faces);
         self.parameters.append(&mut other.parameters);
     }
 }

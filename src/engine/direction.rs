@@ -37,7 +37,7 @@ pub(super) struct DirectedRun {
     /// Metres per unit, if a model states it.
     pub(super) unit: Option<f64>,
     /// The sum of the models' gaps.
-    pub(super) model_gap: f64,
+    pub(super) gap: f64,
     /// The number of patches of `from`.
     pub(super) from_patches: usize,
     /// The number of patches of `to`.
@@ -74,7 +74,7 @@ impl Direction<'_> {
             notice,
             diagonal,
             unit: self.unit(),
-            model_gap: self.model_gap(),
+            gap: self.gap(),
             from_patches: from.target.patches.len(),
             to_patches: to.target.patches.len(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
@@ -87,7 +87,7 @@ impl Direction<'_> {
     }
 
     /// Returns the sum of both models' gaps.
-    pub(super) fn model_gap(&self) -> f64 {
+    pub(super) fn gap(&self) -> f64 {
         self.from.gap() + self.to.gap()
     }
 
@@ -153,7 +153,7 @@ impl DirectedRun {
             adapter: self.adapter,
             diagonal: self.diagonal,
             unit: self.unit,
-            model_gap: self.model_gap,
+            gap: self.gap,
             computed,
             lower,
             upper,

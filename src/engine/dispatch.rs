@@ -16,7 +16,7 @@ const MAX_LOSSES: u32 = 2;
 
 /// The notice about a relative tolerance of models without a size.
 const NO_DIAGONAL: &str = "both models are single points, so that a tolerance relative to their diagonal is 0: the \
-interval is as narrow as float64 allows; an absolute tolerance can be reached";
+interval is as narrow as float64 allows; a tolerance in model units can be reached";
 
 /// The notice about a pair that the kernels do not measure.
 const BEYOND_FLOAT32: &str = "one model is a point, or far smaller than the other or than their distance, beyond what \
@@ -163,7 +163,7 @@ impl Engine {
                     if method != Method::Certified && device.is_some() && !in_range {
                         run.add_notice(BEYOND_FLOAT32);
                     }
-                    let relative = method != Method::Iteration && !options.absolute;
+                    let relative = method != Method::Iteration && options.permitted_width().is_relative();
                     if relative && run.diagonal == 0.0 {
                         run.add_notice(NO_DIAGONAL);
                     }

@@ -8,7 +8,7 @@ use crate::model::trim::TrimPiece;
 use crate::model::{Face, Model};
 use serde::Serialize;
 
-/// The surfaces, patches and bounding box of a model.
+/// The faces, patches and bounding box of a model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ModelInfo {
@@ -25,7 +25,7 @@ pub struct ModelInfo {
     /// faces and the pieces that are measured.
     pub deviation: f64,
     /// The faces in order.
-    pub surfaces: Vec<SurfaceInfo>,
+    pub faces: Vec<FaceInfo>,
     /// The number of Bézier patches.
     pub patches: usize,
     /// The smallest and the largest coordinates of the control points.
@@ -39,10 +39,10 @@ pub struct ModelInfo {
 /// A face in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct SurfaceInfo {
+pub struct FaceInfo {
     /// The face's name in its source.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub part: Option<String>,
+    pub face_name: Option<String>,
     /// The kind of surface in its source.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
@@ -81,16 +81,14 @@ impl ModelInfo {
     pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
         let bounding_box = prepared.bounding_box();
         let pieces = prepared.face_patch_counts().zip(prepared.face_areas());
-        let surfaces = model.faces().zip(pieces);
+        let faces = model.faces().zip(pieces);
         Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             trimmed: model.faces().filter(|face| face.trim().is_some()).count(),
             gap: model.gap(),
             deviation: prepared.deviation(),
-            surfaces: surfaces
-                .map(|(face, (patches, area))| SurfaceInfo::new(&face, patches, *area))
-                .collect(),
+            faces: faces.map(|(face, (patches, area))| FaceInfo::new(&face, patches, *area)).collect(),
             patches: prepared.face_patch_counts().sum(),
             bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
             diagonal: bounding_box.diagonal(),
@@ -99,12 +97,12 @@ impl ModelInfo {
     }
 }
 
-impl SurfaceInfo {
+impl FaceInfo {
     fn new(face: &Face<'_>, patches: usize, area: Area) -> Self {
         let surface = face.surface();
         let weight = surface.control_points()[0][3];
         Self {
-            part: face.part().map(str::to_owned),
+            face_name: face.name().map(str::to_owned),
             kind: face.kind().map(str::to_owned),
             degree: surface.degree(),
             counts: surface.counts(),

@@ -18,7 +18,7 @@ pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FieldOptions, Statistics};
-pub use info::{ModelInfo, SurfaceInfo};
+pub use info::{FaceInfo, ModelInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{

@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::iteration::{Culling, Rule, SamplingRule};
 use crate::model::RigidTransform;
+use crate::tolerance::{PermittedWidth, positive};
 use serde::Deserialize;
 use std::fmt::Debug;
 use std::ops::RangeInclusive;
@@ -44,12 +45,12 @@ pub enum Backend {
 pub struct Options {
     /// The method that computes the distance.
     pub method: Method,
-    /// `certified`: the requested width of the interval, positive. `hierarchy`
-    /// only reports whether its interval is as narrow.
-    pub tolerance: f64,
-    /// Whether `tolerance` is in model units; else it is relative to the
-    /// larger diagonal of the two models' control-net boxes.
-    pub absolute: bool,
+    /// `certified`: the permitted width of the interval, in model units, positive.
+    /// `hierarchy` only reports whether its interval is as narrow.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the larger diagonal of the two models' control-net
+    /// boxes; 1e-6 if neither is given. Both at once are an error.
+    pub relative_tolerance: Option<f64>,
     /// `certified`: the search only decides whether the distance is at most this
     /// limit, in model units, 0 or more, and ends as soon as that is known.
     pub limit: Option<f64>,
@@ -100,8 +101,8 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             method: Method::default(),
-            tolerance: 1e-6,
-            absolute: false,
+            tolerance: None,
+            relative_tolerance: None,
             limit: None,
             max_seconds: None,
             max_cells: None,
@@ -123,6 +124,9 @@ impl Default for Options {
     }
 }
 
+/// The width of the interval, as a fraction of the diagonal, unless the options state one.
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-6;
+
 /// The number of samples along a direction unless the options name another.
 pub(super) const DEFAULT_SAMPLES: usize = 64;
 
@@ -140,12 +144,6 @@ const MAX_ITERATIONS: u32 = 300;
 /// [`Error::OptionOutOfRange`] unless the option is `valid`.
 fn require(option: &'static str, valid: bool, found: impl Debug, expected: &'static str) -> Result<()> {
     if valid { Ok(()) } else { Err(Error::out_of_range(option, found, expected)) }
-}
-
-/// # Errors
-/// [`Error::OptionOutOfRange`] unless the option is positive and finite.
-fn positive(option: &'static str, found: f64) -> Result<()> {
-    require(option, found.is_finite() && found > 0.0, found, "a positive finite number")
 }
 
 /// # Errors
@@ -172,7 +170,7 @@ impl Options {
         require("grid", COUNTS.contains(&self.grid), self.grid, "2 to 1024")?;
         require("memory budget", memory, self.memory_budget, "1 to 256 MiB")?;
         require("iterations", iterations, self.iterations, "1 to 300")?;
-        positive("tolerance", self.tolerance)?;
+        self.permitted_width().validate()?;
         positive("step tolerance", self.step_tolerance)?;
         if let Some(limit) = self.limit {
             at_least_zero("limit", limit)?;
@@ -181,6 +179,15 @@ impl Options {
             positive("max seconds", seconds)?;
         }
         require("max cells", self.max_cells != Some(0), 0, "at least 1")
+    }
+
+    /// Returns the permitted width of the interval, in model units, for models of this diagonal.
+    pub(super) fn width(&self, diagonal: f64) -> f64 {
+        self.permitted_width().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE)
+    }
+
+    pub(super) fn permitted_width(&self) -> PermittedWidth {
+        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
     }
 
     pub(crate) fn rule(&self) -> Rule {

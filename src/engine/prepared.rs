@@ -307,8 +307,8 @@ impl PreparedModel {
 
     /// Returns the name of a face in its source, if it has one.
     #[must_use]
-    pub fn part(&self, face: usize) -> Option<&str> {
-        self.pieces.part(face)
+    pub fn face_name(&self, face: usize) -> Option<&str> {
+        self.pieces.face_name(face)
     }
 
     /// Returns the pieces of the faces.

@@ -38,4 +38,4 @@ export type {
   SurfaceArrays,
   TrimCurveArrays,
 } from "./model/surface.js";
-export type { Tessellation } from "./model/tessellation.js";
+export type { Tessellation, TessellationOptions } from "./model/tessellation.js";

@@ -11,7 +11,7 @@ pub(super) struct FaceData {
     /// The loops as given, for writing, and as validated.
     pub(super) trim: Option<(Vec<Vec<TrimCurveArrays>>, Trim)>,
     pub(super) reversed: bool,
-    pub(super) part: Option<String>,
+    pub(super) name: Option<String>,
     pub(super) kind: Option<String>,
     /// The gap of the surface alone.
     pub(super) gap: f64,
@@ -43,8 +43,8 @@ impl<'a> Face<'a> {
 
     /// Returns the name of the face in its source, if it has one.
     #[must_use]
-    pub fn part(&self) -> Option<&'a str> {
-        self.data.part.as_deref()
+    pub fn name(&self) -> Option<&'a str> {
+        self.data.name.as_deref()
     }
 
     /// Returns the kind of surface in the source, such as `cylinder`, if it is stated.
@@ -73,7 +73,7 @@ impl<'a> Face<'a> {
             surface: self.surface.clone().into_arrays(),
             trim: self.data.trim.as_ref().map(|(arrays, _)| arrays.clone()),
             reversed: self.data.reversed,
-            part: self.data.part.clone(),
+            face_name: self.data.name.clone(),
             kind: self.data.kind.clone(),
             gap: self.data.gap,
         }
@@ -88,12 +88,12 @@ pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
 /// # Errors
 /// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
 pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
-    let FaceArrays { surface, trim, reversed, part, kind, gap } = arrays;
+    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap } = arrays;
     let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
         return Err(Error::GapInvalid { surface: index, found: gap });
     }
-    Ok((surface, FaceData { trim: None, reversed, part, kind, gap }, trim))
+    Ok((surface, FaceData { trim: None, reversed, name, kind, gap }, trim))
 }
 
 /// Validates the loops of surface number `index`. A surface whose trimming curves leave its
@@ -121,7 +121,7 @@ impl FaceData {
             let loops = loops.iter().map(|curves| curves.iter().map(scaled).collect()).collect();
             (loops, trim.scaled(factor))
         });
-        let part = match (instance, &self.part) {
+        let name = match (instance, &self.name) {
             (Some(instance), Some(part)) => Some(format!("{instance} / {part}")),
             (Some(instance), None) => Some(instance.to_owned()),
             (None, part) => part.clone(),
@@ -129,7 +129,7 @@ impl FaceData {
         Self {
             trim,
             reversed: self.reversed != reflected,
-            part,
+            name,
             kind: self.kind.clone(),
             gap: factor * self.gap,
         }

@@ -79,14 +79,14 @@ impl InterchangeSurface {
             },
             trim: self.trim.map(|loops| loops.into_iter().map(|list| curves(list).collect()).collect()),
             reversed: self.reversed,
-            part: self.part,
+            face_name: self.part,
             kind: self.kind,
             gap: self.gap,
         })
     }
 
     fn from_face(face: &Face<'_>) -> Self {
-        let FaceArrays { surface, trim, reversed, part, kind, gap } = face.to_arrays();
+        let FaceArrays { surface, trim, reversed, face_name, kind, gap } = face.to_arrays();
         let [knots_u, knots_v] = surface.knots;
         let curves =
             |curves: Vec<TrimCurveArrays>| curves.into_iter().map(InterchangeCurve::from_arrays).collect();
@@ -97,7 +97,7 @@ impl InterchangeSurface {
             ctrl: surface.control_points.chunks(surface.counts[1]).map(<[_]>::to_vec).collect(),
             trim: trim.map(|loops| loops.into_iter().map(curves).collect()),
             reversed,
-            part,
+            part: face_name,
             kind,
             gap,
         }

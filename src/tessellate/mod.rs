@@ -5,17 +5,30 @@ mod triangles;
 mod vertex_grid;
 
 use crate::bezier::{BezierModel, extract};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::model::Model;
 use crate::pieces::FacePieces;
+use crate::tolerance::PermittedWidth;
 use divisions::Divisions;
 use glam::DVec3;
+use serde::Deserialize;
 use std::ops::Range;
 use vertex_grid::VertexGrid;
 
-/// The default tolerance relative to the model's diagonal: a fifth of a pixel for a
+/// The tolerance, as a fraction of the diagonal, unless the options state one: a fifth of a pixel for a
 /// model that fills a thousand pixels.
-const DEFAULT_TOLERANCE: f64 = 2e-4;
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 2e-4;
+
+/// Options of [`tessellate`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct TessellationOptions {
+    /// The permitted Hausdorff distance of the triangles from the model, in model units, positive.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the diagonal of the model's control-net box; 2e-4 if
+    /// neither is given. Both at once are an error.
+    pub relative_tolerance: Option<f64>,
+}
 
 /// A triangulation with normals.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,13 +41,12 @@ pub struct Tessellation {
     pub indices: Vec<u32>,
     /// The point that positions are relative to, the centre of the model's box.
     pub origin: DVec3,
-    /// The range of `indices` of each surface.
-    pub surfaces: Vec<Range<usize>>,
+    /// The range of `indices` of each face.
+    pub faces: Vec<Range<usize>>,
 }
 
-/// Returns triangles whose Hausdorff distance from the model is at most `tolerance`
-/// before rounding to float32; the tolerance is in model units, by default 2e-4 of
-/// the model's diagonal.
+/// Returns triangles whose Hausdorff distance from the model is at most the options'
+/// tolerance before rounding to float32.
 ///
 /// Every vertex lies on its surface. Each surface, or piece of a trimmed face, is one grid, closed except along
 /// creases and where the surface itself is discontinuous; vertices there are
@@ -43,30 +55,31 @@ pub struct Tessellation {
 /// keeps at least two triangles. O(patches p q + triangles p q).
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if `tolerance` is not a positive finite number;
-/// [`Error::FaceNotCut`].
-pub fn tessellate(model: &Model, tolerance: Option<f64>) -> Result<Tessellation> {
+/// [`crate::Error::OptionOutOfRange`] unless the tolerance is a positive finite number;
+/// [`crate::Error::OptionInvalid`] if both tolerances are given;
+/// [`crate::Error::FaceNotCut`].
+pub fn tessellate(model: &Model, options: &TessellationOptions) -> Result<Tessellation> {
     let (pieces, untrimmed) = FacePieces::new(model)?;
-    tessellate_patches(&extract(&untrimmed), &pieces, tolerance)
+    tessellate_patches(&extract(&untrimmed), &pieces, options)
 }
 
 /// Returns the triangles as [`tessellate`] does, for patches already extracted.
 pub(crate) fn tessellate_patches(
     model: &BezierModel,
     pieces: &FacePieces,
-    tolerance: Option<f64>,
+    options: &TessellationOptions,
 ) -> Result<Tessellation> {
-    if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
-        return Err(Error::out_of_range("tolerance", found, "a positive finite number"));
-    }
+    let TessellationOptions { tolerance, relative_tolerance } = *options;
+    let permitted = PermittedWidth { tolerance, relative_tolerance };
+    permitted.validate()?;
     let aabb = model.patches.bounding_box();
-    let tolerance = tolerance.unwrap_or(DEFAULT_TOLERANCE * aabb.diagonal());
+    let tolerance = permitted.in_units(aabb.diagonal(), DEFAULT_RELATIVE_TOLERANCE);
     let mut tessellation = Tessellation {
         positions: Vec::new(),
         normals: Vec::new(),
         indices: Vec::new(),
         origin: aabb.center(),
-        surfaces: Vec::with_capacity(pieces.face_count()),
+        faces: Vec::with_capacity(pieces.face_count()),
     };
     let divisions = Divisions::of_model(model, tolerance);
     for face in pieces.faces() {
@@ -75,7 +88,7 @@ pub(crate) fn tessellate_patches(
             let vertices = VertexGrid::new(&model.patches, &model.grids[piece], &divisions[piece], tolerance);
             tessellation.append(&vertices);
         }
-        tessellation.surfaces.push(first..tessellation.indices.len());
+        tessellation.faces.push(first..tessellation.indices.len());
     }
     Ok(tessellation)
 }

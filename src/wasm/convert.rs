@@ -7,7 +7,7 @@ use crate::engine::{
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::tessellate::Tessellation;
+use crate::tessellate::{Tessellation, TessellationOptions};
 use glam::{DQuat, DVec3};
 use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::de::DeserializeOwned;
@@ -56,6 +56,14 @@ pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<Fi
     let transform = rigid_transform(transform)?;
     let options: FieldOptions = properties(options).map_err(invalid)?;
     Ok(FieldOptions { transform, ..options })
+}
+
+/// The options of a tessellation, as [`options`].
+///
+/// # Errors
+/// [`Error::OptionInvalid`].
+pub(super) fn tessellation_options(options: &JsValue) -> Result<TessellationOptions> {
+    properties(options).map_err(invalid)
 }
 
 /// The transform of an object; undefined is the identity.
@@ -193,7 +201,7 @@ struct DeviationArrays {
 
 #[derive(Serialize)]
 struct FieldArrays {
-    surface: usize,
+    face: usize,
     counts: [usize; 2],
     #[serde(with = "serde_wasm_bindgen::preserve")]
     points: Float64Array,
@@ -212,7 +220,7 @@ struct FieldArrays {
 impl From<&Field> for FieldArrays {
     fn from(field: &Field) -> Self {
         Self {
-            surface: field.surface,
+            face: field.face,
             counts: field.counts,
             points: field.points.as_slice().into(),
             feet: field.feet.as_slice().into(),
@@ -235,7 +243,7 @@ struct ClosestPointArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     feet: Float64Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
-    surfaces: Uint32Array,
+    faces: Uint32Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     parameters: Float64Array,
 }
@@ -250,7 +258,7 @@ pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsVal
         bounds: found.bounds.as_slice().into(),
         signed: found.signed.as_slice().into(),
         feet: found.feet.as_slice().into(),
-        surfaces: found.surfaces.as_slice().into(),
+        faces: found.faces.as_slice().into(),
         parameters: found.parameters.as_slice().into(),
     })
 }
@@ -265,8 +273,8 @@ pub(super) fn tessellation(tessellation: &Tessellation) -> std::result::Result<J
         normals: tessellation.normals.as_slice().into(),
         indices: tessellation.indices.as_slice().into(),
         origin: tessellation.origin.to_array(),
-        surfaces: tessellation
-            .surfaces
+        faces: tessellation
+            .faces
             .iter()
             .map(|range| IndexRange { first_index: range.start, index_count: range.len() })
             .collect(),
@@ -282,7 +290,7 @@ struct TessellationArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     indices: Uint32Array,
     origin: [f64; 3],
-    surfaces: Vec<IndexRange>,
+    faces: Vec<IndexRange>,
 }
 
 #[derive(Serialize)]

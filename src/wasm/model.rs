@@ -108,13 +108,18 @@ impl PreparedModel {
         self.prepared.gap()
     }
 
-    /// The name of a face, of which there are [`Self::surface_count`].
-    pub fn part(&self, face: usize) -> Option<String> {
-        if face < self.prepared.face_count() { self.prepared.part(face).map(str::to_owned) } else { None }
+    /// The name of a face, of which there are [`Self::face_count`].
+    #[wasm_bindgen(js_name = faceName)]
+    pub fn face_name(&self, face: usize) -> Option<String> {
+        if face < self.prepared.face_count() {
+            self.prepared.face_name(face).map(str::to_owned)
+        } else {
+            None
+        }
     }
 
-    #[wasm_bindgen(getter, js_name = surfaceCount)]
-    pub fn surface_count(&self) -> usize {
+    #[wasm_bindgen(getter, js_name = faceCount)]
+    pub fn face_count(&self) -> usize {
         self.prepared.face_count()
     }
 
@@ -125,11 +130,11 @@ impl PreparedModel {
         [aabb.min.to_array(), aabb.max.to_array()].concat()
     }
 
-    /// Replaces the control points of a surface, x, y, z, w each; distances that are
+    /// Replaces the control points of a face's surface, x, y, z, w each; distances that are
     /// being computed keep the old ones.
-    pub fn update(&mut self, surface: usize, control_points: Vec<f64>) -> Result<()> {
+    pub fn update(&mut self, face: usize, control_points: Vec<f64>) -> Result<()> {
         let (points, _) = control_points.as_chunks();
-        let source = self.source.with_control_points(surface, points.to_vec())?;
+        let source = self.source.with_control_points(face, points.to_vec())?;
         self.prepared = Rc::new(self.prepared.updated(&source)?);
         self.source = source;
         Ok(())
@@ -140,9 +145,10 @@ impl PreparedModel {
         convert::to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
     }
 
-    /// Undefined is the default tolerance.
-    pub fn tessellate(&self, tolerance: Option<f64>) -> std::result::Result<JsValue, JsValue> {
-        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), tolerance)?)
+    /// Triangles to display, by a plain object of options.
+    pub fn tessellate(&self, options: &JsValue) -> std::result::Result<JsValue, JsValue> {
+        let options = convert::tessellation_options(options)?;
+        convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), &options)?)
     }
 }
 

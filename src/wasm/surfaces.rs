@@ -41,14 +41,14 @@ impl Surfaces {
             counts: [count_u, count_v],
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         };
-        let (trim, reversed, part, kind, gap) = (None, false, None, None, 0.0);
-        self.0.faces.push(FaceArrays { surface, trim, reversed, part, kind, gap });
+        let (trim, reversed, face_name, kind, gap) = (None, false, None, None, 0.0);
+        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap });
     }
 
     /// States what else is known of the surface pushed last.
-    pub fn describe(&mut self, reversed: bool, part: Option<String>, kind: Option<String>, gap: f64) {
+    pub fn describe(&mut self, reversed: bool, face_name: Option<String>, kind: Option<String>, gap: f64) {
         if let Some(face) = self.0.faces.last_mut() {
-            (face.reversed, face.part, face.kind, face.gap) = (reversed, part, kind, gap);
+            (face.reversed, face.face_name, face.kind, face.gap) = (reversed, face_name, kind, gap);
         }
     }
 

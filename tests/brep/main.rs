@@ -25,7 +25,7 @@ fn read(text: &BrepText, root: usize) -> (Model, ReadReport) {
     let written = text.text(plus(root));
     let (model, report) = Model::from_brep(&written).unwrap_or_else(|error| panic!("{error}\n{written}"));
     assert_eq!(report.skipped, [], "{written}");
-    assert_eq!(report.surfaces, model.faces().len());
+    assert_eq!(report.faces, model.faces().len());
     (model, report)
 }
 

@@ -31,7 +31,7 @@ fn a_face_in_several_places_becomes_instances() {
     let at = |location| Child { shape: shell, sign: '+', location };
     let compound = text.shape("Co\n", &[at(0), at(1), at(3), at(4)]);
     let (model, report) = Model::from_brep(&text.text(plus(compound))).unwrap();
-    assert_eq!((report.surfaces, report.trims, model.faces().len()), (1, 4, 4));
+    assert_eq!((report.faces, report.trims, model.faces().len()), (1, 4, 4));
     let corners: Vec<_> = (0..4).map(|face| corner(&model, face)).collect();
     // (3, 0, 0) turned is (0, 3, 0).
     assert_eq!(corners, [[3.0, 0.0, 0.0], [1.0, 5.0, 3.0], [21.0, 5.0, 3.0], [-7.0, 0.0, 0.0]]);
@@ -62,9 +62,9 @@ fn faces_are_in_the_explorers_order() {
     let places: Vec<f64> = model.faces().map(|face| corner_of(&face)).collect();
     assert_eq!(places, [0.0, 0.0, 10.0, 10.0, 0.0, 10.0]);
     // Faces are named by their first place.
-    let names: Vec<_> = model.faces().map(|face| face.part().unwrap().to_owned()).collect();
+    let names: Vec<_> = model.faces().map(|face| face.name().unwrap().to_owned()).collect();
     assert_eq!(names, ["face 0", "face 1", "face 1", "face 0", "face 4", "face 4"]);
-    assert_eq!(report.surfaces, 3);
+    assert_eq!(report.faces, 3);
 }
 
 /// The least x of a face of a plane.

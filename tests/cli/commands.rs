@@ -68,7 +68,7 @@ fn iteration_prints_one_object_with_every_key() {
         "lower",
         "upper",
         "converged",
-        "modelGap",
+        "gap",
         "bounds",
         "witness",
         "samples",
@@ -81,7 +81,7 @@ fn iteration_prints_one_object_with_every_key() {
     found.sort_unstable();
     assert_eq!(found, expected);
     assert_eq!(keys(&result["bounds"]), ["kA", "kARigorous", "kB"]);
-    assert_eq!(keys(&result["witness"]["a"]), ["point", "surface", "u", "v"]);
+    assert_eq!(keys(&result["witness"]["a"]), ["face", "point", "u", "v"]);
     assert_eq!(keys(&result["seconds"]), ["compile", "prepare", "solve"]);
     assert_eq!((&result["method"], &result["backend"]), (&json!("iteration"), &json!("cpu")));
     assert_eq!(result["computed"], 3.0);
@@ -95,7 +95,7 @@ fn certified_is_the_default_and_keeps_its_tolerance() {
     let b = file("larger.json", &shape("sphere-larger").unwrap().to_json().unwrap());
     // Radii of 2 and 2.2, the centres 0.5 apart: the same both ways.
     let moved = ["distance", &a, &b, "--translate", "0.3,0.4,0", "--json"];
-    let result = printed(&run(&[&moved[..], &["--tolerance", "1e-4", "--symmetric"]].concat()));
+    let result = printed(&run(&[&moved[..], &["--relative-tolerance", "1e-4", "--symmetric"]].concat()));
     assert_eq!(result["method"], "certified");
     let [lower, upper, tolerance] = ["lower", "upper", "tolerance"].map(|key| result[key].as_f64().unwrap());
     assert!(lower <= 0.7 + 1e-12 && 0.7 - 1e-12 <= upper);
@@ -105,8 +105,11 @@ fn certified_is_the_default_and_keeps_its_tolerance() {
         assert!(result[key]["cells"].as_u64().unwrap() > 0);
         assert!(result[key]["levels"].as_u64().unwrap() > 0);
     }
-    let absolute = printed(&run(&[&moved[..], &["--tolerance", "0.01", "--absolute"]].concat()));
-    assert_eq!(absolute["tolerance"], 0.01);
+    let in_units = printed(&run(&[&moved[..], &["--tolerance", "0.01"]].concat()));
+    assert_eq!(in_units["tolerance"], 0.01);
+    let both = run(&[&moved[..], &["--tolerance", "0.01", "--relative-tolerance", "0.01"]].concat());
+    assert_eq!(status(&both), 2);
+    assert!(String::from_utf8_lossy(&both.stderr).contains("error[OPTION_INVALID]"));
 }
 
 #[test]
@@ -192,7 +195,7 @@ fn people_get_text() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("degree 1,1  net 2x2  polynomial  clamped"), "{text}");
     let info = printed(&run(&["info", &a, "--json"]));
-    assert_eq!(info["surfaces"][0]["counts"], json!([2, 2]));
+    assert_eq!(info["faces"][0]["counts"], json!([2, 2]));
 }
 
 #[test]
@@ -262,10 +265,11 @@ fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any()
     let result: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(result["state"], "changed");
     assert!(
-        result["a"][0]["lower"].as_f64().unwrap() <= 3.0 && 3.0 <= result["a"][0]["upper"].as_f64().unwrap()
+        result["facesOfA"][0]["lower"].as_f64().unwrap() <= 3.0
+            && 3.0 <= result["facesOfA"][0]["upper"].as_f64().unwrap()
     );
-    assert_eq!(status(&run(&["diff", &a, &b, "--tolerance", "4"])), 0);
+    assert_eq!(status(&run(&["diff", &a, &b, "--limit", "4"])), 0);
     assert_eq!(status(&run(&["diff", &a, &b, "--translate", "0,0,3"])), 0);
-    let refused = run(&["diff", &a, &b, "--tolerance", "-1"]);
+    let refused = run(&["diff", &a, &b, "--limit", "-1"]);
     assert_eq!(status(&refused), 2);
 }

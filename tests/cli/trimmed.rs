@@ -23,7 +23,7 @@ fn a_trimmed_face_is_measured_as_it_is() {
     let b = file("trimmed-b.json", &plane(3.0).to_string());
     let interval = |a: &str, b: &str| {
         let result = printed(&run(&["distance", a, b, "--json"]));
-        assert_eq!(result["modelGap"], 0.0);
+        assert_eq!(result["gap"], 0.0);
         assert!(result.get("skipped").is_none(), "{result}");
         [&result["lower"], &result["upper"]].map(|end| end.as_f64().unwrap())
     };
@@ -34,7 +34,7 @@ fn a_trimmed_face_is_measured_as_it_is() {
     let expected = 11.0_f64.sqrt();
     assert!(lower <= expected && expected <= upper && upper - lower < 1e-5, "{lower} {upper}");
     let info = printed(&run(&["info", &a, "--json"]));
-    assert_eq!((&info["trimmed"], &info["surfaces"][0]["trim"]), (&json!(1), &json!([3])));
+    assert_eq!((&info["trimmed"], &info["faces"][0]["trim"]), (&json!(1), &json!([3])));
 }
 
 #[test]
@@ -42,10 +42,10 @@ fn the_gaps_that_files_state_stand_beside_the_interval() {
     let a = file("gap-a.json", &triangle(0.0, 0.25).to_string());
     let b = file("gap-b.json", &triangle(3.0, 0.5).to_string());
     let result = printed(&run(&["distance", &a, &b, "--json"]));
-    assert_eq!(result["modelGap"], 0.75);
+    assert_eq!(result["gap"], 0.75);
     assert!(result["upper"].as_f64().unwrap() < 3.1);
     let text = run(&["distance", &a, &b]);
-    assert!(String::from_utf8_lossy(&text.stdout).contains("model gap  0.75"));
+    assert!(String::from_utf8_lossy(&text.stdout).contains("gap        0.75"));
 }
 
 #[test]
@@ -53,13 +53,10 @@ fn a_converted_trimmed_model_is_the_model() {
     let a = file("convert-a.json", &triangle(0.0, 0.0).to_string());
     let out = file("convert-out.json", "");
     let report = printed(&run(&["convert", &a, &out, "--json"]));
-    assert_eq!(
-        (&report["surfaces"], &report["trims"], &report["skipped"]),
-        (&json!(1), &json!(3), &json!([]))
-    );
+    assert_eq!((&report["faces"], &report["trims"], &report["skipped"]), (&json!(1), &json!(3), &json!([])));
     let result = printed(&run(&["distance", &a, &out, "--symmetric", "--json"]));
     assert!(result["upper"].as_f64().unwrap() < 1e-8, "{result}");
-    assert_eq!(result["witness"]["b"]["part"], "half");
+    assert_eq!(result["witness"]["b"]["faceName"], "half");
 }
 
 #[test]

@@ -82,7 +82,7 @@ export async function elsewhere(text: string): Promise<number> {
   if (statistics !== undefined && field[0]?.areas.length === 0) return statistics.mean;
   // @ts-expect-error models are the worker's
   await hd.distance(a, inHere().shape("sphere"));
-  return within ? (distances[0] ?? 0) : a.surfaceCount;
+  return within ? (distances[0] ?? 0) : a.faceCount;
 }
 
 declare function inHere(): Hausdorff;

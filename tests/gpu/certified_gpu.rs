@@ -13,7 +13,8 @@ const ROUNDING: f64 = 1e-12;
 fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
     let Some(engine) = engine(name) else { return };
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let options = Options { tolerance, transform, backend, ..Options::default() };
+        let options =
+            Options { relative_tolerance: Some(tolerance), transform, backend, ..Options::default() };
         let result = measure(&engine, a, b, &options);
         let details = result.certified().unwrap();
         println!(
@@ -50,7 +51,7 @@ fn a_copy_by_other_parameters_takes_few_cells_on_either() {
     let [part, sphere] = sphere_parts([1.0, 1.0]).unwrap();
     let Some(engine) = engine("a part of a sphere") else { return };
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let options = Options { tolerance: 1e-6, backend, ..Options::default() };
+        let options = Options { relative_tolerance: Some(1e-6), backend, ..Options::default() };
         let result = measure(&engine, &part, &sphere, &options);
         let details = result.certified().unwrap();
         assert!(result.converged && result.lower <= ROUNDING, "{:?}", details.stop);
@@ -81,8 +82,12 @@ fn float64_does_what_float32_is_too_coarse_for() {
     let test = "float64_does_what_float32_is_too_coarse_for";
     let Some(engine) = engine(test) else { return };
     let [one, larger] = sphere_parts([1.0, 1.5]).unwrap();
-    let options =
-        Options { tolerance: 3e-8, max_cells: Some(40_000), backend: Backend::Gpu, ..Options::default() };
+    let options = Options {
+        relative_tolerance: Some(3e-8),
+        max_cells: Some(40_000),
+        backend: Backend::Gpu,
+        ..Options::default()
+    };
     let result = measure(&engine, &one, &larger, &options);
     let details = result.certified().unwrap();
     assert_eq!((details.cells, details.stop), (details.cpu_cells, Stop::Cells));

@@ -185,7 +185,7 @@ fn many_pages_and_blocks_are_reduced_to_the_farthest() {
     let result = measure(&engine, &model(squares), &model(ground), &on(Backend::Gpu, &options));
     assert!(result.iteration().unwrap().samples > PAGE_SAMPLES);
     assert_eq!(result.computed, 1.5);
-    assert_eq!((result.witness.a.surface, result.witness.a.u, result.witness.a.v), (4, 1.0, 1.0));
+    assert_eq!((result.witness.a.face, result.witness.a.u, result.witness.a.v), (4, 1.0, 1.0));
 }
 
 #[test]

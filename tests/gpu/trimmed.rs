@@ -53,7 +53,7 @@ fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
             let (gpu, cpu) = (gpu.as_deref().unwrap(), cpu.as_deref().unwrap());
             assert_eq!(gpu.field.len(), cpu.field.len());
             for (gpu, cpu) in gpu.field.iter().zip(&cpu.field) {
-                assert_eq!((gpu.surface, gpu.counts, &gpu.points), (cpu.surface, cpu.counts, &cpu.points));
+                assert_eq!((gpu.face, gpu.counts, &gpu.points), (cpu.face, cpu.counts, &cpu.points));
                 let largest = gpu.distances.iter().zip(&cpu.distances).map(|(gpu, cpu)| (gpu - cpu).abs());
                 assert!(largest.fold(0.0, f64::max) < 1e-6, "{method:?}");
             }

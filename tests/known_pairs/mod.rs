@@ -155,7 +155,7 @@ pub(crate) async fn extract_weights() {
     let a = model(vec![surface([2, 1], [&knots, &[0.0, 0.0, 1.0, 1.0]], &points)]);
     let b = model(vec![bilinear([[1.613_619_770_716_730_4, -0.008_802_270_046_754_157, 0.0, 1.0]; 4])]);
     let truth = 1.302_298_531_963_835_4;
-    let result = measure(&a, &b, &Options { tolerance: 1e-12, ..budgeted() }).await;
+    let result = measure(&a, &b, &Options { relative_tolerance: Some(1e-12), ..budgeted() }).await;
     assert!(
         result.lower <= truth && truth <= result.upper,
         "{truth} in [{}, {}]",
@@ -168,7 +168,7 @@ pub(crate) async fn extract_weights() {
 /// end is from samples: no distance exceeds it.
 pub(crate) async fn overflow() {
     let [a, b] = nets!(overflow);
-    let options = Options { tolerance: 1e-4, ..budgeted() };
+    let options = Options { relative_tolerance: Some(1e-4), ..budgeted() };
     let result = measure(&a, &b, &options).await;
     assert!(result.lower <= 6.575e68, "{:e}", result.lower);
     assert!(result.upper.is_finite() && result.upper >= result.lower, "{:e}", result.upper);
@@ -230,7 +230,7 @@ pub(crate) async fn points() {
     let details = result.certified().unwrap();
     assert_eq!((details.tolerance, details.stop, result.converged), (0.0, Stop::Precision, false));
     assert!(result.notice.unwrap().contains("single points"));
-    let absolute = Options { absolute: true, tolerance: details.min_tolerance, ..budgeted() };
+    let absolute = Options { tolerance: Some(details.min_tolerance), ..budgeted() };
     let result = measure(&a, &b, &absolute).await;
     assert_contains(&result, truth, "points");
     assert!(result.converged && result.notice.is_none());
@@ -246,7 +246,8 @@ pub(crate) async fn far() {
 /// Two cuts of one sheet; no bound holds across pieces that are cut elsewhere.
 pub(crate) async fn split_copies() {
     let [a, b] = nets!(split_copies);
-    let options = |tolerance| Options { tolerance, max_seconds: Some(5.0), ..budgeted() };
+    let options =
+        |tolerance| Options { relative_tolerance: Some(tolerance), max_seconds: Some(5.0), ..budgeted() };
     let fine = measure(&a, &b, &options(1e-9)).await;
     let coarse = measure(&a, &b, &options(1e-4)).await;
     assert!(coarse.converged, "[{:e}, {:e}]", coarse.lower, coarse.upper);
@@ -272,7 +273,7 @@ async fn assert_ends(a: &Model, b: &Model, truth: Option<f64>, name: &str) {
 /// A patch of bidegree (5, 5) against the same with its numbers changed by 1e-4.
 pub(crate) async fn gpu_deep() {
     let [a, b] = nets!(gpu_deep);
-    let result = measure(&a, &b, &Options { tolerance: 1e-5, ..budgeted() }).await;
+    let result = measure(&a, &b, &Options { relative_tolerance: Some(1e-5), ..budgeted() }).await;
     assert!(result.converged, "[{}, {}]", result.lower, result.upper);
 }
 
@@ -281,7 +282,7 @@ pub(crate) async fn gpu_deep() {
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) async fn gpu_deep_with_kernels(engine: &Engine) {
     let [a, b] = nets!(gpu_deep);
-    let options = Options { tolerance: 1e-5, ..budgeted() };
+    let options = Options { relative_tolerance: Some(1e-5), ..budgeted() };
     let on_cpu = measure(&a, &b, &options).await;
     let on_gpu = measure_by(engine, &a, &b, &Options { backend: Backend::Gpu, ..options }).await;
     assert!(on_cpu.converged && on_gpu.converged, "[{}, {}]", on_gpu.lower, on_gpu.upper);

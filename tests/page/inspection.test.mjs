@@ -59,21 +59,21 @@ test("an allowed distance passes or fails by the interval, and is undecided insi
   assert.equal(await text("#verdict"), "");
 });
 
-test("the area out of tolerance and the histogram follow the samples", async () => {
+test("the area beyond the limit and the histogram follow the samples", async () => {
   const { page } = opened;
   // One square of A lies on B's, the other 0.5 above: half of A's area is out of 0.1.
   await openPlanes([0, 0.5], [0]);
   await opened.until("done", () => page.locator("#deviation").check());
   await page.locator("#limit").fill("0.1");
-  assert.match(await text("#out-of-tolerance"), /≈ 50\.0 % of A’s area \(4\.0000/);
+  assert.match(await text("#beyond-limit"), /≈ 50\.0 % of A’s area \(4\.0000/);
   const bars = await page
     .locator("#histogram rect")
     .evaluateAll((all) => all.map((bar) => Number(bar.getAttribute("height"))));
   const tall = bars.flatMap((height, bin) => (height > 0 ? [bin] : []));
   assert.deepEqual(tall, [0, bars.length - 1], "half at 0, half at the end");
   await page.locator("#limit").fill("0.6");
-  assert.match(await text("#out-of-tolerance"), /≈ 0\.0 %/);
-  await opened.screenshot("out-of-tolerance");
+  assert.match(await text("#beyond-limit"), /≈ 0\.0 %/);
+  await opened.screenshot("beyond-limit");
 });
 
 test("the legend's range, kind and steps are the user's", async () => {
@@ -200,7 +200,7 @@ test("a result is exported as JSON, CSV, PNG, glTF and a report", async () => {
   assert.equal(result.lower, Number(lower));
   assert.deepEqual(models, { a: "torus", b: "torus" });
   const csv = (await exported("#export-csv")).bytes.toString().trim().split("\n");
-  assert.match(csv[0], /^surface,x,y,z,foot_x/);
+  assert.match(csv[0], /^face,x,y,z,foot_x/);
   const [, x, y, z, fx, fy, fz, distance] = csv[1].split(",").map(Number);
   assert.ok(Math.abs(Math.hypot(x - fx, y - fy, z - fz) - distance) < 1e-9);
   const png = await exported("#export-png");

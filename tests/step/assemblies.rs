@@ -53,11 +53,11 @@ fn parts_stand_where_their_assembly_places_them() {
         let (model, report) = read(&of_two_uses(UnitsOf::Millimetres, swapped));
         // Turned, the box reaches from 8 to 10 in x and from 0 to 1 in y.
         assert_bounds(&model, [[0.0, 0.0, 0.0], [10.0, 2.0, 4.0]]);
-        assert_eq!(report.surfaces, 6);
+        assert_eq!(report.faces, 6);
         assert_eq!(model.faces().len(), 12);
         let total: f64 = areas(&model).iter().sum();
         assert_near(total, 2.0 * 28.0, 1e-12);
-        assert_eq!(model.faces().next().unwrap().part(), Some("bolt / face 0"));
+        assert_eq!(model.faces().next().unwrap().name(), Some("bolt / face 0"));
     }
 }
 
@@ -93,8 +93,8 @@ fn related_representations_are_one() {
     text.add(format!("SHAPE_REPRESENTATION_RELATIONSHIP('','',#{empty},#{part})"));
     text.product("it''s \\X2\\00DC\\X0\\", empty);
     let (model, report) = read(&text.text());
-    assert_eq!((report.surfaces, model.faces().len()), (6, 6));
-    assert_eq!(model.faces().next().unwrap().part(), Some("it's Ü / face 0"));
+    assert_eq!((report.faces, model.faces().len()), (6, 6));
+    assert_eq!(model.faces().next().unwrap().name(), Some("it's Ü / face 0"));
 }
 
 /// An assembly that contains itself is left out, and ends.

@@ -44,7 +44,7 @@ fn an_error_names_the_line() {
 fn check(bytes: &[u8]) {
     match Model::from_step(bytes) {
         Ok((model, report)) => {
-            assert!(report.surfaces > 0 && report.exact + report.fitted == report.trims);
+            assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
             assert!(report.gap.is_finite());
             assert!(model.faces().len() > 0);
         }

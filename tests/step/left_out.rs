@@ -64,7 +64,7 @@ fn a_face_that_is_not_there_is_left_out() {
     faces.push(77_777);
     let solid = text.solid("", &faces);
     let (_, report) = Model::from_step(text.of(&[solid], UnitsOf::Millimetres).as_bytes()).unwrap();
-    assert_eq!(report.surfaces, 6);
+    assert_eq!(report.faces, 6);
     assert_eq!((report.skipped[0].entity, report.skipped[0].code), (Some(77_777), "STEP_REFERENCE"));
 }
 
@@ -77,7 +77,7 @@ fn a_number_given_twice_is_not_chosen_from() {
     let again = format!("#{face}={};\nENDSEC;\nEND-ISO", text.entities[face - 1]);
     let written = text.of(&[solid], UnitsOf::Millimetres).replace("ENDSEC;\nEND-ISO", &again);
     let (_, report) = Model::from_step(written.as_bytes()).unwrap();
-    assert_eq!(report.surfaces, 5);
+    assert_eq!(report.faces, 5);
     assert_eq!((report.skipped[0].face, report.skipped[0].code), (4, "STEP_REFERENCE"));
 }
 
@@ -90,7 +90,7 @@ fn a_shell_of_no_representation_and_a_body_of_another_kind_are_named() {
     let block = text.add("SWEPT_AREA_SOLID('',$)");
     let written = text.of(&[solid, block], UnitsOf::Millimetres);
     let (_, report) = Model::from_step(written.as_bytes()).unwrap();
-    assert_eq!(report.surfaces, 6);
+    assert_eq!(report.faces, 6);
     let found: Vec<_> = report.skipped.iter().map(|skipped| (skipped.code, skipped.entity)).collect();
     assert_eq!(found, [("STEP_ENTITY", Some(block as u64)), ("STEP_LOOSE", Some(loose as u64))]);
 }
@@ -140,7 +140,7 @@ fn the_surfaces_of_a_set_are_faces() {
     let found: Vec<f64> = model.faces().map(|face| crate::area::area(&face)).collect();
     crate::assert_near(found[0], std::f64::consts::PI * 4.0, 1e-12);
     crate::assert_near(found[1], 9.0 * 3.0 * 0.5_f64.sin(), 1e-9);
-    assert_eq!(model.faces().next().unwrap().part(), Some("part / disc"));
+    assert_eq!(model.faces().next().unwrap().name(), Some("part / disc"));
 }
 
 /// Faces share a surface of 40,000 control points, of which each face of the model has a copy.

@@ -54,13 +54,13 @@ fn a_box_has_its_faces() {
     let faces = box_faces(&mut text, [2.0, 3.0, 5.0]);
     let solid = text.solid("brick", &faces);
     let (model, report) = read(&text.of(&[solid], UnitsOf::Millimetres));
-    assert_eq!((report.surfaces, report.trims, report.fitted), (6, 24, 0));
+    assert_eq!((report.faces, report.trims, report.fitted), (6, 24, 0));
     for (found, expected) in areas(&model).into_iter().zip([6.0, 6.0, 10.0, 10.0, 15.0, 15.0]) {
         assert_near(found, expected, 1e-12);
     }
     let bounds = model.bounding_box();
     assert_near(bounds.diagonal(), 38.0_f64.sqrt(), 1e-12);
-    assert_eq!(model.faces().next().unwrap().part(), Some("brick / face 0"));
+    assert_eq!(model.faces().next().unwrap().name(), Some("brick / face 0"));
 }
 
 /// A body of polygons, whose faces state no surface.
@@ -79,7 +79,7 @@ fn a_faceted_body_has_its_faces() {
     let shell = text.add(format!("CLOSED_SHELL('',({}))", list.join(",")));
     let solid = text.add(format!("FACETED_BREP('',#{shell})"));
     let (model, report) = read(&text.of(&[solid], UnitsOf::Millimetres));
-    assert_eq!((report.surfaces, report.fitted), (6, 0));
+    assert_eq!((report.faces, report.fitted), (6, 0));
     for (found, expected) in areas(&model).into_iter().zip([6.0, 6.0, 10.0, 10.0, 15.0, 15.0]) {
         assert_near(found, expected, 1e-12);
     }

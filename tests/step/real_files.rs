@@ -42,7 +42,7 @@ fn every_face_of_real_files_is_read() {
         assert!(unpacked.status.success(), "{file}");
         let (model, report) = Model::from_step(&unpacked.stdout).unwrap();
         assert_eq!(report.skipped, [], "{file}");
-        assert_eq!((report.surfaces, model.faces().len()), (faces, faces), "{file}");
+        assert_eq!((report.faces, model.faces().len()), (faces, faces), "{file}");
         assert!(report.gap <= gap, "{file}: {}", report.gap);
     }
 }

@@ -38,8 +38,8 @@ const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
   moved();
 });
 const faces = new FacesPanel({
-  compare: (tolerance) =>
-    client.diff({ tolerance, transform: pose().transform, scaleUnits: scalesUnits() }),
+  compare: (limit) =>
+    client.diff({ limit, transform: pose().transform, scaleUnits: scalesUnits() }),
   cancel: () => client.cancelDiff(),
   show: (result) => view.showFaces(result),
   select: (change) => view.selectFace(change),

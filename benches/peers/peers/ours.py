@@ -13,7 +13,7 @@ class Peer(Base):
     name = "nurbs-hausdorff"
     guarantee = "interval for the surfaces"
     settings = (
-        f"`distance A B --tolerance {TOLERANCE:g} --json`, a new process each time; "
+        f"`distance A B --relative-tolerance {TOLERANCE:g} --json`, a new process each time; "
         "all of `seconds` (prepare, compile, solve), from the model in memory to the interval, on all cores"
     )
 
@@ -30,7 +30,7 @@ class Peer(Base):
 def distance(paths, tolerance, max_seconds=None):
     """The JSON that the command line prints for two files."""
     command = [str(REPOSITORY / "target" / "release" / "nurbs-hausdorff"), "distance", *paths]
-    command += ["--tolerance", repr(tolerance), "--json"]
+    command += ["--relative-tolerance", repr(tolerance), "--json"]
     if max_seconds is not None:
         command += ["--max-seconds", str(max_seconds)]
     run = subprocess.run(command, check=True, capture_output=True, text=True)

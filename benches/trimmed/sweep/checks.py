@@ -62,7 +62,7 @@ def reading(command: Command, subject: Subject) -> list[str]:
     subject.readable, subject.gap = True, info["gap"]
     # Notes name faces of which the file leaves something open; warnings, those left out.
     found = [line.split(": ", 2)[-1] for line in warnings if not line.startswith("note:")]
-    if len(info["surfaces"]) != len(subject.areas):
+    if len(info["faces"]) != len(subject.areas):
         found.append(f"{len(info['surfaces'])} of {len(subject.areas)} faces")
     return found + areas(info, subject)
 
@@ -76,7 +76,7 @@ def areas(info: dict, subject: Subject) -> list[str]:
         found.append(f"area in [{lower:.9g}, {upper:.9g}], OpenCASCADE's {subject.area:.9g}")
     if upper - lower > MAX_AREA_WIDTH * upper:
         found.append(f"area not narrow: [{lower:.9g}, {upper:.9g}]")
-    ours = sorted((face["area"]["lower"], face["area"]["upper"]) for face in info["surfaces"])
+    ours = sorted((face["area"]["lower"], face["area"]["upper"]) for face in info["faces"])
     if len(ours) == len(subject.areas):
         for (lower, upper), theirs in zip(ours, sorted(subject.areas, key=lambda area: area.value)):
             if not lower - allowed - theirs.spread <= theirs.value <= upper + allowed + theirs.spread:

@@ -87,7 +87,7 @@ fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[
     for step in 0..setup.choose(TOLERANCES, 5) {
         let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_PER_DECADE);
         let options = Options {
-            tolerance,
+            relative_tolerance: Some(tolerance),
             max_cells: Some(MAX_CELLS),
             transform: RigidTransform::translation(case.translation)?,
             ..certified()

@@ -41,8 +41,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         // Relative to A, so that the problem is the same for every size of B.
         let tolerance = 1e-6 * corner.bounding_box().diagonal();
         let options = Options {
-            tolerance,
-            absolute: true,
+            tolerance: Some(tolerance),
             transform: RigidTransform::translation(shift)?,
             ..certified()
         };

@@ -59,7 +59,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         surface: net.into_arrays(&face.location),
         trim,
         reversed: false,
-        part: None,
+        face_name: None,
         kind: Some(surface.kind().to_owned()),
     };
     if loops.is_empty() {

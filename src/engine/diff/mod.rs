@@ -3,13 +3,13 @@
 mod face;
 mod search;
 
-use super::{PreparedModel, Witness};
+use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use serde::{Deserialize, Serialize};
 
-/// The largest tolerance: coordinates are at most as large.
-const MAX_TOLERANCE: f64 = 1e100;
+/// The largest limit: coordinates are at most as large.
+const MAX_LIMIT: f64 = 1e100;
 
 /// The default of [`DiffOptions::max_cells`]: some seconds for one face.
 const DEFAULT_MAX_CELLS: usize = 1_000_000;
@@ -19,7 +19,7 @@ const DEFAULT_MAX_CELLS: usize = 1_000_000;
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct DiffOptions {
     /// The distance, in model units, up to which a face counts as unchanged; positive.
-    pub tolerance: f64,
+    pub limit: f64,
     /// The cells after which a face is given up as undecided, 1 or more.
     pub max_cells: usize,
     /// Whether B is scaled to the unit of A where both state different ones; else they are
@@ -32,10 +32,10 @@ pub struct DiffOptions {
 }
 
 impl Default for DiffOptions {
-    /// The tolerance is a thousandth of a unit: a micrometre where the unit is a millimetre.
+    /// The limit is a thousandth of a unit: a micrometre where the unit is a millimetre.
     fn default() -> Self {
         Self {
-            tolerance: 1e-3,
+            limit: 1e-3,
             max_cells: DEFAULT_MAX_CELLS,
             scale_units: false,
             transform: RigidTransform::IDENTITY,
@@ -49,9 +49,9 @@ impl DiffOptions {
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option.
     pub fn validate(&self) -> Result<()> {
-        if !(self.tolerance > 0.0 && self.tolerance <= MAX_TOLERANCE) {
+        if !(self.limit > 0.0 && self.limit <= MAX_LIMIT) {
             let expected = "a positive number of at most 1e100";
-            return Err(Error::out_of_range("tolerance", self.tolerance, expected));
+            return Err(Error::out_of_range("limit", self.limit, expected));
         }
         if self.max_cells == 0 {
             return Err(Error::out_of_range("max cells", 0, "at least 1"));
@@ -60,19 +60,19 @@ impl DiffOptions {
     }
 }
 
-/// Whether a face, or a model, differs from the other model by more than the tolerance.
+/// Whether a face, or a model, differs from the other model by more than the limit.
 ///
 /// The order is that of a summary: a model with a changed face is changed, and without
 /// one but with an undecided face it is undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaceState {
-    /// Every point of the face is within the tolerance of the other model.
+    /// Every point of the face is within the limit of the other model.
     Unchanged,
-    /// The interval contains the tolerance: the face's distance differs from it by a
+    /// The interval contains the limit: the face's distance differs from it by a
     /// hundredth or less, or the budget or float64's precision ended the search.
     Undecided,
-    /// A point of the face is farther than the tolerance from the other model.
+    /// A point of the face is farther than the limit from the other model.
     Changed,
 }
 
@@ -83,9 +83,9 @@ pub enum FaceState {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct FaceDifference {
-    /// The index of the face's surface in its model.
+    /// The index of the face in its model.
     pub face: usize,
-    /// The state, which follows from the interval and the tolerance.
+    /// The state, which follows from the interval and the limit.
     pub state: FaceState,
     /// A lower bound on the distance from the face to the other model.
     pub lower: f64,
@@ -103,23 +103,21 @@ pub struct FaceDifference {
 pub struct DiffResult {
     /// The state of both models together.
     pub state: FaceState,
-    /// The tolerance that the states refer to, in model units.
-    pub tolerance: f64,
+    /// The limit that the states refer to, in model units.
+    pub limit: f64,
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
-    /// The sum of both models' gaps, as in [`super::DistanceResult::model_gap`].
-    pub model_gap: f64,
+    /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
+    pub gap: f64,
     /// Every face of A, in order, compared with B.
-    pub a: Vec<FaceDifference>,
+    pub faces_of_a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.
-    pub b: Vec<FaceDifference>,
-    /// The seconds that preparation took; 0 where both models were prepared before.
-    pub prepare_seconds: f64,
-    /// The seconds that the searches took.
-    pub solve_seconds: f64,
+    pub faces_of_b: Vec<FaceDifference>,
+    /// Where the time went.
+    pub seconds: Seconds,
 }
 
 impl DiffResult {
@@ -127,7 +125,7 @@ impl DiffResult {
     /// farthest first within a model.
     #[must_use]
     pub fn faces_in(&self, state: FaceState) -> [Vec<&FaceDifference>; 2] {
-        [&self.a, &self.b].map(|faces| {
+        [&self.faces_of_a, &self.faces_of_b].map(|faces| {
             let mut found: Vec<_> = faces.iter().filter(|face| face.state == state).collect();
             found.sort_by(|one, other| other.lower.total_cmp(&one.lower));
             found

@@ -3,7 +3,7 @@
 use super::face::Face;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{BranchAndBound, Interval, Operand, Pair};
-use crate::engine::{Engine, PreparedModel, Witness};
+use crate::engine::{Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
@@ -13,8 +13,8 @@ use crate::progress::{Monitor, Progress};
 use glam::DVec3;
 use web_time::Instant;
 
-/// The part of the tolerance to which the distance of a face is searched while its
-/// state is undecided: a face whose distance differs from the tolerance by more than
+/// The part of the limit to which the distance of a face is searched while its
+/// state is undecided: a face whose distance differs from the limit by more than
 /// a hundredth is decided.
 const DECISION_PART: f64 = 1e-2;
 
@@ -61,7 +61,7 @@ impl Engine {
         let (whole_a, whole_b) = (flat_a.operand(a), flat_b.operand(b));
         let faces_a = Face::all(a, &flat_a);
         let faces_b = Face::all(b, &flat_b);
-        let prepare_seconds = started.elapsed().as_secs_f64();
+        let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
         let forward = Side {
             whole: whole_a,
@@ -87,14 +87,13 @@ impl Engine {
         let of_b: Vec<_> = of_b.into_iter().map(|found| found.reversed(&transform)).collect();
         Ok(DiffResult {
             state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
-            tolerance: options.tolerance,
+            limit: options.limit,
             unit: a.unit().or(b.unit()),
-            model_gap: a.gap() + b.gap(),
+            gap: a.gap() + b.gap(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
-            a: of_a,
-            b: of_b,
-            prepare_seconds,
-            solve_seconds: started.elapsed().as_secs_f64() - prepare_seconds,
+            faces_of_a: of_a,
+            faces_of_b: of_b,
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }
 }
@@ -132,7 +131,7 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let searches = map(count, |index| {
-                let mut search = self.decision(first + index, options.tolerance);
+                let mut search = self.decision(first + index, options.limit);
                 advance(&mut search, FIRST_CELLS);
                 search
             });
@@ -153,8 +152,8 @@ impl<'a> Side<'a> {
     }
 
     /// The search that decides the state of a face.
-    fn decision(&self, face: usize, tolerance: f64) -> BranchAndBound<'a> {
-        BranchAndBound::new(self.pair(face), DECISION_PART * tolerance, Some(tolerance), 0.0)
+    fn decision(&self, face: usize, limit: f64) -> BranchAndBound<'a> {
+        BranchAndBound::new(self.pair(face), DECISION_PART * limit, Some(limit), 0.0)
     }
 
     /// Ends the search of a face, and narrows the interval of a changed one.
@@ -192,7 +191,7 @@ impl<'a> Side<'a> {
         options: &DiffOptions,
     ) -> Result<FaceDifference> {
         let Interval { lower, upper } = interval;
-        let state = state(interval, options.tolerance);
+        let state = state(interval, options.limit);
         let witness = witness(search, self.pieces).ok_or(Error::EmptyModel)?;
         Ok(FaceDifference { face, state, lower, upper, witness, cells: search.work().cells })
     }
@@ -224,10 +223,10 @@ fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
 }
 
 /// The state that follows from an interval.
-fn state(interval: Interval, tolerance: f64) -> FaceState {
-    if interval.upper <= tolerance {
+fn state(interval: Interval, limit: f64) -> FaceState {
+    if interval.upper <= limit {
         FaceState::Unchanged
-    } else if interval.lower > tolerance {
+    } else if interval.lower > limit {
         FaceState::Changed
     } else {
         FaceState::Undecided

@@ -209,7 +209,7 @@ impl FieldSearch<'_> {
 
     fn of_surface(&self, surface: usize, grid: &SampleGrid, samples: &[FieldSample]) -> Field {
         let face = self.pieces.face(surface);
-        let mut field = Field { surface: face, counts: grid.counts(), ..Field::default() };
+        let mut field = Field { face, counts: grid.counts(), ..Field::default() };
         for sample in &samples[grid.first..grid.first + grid.len()] {
             field.points.extend_from_slice(&sample.point.to_array());
             field.feet.extend_from_slice(&sample.foot.to_array());

@@ -82,7 +82,7 @@ impl Direction<'_> {
             notice: None,
             diagonal: pair.diagonal,
             unit: self.unit(),
-            model_gap: self.model_gap(),
+            gap: self.gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: self.to.bezier().patches.len(),
             seconds: Seconds {
@@ -165,7 +165,7 @@ impl TreePair<'_> {
             let piece = self.trees[side].cells[farthest[side]].surface as usize;
             self.models[side].pieces().surface_point(piece, parameters, point)
         };
-        let tolerance = if options.absolute { options.tolerance } else { options.tolerance * self.diagonal };
+        let tolerance = options.width(self.diagonal);
         Ok(DirectedResult {
             computed: a.distance(b),
             lower,

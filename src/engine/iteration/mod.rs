@@ -87,7 +87,7 @@ impl Direction<'_> {
             notice: None,
             diagonal,
             unit: self.unit(),
-            model_gap: self.model_gap(),
+            gap: self.gap(),
             from_patches: self.from.bezier().patches.len(),
             to_patches: target.target.patches.len(),
             seconds: Seconds {

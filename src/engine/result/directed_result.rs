@@ -25,6 +25,6 @@ impl SurfacePoint {
     /// Returns the image of the point under the transform, with the same parameters.
     pub(in crate::engine) fn moved(&self, transform: &RigidTransform) -> Self {
         let point = transform.apply(DVec3::from_array(self.point)).to_array();
-        Self { point, part: self.part.clone(), ..*self }
+        Self { point, face_name: self.face_name.clone(), ..*self }
     }
 }

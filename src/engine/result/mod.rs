@@ -53,7 +53,7 @@ pub struct DistanceResult {
     /// The sum of both models' gaps: how far the sources may be from what was measured, by
     /// what they state and by ends of trimming curves that were moved together. It is not
     /// part of the interval, which is that of the models as they are.
-    pub model_gap: f64,
+    pub gap: f64,
     /// The distance of the witness, which the method takes for the farthest point.
     pub computed: f64,
     /// A lower bound on the true distance.
@@ -225,12 +225,13 @@ pub struct Witness {
 
 /// A point of a model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct SurfacePoint {
-    /// Index of the surface, which is that of its face.
-    pub surface: usize,
+    /// Index of the face.
+    pub face: usize,
     /// The face's name in its source, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub part: Option<String>,
+    pub face_name: Option<String>,
     /// Parameter u on it.
     pub u: f64,
     /// Parameter v on it.
@@ -269,11 +270,11 @@ impl std::ops::AddAssign for Seconds {
     }
 }
 
-/// The samples of one surface, or of a piece of a trimmed face, v fastest.
+/// The samples of one face, or of a piece of a trimmed one, v fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Field {
-    /// Index of the surface in the sampled model.
-    pub surface: usize,
+    /// Index of the face in the sampled model.
+    pub face: usize,
     /// Numbers of samples along u and v.
     pub counts: [usize; 2],
     /// The points, x y z each.

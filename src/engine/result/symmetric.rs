@@ -9,7 +9,7 @@ impl DistanceResult {
     /// is their maximum, so its interval is that of the maxima.
     pub(in crate::engine) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let &Self { backend, diagonal, unit, model_gap, computed, patches, .. } = larger;
+        let &Self { backend, diagonal, unit, gap, computed, patches, .. } = larger;
         let witness = larger.witness.clone();
         let (adapter, notice) = (larger.adapter.clone(), larger.notice.clone());
         let mut seconds = forward.seconds;
@@ -20,7 +20,7 @@ impl DistanceResult {
             adapter,
             diagonal,
             unit,
-            model_gap,
+            gap,
             computed,
             lower: forward.lower.max(reverse.lower),
             upper: forward.upper.max(reverse.upper),

@@ -21,7 +21,7 @@ export interface CadReport {
   /** The kind of file, found by its content. */
   kind: CadKind;
   /** Number of faces read, instances not counted. */
-  surfaces: number;
+  faces: number;
   /** Number of trimming curves. */
   trims: number;
   /** Number of trimming curves converted without approximation. */

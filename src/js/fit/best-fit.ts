@@ -12,11 +12,13 @@ export interface BestFitOptions {
   sampling?: "uniform" | "arc-length";
   /** Where `a` is at first; default where it lies. The fit found is a local one, near this. */
   transform?: Transform;
-  /**
-   * The length, relative to the larger diagonal, below which a step ends the fit;
-   * default 1e-9, which is the accuracy of the distances.
-   */
+  /** The length, in model units, below which a step ends the fit. */
   tolerance?: number;
+  /**
+   * The same as a fraction of the larger diagonal; if neither is given 1e-9, which is the
+   * accuracy of the distances. Both at once are an error.
+   */
+  relativeTolerance?: number;
   /** Largest number of steps; default 100. */
   maxSteps?: number;
   /** Whether `b` is scaled to the unit of `a` where both state different ones; else that is an error. */
@@ -24,7 +26,7 @@ export interface BestFitOptions {
   /** Cancels the work: the promise rejects with code `CANCELLED`. */
   signal?: AbortSignal;
   /** Called after every step with its number and the root mean square of the distances so far. */
-  onStep?: (step: number, rms: number) => void;
+  onProgress?: (step: number, rms: number) => void;
 }
 
 /** The position of one model that fits another best. */
@@ -54,7 +56,7 @@ const MIN_DAMPING = 1e-6;
 /** The part of the mean square by which a step has to lower it: above its rounding. */
 const MIN_GAIN = 1e-12;
 
-const DEFAULTS = { samples: 16, tolerance: 1e-9, maxSteps: 100 };
+const DEFAULTS = { samples: 16, relativeTolerance: 1e-9, maxSteps: 100 };
 
 /**
  * Finds the rigid motion of `a` that minimises the mean of the squared distances of its
@@ -73,9 +75,17 @@ export async function bestFit<Model>(
   engine: Pick<DistanceEngine<Model>, "field">,
   a: Model,
   b: Model,
-  { onStep, tolerance, maxSteps, transform, samples, ...others }: BestFitOptions = {},
+  {
+    onProgress,
+    tolerance,
+    relativeTolerance,
+    maxSteps,
+    transform,
+    samples,
+    ...others
+  }: BestFitOptions = {},
 ): Promise<BestFit> {
-  const smallest = positive("tolerance", tolerance ?? DEFAULTS.tolerance);
+  const smallest = smallestStep(tolerance, relativeTolerance);
   const most = positive("maxSteps", maxSteps ?? DEFAULTS.maxSteps);
   const options = { ...others, samples: samples ?? DEFAULTS.samples };
   const evaluate = async (transform: Rigid) => {
@@ -91,7 +101,7 @@ export async function bestFit<Model>(
   for (let step = 1; step <= most; step++) {
     const { shift, vector, gain } = dampedStep(at, damping);
     const length = Math.hypot(...shift) + at.extent * Math.hypot(...vector);
-    if (length <= smallest * diagonal || gain <= MIN_GAIN * at.meanSquare) {
+    if (length <= smallest(diagonal) || gain <= MIN_GAIN * at.meanSquare) {
       return result(position, at, before, step - 1, true);
     }
     const moved = followed(position, vector, at.center, shift);
@@ -100,7 +110,7 @@ export async function bestFit<Model>(
       [position, at] = [moved, next.at];
       damping = Math.max(damping / DAMPING_FACTOR, MIN_DAMPING);
     } else damping *= DAMPING_FACTOR;
-    onStep?.(step, Math.sqrt(at.meanSquare));
+    onProgress?.(step, Math.sqrt(at.meanSquare));
   }
   return result(position, at, before, most, false);
 }
@@ -115,6 +125,25 @@ const result = (
   ...{ transform, rms: Math.sqrt(meanSquare), rmsBefore: Math.sqrt(before) },
   ...{ steps, converged },
 });
+
+/** The length below which a step ends the fit, for models of a diagonal. */
+function smallestStep(
+  tolerance: number | undefined,
+  relativeTolerance = tolerance === undefined ? DEFAULTS.relativeTolerance : undefined,
+): (diagonal: number) => number {
+  if (tolerance !== undefined && relativeTolerance !== undefined) {
+    throw new HausdorffError(
+      "OPTION_INVALID",
+      "found both tolerance and relativeTolerance, expected one of them",
+    );
+  }
+  if (tolerance !== undefined) {
+    const length = positive("tolerance", tolerance);
+    return () => length;
+  }
+  const fraction = positive("relativeTolerance", relativeTolerance ?? DEFAULTS.relativeTolerance);
+  return (diagonal) => fraction * diagonal;
+}
 
 function positive(name: string, value: number): number {
   if (value > 0 && Number.isFinite(value)) return value;

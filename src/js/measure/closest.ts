@@ -3,12 +3,12 @@ import type { OnProgress, Transform } from "./options.js";
 /** Options of `Hausdorff.closestPoints`. */
 export interface ClosestPointOptions {
   /**
-   * How much a distance may exceed the least one; default 1e-9.
+   * The permitted excess of a distance over the least one, in model units.
    * The smaller it is, the longer points near a bisector of the model take.
    */
   tolerance?: number;
-  /** Whether `tolerance` is in model units; else (default) it is relative to the model's diagonal. */
-  absolute?: boolean;
+  /** The same as a fraction of the model's diagonal; 1e-9 if neither is given. Both at once are an error. */
+  relativeTolerance?: number;
   /** Moves the points before they are measured. */
   transform?: Transform;
   /** Cancels the work: the promise rejects with code `CANCELLED`. */
@@ -27,8 +27,8 @@ export interface ClosestPoints {
   signed: Float64Array<ArrayBuffer>;
   /** x, y, z of every foot, the point of the model that was found. */
   feet: Float64Array<ArrayBuffer>;
-  /** The index of every foot's surface. */
-  surfaces: Uint32Array<ArrayBuffer>;
+  /** The index of every foot's face. */
+  faces: Uint32Array<ArrayBuffer>;
   /** u, v of every foot on its surface. */
   parameters: Float64Array<ArrayBuffer>;
 }

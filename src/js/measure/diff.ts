@@ -4,7 +4,7 @@ import type { SurfacePoint } from "./result.js";
 /** Options of `Hausdorff.diff`. */
 export interface DiffOptions {
   /** The distance, in model units, up to which a face counts as unchanged; default 1e-3. */
-  tolerance?: number;
+  limit?: number;
   /** Cells after which a face is given up as undecided; default 1,000,000. */
   maxCells?: number;
   /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
@@ -18,8 +18,8 @@ export interface DiffOptions {
 }
 
 /**
- * Whether a face, or a model, differs by more than the tolerance: `unchanged` where
- * `upper` is at most the tolerance, `changed` where `lower` exceeds it, else `undecided`.
+ * Whether a face, or a model, differs by more than the limit: `unchanged` where
+ * `upper` is at most the limit, `changed` where `lower` exceeds it, else `undecided`.
  */
 export type FaceState = "unchanged" | "undecided" | "changed";
 
@@ -28,7 +28,7 @@ export type FaceState = "unchanged" | "undecided" | "changed";
  * in `[lower, upper]`.
  */
 export interface FaceDifference {
-  /** Index of the face's surface in its model. */
+  /** Index of the face in its model. */
   face: number;
   state: FaceState;
   lower: number;
@@ -43,18 +43,18 @@ export interface FaceDifference {
 export interface DiffResult {
   /** `changed` if a face is, else `undecided` if one is. */
   state: FaceState;
-  /** The tolerance that the states refer to, in model units. */
-  tolerance: number;
+  /** The limit that the states refer to, in model units. */
+  limit: number;
   /** The larger diagonal of the two models' boxes. */
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
   /** The sum of both models' gaps, as in a distance. */
-  modelGap: number;
+  gap: number;
   /** Every face of A, in order, compared with B. */
-  a: FaceDifference[];
+  facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */
-  b: FaceDifference[];
-  prepareSeconds: number;
-  solveSeconds: number;
+  facesOfB: FaceDifference[];
+  /** Where the time went. */
+  seconds: { prepare: number; compile: number; solve: number };
 }

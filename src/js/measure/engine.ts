@@ -53,7 +53,7 @@ export interface DistanceEngine<Model> {
   /**
    * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`
    * with `a`, by method `certified` on the CPU: which faces changed by more than the
-   * tolerance, how far and where.
+   * limit, how far and where.
    *
    * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
    * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.

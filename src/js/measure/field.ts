@@ -28,6 +28,6 @@ export interface DeviationField {
   diagonal: number;
   /** Where the samples stand for an area. */
   statistics?: Statistics;
-  /** One entry a surface of the sampled model, or a piece of a trimmed one. */
+  /** One entry a face of the sampled model, or a piece of a trimmed one. */
   field: Field[];
 }

@@ -24,12 +24,12 @@ export interface DistanceOptions {
    */
   method?: "certified" | "iteration" | "hierarchy";
   /**
-   * `certified`: the requested width of the interval; default 1e-6. `hierarchy`
+   * `certified`: the permitted width of the interval, in model units. `hierarchy`
    * only reports whether its interval is as narrow.
    */
   tolerance?: number;
-  /** Whether `tolerance` is in model units; else (default) it is relative to the larger diagonal. */
-  absolute?: boolean;
+  /** The same as a fraction of the larger diagonal; 1e-6 if neither is given. Both at once are an error. */
+  relativeTolerance?: number;
   /** `certified`: only decide whether the distance is at most this; see `within` of the result. */
   limit?: number;
   /** `certified`: seconds per direction after which the interval reached is the result. */

@@ -2,20 +2,20 @@ import type { Vector3 } from "./options.js";
 
 /** A point of a model. */
 export interface SurfacePoint {
-  /** Index of the surface. */
-  surface: number;
-  /** The surface's name in its source, if it has one. */
-  part?: string;
+  /** Index of the face. */
+  face: number;
+  /** The face's name in its source, if it has one. */
+  faceName?: string;
   /** Its parameters there. */
   u: number;
   v: number;
   point: Vector3;
 }
 
-/** All samples of one surface, or of a piece of a trimmed one, v fastest. */
+/** All samples of one face, or of a piece of a trimmed one, v fastest. */
 export interface Field {
-  /** Index of the surface in the sampled model. */
-  surface: number;
+  /** Index of the face in the sampled model. */
+  face: number;
   /** Numbers of samples along u and v. */
   counts: [number, number];
   /** x, y, z of every sample, after the transform. */
@@ -60,7 +60,7 @@ interface Common {
    * The sum of both models' gaps: how far their sources may be from what was measured. It
    * stands beside the interval and is not part of it.
    */
-  modelGap: number;
+  gap: number;
   /** The distance of the witness, which the method takes for the farthest point. */
   computed: number;
   lower: number;
@@ -77,7 +77,7 @@ interface Common {
   notice?: string;
   /** With `field`, where there is an area. */
   statistics?: Statistics;
-  /** With `field`: one entry a surface of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
+  /** With `field`: one entry a face of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
   field?: Field[];
 }
 

@@ -5,10 +5,10 @@ import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { controlPoints, type Numbers } from "./surface.js";
-import type { Tessellation } from "./tessellation.js";
+import type { Tessellation, TessellationOptions } from "./tessellation.js";
 
 /** The largest index that the module's 32 bits take. */
-const MAX_SURFACE = 2 ** 32 - 1;
+const MAX_FACE = 2 ** 32 - 1;
 
 /**
  * One or more NURBS surfaces, measured as one set of points; made by
@@ -59,14 +59,14 @@ export class NurbsModel {
     return this.prepared.gap;
   }
 
-  /** The name of a surface in its source, or null. */
-  part(surface: number): string | null {
-    return this.prepared.part(surface) ?? null;
+  /** The name of a face in its source, or null. */
+  faceName(face: number): string | null {
+    return this.prepared.faceName(face) ?? null;
   }
 
-  /** Number of surfaces, trimmed or whole, at least 1; with instances, of those they place. */
-  get surfaceCount(): number {
-    return this.prepared.surfaceCount;
+  /** Number of faces, trimmed or whole, at least 1; with instances, of those they place. */
+  get faceCount(): number {
+    return this.prepared.faceCount;
   }
 
   /** The box of all control points of what is measured, which contains the model. */
@@ -76,7 +76,7 @@ export class NurbsModel {
   }
 
   /**
-   * The area of the model and of each of its surfaces, in squares of the model unit, as
+   * The area of the model and of each of its faces, in squares of the model unit, as
    * intervals of about 1e-6 of the area: a face that is missing shows. Computed at the first
    * call, in about 0.1 ms a Bézier patch.
    */
@@ -86,41 +86,34 @@ export class NurbsModel {
   }
 
   /**
-   * Triangles that deviate from the model by at most `tolerance` (in model
-   * units; by default 2e-4 of the model's diagonal), provided that about a
-   * million of them suffice.
+   * Triangles that deviate from the model by at most the options' tolerance, provided
+   * that about a million of them suffice.
    *
-   * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless `tolerance` is
-   * positive and finite.
+   * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless the tolerance is
+   * positive and finite; `OPTION_INVALID`.
    */
-  tessellate({ tolerance }: { tolerance?: number } = {}): Tessellation {
+  tessellate(options: TessellationOptions = {}): Tessellation {
     const prepared = this.prepared;
-    if (tolerance !== undefined && typeof tolerance !== "number") {
-      throw new HausdorffError(
-        "OPTION_INVALID",
-        `tolerance is ${typeof tolerance}, expected a number`,
-      );
-    }
-    return translating(() => prepared.tessellate(tolerance) as Tessellation);
+    return translating(() => prepared.tessellate(options) as Tessellation);
   }
 
   /**
-   * Gives a surface other control points, as many as it has, on the same knots: a
+   * Gives a face's surface other control points, as many as it has, on the same knots: a
    * deforming surface, frame after frame. Faster than a new model, as its cuts and
    * trees are kept. Distances that are being computed still measure the old surface.
    *
-   * @param surface its index
+   * @param face its index
    * @param points x, y, z, w each, v fastest; with `homogeneous`, x, y, z multiplied by w
    * @throws {HausdorffError} as `Hausdorff.model`; `OPTION_OUT_OF_RANGE` for an index
    * that the model does not have. The model is then unchanged.
    */
-  update(surface: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
+  update(face: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
     const prepared = this.prepared;
-    if (!Number.isInteger(surface) || surface < 0 || surface > MAX_SURFACE) {
-      throw new HausdorffError("ARGUMENT_INVALID", `surface is ${surface}, expected an index`);
+    if (!Number.isInteger(face) || face < 0 || face > MAX_FACE) {
+      throw new HausdorffError("ARGUMENT_INVALID", `face is ${face}, expected an index`);
     }
     const changed = controlPoints(points, homogeneous, "");
-    translating(() => prepared.update(surface, changed));
+    translating(() => prepared.update(face, changed));
   }
 
   /** Frees its memory; distances that use it still end well. */

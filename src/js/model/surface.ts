@@ -27,7 +27,7 @@ export interface SurfaceArrays {
   /** Whether the face's normal is opposite to the surface's; no distance uses it. */
   reversed?: boolean;
   /** The face's name in its source. */
-  part?: string;
+  faceName?: string;
   /** The kind of surface in its source, such as `cylinder`. */
   kind?: string;
   /** An upper bound on the surface's distance from its source, in model units; default 0. */
@@ -177,7 +177,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
   );
   surfaces.describe(
     optional(surface.reversed, "boolean", `${where}: reversed`) ?? false,
-    optional(surface.part, "string", `${where}: part`),
+    optional(surface.faceName, "string", `${where}: faceName`),
     optional(surface.kind, "string", `${where}: kind`),
     optional(surface.gap, "number", `${where}: gap`) ?? 0,
   );

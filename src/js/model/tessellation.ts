@@ -1,3 +1,11 @@
+/** Options of `NurbsModel.tessellate`. */
+export interface TessellationOptions {
+  /** The permitted deviation of the triangles from the model, in model units. */
+  tolerance?: number;
+  /** The same as a fraction of the model's diagonal; 2e-4 if neither is given. Both at once are an error. */
+  relativeTolerance?: number;
+}
+
 /** Triangles that display a model; nothing is measured on them. */
 export interface Tessellation {
   /** x, y, z of every vertex, relative to `origin`. */
@@ -8,6 +16,6 @@ export interface Tessellation {
   indices: Uint32Array<ArrayBuffer>;
   /** The point that positions are relative to, in float64. */
   origin: [x: number, y: number, z: number];
-  /** The range of `indices` of each surface. */
-  surfaces: { firstIndex: number; indexCount: number }[];
+  /** The range of `indices` of each face. */
+  faces: { firstIndex: number; indexCount: number }[];
 }

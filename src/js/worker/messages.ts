@@ -8,9 +8,9 @@ export interface ModelFacts {
   unit: number | null;
   report: CadReport | null;
   gap: number;
-  surfaceCount: number;
-  /** The surfaces' names. */
-  parts: (string | null)[];
+  faceCount: number;
+  /** The faces' names. */
+  faceNames: (string | null)[];
   boundingBox: { min: [number, number, number]; max: [number, number, number] };
 }
 

@@ -4,7 +4,7 @@ import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
 import type { Numbers } from "../model/surface.js";
-import type { Tessellation } from "../model/tessellation.js";
+import type { Tessellation, TessellationOptions } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
 import type { ModelFacts } from "./messages.js";
 
@@ -69,14 +69,14 @@ export class NurbsModel {
     return this.#facts.gap;
   }
 
-  /** The name of a surface in its source, or null. */
-  part(surface: number): string | null {
-    return this.#facts.parts[surface] ?? null;
+  /** The name of a face in its source, or null. */
+  faceName(face: number): string | null {
+    return this.#facts.faceNames[face] ?? null;
   }
 
-  /** Number of surfaces, at least 1. */
-  get surfaceCount(): number {
-    return this.#facts.surfaceCount;
+  /** Number of faces, at least 1. */
+  get faceCount(): number {
+    return this.#facts.faceCount;
   }
 
   /** The box of all control points, which contains the model. */
@@ -92,7 +92,7 @@ export class NurbsModel {
   }
 
   /** As the plain model's, in the worker. */
-  async tessellate(options: { tolerance?: number } = {}): Promise<Tessellation> {
+  async tessellate(options: TessellationOptions = {}): Promise<Tessellation> {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("tessellate", [id, options]);
     return result as Tessellation;
@@ -100,12 +100,12 @@ export class NurbsModel {
 
   /** As the plain model's; what is called afterwards uses the new control points. */
   async update(
-    surface: number,
+    face: number,
     points: Numbers,
     options: { homogeneous?: boolean } = {},
   ): Promise<void> {
     const id = NurbsModel.id(this, this.#channel, "the model");
-    const [facts] = await this.#channel.call("update", [id, surface, points, options]);
+    const [facts] = await this.#channel.call("update", [id, face, points, options]);
     this.#facts = facts as ModelFacts;
   }
 

@@ -83,9 +83,9 @@ class Server {
     },
     area: ([, model]) => this.#model(model).area(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
-    update: ([, id, surface, points, options]) => {
+    update: ([, id, face, points, options]) => {
       const model = this.#model(id);
-      model.update(surface as number, points as Float64Array, options as object);
+      model.update(face as number, points as Float64Array, options as object);
       return facts(model);
     },
     distance: ([, a, b, options], watch) =>
@@ -132,9 +132,9 @@ class Server {
 }
 
 function facts(model: NurbsModel): ModelFacts {
-  const { name, unit, report, gap, surfaceCount, boundingBox } = model;
-  const parts = Array.from({ length: surfaceCount }, (_, surface) => model.part(surface));
-  return { name, unit, report, gap, surfaceCount, parts, boundingBox };
+  const { name, unit, report, gap, faceCount, boundingBox } = model;
+  const faceNames = Array.from({ length: faceCount }, (_, face) => model.faceName(face));
+  return { name, unit, report, gap, faceCount, faceNames, boundingBox };
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */

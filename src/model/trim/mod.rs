@@ -50,7 +50,7 @@ pub struct FaceArrays {
     /// Whether the face's normal is opposite to the surface's.
     pub reversed: bool,
     /// The face's name in its source.
-    pub part: Option<String>,
+    pub face_name: Option<String>,
     /// The kind of surface in its source, such as `cylinder`.
     pub kind: Option<String>,
     /// An upper bound, in model units, on the deviation of the surface itself from the source.

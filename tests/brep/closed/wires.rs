@@ -136,7 +136,7 @@ fn the_distance_of_a_ball_to_a_torus_is_that_of_its_poles() {
     let ball = text.face(surface, &[]);
     let ball = PreparedModel::new(&read(&text, ball).0).unwrap();
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    let options = Options { tolerance: 1e-6, ..Options::default() };
+    let options = Options { relative_tolerance: Some(1e-6), ..Options::default() };
     let expected = (15.0_f64 * 15.0 + 1.0).sqrt() - 4.0;
     let torus = wholes(TORUS, &torus_seams(0.0), true, true);
     for model in [&torus[0], &torus[14]] {

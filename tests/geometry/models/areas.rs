@@ -87,7 +87,7 @@ fn info_states_the_area_of_every_face_and_of_all() {
         [[0.0, 1.0], [0.0, 2.0]].map(|[u0, u1]| face(sheet(u1), vec![rectangle([u0, 0.0], [u1, 3.0])]));
     let model = Model::from_faces(ModelArrays { faces: halves.to_vec(), ..ModelArrays::default() }).unwrap();
     let info = ModelInfo::new(&model).unwrap();
-    for (face, expected) in info.surfaces.iter().zip([3.0, 6.0]) {
+    for (face, expected) in info.faces.iter().zip([3.0, 6.0]) {
         assert_area(face.area, expected, 0.0);
     }
     assert_area(info.area, 9.0, 0.0);

@@ -1,9 +1,9 @@
 //! Display triangles against analytic surfaces.
 
 use glam::DVec3;
-use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::{self, shape};
-use nurbs_hausdorff::tessellate::{Tessellation, tessellate};
+use nurbs_hausdorff::tessellate::{Tessellation, TessellationOptions, tessellate};
+use nurbs_hausdorff::{Model, PreparedModel};
 use std::collections::HashMap;
 
 /// What rounding a coordinate of a model of size 10 to float32 can add.
@@ -27,7 +27,7 @@ fn triangles(tessellation: &Tessellation) -> impl Iterator<Item = [usize; 3]> {
 }
 
 fn of(model: &Model, tolerance: Option<f64>) -> Tessellation {
-    tessellate(model, tolerance).unwrap()
+    tessellate(model, &TessellationOptions { tolerance, ..Default::default() }).unwrap()
 }
 
 #[test]
@@ -141,11 +141,11 @@ fn torn_surfaces_are_not_bridged() {
 #[test]
 fn surfaces_have_their_own_part_of_the_indices() {
     let tessellation = of(&shape("cylinder").unwrap(), None);
-    assert_eq!(tessellation.surfaces.len(), 3);
-    assert_eq!(tessellation.surfaces[0].start, 0);
-    assert_eq!(tessellation.surfaces[2].end, tessellation.indices.len());
-    assert!(tessellation.surfaces.windows(2).all(|pair| pair[0].end == pair[1].start));
-    assert!(tessellation.surfaces.iter().all(|range| !range.is_empty()));
+    assert_eq!(tessellation.faces.len(), 3);
+    assert_eq!(tessellation.faces[0].start, 0);
+    assert_eq!(tessellation.faces[2].end, tessellation.indices.len());
+    assert!(tessellation.faces.windows(2).all(|pair| pair[0].end == pair[1].start));
+    assert!(tessellation.faces.iter().all(|range| !range.is_empty()));
 }
 
 #[test]
@@ -159,8 +159,21 @@ fn the_number_of_triangles_is_limited() {
 fn a_tolerance_that_is_none_is_refused() {
     let sphere = shape("sphere").unwrap();
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(tessellate(&sphere, Some(tolerance)).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+        for (tolerance, relative_tolerance) in [(Some(tolerance), None), (None, Some(tolerance))] {
+            let options = TessellationOptions { tolerance, relative_tolerance };
+            assert_eq!(tessellate(&sphere, &options).unwrap_err().code(), "OPTION_OUT_OF_RANGE");
+        }
     }
+    let both = TessellationOptions { tolerance: Some(1.0), relative_tolerance: Some(1.0) };
+    assert_eq!(tessellate(&sphere, &both).unwrap_err().code(), "OPTION_INVALID");
+}
+
+#[test]
+fn a_relative_tolerance_is_a_fraction_of_the_diagonal() {
+    let sphere = shapes::sphere(DVec3::ZERO, 2.0).unwrap();
+    let diagonal = PreparedModel::new(&sphere).unwrap().bounding_box().diagonal();
+    let relative = TessellationOptions { relative_tolerance: Some(1e-3), ..Default::default() };
+    assert_eq!(tessellate(&sphere, &relative).unwrap(), of(&sphere, Some(1e-3 * diagonal)));
 }
 
 #[test]

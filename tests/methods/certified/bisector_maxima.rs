@@ -66,8 +66,11 @@ fn a_point_as_far_from_three_walls() {
         let walls = nurbs_hausdorff::shapes::operations::transformed(&walls, &transform).unwrap();
         let mut counts = Vec::new();
         for tolerance in [1e-4, 1e-7, 1e-10] {
-            let (result, cells) =
-                measured(&across, &walls, &Options { tolerance, transform, ..Options::default() });
+            let (result, cells) = measured(
+                &across,
+                &walls,
+                &Options { relative_tolerance: Some(tolerance), transform, ..Options::default() },
+            );
             assert!(result.converged && result.lower <= truth + ROUNDING && truth - ROUNDING <= result.upper);
             assert!((result.computed - truth).abs() <= tolerance * result.diagonal);
             counts.push(cells);
@@ -86,7 +89,8 @@ fn a_point_as_far_from_a_circle_of_points() {
     let ring = torus(2.0, RADIUS).unwrap();
     let chords = Model::new(None, vec![reduce_degree(&ring.surfaces()[0], Axis::U).unwrap()]).unwrap();
     for tolerance in [1e-6, 1e-8, 1e-10] {
-        let options = Options { tolerance, max_cells: Some(6000), ..Options::default() };
+        let options =
+            Options { relative_tolerance: Some(tolerance), max_cells: Some(6000), ..Options::default() };
         let (result, cells) = measured(&chords, &ring, &options);
         println!("{tolerance:e}: {cells} cells");
         assert!(result.converged, "{result:?}");

@@ -16,7 +16,16 @@ const FEW: usize = 4000;
 const ROUNDING: f64 = 1e-12;
 
 fn compared(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> DistanceResult {
-    measure(a, b, &Options { tolerance, transform, max_seconds: Some(30.0), ..Options::default() })
+    measure(
+        a,
+        b,
+        &Options {
+            relative_tolerance: Some(tolerance),
+            transform,
+            max_seconds: Some(30.0),
+            ..Options::default()
+        },
+    )
 }
 
 fn is_a_copy(name: &str, a: &Model, b: &Model, transform: RigidTransform) {

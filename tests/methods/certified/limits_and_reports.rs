@@ -26,7 +26,7 @@ fn details(result: &DistanceResult) -> CertifiedDetails {
 
 /// Converges, is as narrow as requested, and contains the truth.
 fn contains(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
-    let options = Options { tolerance, transform, ..Options::default() };
+    let options = Options { relative_tolerance: Some(tolerance), transform, ..Options::default() };
     let result = measure(a, b, &options, &mut NoMonitor);
     let DistanceResult { lower, upper, .. } = result;
     println!(
@@ -119,7 +119,7 @@ fn far_from_the_origin_and_tiny() {
     for (scale, shift) in [(1.0, 1e6), (1e-3, 1e3), (1e5, 1e6)] {
         let center = DVec3::new(shift, -shift, 0.5 * shift);
         let [one, larger] = [1.0, 1.5].map(|radius| sphere(center, scale * radius).unwrap());
-        let options = Options { tolerance: 1e-3, ..Options::default() };
+        let options = Options { relative_tolerance: Some(1e-3), ..Options::default() };
         let result = measure(&one, &larger, &options, &mut NoMonitor);
         // The control points themselves are rounded.
         let rounding = 4.0 * f64::EPSILON * shift;
@@ -133,7 +133,10 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let budgets = [
         (Options { max_cells: Some(2000), ..Options::default() }, Stop::Cells),
-        (Options { max_seconds: Some(0.02), tolerance: 1e-9, ..Options::default() }, Stop::Time),
+        (
+            Options { max_seconds: Some(0.02), relative_tolerance: Some(1e-9), ..Options::default() },
+            Stop::Time,
+        ),
     ];
     for (options, stop) in budgets {
         let result = measure(&one, &larger, &options, &mut NoMonitor);
@@ -149,7 +152,7 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
 fn a_limit_is_decided_sooner_than_the_distance() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let ask = |limit: Option<f64>| {
-        let options = Options { limit, tolerance: 1e-5, ..Options::default() };
+        let options = Options { limit, relative_tolerance: Some(1e-5), ..Options::default() };
         details(&measure(&one, &larger, &options, &mut NoMonitor))
     };
     let whole = ask(None);
@@ -160,7 +163,7 @@ fn a_limit_is_decided_sooner_than_the_distance() {
         assert!(decided.cells * 5 < whole.cells, "{} of {} cells", decided.cells, whole.cells);
     }
     // A limit inside the final interval cannot be decided.
-    let options = Options { limit: Some(0.1), tolerance: 1e-3, ..Options::default() };
+    let options = Options { limit: Some(0.1), relative_tolerance: Some(1e-3), ..Options::default() };
     let result = measure(&one, &larger, &options, &mut NoMonitor);
     assert_eq!((details(&result).within, result.converged), (None, false));
 }
@@ -188,7 +191,7 @@ impl Monitor for Watch {
 #[test]
 fn the_interval_never_widens_and_cancelling_returns_it() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
-    let options = Options { tolerance: 1e-8, ..Options::default() };
+    let options = Options { relative_tolerance: Some(1e-8), ..Options::default() };
     let mut watch = Watch { intervals: Vec::new(), most: 8 };
     let result = measure(&one, &larger, &options, &mut watch);
     assert_eq!(details(&result).stop, Stop::Cancelled);
@@ -222,7 +225,7 @@ fn a_search_that_gains_nothing_says_so() {
     let options = Options { max_cells: Some(40_000), ..Options::default() };
     let stalled = |a: &Model, b: &Model, tolerance: f64| {
         let mut watch = StallWatch::default();
-        measure(a, b, &Options { tolerance, ..options }, &mut watch);
+        measure(a, b, &Options { relative_tolerance: Some(tolerance), ..options }, &mut watch);
         watch.0
     };
     let seen = stalled(&peaked_sheet(1e8), &even, 1e-6);
@@ -257,7 +260,7 @@ fn the_symmetric_interval_is_that_of_the_larger_direction() {
 #[test]
 fn statistics_of_a_constant_deviation_are_that_constant() {
     let [one, larger] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
-    let options = Options { field: true, tolerance: 1e-3, ..Options::default() };
+    let options = Options { field: true, relative_tolerance: Some(1e-3), ..Options::default() };
     let result = measure(&one, &larger, &options, &mut NoMonitor);
     let statistics = result.statistics.unwrap();
     for value in [statistics.mean, statistics.rms, statistics.median, statistics.percentile_95] {

@@ -18,7 +18,11 @@ const ROUNDING: f64 = 1e-12;
 
 /// Whether the truth is in the interval, and how many cells that took.
 fn cells(name: &str, a: &Model, b: &Model, truth: f64, tolerance: f64) -> usize {
-    let result = measure(a, b, &Options { tolerance, max_seconds: Some(60.0), ..Options::default() });
+    let result = measure(
+        a,
+        b,
+        &Options { relative_tolerance: Some(tolerance), max_seconds: Some(60.0), ..Options::default() },
+    );
     let cells = result.certified().unwrap().cells;
     println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
     let rounding = ROUNDING * result.diagonal;
@@ -147,7 +151,11 @@ fn a_dent_is_seen() {
             for (a, b) in [(&dented, &model), (&model, &dented)] {
                 let found = largest_sample(a, b);
                 for tolerance in [1e-6, 1e-8] {
-                    let options = Options { tolerance, max_cells: Some(20_000), ..Options::default() };
+                    let options = Options {
+                        relative_tolerance: Some(tolerance),
+                        max_cells: Some(20_000),
+                        ..Options::default()
+                    };
                     let result = measure(a, b, &options);
                     println!("{name} {depth:e}: [{:e}, {:e}], {found:e}", result.lower, result.upper);
                     let rounding = ROUNDING * result.diagonal;

@@ -178,8 +178,8 @@ fn the_farthest_cell_is_on_the_surface_that_is_the_farthest() {
     let sheet = model(vec![sheet]);
     for raised in [0, 3, 6] {
         for result in on_both("tiles", &tiles(Some(raised)), &sheet, &hierarchy(), 0.5) {
-            assert_eq!(result.witness.a.surface, raised);
-            assert_eq!(result.witness.b.surface, 0);
+            assert_eq!(result.witness.a.face, raised);
+            assert_eq!(result.witness.b.face, 0);
         }
         let reversed =
             on_both("reversed", &sheet, &tiles(Some(raised)), &Options { grid: 8, ..hierarchy() }, {
@@ -187,7 +187,7 @@ fn the_farthest_cell_is_on_the_surface_that_is_the_farthest() {
                 let corner = 2.0_f64.sqrt();
                 if raised == 3 { corner } else { (2.0_f64 + 0.25).sqrt() }
             });
-        assert!(reversed.iter().all(|result| result.witness.a.surface == 0));
+        assert!(reversed.iter().all(|result| result.witness.a.face == 0));
     }
 }
 

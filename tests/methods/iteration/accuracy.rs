@@ -210,7 +210,8 @@ fn options_out_of_range_are_named() {
     assert_eq!(refused(Options { samples: 1025, ..base() }), "samples");
     assert_eq!(refused(Options { iterations: 0, ..base() }), "iterations");
     assert_eq!(refused(Options { step_tolerance: 0.0, ..base() }), "step tolerance");
-    assert_eq!(refused(Options { tolerance: f64::NAN, ..base() }), "tolerance");
+    assert_eq!(refused(Options { relative_tolerance: Some(f64::NAN), ..base() }), "relative tolerance");
+    assert_eq!(refused(Options { tolerance: Some(0.0), ..base() }), "tolerance");
     assert_eq!(refused(Options { limit: Some(-1.0), ..base() }), "limit");
     assert_eq!(refused(Options { max_seconds: Some(0.0), ..base() }), "max seconds");
     assert_eq!(refused(Options { max_cells: Some(0), ..base() }), "max cells");

@@ -41,7 +41,7 @@ fn feet_lie_where_their_surface_has_them() {
     let points = points(50);
     let found = closest(&model, &points, &ClosestPointOptions::default()).unwrap();
     for (index, parameters) in found.parameters.chunks_exact(2).enumerate() {
-        let surface = &model.surfaces()[found.surfaces[index] as usize];
+        let surface = &model.surfaces()[found.faces[index] as usize];
         let point =
             DVec3::from_array(crate::support::evaluator::point(surface, parameters[0], parameters[1]));
         assert!(point.distance(DVec3::from_slice(&found.feet[3 * index..])) < 1e-12);
@@ -71,7 +71,9 @@ fn points_and_options_out_of_range_are_refused() {
     for points in [&[0.0, f64::NAN, 0.0][..], &[f64::INFINITY, 0.0, 0.0], &[2e100, 0.0, 0.0], &[0.0, 0.0]] {
         assert_eq!(code(points, &valid), "POINT_OUT_OF_RANGE");
     }
-    let zero = ClosestPointOptions { tolerance: 0.0, ..valid.clone() };
+    let zero = ClosestPointOptions { relative_tolerance: Some(0.0), ..valid.clone() };
     assert_eq!(code(&[0.0; 3], &zero), "OPTION_OUT_OF_RANGE");
+    let both = ClosestPointOptions { tolerance: Some(1.0), relative_tolerance: Some(1.0), ..valid.clone() };
+    assert_eq!(code(&[0.0; 3], &both), "OPTION_INVALID");
     assert_eq!(closest(&ball, &[], &valid).unwrap(), ClosestPoints::default());
 }

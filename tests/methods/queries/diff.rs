@@ -46,7 +46,7 @@ fn a_raised_square_is_the_one_face_that_changed() {
     let (a, b) = (squares(&[0.0, 0.0, 0.0, 0.0]), squares(&[0.0, 5e-4, 0.25, 0.0]));
     let result = diff(&a, &b, &DiffOptions::default());
     assert_eq!(result.state, Changed);
-    for faces in [&result.a, &result.b] {
+    for faces in [&result.faces_of_a, &result.faces_of_b] {
         assert_eq!(states(faces), [Unchanged, Unchanged, Changed, Unchanged]);
         assert_eq!(faces.iter().map(|face| face.face).collect::<Vec<_>>(), [0, 1, 2, 3]);
         for (face, truth) in faces.iter().zip([0.0, 5e-4, 0.25, 0.0]) {
@@ -54,7 +54,7 @@ fn a_raised_square_is_the_one_face_that_changed() {
         }
         let changed = &faces[2];
         assert!(changed.upper - changed.lower <= 1e-3 * changed.lower);
-        assert_eq!((changed.witness.a.surface, changed.witness.b.surface), (2, 2));
+        assert_eq!((changed.witness.a.face, changed.witness.b.face), (2, 2));
         assert!((changed.witness.b.point[2] - changed.witness.a.point[2] - 0.25).abs() < ROUNDING);
     }
     let [of_a, of_b] = result.faces_in(Changed);
@@ -65,10 +65,10 @@ fn a_raised_square_is_the_one_face_that_changed() {
 fn a_model_without_the_last_face_lacks_it_and_nothing_else() {
     use FaceState::{Changed, Unchanged};
     let result = diff(&squares(&[0.0; 3]), &squares(&[0.0; 2]), &DiffOptions::default());
-    assert_eq!(states(&result.a), [Unchanged, Unchanged, Changed]);
-    assert_eq!(states(&result.b), [Unchanged, Unchanged]);
+    assert_eq!(states(&result.faces_of_a), [Unchanged, Unchanged, Changed]);
+    assert_eq!(states(&result.faces_of_b), [Unchanged, Unchanged]);
     // Its farther edge is at x = 21, the other squares end at x = 11.
-    assert!(result.a[2].lower <= 10.0 + ROUNDING && 10.0 - ROUNDING <= result.a[2].upper);
+    assert!(result.faces_of_a[2].lower <= 10.0 + ROUNDING && 10.0 - ROUNDING <= result.faces_of_a[2].upper);
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn the_transform_moves_a_and_its_witnesses() {
     assert_eq!(unchanged.state, FaceState::Unchanged);
     let wrong = diff(&model, &moved, &DiffOptions { transform: back, ..DiffOptions::default() });
     assert_eq!(wrong.state, FaceState::Changed);
-    let face = &wrong.b[0];
+    let face = &wrong.faces_of_b[0];
     let [a, b] = [face.witness.a.point, face.witness.b.point].map(DVec3::from_array);
     assert!(face.lower <= a.distance(b) + ROUNDING && a.distance(b) - ROUNDING <= face.upper);
 }
@@ -93,10 +93,10 @@ fn the_transform_moves_a_and_its_witnesses() {
 fn the_farthest_face_is_as_far_as_the_model() {
     for [one, other] in [["bottle", "torus"], ["sphere", "sphere-larger"], ["wavy-sheet", "wavy-sheet-b"]] {
         let (a, b) = (shape(one).unwrap(), shape(other).unwrap());
-        let result = diff(&a, &b, &DiffOptions { tolerance: 1e-4, ..DiffOptions::default() });
+        let result = diff(&a, &b, &DiffOptions { limit: 1e-4, ..DiffOptions::default() });
         let whole = cpu::measure(&a, &b, &Options::default());
         let largest = |bound: fn(&nurbs_hausdorff::FaceDifference) -> f64| {
-            result.a.iter().map(bound).fold(0.0_f64, f64::max)
+            result.faces_of_a.iter().map(bound).fold(0.0_f64, f64::max)
         };
         let (lower, upper) = (largest(|face| face.lower), largest(|face| face.upper));
         assert!(lower <= whole.upper && whole.lower <= upper, "{one}: [{lower}, {upper}]");
@@ -108,9 +108,9 @@ fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     let [a, b] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
     let whole = cpu::measure(&a, &b, &Options::default());
     // At the distance itself no search of a few cells can decide.
-    let tolerance = 0.5 * (whole.lower + whole.upper);
-    let result = diff(&a, &b, &DiffOptions { tolerance, max_cells: 1, ..DiffOptions::default() });
-    let face = &result.a[0];
+    let limit = 0.5 * (whole.lower + whole.upper);
+    let result = diff(&a, &b, &DiffOptions { limit, max_cells: 1, ..DiffOptions::default() });
+    let face = &result.faces_of_a[0];
     assert_eq!(face.state, FaceState::Undecided);
     assert!(face.lower <= whole.upper && whole.lower <= face.upper);
 }
@@ -126,7 +126,7 @@ fn a_face_that_is_decided_ends_after_few_cells() {
         Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap()
     };
     let result = diff(&plate(15.0), &plate(15.01), &DiffOptions::default());
-    for face in result.a.iter().chain(&result.b) {
+    for face in result.faces_of_a.iter().chain(&result.faces_of_b) {
         assert_eq!(face.state, FaceState::Changed);
         assert!(face.lower <= 0.01 + ROUNDING && 0.01 - 1e-6 <= face.upper, "{face:?}");
         assert!(face.cells <= 80_000, "{} cells", face.cells);
@@ -135,8 +135,8 @@ fn a_face_that_is_decided_ends_after_few_cells() {
 
 #[test]
 fn options_out_of_range_are_refused() {
-    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let options = DiffOptions { tolerance, ..DiffOptions::default() };
+    for limit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = DiffOptions { limit, ..DiffOptions::default() };
         assert_eq!(options.validate().unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
     let options = DiffOptions { max_cells: 0, ..DiffOptions::default() };

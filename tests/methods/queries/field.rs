@@ -10,7 +10,13 @@ const MAX_PATCHES: usize = 3000;
 const SAMPLES: usize = 8;
 
 fn measured(a: &nurbs_hausdorff::Model, b: &nurbs_hausdorff::Model, method: Method) -> DistanceResult {
-    let options = Options { method, tolerance: 1e-4, samples: SAMPLES, field: true, ..Options::default() };
+    let options = Options {
+        method,
+        relative_tolerance: Some(1e-4),
+        samples: SAMPLES,
+        field: true,
+        ..Options::default()
+    };
     cpu::measure(a, b, &options)
 }
 

@@ -30,7 +30,7 @@ fn an_updated_model_is_measured_as_a_new_one() {
         let model = source.with_control_points(0, waved(&source, 0.2 * f64::from(frame))).unwrap();
         updated = updated.updated(&model).unwrap();
         let new = PreparedModel::new(&model).unwrap();
-        let options = Options { tolerance: 1e-6, symmetric: true, ..Options::default() };
+        let options = Options { relative_tolerance: Some(1e-6), symmetric: true, ..Options::default() };
         let (refitted, prepared) = (distance(&updated, &fixed, &options), distance(&new, &fixed, &options));
         assert!(refitted.converged && prepared.converged && overlap(&refitted, &prepared), "frame {frame}");
         assert_eq!(updated.bounding_box(), new.bounding_box());

@@ -13,12 +13,12 @@ test("points above a square have their feet below them", async () => {
   const points = new Float32Array([0.25, 0.5, 3, 0.75, 0.5, -1, 4, 0.5, 5]);
   const fractions = [];
   const found = await hd.closestPoints(model, points, { onProgress: (f) => fractions.push(f) });
-  assert.ok(found.distances instanceof Float64Array && found.surfaces instanceof Uint32Array);
+  assert.ok(found.distances instanceof Float64Array && found.faces instanceof Uint32Array);
   [2, 2, 5].forEach((truth, index) => {
     assert.ok(Math.abs(found.distances[index] - truth) <= found.bounds[index]);
     assert.ok(found.bounds[index] < 1e-8);
   });
-  assert.deepEqual([...found.surfaces], [0, 0, 0]);
+  assert.deepEqual([...found.faces], [0, 0, 0]);
   [0.25, 0.5, 1, 0.75, 0.5, 1, 1, 0.5, 1].forEach((truth, index) => {
     near(found.feet[index], truth, 1e-6);
   });

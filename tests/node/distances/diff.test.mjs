@@ -14,12 +14,12 @@ test("the raised one of two squares is the face that changed", async () => {
   const a = hd.model([square(0), square(7)]);
   const b = hd.model([square(0), square(7.5)]);
   const fractions = [];
-  const result = await hd.diff(a, b, { tolerance: 0.01, onProgress: (f) => fractions.push(f) });
+  const result = await hd.diff(a, b, { limit: 0.01, onProgress: (f) => fractions.push(f) });
   assert.equal(result.state, "changed");
-  assert.equal(result.tolerance, 0.01);
-  assert.deepEqual(states(result.a), ["unchanged", "changed"]);
-  assert.deepEqual(states(result.b), ["unchanged", "changed"]);
-  const { lower, upper, face, witness } = result.a[1];
+  assert.equal(result.limit, 0.01);
+  assert.deepEqual(states(result.facesOfA), ["unchanged", "changed"]);
+  assert.deepEqual(states(result.facesOfB), ["unchanged", "changed"]);
+  const { lower, upper, face, witness } = result.facesOfA[1];
   assert.ok(lower <= 0.5 && 0.5 <= upper && upper - lower <= 0.5e-3);
   assert.equal(face, 1);
   assert.equal(witness.a.point[2], 7);
@@ -41,10 +41,7 @@ test("moved back, nothing changed", async () => {
 
 test("a wrong option is refused by its name", async () => {
   const a = hd.model([square(0)]);
-  await assert.rejects(
-    hd.diff(a, a, { tolerance: 0 }),
-    withCode("OPTION_OUT_OF_RANGE", /tolerance/),
-  );
+  await assert.rejects(hd.diff(a, a, { limit: 0 }), withCode("OPTION_OUT_OF_RANGE", /limit/));
   await assert.rejects(hd.diff(a, a, { samples: 4 }), withCode("OPTION_INVALID", /samples/));
   const signal = AbortSignal.abort("why");
   await assert.rejects(hd.diff(a, a, { signal }), withCode("CANCELLED"));

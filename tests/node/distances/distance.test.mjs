@@ -63,7 +63,7 @@ test("concentric spheres are the difference of their radii apart", async () => {
     const result = await hd.distance(a, b, {
       method,
       samples: 16,
-      tolerance: 1e-3,
+      relativeTolerance: 1e-3,
       symmetric: true,
     });
     near(result.computed, 0.2, 1e-12);
@@ -80,7 +80,7 @@ test("the certified interval is as narrow as requested", async () => {
   const b = hd.shape("sphere-larger");
   const intervals = [];
   const result = await hd.distance(a, b, {
-    tolerance: 1e-4,
+    relativeTolerance: 1e-4,
     onProgress: (_, interval) => interval && intervals.push(interval),
   });
   assert.equal(result.method, "certified");
@@ -129,7 +129,7 @@ test("every sample comes back with field", async () => {
   const result = await hd.distance(a, b, { method: "iteration", samples: 5, field: true });
   assert.equal(result.field.length, 2);
   result.field.forEach((field, index) => {
-    assert.equal(field.surface, index);
+    assert.equal(field.face, index);
     assert.deepEqual(field.counts, [5, 5]);
     assert.ok(field.points instanceof Float64Array && field.feet instanceof Float64Array);
     assert.equal(field.points.length, 75);

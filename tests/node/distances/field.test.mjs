@@ -18,8 +18,8 @@ test("the field of a square below another is their distance, by area", async () 
   const options = { samples: 5, onProgress: (fraction) => fractions.push(fraction) };
   const { field, statistics, diagonal } = await hd.field(...models, options);
   assert.equal(field.length, 1);
-  const [{ surface, counts, distances, signed, areas }] = field;
-  assert.deepEqual([surface, counts, distances.length], [0, [5, 5], 25]);
+  const [{ face, counts, distances, signed, areas }] = field;
+  assert.deepEqual([face, counts, distances.length], [0, [5, 5], 25]);
   for (const distance of distances) near(distance, 2, 1e-8);
   // The square looks up, and the samples lie below it.
   for (const sign of signed) near(sign, -2, 1e-8);

@@ -22,7 +22,7 @@ test("a part that a rigid motion moved returns", async () => {
   const steps = [];
   const fit = await bestFit(hd, part, part, {
     transform,
-    onStep: (step, rms) => steps.push([step, rms]),
+    onProgress: (step, rms) => steps.push([step, rms]),
   });
   assert.ok(fit.converged, JSON.stringify(fit));
   assert.ok(fit.rmsBefore > 0.01, `${fit.rmsBefore}`);
@@ -96,6 +96,8 @@ test("a model on itself stays, and wrong options are refused", async () => {
   const refused = (options, code, message) =>
     assert.rejects(bestFit(hd, model, model, options), withCode(code, message));
   await refused({ tolerance: 0 }, "OPTION_OUT_OF_RANGE", /tolerance/);
+  await refused({ relativeTolerance: 0 }, "OPTION_OUT_OF_RANGE", /relativeTolerance/);
+  await refused({ tolerance: 1, relativeTolerance: 1 }, "OPTION_INVALID", /both/);
   await refused({ maxSteps: -1 }, "OPTION_OUT_OF_RANGE", /maxSteps/);
   await refused({ samples: 1 }, "OPTION_OUT_OF_RANGE", /samples/);
   await refused({ signal: AbortSignal.abort() }, "CANCELLED");

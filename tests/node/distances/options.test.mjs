@@ -21,6 +21,8 @@ const refusals = [
   ["OPTION_OUT_OF_RANGE", { stepTolerance: 0 }],
   ["OPTION_OUT_OF_RANGE", { stepTolerance: Number.NaN }],
   ["OPTION_OUT_OF_RANGE", { tolerance: -1 }],
+  ["OPTION_OUT_OF_RANGE", { relativeTolerance: 0 }],
+  ["OPTION_INVALID", { tolerance: 1, relativeTolerance: 1e-3 }],
   ["OPTION_OUT_OF_RANGE", { grid: 1 }, /grid is 1, expected 2 to 1024/],
   ["OPTION_OUT_OF_RANGE", { memoryBudget: 0 }, /1 to 256 MiB/],
   ["OPTION_INVALID", { samples: 2.5 }, /samples: .*`2.5`, expected usize/],

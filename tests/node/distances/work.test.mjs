@@ -112,7 +112,7 @@ test("certified work that is cancelled returns the interval so far", async () =>
   // Tens of thousands of cells: two hulls of about equal distance all over.
   const [hull, wider] = ["wigley-hull", "wigley-hull-wider"].map((name) => hd.shape(name));
   const result = await hd.distance(hull, wider, {
-    tolerance: 1e-12,
+    relativeTolerance: 1e-12,
     signal: controller.signal,
     onProgress: (fraction) => fraction > 0 && controller.abort(),
   });

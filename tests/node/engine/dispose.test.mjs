@@ -10,7 +10,7 @@ test("a model that was disposed of says so", async () => {
   model.dispose();
   for (const use of [
     () => model.name,
-    () => model.surfaceCount,
+    () => model.faceCount,
     () => model.boundingBox,
     () => model.tessellate(),
   ]) {
@@ -36,7 +36,7 @@ test("an engine that was disposed of says so", async () => {
   }
   await assert.rejects(hd.distance(model, model), withCode("DISPOSED"));
   // The model outlives it.
-  assert.equal(model.surfaceCount, 1);
+  assert.equal(model.faceCount, 1);
 });
 
 test("Symbol.dispose, which `using` calls, disposes", async () => {

@@ -65,7 +65,7 @@ test("models of arrays, JSON and text, faces and triangles", async () => {
   const [a, b, c] = await Promise.all(inputs.map((input) => hd.model(input)));
   assert.deepEqual(c.boundingBox, { min: [0, 0, 2], max: [1, 1, 2] });
   assert.equal(c.name, "square");
-  assert.equal(b.surfaceCount, 1);
+  assert.equal(b.faceCount, 1);
   const { state } = await hd.diff(a, b);
   assert.equal(state, "changed");
   const area = await a.area();
@@ -156,7 +156,7 @@ test("nothing blocks the caller's thread for more than 50 ms", async () => {
     const [a, b] = await Promise.all(names.map((name) => hd.shape(name)));
     await hd.distance(a, b, { method: "hierarchy" });
     await hd.distance(a, b, { method: "iteration", field: true });
-    await hd.closestPoints(a, points, { tolerance: 1e-3 });
+    await hd.closestPoints(a, points, { relativeTolerance: 1e-3 });
   };
   await blocksAtMost(50, work);
 });

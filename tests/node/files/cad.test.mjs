@@ -54,13 +54,13 @@ for (const [kind, name, faces, trims] of files) {
     context.diagnostic(`${name}: ${JSON.stringify(report)}`);
     assert.deepEqual(report.skipped, []);
     assert.equal(report.kind, kind);
-    assert.equal(report.surfaces, faces);
+    assert.equal(report.faces, faces);
     assert.equal(report.trims, trims);
     assert.equal(report.exact + report.fitted, trims);
     assert.equal(report.unit, 0.001);
     // The largest gap known is the 0.91 to 1.03 mm of hammer.iges, a part of 50 m by its unit.
     assert.ok(report.gap >= 0 && report.gap < 1.1);
-    assert.equal(model.surfaceCount, faces);
+    assert.equal(model.faceCount, faces);
     assert.equal(model.name, name);
     model.dispose();
   });
@@ -86,10 +86,10 @@ for (const [name, faces, loops, trims, curves, pieces, unit] of rhinoFiles) {
     const { report } = model;
     context.diagnostic(`${name}: ${JSON.stringify(report)}`);
     assert.deepEqual(report.skipped, []);
-    const { kind, surfaces, exact, fitted } = report;
-    assert.deepEqual([kind, surfaces, exact, fitted], ["3dm", faces, pieces, 0]);
+    const { kind, faces: read, exact, fitted } = report;
+    assert.deepEqual([kind, read, exact, fitted], ["3dm", faces, pieces, 0]);
     assert.equal(report.unit, unit);
-    assert.equal(model.surfaceCount, faces);
+    assert.equal(model.faceCount, faces);
     model.dispose();
   });
 
@@ -156,7 +156,7 @@ test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   await loaded();
   const occt = () => import("replicad-opencascadejs");
   const model = await readCad(sharedFile("step/screw.step"), { occt });
-  assert.equal(model.report.surfaces, 10);
+  assert.equal(model.report.faces, 10);
   await assert.rejects(
     readCad(sharedFile("iges/hammer.iges"), { occt }),
     withCode("PEER_MISSING", /reads no IGES.*npm install @bitbybit-dev\/occt/),
@@ -194,22 +194,22 @@ test("BREP text, and its unit as the caller states it", async () => {
   const { report } = await readCad(bytes);
   assert.deepEqual(report, {
     kind: "brep",
-    ...{ surfaces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap },
+    ...{ faces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap },
     ...{ unit: null, skipped: [], notes: [] },
   });
   near(report.gap, 0, 1e-12);
   assert.equal((await readCad(bytes, { unit: 0.0254 })).report.unit, 0.0254);
-  assert.equal((await readCad(gzipSync(bytes))).report.surfaces, 6);
-  assert.equal((await readCad(bytes.buffer)).report.surfaces, 6);
+  assert.equal((await readCad(gzipSync(bytes))).report.faces, 6);
+  assert.equal((await readCad(bytes.buffer)).report.faces, 6);
 });
 
 test("conversion and reading give the same model", async () => {
   const hd = await loaded();
   const bytes = bytesOf(await boxText(1));
   const { json, report } = await convertCad(bytes, { name: "box", unit: 0.001 });
-  assert.equal(report.surfaces, 6);
+  assert.equal(report.faces, 6);
   const model = hd.model(json);
-  assert.deepEqual([model.name, model.surfaceCount], ["box", 6]);
+  assert.deepEqual([model.name, model.faceCount], ["box", 6]);
   const { upper } = await hd.distance(model, await readCad(bytes, { unit: 0.001 }), {
     symmetric: true,
   });
@@ -225,7 +225,7 @@ test("interchange JSON, also behind a byte order mark", async () => {
   const text = JSON.stringify(interchangeSquare(1));
   for (const bytes of [bytesOf(text), bytesOf(`\xEF\xBB\xBF${text}`), gzipSync(text)]) {
     const { report, name } = await readCad(bytes);
-    assert.deepEqual([report.kind, report.surfaces, name], ["json", 1, "square"]);
+    assert.deepEqual([report.kind, report.faces, name], ["json", 1, "square"]);
   }
   const ragged = interchangeSquare();
   ragged.surfaces[0].ctrl[1].pop();
@@ -267,10 +267,10 @@ test("the visible shapes of a FreeCAD document", async () => {
   ]);
   for (const method of [0, 8]) {
     const model = await readCad(zip({ ...document, ...files }, method), { name: "part" });
-    assert.deepEqual([model.name, model.surfaceCount], ["part", 12]);
+    assert.deepEqual([model.name, model.faceCount], ["part", 12]);
     assert.deepEqual(model.boundingBox.max, [5, 2, 3]);
-    const { kind, surfaces, trims, unit, skipped } = model.report;
-    assert.deepEqual([kind, surfaces, trims, unit, skipped], ["fcstd", 12, 48, 0.001, []]);
+    const { kind, faces, trims, unit, skipped } = model.report;
+    assert.deepEqual([kind, faces, trims, unit, skipped], ["fcstd", 12, 48, 0.001, []]);
   }
   const edges = JSON.parse((await convertCad(zip({ ...document, ...files }))).json)
     .surfaces.flatMap(({ trim }) => trim.flat())
@@ -288,7 +288,7 @@ test("a FreeCAD document with a sketch, a broken and a binary shape", async () =
   ]);
   const files = { "a.brp": await boxText(1), "empty.brp": "", "broken.brp": "CASCADE Topology V9" };
   const { report } = await readCad(zip({ ...document, ...files, "shape.bin": "" }));
-  assert.equal(report.surfaces, 6);
+  assert.equal(report.faces, 6);
   assert.deepEqual(
     report.skipped.map(({ face }) => face),
     ["Binary", "Broken"],
@@ -373,7 +373,7 @@ test("a file cut off is read in part or refused, never by another error", {
     const bytes = sharedFile(path);
     for (const part of parts) {
       const error = await readCad(bytes.slice(0, part * bytes.length)).then(
-        ({ report }) => assert.ok(report.surfaces > 0),
+        ({ report }) => assert.ok(report.faces > 0),
         (error) => error,
       );
       if (error) withCode(error.code, /./)(error);

@@ -40,7 +40,7 @@ function sphere(homogeneous) {
 test("a rational sphere is the same given both ways", async () => {
   const plain = hd.model([sphere(false)]);
   const flagged = hd.model([{ ...sphere(true), homogeneous: true }]);
-  const { upper } = await hd.distance(plain, flagged, { symmetric: true, tolerance: 1e-9 });
+  const { upper } = await hd.distance(plain, flagged, { symmetric: true, relativeTolerance: 1e-9 });
   assert.ok(upper < 1e-8, `${upper}`);
   const points = [0, 0, 2, 1, 1, 1, -0.3, 0.4, 0.1];
   for (const model of [plain, flagged]) {

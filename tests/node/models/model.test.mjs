@@ -13,7 +13,7 @@ test("a model of plain arrays", () => {
   const model = hd.model([square(0), square(2)]);
   assert.ok(model instanceof NurbsModel);
   assert.equal(model.name, null);
-  assert.equal(model.surfaceCount, 2);
+  assert.equal(model.faceCount, 2);
   assert.deepEqual(model.boundingBox, { min: [0, 0, 0], max: [1, 1, 2] });
 });
 
@@ -29,7 +29,7 @@ test("a model of interchange JSON, parsed or not", () => {
   for (const input of [interchangeSquare(1), JSON.stringify(interchangeSquare(1))]) {
     const model = hd.model(input);
     assert.equal(model.name, "square");
-    assert.equal(model.surfaceCount, 1);
+    assert.equal(model.faceCount, 1);
     assert.deepEqual(model.boundingBox, { min: [0, 0, 1], max: [1, 1, 1] });
   }
 });
@@ -46,7 +46,7 @@ test("every listed shape can be made", () => {
   assert.ok(shapes.length >= 10);
   for (const { name, title } of shapes) {
     const model = hd.shape(name);
-    assert.ok(model.surfaceCount >= 1, name);
+    assert.ok(model.faceCount >= 1, name);
     assert.ok(title.length > 0);
   }
 });

@@ -10,14 +10,14 @@ after(() => hd.dispose());
 
 test("a square is two triangles", () => {
   const model = hd.model([square(4)]);
-  const { positions, normals, indices, origin, surfaces } = model.tessellate();
+  const { positions, normals, indices, origin, faces } = model.tessellate();
   assert.deepEqual(origin, [0.5, 0.5, 4]);
   assert.ok(positions instanceof Float32Array && normals instanceof Float32Array);
   assert.ok(indices instanceof Uint32Array);
   assert.equal(positions.length, 12);
   assert.deepEqual([...normals], Array(4).fill([0, 0, 1]).flat());
   assert.equal(indices.length, 6);
-  assert.deepEqual(surfaces, [{ firstIndex: 0, indexCount: 6 }]);
+  assert.deepEqual(faces, [{ firstIndex: 0, indexCount: 6 }]);
 });
 
 test("a finer tolerance gives more triangles, all on the sphere", () => {
@@ -31,10 +31,10 @@ test("a finer tolerance gives more triangles, all on the sphere", () => {
 
 test("every surface has its triangles", () => {
   const cylinder = hd.shape("cylinder");
-  const { indices, surfaces } = cylinder.tessellate();
-  assert.equal(surfaces.length, cylinder.surfaceCount);
+  const { indices, faces } = cylinder.tessellate();
+  assert.equal(faces.length, cylinder.faceCount);
   let next = 0;
-  for (const { firstIndex, indexCount } of surfaces) {
+  for (const { firstIndex, indexCount } of faces) {
     assert.equal(firstIndex, next);
     assert.ok(indexCount > 0 && indexCount % 3 === 0);
     next += indexCount;

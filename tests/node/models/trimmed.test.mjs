@@ -43,7 +43,12 @@ function circle(isHole = false) {
 }
 
 const outer = () => polygon([0, 0], [1, 0], [1, 1], [0, 1]);
-const plate = () => ({ ...square(), trim: [outer(), circle(true)], part: "plate", kind: "plane" });
+const plate = () => ({
+  ...square(),
+  trim: [outer(), circle(true)],
+  faceName: "plate",
+  kind: "plane",
+});
 
 /** The interchange JSON of surfaces given as plain arrays like those above. */
 function interchange(surfaces) {
@@ -53,16 +58,22 @@ function interchange(surfaces) {
     );
   return {
     source: { file: "plate.step" },
-    surfaces: surfaces.map(({ trim, knotsU, knotsV, counts, controlPoints, degree, ...rest }) => ({
-      ...rest,
-      degree,
-      knots_u: [...knotsU],
-      knots_v: [...knotsV],
-      ctrl: [0, 1].map((row) => points(controlPoints, 4).slice(2 * row, 2 * row + 2)),
-      trim: trim?.map((loop) =>
-        loop.map(({ controlPoints: curve, ...others }) => ({ ...others, ctrl: points(curve, 3) })),
-      ),
-    })),
+    surfaces: surfaces.map(
+      ({ trim, faceName, knotsU, knotsV, counts, controlPoints, degree, ...rest }) => ({
+        ...rest,
+        part: faceName,
+        degree,
+        knots_u: [...knotsU],
+        knots_v: [...knotsV],
+        ctrl: [0, 1].map((row) => points(controlPoints, 4).slice(2 * row, 2 * row + 2)),
+        trim: trim?.map((loop) =>
+          loop.map(({ controlPoints: curve, ...others }) => ({
+            ...others,
+            ctrl: points(curve, 3),
+          })),
+        ),
+      }),
+    ),
   };
 }
 
@@ -70,17 +81,17 @@ test("a hole's radius is its middle's distance, from arrays and from JSON", asyn
   const whole = hd.model([square()]);
   for (const input of [[plate()], { surfaces: [plate()] }, interchange([plate()])]) {
     const bored = hd.model(input);
-    assert.equal(bored.surfaceCount, 1);
-    assert.equal(bored.part(0), "plate");
+    assert.equal(bored.faceCount, 1);
+    assert.equal(bored.faceName(0), "plate");
     const result = await hd.distance(whole, bored, { symmetric: true });
     assert.ok(result.converged);
     assert.ok(result.forward.lower <= 0.25 && 0.25 <= result.forward.upper);
     assert.ok(result.reverse.lower === 0 && result.reverse.upper <= 1e-6 * result.diagonal);
-    assert.equal(result.modelGap, 1e-4);
+    assert.equal(result.gap, 1e-4);
     assert.equal(result.unit, undefined);
     const { a, b } = result.witness;
-    assert.equal(a.part, undefined);
-    assert.equal(b.part, "plate");
+    assert.equal(a.faceName, undefined);
+    assert.equal(b.faceName, "plate");
     // The parameters of the square are x and y.
     assert.ok(Math.hypot(b.u - b.point[0], b.v - b.point[1]) < 1e-6);
     assert.ok(Math.abs(Math.hypot(b.u - 0.5, b.v - 0.5) - 0.25) < 1e-6);
@@ -89,9 +100,9 @@ test("a hole's radius is its middle's distance, from arrays and from JSON", asyn
 
 test("triangles and closest points are those of the trimmed surface", async () => {
   const bored = hd.model([square(-3), plate()]);
-  const { positions, indices, origin, surfaces } = bored.tessellate({ tolerance: 1e-4 });
-  assert.equal(surfaces.length, 2);
-  const { firstIndex, indexCount } = surfaces[1];
+  const { positions, indices, origin, faces } = bored.tessellate({ tolerance: 1e-4 });
+  assert.equal(faces.length, 2);
+  const { firstIndex, indexCount } = faces[1];
   let area = 0;
   for (let k = firstIndex; k < firstIndex + indexCount; k += 3) {
     const [a, b, c] = [0, 1, 2].map((corner) => {
@@ -103,7 +114,7 @@ test("triangles and closest points are those of the trimmed surface", async () =
   assert.ok(Math.abs(area - (1 - Math.PI / 16)) < 1e-3, `${area}`);
   const found = await hd.closestPoints(bored, [0.5, 0.5, 0]);
   assert.ok(Math.abs(found.distances[0] - 0.25) < 1e-6);
-  assert.deepEqual([...found.surfaces], [1]);
+  assert.deepEqual([...found.faces], [1]);
 });
 
 test("instances place surfaces, and units are compared", async () => {
@@ -118,11 +129,11 @@ test("instances place surfaces, and units are compared", async () => {
       ],
     });
   const [metres, millimetres] = [placed(1, 1), placed(1e-3, 1000)];
-  assert.equal(metres.surfaceCount, 2);
+  assert.equal(metres.faceCount, 2);
   assert.equal(metres.name, "two plates");
   assert.deepEqual(metres.boundingBox.max, [3, 1, 0]);
-  assert.equal(metres.part(0), "left / plate");
-  assert.equal(metres.part(7), null);
+  assert.equal(metres.faceName(0), "left / plate");
+  assert.equal(metres.faceName(7), null);
   assert.equal(millimetres.unit, 1e-3);
   assert.ok(Math.abs(millimetres.gap - 0.1) < 1e-9);
   await assert.rejects(hd.distance(metres, millimetres), withCode("UNITS_DIFFER", /scale/));
@@ -154,7 +165,7 @@ const refusals = [
   ["ARGUMENT_INVALID", { trim: [[null]] }, /loop 0, curve 0 is null/],
   ["ARGUMENT_INVALID", { trim: [[{ ...line([0, 0], [1, 1]), controlPoints: [0, 0] }]] }, /three/],
   ["ARGUMENT_INVALID", { trim: [[{ ...line([0, 0], [1, 1]), edge: -1 }]] }, /edge/],
-  ["ARGUMENT_INVALID", { part: 7 }, /surface 1: part/],
+  ["ARGUMENT_INVALID", { faceName: 7 }, /surface 1: faceName/],
 ];
 
 for (const [code, change, message] of refusals) {
@@ -179,7 +190,7 @@ test("wrong instances and units are refused", () => {
 });
 
 test("areas of the model and of its faces", () => {
-  const model = hd.model([plate(), { ...square(), trim: [circle()], part: "disc" }]);
+  const model = hd.model([plate(), { ...square(), trim: [circle()], faceName: "disc" }]);
   const { lower, upper, faces } = model.area();
   const disc = Math.PI / 16;
   const ends = [...faces, { lower, upper }].map(Object.values);

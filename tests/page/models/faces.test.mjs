@@ -26,8 +26,8 @@ const MANY_FACES = 120;
 
 const reaches = (state) => opened.page.locator(`#faces[data-state="${state}"]`).waitFor();
 
-async function compare(tolerance) {
-  await opened.page.locator("#face-tolerance").fill(`${tolerance}`);
+async function compare(limit) {
+  await opened.page.locator("#face-limit").fill(`${limit}`);
   await opened.page.locator("#compare").click();
   await reaches("done");
 }
@@ -103,7 +103,7 @@ test("a selected face is zoomed to with its own arrow; keys select the next one 
   assert.equal(await buttons.count(), 0);
 });
 
-test("at a tolerance above the changes every face is unchanged, and a move outdates that", async () => {
+test("at a limit above the changes every face is unchanged, and a move outdates that", async () => {
   const { page } = opened;
   await compare(0.6);
   assert.equal(await page.locator("#faces").getAttribute("data-result"), "unchanged");
@@ -122,7 +122,7 @@ test("a long comparison is cancelled", async () => {
   const surfaces = Array.from({ length: MANY_FACES }, () => a.surfaces[0]);
   await page.selectOption("#tolerance", "1e-3");
   await openPair({ surfaces }, b);
-  await page.locator("#face-tolerance").fill("0.001");
+  await page.locator("#face-limit").fill("0.001");
   await page.locator("#compare").click();
   // At once, since a click of the browser waits for a frame.
   await page.locator('#faces[data-state="working"]').evaluate(() => {
@@ -132,9 +132,9 @@ test("a long comparison is cancelled", async () => {
   assert.equal(await page.locator("#face-list button").count(), 0);
 });
 
-test("a tolerance that is not positive is not compared with", async () => {
+test("a limit that is not positive is not compared with", async () => {
   const { page } = opened;
-  await page.locator("#face-tolerance").fill("-1");
+  await page.locator("#face-limit").fill("-1");
   await page.locator("#compare").click();
   assert.equal(await page.locator("#faces").getAttribute("data-state"), "cancelled");
 });

@@ -56,7 +56,7 @@ test("every frame's interval contains the distance of its sheet", async () => {
   const { angle, lower, upper } = await data();
   assert.ok(Number(angle) > 0);
   // Two intervals that both contain the distance overlap.
-  const expected = await measured([14, 13], Number(angle), { tolerance: 1e-6 });
+  const expected = await measured([14, 13], Number(angle), { relativeTolerance: 1e-6 });
   assert.ok(Number(lower) <= expected.upper && expected.lower <= Number(upper));
   assert.ok(Number(upper) - Number(lower) <= 1e-4 * expected.diagonal);
   await opened.screenshot("deforming");

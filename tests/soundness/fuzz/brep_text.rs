@@ -7,7 +7,7 @@ pub fn check(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     match Model::from_brep(text) {
         Ok((model, report)) => {
-            assert!(report.surfaces > 0 && report.exact + report.fitted == report.trims);
+            assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
             assert!(report.gap.is_finite());
             let json = model.to_json().unwrap();
             assert_eq!(Model::from_json(&json).unwrap().to_json().unwrap(), json);

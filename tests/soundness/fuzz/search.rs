@@ -42,7 +42,8 @@ pub fn check(bytes: &[u8]) {
         sampled.directed_distance(&Samples::new(&b, STEPS))
     };
     let limit = limited.then_some(bytes.unit() * largest);
-    let options = Options { max_cells: Some(cells), tolerance, limit, ..Options::default() };
+    let options =
+        Options { max_cells: Some(cells), relative_tolerance: Some(tolerance), limit, ..Options::default() };
     let result = distance(&a, &b, &options).unwrap();
     assert_numbers(&result);
     let DistanceResult { lower, upper, .. } = result;

@@ -6,7 +6,7 @@ use nurbs_hausdorff::Model;
 pub fn check(bytes: &[u8]) {
     match Model::from_step(bytes) {
         Ok((model, report)) => {
-            assert!(report.surfaces > 0 && report.exact + report.fitted == report.trims);
+            assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
             assert!(report.gap.is_finite());
             let json = model.to_json().unwrap();
             assert_eq!(Model::from_json(&json).unwrap().to_json().unwrap(), json);

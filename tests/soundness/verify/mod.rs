@@ -149,7 +149,7 @@ fn results_of_the_search_are_proved_also_of_moved_models() {
         let motion =
             Motion { rotation: transform.rotation().to_array(), translation: transform.offset().to_array() };
         let found = result.witness.a;
-        let witness = Witness { surface: found.surface, u: found.u, v: found.v };
+        let witness = Witness { surface: found.face, u: found.u, v: found.v };
         let claim = Claim { lower: result.lower, upper: result.upper, witness };
         let settings = Settings { slack: 1e-3, ..SETTINGS };
         let report = proof::check(&parsed(&a), &motion, &parsed(&b), &claim, &settings);

@@ -24,7 +24,7 @@ const needsField = (): boolean => deviation.checked || lines.checked;
 export function distanceOptions(): PlainOptions {
   return {
     method: method.value as NonNullable<PlainOptions["method"]>,
-    tolerance: Number(tolerance.value),
+    relativeTolerance: Number(tolerance.value),
     samples: Number(samples.value),
     flatness: flatness.value as NonNullable<PlainOptions["flatness"]>,
     symmetric: symmetric.checked,

@@ -101,7 +101,7 @@ export function showSources(models: Sides<DisplayModel>, placement: Placement): 
   for (const side of SIDES) {
     const model = models[side];
     if (model === undefined) continue;
-    const { source, surfaceCount } = model;
+    const { source, faceCount } = model;
     const list = lists[side];
     list.value = "shape" in source ? source.shape : OTHER;
     shown[side] = list.value;
@@ -109,7 +109,7 @@ export function showSources(models: Sides<DisplayModel>, placement: Placement): 
       const option = list.querySelector<HTMLOptionElement>(`option[value="${OTHER}"]`);
       if (option) option.textContent = source.file.name;
     }
-    list.title = `${surfaceCount} ${surfaceCount === 1 ? "surface" : "surfaces"}`;
+    list.title = `${faceCount} ${faceCount === 1 ? "face" : "faces"}`;
   }
   const index = presets.findIndex(
     (preset) =>

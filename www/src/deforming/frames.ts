@@ -50,7 +50,7 @@ export class Frames {
 
   /** Measures frames until `stop`, from this angle; resolves to the last angle. */
   async run(angle: number, onFrame: (frame: Frame) => void): Promise<number> {
-    const { size, method, tolerance } = this.#settings;
+    const { size, method, relativeTolerance } = this.#settings;
     let last = angle;
     let began = performance.now();
     while (!this.#stopped) {
@@ -59,7 +59,10 @@ export class Frames {
       began = now;
       // Requests are answered in turn: the distance is that of the new control points.
       const updated = this.#sheet.update(0, wave(size, last));
-      const measured = this.#hausdorff.distance(this.#sheet, this.#part, { method, tolerance });
+      const measured = this.#hausdorff.distance(this.#sheet, this.#part, {
+        method,
+        relativeTolerance,
+      });
       const [, result] = await Promise.all([updated, measured]);
       const milliseconds = performance.now() - now;
       const triangles = await this.#sheet.tessellate({ tolerance: DRAWN_TOLERANCE });

@@ -8,8 +8,7 @@ export interface Settings {
   /** The name of a shape. */
   part: string;
   method: "certified" | "hierarchy";
-  /** Relative to the diagonal. */
-  tolerance: number;
+  relativeTolerance: number;
 }
 
 const select = (id: string) => element(id, HTMLSelectElement);
@@ -26,7 +25,7 @@ export function settings(): Settings {
     size: [rows, columns],
     part: part.value,
     method: method.value as Settings["method"],
-    tolerance: Number(tolerance.value),
+    relativeTolerance: Number(tolerance.value),
   };
 }
 

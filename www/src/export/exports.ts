@@ -62,13 +62,13 @@ function jsonOf({ result, diff, pins, options, names }: ExportedState): Blob {
 }
 
 function settingsOf({ names, options }: ExportedState): [string, string][] {
-  const { method, tolerance, symmetric, transform } = options;
+  const { method, relativeTolerance, symmetric, transform } = options;
   const rotation = transform?.rotation ?? [0, 0, 0, 1];
   return [
     ["A", names.a],
     ["B", names.b],
     ["method", `${method}`],
-    ["tolerance", `${tolerance} of the diagonal`],
+    ["tolerance", `${relativeTolerance} of the diagonal`],
     ["distance", symmetric ? "symmetric (max of A to B, B to A)" : "directed, A to B"],
     ["translation of A", (transform?.translation ?? [0, 0, 0]).join(", ")],
     ["rotation of A, quaternion", rotation.join(", ")],

@@ -9,10 +9,14 @@ export interface Change {
   difference: FaceDifference;
 }
 
+/** Returns the faces of one model, in order. */
+export const facesOf = ({ facesOfA, facesOfB }: DiffResult, side: Side): FaceDifference[] =>
+  side === "a" ? facesOfA : facesOfB;
+
 /** Returns the changed faces of both models, the largest lower bound first, and after them the undecided ones. */
 export function changesOf(result: DiffResult): Change[] {
   const all = SIDES.flatMap((side) =>
-    result[side]
+    facesOf(result, side)
       .filter(({ state }) => state !== "unchanged")
       .map((difference) => ({ side, difference })),
   );

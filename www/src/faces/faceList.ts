@@ -62,7 +62,7 @@ export class FaceList {
     const { lower, upper } = difference;
     button.append(
       letter,
-      part("name", difference.witness[side].part ?? `face ${difference.face}`),
+      part("name", difference.witness[side].faceName ?? `face ${difference.face}`),
       part("size", difference.state === "undecided" ? "undecided" : distanceText(lower, diagonal)),
       part("interval", intervalText(lower, upper, diagonal)),
     );

@@ -1,16 +1,16 @@
-// The panel of changed faces: the tolerance, the comparison's progress, counts and list.
+// The panel of changed faces: the limit, the comparison's progress, counts and list.
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
 import { type DiffReply, SIDES } from "../worker/protocol.ts";
-import { type Change, changesOf, countsOf } from "./changes.ts";
+import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
 
-/** The tolerance proposed for new models, as a fraction of the diagonal. */
-const RELATIVE_TOLERANCE = 1e-5;
+/** The limit proposed for new models, as a fraction of the diagonal. */
+const RELATIVE_LIMIT = 1e-5;
 
 const section = element("faces");
-const tolerance = element("face-tolerance", HTMLInputElement);
+const limit = element("face-limit", HTMLInputElement);
 const compare = element("compare", HTMLButtonElement);
 const progress = element("compare-progress", HTMLProgressElement);
 const cancel = element("compare-cancel", HTMLButtonElement);
@@ -18,8 +18,8 @@ const summary = element("face-summary");
 const clear = element("faces-clear", HTMLButtonElement);
 
 export interface FacesListener {
-  /** The user requests a comparison with this tolerance. */
-  compare: (tolerance: number) => void;
+  /** The user requests a comparison with this limit. */
+  compare: (limit: number) => void;
   cancel: () => void;
   /** The result to show in the view, or none. */
   show: (result: DiffResult | undefined) => void;
@@ -36,18 +36,18 @@ export class FacesPanel {
     this.#listener = listener;
     this.#list = new FaceList(element("face-list"), element("face-more"), listener.select);
     compare.addEventListener("click", () => {
-      if (tolerance.reportValidity()) listener.compare(tolerance.valueAsNumber);
+      if (limit.reportValidity()) listener.compare(limit.valueAsNumber);
     });
-    tolerance.addEventListener("keydown", ({ key }) => {
+    limit.addEventListener("keydown", ({ key }) => {
       if (key === "Enter") compare.click();
     });
     cancel.addEventListener("click", () => listener.cancel());
     clear.addEventListener("click", () => this.clear("idle", ""));
   }
 
-  /** Proposes a tolerance for models of this size: one digit. */
+  /** Proposes a limit for models of this size: one digit. */
   propose(diagonal: number): void {
-    if (diagonal > 0) tolerance.value = `${Number((RELATIVE_TOLERANCE * diagonal).toPrecision(1))}`;
+    if (diagonal > 0) limit.value = `${Number((RELATIVE_LIMIT * diagonal).toPrecision(1))}`;
   }
 
   /** The comparison shown. */
@@ -92,17 +92,17 @@ export class FacesPanel {
     this.#setState("done");
     this.#result = result;
     const table = SIDES.map((side) => {
-      const { unchanged, changed, undecided } = countsOf(result[side]);
+      const { unchanged, changed, undecided } = countsOf(facesOf(result, side));
       const name = side.toUpperCase();
       return `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
     });
     const verdict = {
-      unchanged: `No face differs by more than ${result.tolerance}.`,
-      changed: `Faces differ by more than ${result.tolerance}:`,
-      undecided: `Undecided at ${result.tolerance}:`,
+      unchanged: `No face differs by more than ${result.limit}.`,
+      changed: `Faces differ by more than ${result.limit}:`,
+      undecided: `Undecided at ${result.limit}:`,
     }[result.state];
     summary.replaceChildren(
-      ...[verdict, ...table, `in ${duration(result.solveSeconds)}`].map((text) => {
+      ...[verdict, ...table, `in ${duration(result.seconds.solve)}`].map((text) => {
         const line = document.createElement("span");
         line.textContent = text;
         return line;

@@ -55,9 +55,9 @@ export function commonUnit(): string | undefined {
 }
 
 function note(report: CadReport): HTMLElement {
-  const { kind, surfaces, unit, skipped, fitted } = report;
+  const { kind, faces: read, unit, skipped, fitted } = report;
   const summary = document.createElement("summary");
-  const faces = `${grouped(surfaces)} ${surfaces === 1 ? "face" : "faces"}`;
+  const faces = `${grouped(read)} ${read === 1 ? "face" : "faces"}`;
   summary.append(
     [FORMATS[kind], faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "),
   );

@@ -1,5 +1,5 @@
 // The panel of the deviation: the colour scale's options, the legend, the histogram,
-// statistics, and the area out of tolerance.
+// statistics, and the area beyond the limit.
 import type { DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/numbers.ts";
@@ -114,7 +114,7 @@ function draw({ field, result, extent }: Shown): ColorScale {
     ? "Distance of A from B"
     : "Signed deviation of A (+ along B’s normals)";
   element("histogram").replaceChildren(histogram(field.distribution, scale, chosen.absolute));
-  element("out-of-tolerance").textContent = outOfTolerance(field, diagonal);
+  element("beyond-limit").textContent = beyondLimit(field, diagonal);
   showDetails(element("statistics"), [
     ...statisticsOf(result),
     ["maximum of the samples", `≈ ${distanceText(extent.largest, diagonal)}`],
@@ -125,12 +125,12 @@ function draw({ field, result, extent }: Shown): ColorScale {
   return scale;
 }
 
-function outOfTolerance({ distribution }: FieldDisplay, diagonal: number): string {
+function beyondLimit({ distribution }: FieldDisplay, diagonal: number): string {
   const allowed = limit();
   const total = totalArea(distribution.absolute);
   if (allowed === undefined || total === 0) return "";
   const area = areaBeyond(distribution, allowed);
   const unit = commonUnit();
   const size = `${distanceText(area, diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
-  return `Out of tolerance: ≈ ${((100 * area) / total).toFixed(1)} % of A’s area (${size})`;
+  return `Beyond the limit: ≈ ${((100 * area) / total).toFixed(1)} % of A’s area (${size})`;
 }

@@ -34,8 +34,8 @@ export function detailsOf(result: DistanceResult): Detail[] {
 }
 
 /** How far the files themselves leave the models open, which is not part of the interval. */
-function gapOf({ modelGap }: DistanceResult): Detail[] {
-  return modelGap > 0 ? [["gaps of both files, at most", upperText(modelGap)]] : [];
+function gapOf({ gap }: DistanceResult): Detail[] {
+  return gap > 0 ? [["gaps of both files, at most", upperText(gap)]] : [];
 }
 
 /** The directed distances of a symmetric result. */

@@ -1,4 +1,4 @@
-// The verdict on a tolerance that the user types, from the interval that contains the distance.
+// The verdict on a limit that the user types, from the interval that contains the distance.
 import { element } from "../common/elements.ts";
 
 export type Verdict = "pass" | "fail" | "undecided";

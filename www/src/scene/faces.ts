@@ -14,10 +14,10 @@ const UNDECIDED = "#8a5cc2";
 export class FaceColors {
   readonly mesh: Mesh<BufferGeometry, Material[]>;
   readonly #source: BufferGeometry;
-  readonly #ranges: Tessellation["surfaces"];
+  readonly #ranges: Tessellation["faces"];
 
   /** `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
-  constructor(source: BufferGeometry, ranges: Tessellation["surfaces"], color: string) {
+  constructor(source: BufferGeometry, ranges: Tessellation["faces"], color: string) {
     this.#source = source;
     this.#ranges = ranges;
     const geometry = new BufferGeometry();

@@ -61,7 +61,7 @@ export class ModelMesh {
     this.#triangles.renderOrder = 3;
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
-    this.#faces = new FaceColors(geometry, model.tessellation.surfaces, color);
+    this.#faces = new FaceColors(geometry, model.tessellation.faces, color);
     this.group.add(
       ...[this.#surface, this.#painted, this.#faces.mesh],
       ...[this.#outline, this.#triangles],

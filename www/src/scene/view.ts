@@ -178,7 +178,9 @@ export class View {
   /** Colours the faces that a comparison found changed and greys the others; without one, ends that. */
   showFaces(diff: DiffResult | undefined): void {
     this.#diff = diff;
-    this.models.classify(diff === undefined ? {} : { a: classesOf(diff.a), b: classesOf(diff.b) });
+    this.models.classify(
+      diff === undefined ? {} : { a: classesOf(diff.facesOfA), b: classesOf(diff.facesOfB) },
+    );
     if (diff === undefined) this.#showArrow();
     else this.#arrow.hide();
     this.#viewport?.draw();

@@ -32,8 +32,8 @@ export class Comparisons {
   /** Fits A to B from the position of the options. */
   fit({ a, b }: Pair, options: PlainFitOptions): Promise<void> {
     return this.#fit.run(async (signal, report) => {
-      const onStep = (step: number, rms: number) => report({ state: "working", step, rms });
-      const fit = await bestFit(this.#engine, a, b, { ...options, signal, onStep });
+      const onProgress = (step: number, rms: number) => report({ state: "working", step, rms });
+      const fit = await bestFit(this.#engine, a, b, { ...options, signal, onProgress });
       return { state: "done", fit };
     });
   }

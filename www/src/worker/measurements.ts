@@ -126,7 +126,7 @@ export class Measurements {
     const { samples = DEFAULT_SAMPLES, transform, scaleUnits } = options;
     const { upper } = result.forward ?? result;
     const common = { upper, ...(transform && { transform }), ...(scaleUnits && { scaleUnits }) };
-    const many = a.surfaceCount * samples ** 2 > MANY_SAMPLES;
+    const many = a.faceCount * samples ** 2 > MANY_SAMPLES;
     const coarse = many ? [Math.max(MIN_COARSE, Math.round(samples / COARSE_FACTOR))] : [];
     try {
       for (const count of [...coarse, samples]) {

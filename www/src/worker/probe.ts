@@ -32,9 +32,9 @@ export async function probe(
   const onOther = await engine.closestPoints(other, [...unplaced(other, point)]);
   const size = other === b ? scale : 1;
   return {
-    ...{ side, face: faceName(own, onOwn.surfaces[0]), u, v, point },
+    ...{ side, face: faceName(own, onOwn.faces[0]), u, v, point },
     foot: placed(other, vector(onOther.feet)),
-    footFace: faceName(other, onOther.surfaces[0]),
+    footFace: faceName(other, onOther.faces[0]),
     distance: size * (onOther.distances[0] ?? Number.NaN),
     bound: size * (onOther.bounds[0] ?? Number.NaN),
     signed: size * (onOther.signed[0] ?? Number.NaN),
@@ -49,5 +49,4 @@ const scaled = ([x, y, z]: Vector3, factor: number): Vector3 => [
   factor * z,
 ];
 
-const faceName = (model: NurbsModel, surface = 0): string =>
-  model.part(surface) ?? `face ${surface}`;
+const faceName = (model: NurbsModel, face = 0): string => model.faceName(face) ?? `face ${face}`;

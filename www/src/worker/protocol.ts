@@ -41,7 +41,7 @@ export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
 export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
 
 /** The options of a best fit that can be posted to a worker. */
-export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onStep">;
+export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onProgress">;
 
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
@@ -75,7 +75,7 @@ export type Request =
 /** What the page needs to draw a model. */
 export interface DisplayModel {
   source: Source;
-  surfaceCount: number;
+  faceCount: number;
   /** Metres per unit; null where it is unknown. */
   unit: number | null;
   /** What reading a file kept, changed and left out; null for a shape. */

@@ -58,7 +58,7 @@ impl<'a> Direction<'a> {
             + VANISHING_LENGTH * 2.0_f64.powi(-pair.exponent)
             // Validation moves loops next to the edge of the domain onto it, by this and no more; a
             // region moves by at most twice as much as its loops.
-            + 2.0 * result.model_gap;
+            + 2.0 * result.gap;
         let (models, poses) = ([&pair.a, &pair.b], [pair.transform, RigidTransform::IDENTITY]);
         let witness = [&result.witness.a, &result.witness.b];
         let [from, to] = if reversed { [1, 0] } else { [0, 1] };
@@ -111,7 +111,7 @@ impl<'a> Direction<'a> {
         let [start, end] = self.witness.map(|witness| DVec3::from_array(witness.point));
         let models = [self.from, self.to].into_iter().zip(&self.poses).zip(self.deviations);
         for (((model, pose), deviation), witness) in models.zip(self.witness) {
-            let surface = &model.surfaces()[witness.surface];
+            let surface = &model.surfaces()[witness.face];
             let evaluate = |u: f64, v: f64| pose.apply(DVec3::from_array(point(surface, u, v)));
             // Rounding of the parameters moves the point.
             let [du, dv] = [witness.u, witness.v].map(|parameter| 2.0 * f64::EPSILON * parameter.abs());
@@ -129,7 +129,7 @@ impl<'a> Direction<'a> {
                 violations.push(format!("a witness is {error} from the point at its parameters"));
             }
             if model.is_trimmed() && self.is_off_face(model, witness, allowed) {
-                violations.push(format!("a witness is not on face {}, to {allowed}", witness.surface));
+                violations.push(format!("a witness is not on face {}, to {allowed}", witness.face));
             }
         }
         let between = start.distance(end);

@@ -43,9 +43,9 @@ impl Direction<'_> {
         }
         let mut samples = Vec::new();
         // The witness on a trimmed face is checked to be near it, and need not be a point of it.
-        if from_sheets[witness.surface].region.is_none() {
+        if from_sheets[witness.face].region.is_none() {
             let parameters = DVec2::new(witness.u, witness.v);
-            samples.push((Sample { sheet: witness.surface, parameters, is_rim: false }, start));
+            samples.push((Sample { sheet: witness.face, parameters, is_rim: false }, start));
         }
         for (index, sheet) in from_sheets.iter().enumerate() {
             for (parameters, is_rim) in sample_parameters(sheet, rng) {
@@ -55,7 +55,7 @@ impl Direction<'_> {
         }
         let mut found: Vec<(Sample, Placed)> =
             samples.iter().map(|&(sample, point)| (sample, target.near(point, None))).collect();
-        let first = usize::from(from_sheets[witness.surface].region.is_none());
+        let first = usize::from(from_sheets[witness.face].region.is_none());
         found[first..].sort_unstable_by(|a, b| b.1.distance.total_cmp(&a.1.distance));
         let beyond = upper + self.rounding;
         let is_beyond = |point: DVec3, at: Sample| {

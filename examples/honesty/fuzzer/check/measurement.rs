@@ -28,9 +28,7 @@ pub(super) fn measure(pair: &Pair, options: &Options) -> Result<(DistanceResult,
         options.limit = options.limit.map(|limit| limit * scale);
         let offset = pair.transform.offset() * scale;
         options.transform = RigidTransform::new(pair.transform.rotation(), offset)?;
-        if options.absolute {
-            options.tolerance *= scale;
-        }
+        options.tolerance = options.tolerance.map(|tolerance| tolerance * scale);
     }
     let [a, b] = [PreparedModel::new(&scaled[0])?, PreparedModel::new(&scaled[1])?];
     let engine = if pair.backend == Backend::Cpu { &CPU } else { &GPU };

@@ -77,8 +77,8 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
     let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
     let options = Options {
         // Two points have no diagonal for a relative tolerance.
-        absolute: diagonal == 0.0,
-        tolerance: pair.tolerance,
+        tolerance: (diagonal == 0.0).then_some(pair.tolerance),
+        relative_tolerance: (diagonal != 0.0).then_some(pair.tolerance),
         max_cells: Some(pair.max_cells),
         transform: pair.transform,
         symmetric: pair.symmetric,

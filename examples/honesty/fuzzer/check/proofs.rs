@@ -21,15 +21,15 @@ impl Direction<'_> {
         let origin = model.bounding_box().center();
         let sheets = sheets(model, origin);
         let parameters = DVec2::new(witness.u, witness.v);
-        let point = sheets[witness.surface].point(parameters);
-        if Target::new(&sheets).is_within(point, limit, (witness.surface, parameters)) {
+        let point = sheets[witness.face].point(parameters);
+        if Target::new(&sheets).is_within(point, limit, (witness.face, parameters)) {
             return false;
         }
         let definition = definition(model);
         let pair = proof::Pair::new(&definition, &Motion::IDENTITY, &definition);
         let side = |surface: usize, corners: [[f64; 2]; 2]| side(&sheets[surface], corners);
         let deadline = Instant::now() + PROOF_TIME;
-        pair.is_farther_from_part(witness.surface, [parameters.to_array(); 2], limit, deadline, &side)
+        pair.is_farther_from_part(witness.face, [parameters.to_array(); 2], limit, deadline, &side)
             == Some(true)
     }
 

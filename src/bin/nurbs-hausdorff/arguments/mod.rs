@@ -29,10 +29,10 @@ pub(crate) enum Command {
     Distance(Box<DistanceArguments>),
     /// Compares two models face by face.
     ///
-    /// Exit status: 0 if no face changed by more than --tolerance, 1 if one did,
+    /// Exit status: 0 if no face changed by more than --limit, 1 if one did,
     /// 2 for bad input, 3 if a face could not be decided and none changed.
     Diff(DiffArguments),
-    /// Prints the surfaces, patches and bounding box of a model.
+    /// Prints the faces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Writes a model as interchange JSON, and prints what reading it kept and left out.
     Convert(ConvertArguments),
@@ -52,12 +52,12 @@ pub(crate) struct DistanceArguments {
     /// The method that computes the distance.
     #[arg(long, value_enum, default_value_t = MethodName::Certified)]
     method: MethodName,
-    /// certified: requested width of the interval, relative to the larger diagonal.
-    #[arg(long, default_value_t = 1e-6)]
-    tolerance: f64,
-    /// certified: the tolerance is in model units.
-    #[arg(long)]
-    absolute: bool,
+    /// certified: permitted width of the interval, in model units.
+    #[arg(long, value_name = "LENGTH")]
+    tolerance: Option<f64>,
+    /// certified: the same as a fraction of the larger diagonal; 1e-6 if neither is given.
+    #[arg(long, value_name = "FRACTION")]
+    relative_tolerance: Option<f64>,
     /// Decides whether the distance is at most LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
     #[arg(long, value_name = "LIMIT")]
     pub(crate) limit: Option<f64>,
@@ -142,7 +142,7 @@ pub(crate) struct DiffArguments {
     pub(crate) b: PathBuf,
     /// Distance, in model units, up to which a face counts as unchanged.
     #[arg(long, default_value_t = 1e-3)]
-    tolerance: f64,
+    limit: f64,
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
@@ -160,7 +160,7 @@ impl DiffArguments {
     /// As [`RigidTransform::new`]; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<DiffOptions> {
         Ok(DiffOptions {
-            tolerance: self.tolerance,
+            limit: self.limit,
             max_cells: self.max_cells,
             scale_units: self.placement.scale_units,
             transform: self.placement.transform()?,
@@ -197,7 +197,7 @@ impl DistanceArguments {
         Ok(Options {
             method: self.method.into(),
             tolerance: self.tolerance,
-            absolute: self.absolute,
+            relative_tolerance: self.relative_tolerance,
             limit: self.limit,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,

@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
 
 fn lines(out: &mut String, CadReport { kind, read }: &CadReport) -> std::fmt::Result {
     writeln!(out, "kind      {kind}")?;
-    writeln!(out, "surfaces  {}, {} left out", read.surfaces, read.skipped.len())?;
+    writeln!(out, "faces     {}, {} left out", read.faces, read.skipped.len())?;
     writeln!(out, "trims     {}, {} exact, {} fitted", read.trims, read.exact, read.fitted)?;
     writeln!(out, "gap       {:?}", read.gap)?;
     match read.unit {

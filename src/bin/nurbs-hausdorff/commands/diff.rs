@@ -41,9 +41,11 @@ fn lines(out: &mut String, result: &DiffResult) -> Result {
         FaceState::Undecided => "undecided",
         FaceState::Changed => "changed",
     };
-    writeln!(out, "models     {} at a tolerance of {:?}", state(result.state), result.tolerance)?;
+    writeln!(out, "models     {} at a limit of {:?}", state(result.state), result.limit)?;
     let listed = [FaceState::Changed, FaceState::Undecided];
-    for (index, (name, faces)) in [("A", &result.a), ("B", &result.b)].into_iter().enumerate() {
+    for (index, (name, faces)) in
+        [("A", &result.faces_of_a), ("B", &result.faces_of_b)].into_iter().enumerate()
+    {
         let [changed, undecided] = listed.map(|state| result.faces_in(state)[index].len());
         let unchanged = faces.len() - changed - undecided;
         writeln!(
@@ -71,5 +73,5 @@ fn lines(out: &mut String, result: &DiffResult) -> Result {
             }
         }
     }
-    writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.prepare_seconds, result.solve_seconds)
+    writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)
 }

@@ -8,7 +8,7 @@ use crate::output::{print, print_json};
 use nurbs_hausdorff::ModelInfo;
 use std::fmt::Write;
 
-/// Prints the surfaces, patches, areas and bounding box of the model.
+/// Prints the faces, patches, areas and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let Input { model, prepared, .. } = read(&arguments.model)?;
     let info = ModelInfo::of_prepared(&model, &prepared);
@@ -30,25 +30,25 @@ fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
     }
     writeln!(out, "area      {} to {}", short(info.area.lower), short(info.area.upper))?;
     let trimmed = if info.trimmed > 0 { format!("{} trimmed, ", info.trimmed) } else { String::new() };
-    writeln!(out, "surfaces  {}, {trimmed}{} Bézier patches", info.surfaces.len(), info.patches)?;
+    writeln!(out, "faces     {}, {trimmed}{} Bézier patches", info.faces.len(), info.patches)?;
     if info.trimmed > 0 || info.gap > 0.0 {
         writeln!(out, "gap       {:?}, deviation of the pieces {:?}", info.gap, info.deviation)?;
     }
-    for (index, surface) in info.surfaces.iter().enumerate() {
-        let [p, q] = surface.degree;
-        let [rows, columns] = surface.counts;
-        let [[u_start, u_end], [v_start, v_end]] = surface.domain;
-        let kind = if surface.rational { "rational" } else { "polynomial" };
-        let ends = if surface.clamped == [true, true] { "clamped" } else { "unclamped" };
-        let (patches, area) = (surface.patches, short(surface.area.lower));
-        let trim = surface.trim.as_ref().map_or(String::new(), |loops| {
+    for (index, face) in info.faces.iter().enumerate() {
+        let [p, q] = face.degree;
+        let [rows, columns] = face.counts;
+        let [[u_start, u_end], [v_start, v_end]] = face.domain;
+        let kind = if face.rational { "rational" } else { "polynomial" };
+        let ends = if face.clamped == [true, true] { "clamped" } else { "unclamped" };
+        let (patches, area) = (face.patches, short(face.area.lower));
+        let trim = face.trim.as_ref().map_or(String::new(), |loops| {
             format!("  {} loops of {} curves", loops.len(), loops.iter().sum::<usize>())
         });
-        let part = surface.part.as_ref().map_or(String::new(), |part| format!("  {part}"));
+        let name = face.face_name.as_ref().map_or(String::new(), |name| format!("  {name}"));
         writeln!(
             out,
             "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
-             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches  area {area}{trim}{part}"
+             [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches  area {area}{trim}{name}"
         )?;
     }
     Ok(())

@@ -16,8 +16,8 @@ pub(crate) fn text(result: &DistanceResult) -> String {
 fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "distance   {:?}", result.computed)?;
     interval(out, result)?;
-    if result.model_gap > 0.0 {
-        writeln!(out, "model gap  {:?}, by what the files state", result.model_gap)?;
+    if result.gap > 0.0 {
+        writeln!(out, "gap        {:?}, by what the files state", result.gap)?;
     }
     if let Some(unit) = result.unit {
         writeln!(out, "unit       {unit:?} m")?;
@@ -52,9 +52,9 @@ fn interval(out: &mut String, result: &DistanceResult) -> Result {
 }
 
 fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
-    let SurfacePoint { surface, part, u, v, point: [x, y, z] } = point;
-    let part = part.as_ref().map_or(String::new(), |part| format!(" ({part})"));
-    writeln!(out, "{name}       surface {surface}{part} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
+    let SurfacePoint { face, face_name, u, v, point: [x, y, z] } = point;
+    let face_name = face_name.as_ref().map_or(String::new(), |name| format!(" ({name})"));
+    writeln!(out, "{name}       face {face}{face_name} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }
 
 fn certified(out: &mut String, details: &CertifiedDetails) -> Result {

@@ -47,7 +47,7 @@ export function documentModel(
     model: { ...(name === undefined ? {} : { name }), unit: FREECAD_UNIT, ...joined(models) },
     report: {
       kind: "fcstd",
-      surfaces: sum(({ surfaces }) => surfaces),
+      faces: sum(({ faces }) => faces),
       trims: sum(({ trims }) => trims),
       exact: sum(({ exact }) => exact),
       fitted: sum(({ fitted }) => fitted),

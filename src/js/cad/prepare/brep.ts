@@ -47,7 +47,7 @@ export function brepInterchange(
 function completed({ kind, declared }: BrepFile, report: ModuleReport): CadReport {
   const named = ({ face, why }: { face: number; why: string }) => ({ face: `face ${face}`, why });
   const skipped: SkippedFace[] = report.skipped.map(named);
-  const missing = declared - report.surfaces - skipped.length;
+  const missing = declared - report.faces - skipped.length;
   if (missing > 0) {
     const why = "OpenCASCADE did not translate them";
     skipped.push({ face: `${missing} of ${declared} faces`, why });

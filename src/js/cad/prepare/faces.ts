@@ -34,7 +34,7 @@ function completed({ model, report }: FacesFile, read: ModuleReport): CadReport 
   }));
   return {
     ...report,
-    surfaces: read.surfaces,
+    faces: read.faces,
     trims: read.trims,
     exact: Math.max(0, read.trims - report.fitted),
     skipped: [...report.skipped, ...refused],

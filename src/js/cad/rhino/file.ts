@@ -76,12 +76,11 @@ export function rhinoModel(
     ...(instances === null ? {} : { instances }),
   };
   const { trims, fitted, gap } = counts;
-  const surfaces = faces.length;
   return {
     model,
     report: {
       kind: "3dm",
-      surfaces,
+      faces: faces.length,
       trims,
       exact: trims - fitted,
       fitted,

@@ -12,10 +12,10 @@ export async function convert(values: Invocation["values"]): Promise<void> {
   else print(text(report));
 }
 
-function text({ kind, surfaces, trims, exact, fitted, gap, unit, skipped }: CadReport): string {
+function text({ kind, faces, trims, exact, fitted, gap, unit, skipped }: CadReport): string {
   const lines = [
     `kind      ${kind}`,
-    `surfaces  ${surfaces}, ${skipped.length} left out`,
+    `faces     ${faces}, ${skipped.length} left out`,
     `trims     ${trims}, ${exact} exact, ${fitted} fitted`,
     `gap       ${full(gap)}`,
     `unit      ${unit === null ? "unknown" : `${full(unit)} m`}`,

@@ -31,10 +31,10 @@ export async function diff(
 
 function text(result: DiffResult): string {
   const models = [
-    ["A", result.a, "a"],
-    ["B", result.b, "b"],
+    ["A", result.facesOfA, "a"],
+    ["B", result.facesOfB, "b"],
   ] as const;
-  const lines = [`models     ${result.state} at a tolerance of ${full(result.tolerance)}`];
+  const lines = [`models     ${result.state} at a limit of ${full(result.limit)}`];
   for (const [name, faces] of models) {
     const [unchanged, changed, undecided] = (["unchanged", "changed", "undecided"] as const).map(
       (state) => faces.filter((face) => face.state === state).length,
@@ -56,8 +56,8 @@ function text(result: DiffResult): string {
       if (more > 0) lines.push(`           and ${more} more faces of ${name}`);
     }
   }
-  const { prepareSeconds, solveSeconds } = result;
-  lines.push(`seconds    ${prepareSeconds.toFixed(3)} prepare, ${solveSeconds.toFixed(3)} solve`);
+  const { prepare, solve } = result.seconds;
+  lines.push(`seconds    ${prepare.toFixed(3)} prepare, ${solve.toFixed(3)} solve`);
   return `${lines.join("\n")}\n`;
 }
 

@@ -15,7 +15,7 @@ interface ModelInfo {
   gap: number;
   /** Bound on the distance between the trimmed faces and the pieces measured. */
   deviation: number;
-  surfaces: SurfaceInfo[];
+  faces: FaceInfo[];
   patches: number;
   boundingBox: [number[], number[]];
   diagonal: number;
@@ -23,7 +23,7 @@ interface ModelInfo {
   area: Area;
 }
 
-interface SurfaceInfo {
+interface FaceInfo {
   degree: [number, number];
   counts: [number, number];
   domain: [[number, number], [number, number]];
@@ -31,12 +31,12 @@ interface SurfaceInfo {
   clamped: [boolean, boolean];
   /** Numbers of curves of the loops. */
   trim?: number[];
-  part?: string;
+  faceName?: string;
   patches: number;
   area: Area;
 }
 
-/** Prints the surfaces, patches, areas and bounding box of a model. */
+/** Prints the faces, patches, areas and bounding box of a model. */
 export async function info(values: Invocation["values"]): Promise<void> {
   const { json } = await convertFile(String(values.get("model")));
   const info = translating(() => PreparedModel.info(json) as ModelInfo);
@@ -45,19 +45,19 @@ export async function info(values: Invocation["values"]): Promise<void> {
 }
 
 function text(info: ModelInfo): string {
-  const { name, unit, trimmed, gap, deviation, surfaces, patches } = info;
+  const { name, unit, trimmed, gap, deviation, faces, patches } = info;
   const [min, max] = info.boundingBox.map((corner) => `[${corner.map(full).join(", ")}]`);
-  const faces = trimmed > 0 ? `${trimmed} trimmed, ` : "";
+  const trims = trimmed > 0 ? `${trimmed} trimmed, ` : "";
   const lines = [
     `model     ${name ?? "without a name"}`,
     `box       ${min} to ${max}, diagonal ${full(info.diagonal)}`,
     ...(unit === undefined ? [] : [`unit      ${full(unit)} m`]),
     `area      ${interval(info.area)}`,
-    `surfaces  ${surfaces.length}, ${faces}${patches} Bézier patches`,
+    `faces     ${faces.length}, ${trims}${patches} Bézier patches`,
     ...(trimmed > 0 || gap > 0
       ? [`gap       ${full(gap)}, deviation of the pieces ${full(deviation)}`]
       : []),
-    ...surfaces.map(surfaceLine),
+    ...faces.map(faceLine),
   ];
   return `${lines.join("\n")}\n`;
 }
@@ -67,8 +67,8 @@ function interval({ lower, upper }: Area): string {
   return `${short(lower)} to ${short(upper)}`;
 }
 
-function surfaceLine(surface: SurfaceInfo, index: number): string {
-  const { degree, counts, domain, rational, clamped, trim, part, patches } = surface;
+function faceLine(face: FaceInfo, index: number): string {
+  const { degree, counts, domain, rational, clamped, trim, faceName, patches } = face;
   const [u, v] = domain.map((ends) => `[${ends.map(full).join(", ")}]`);
   const columns = [
     String(index).padStart(8),
@@ -78,9 +78,9 @@ function surfaceLine(surface: SurfaceInfo, index: number): string {
     clamped.every(Boolean) ? "clamped" : "unclamped",
     `${u} x ${v}`,
     `${patches} patches`,
-    `area ${short(surface.area.lower)}`,
+    `area ${short(face.area.lower)}`,
     ...(trim ? [`${trim.length} loops of ${trim.reduce((sum, one) => sum + one, 0)} curves`] : []),
-    ...(part ? [part] : []),
+    ...(faceName ? [faceName] : []),
   ];
   return columns.join("  ");
 }

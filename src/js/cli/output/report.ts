@@ -27,9 +27,7 @@ export function text(result: DistanceResult): string {
   const lines = [
     `distance   ${full(result.computed)}`,
     interval(result),
-    ...(result.modelGap > 0
-      ? [`model gap  ${full(result.modelGap)}, by what the files state`]
-      : []),
+    ...(result.gap > 0 ? [`gap        ${full(result.gap)}, by what the files state`] : []),
     ...(typeof result.unit === "number" ? [`unit       ${full(result.unit)} m`] : []),
     point("on A", witness.a),
     point("on B", witness.b),
@@ -55,10 +53,10 @@ function interval({ lower, upper, diagonal }: DistanceResult): string {
   return `${found}, width ${exponential(width, 1)} of the diagonal ${short(diagonal)}`;
 }
 
-function point(name: string, { surface, part, u, v, point }: SurfacePoint): string {
+function point(name: string, { face, faceName, u, v, point }: SurfacePoint): string {
   const place = point.map(full).join(" ");
-  const named = part ? ` (${part})` : "";
-  return `${name}       surface ${surface}${named} at (${full(u)}, ${full(v)}): ${place}`;
+  const named = faceName ? ` (${faceName})` : "";
+  return `${name}       face ${face}${named} at (${full(u)}, ${full(v)}): ${place}`;
 }
 
 function details(result: DistanceResult): string[] {

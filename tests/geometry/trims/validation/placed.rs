@@ -9,7 +9,7 @@ use nurbs_hausdorff::model::{IDENTITY, InstanceArrays, ModelArrays};
 /// A model of two trimmed faces, placed twice.
 fn assembly() -> ModelArrays {
     let mut named = face(sheet(), vec![rectangle([0.0, 0.0], [4.0, 4.0]), reversed(circle([2.0, 2.0], 1.0))]);
-    named.part = Some("plate".to_owned());
+    named.face_name = Some("plate".to_owned());
     named.trim.as_mut().unwrap()[1][0].gap = 1e-5;
     named.trim.as_mut().unwrap()[1][0].edge = Some(17);
     named.kind = Some("plane".to_owned());
@@ -33,7 +33,7 @@ fn assembly() -> ModelArrays {
 fn instances_place_faces_by_any_affine_map() {
     let model = Model::from_faces(assembly()).unwrap();
     assert_eq!((model.surfaces().len(), model.unit()), (3, Some(0.001)));
-    let parts: Vec<_> = model.faces().map(|face| face.part()).collect();
+    let parts: Vec<_> = model.faces().map(|face| face.name()).collect();
     assert_eq!(parts, [Some("bolt:2 / plate"), Some("bolt:2"), Some("bolt:2 / plate")]);
     assert_eq!(model.surfaces()[2].control_points()[0], [10.0, 0.0, 0.0, 1.0]);
     assert!((model.gap() - 1.1e-5).abs() < 1e-12, "{}", model.gap());

@@ -90,7 +90,7 @@ export class Sweep {
     if (!onAllPatches(method)) return undefined;
     if ("failure" in patches) return patches.failure;
     const { samples = 0, flatness } = method.options;
-    const all = this.#models.a.surfaceCount * samples ** 2;
+    const all = this.#models.a.faceCount * samples ** 2;
     if (all * patches.value <= settings.most_projections) return undefined;
     const found = `${grouped(all)} samples on ${grouped(patches.value)} patches`;
     const code = "left-out";

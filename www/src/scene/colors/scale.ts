@@ -12,7 +12,7 @@ const SEQUENTIAL = colors(["#fffff0", "#ffeda0", "#feb24c", "#fc4e2a", "#b10026"
 
 /** For points whose closest point on B has no normal, so that the deviation has no sign. */
 const UNSIGNED = new Color("#808890");
-/** For deviations within the tolerance, and for those that rounding may have made. */
+/** For deviations within the limit, and for those that rounding may have made. */
 const WITHIN = new Color("#79b98a");
 const ROUNDING = new Color("#f2f3f4");
 
@@ -34,7 +34,7 @@ export interface ScaleOptions {
   range: number | undefined;
   /** The number of steps of one colour each; 0 for a continuous scale. */
   steps: number;
-  /** Deviations up to this are within the tolerance, and of one colour. */
+  /** Deviations up to this are within the limit, and of one colour. */
   limit: number | undefined;
 }
 

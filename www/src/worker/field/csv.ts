@@ -1,16 +1,16 @@
 // The samples of A as a table of comma-separated values.
 import type { Field } from "nurbs-hausdorff";
 
-const HEADER = "surface,x,y,z,foot_x,foot_y,foot_z,distance,signed,area";
+const HEADER = "face,x,y,z,foot_x,foot_y,foot_z,distance,signed,area";
 
 /** Returns one line a sample. The sign is empty where the closest point has no normal. */
 export function csvOf(fields: Field[]): Blob {
   const parts = [`${HEADER}\n`];
-  for (const { surface, points, feet, distances, signed, areas } of fields) {
+  for (const { face, points, feet, distances, signed, areas } of fields) {
     for (const [index, distance] of distances.entries()) {
       const sign = signed[index] ?? Number.NaN;
       const numbers = [
-        surface,
+        face,
         ...points.subarray(3 * index, 3 * index + 3),
         ...feet.subarray(3 * index, 3 * index + 3),
         distance,

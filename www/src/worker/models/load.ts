@@ -33,7 +33,7 @@ export async function load(
       const tessellation = model.tessellate();
       display[side] = {
         source,
-        surfaceCount: model.surfaceCount,
+        faceCount: model.faceCount,
         unit: model.unit,
         report: model.report,
         box: model.boundingBox,

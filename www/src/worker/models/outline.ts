@@ -16,9 +16,9 @@ const BORDER_TOLERANCE = 4e-4;
  * O(n log n) in the number of triangles.
  */
 export function outline(tessellation: Tessellation): Uint32Array<ArrayBuffer> {
-  const { indices, surfaces } = tessellation;
+  const { indices, faces } = tessellation;
   const tolerance = BORDER_TOLERANCE * diagonalOf(tessellation.positions);
-  const edges = surfaces.flatMap(({ firstIndex, indexCount }) => {
+  const edges = faces.flatMap(({ firstIndex, indexCount }) => {
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
     const edges = withoutDoubled(openEdges(tessellation, own), tessellation);
     return withoutInner(edges, tessellation, tolerance);
