@@ -28,7 +28,7 @@ MAX_AREA_WIDTH = 2e-6
 
 @dataclass
 class Subject:
-    """A file's shape as OpenCASCADE reads it, as BREP text for the command."""
+    """A file for the command, and the shape that OpenCASCADE reads from it."""
 
     shape: TopoDS_Shape
     path: Path
@@ -39,9 +39,14 @@ class Subject:
     readable: bool = False
 
     def __post_init__(self):
-        write_brep(self.shape, self.path)
         self.diagonal, self.tolerance = diagonal(self.shape), edge_tolerance(self.shape)
         self.areas = [area(face) for face in faces(self.shape)]
+
+    @classmethod
+    def as_brep(cls, shape: TopoDS_Shape, path: Path) -> "Subject":
+        """The shape, written as BREP text."""
+        write_brep(shape, path)
+        return cls(shape, path)
 
     @property
     def area(self) -> float:
@@ -63,7 +68,7 @@ def reading(command: Command, subject: Subject) -> list[str]:
     # Notes name faces of which the file leaves something open; warnings, those left out.
     found = [line.split(": ", 2)[-1] for line in warnings if not line.startswith("note:")]
     if len(info["faces"]) != len(subject.areas):
-        found.append(f"{len(info['surfaces'])} of {len(subject.areas)} faces")
+        found.append(f"{len(info['faces'])} of {len(subject.areas)} faces")
     return found + areas(info, subject)
 
 
@@ -113,7 +118,7 @@ def farther(command: Command, a: Path, b: Path, limit: float, name: str, shape: 
         return []
     verdict = "is farther" if within is False else "may be farther"
     bounds = f"[{result['lower']:.6g}, {result['upper']:.6g}]"
-    return [f"{name} {verdict} than {limit:.3g}: {bounds} at {at['point']}, surface {at['surface']}"]
+    return [f"{name} {verdict} than {limit:.3g}: {bounds} at {at['point']}, face {at['face']}"]
 
 
 def agreement(command: Command, a: Subject, b: Subject) -> list[str]:

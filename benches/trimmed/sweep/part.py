@@ -40,16 +40,19 @@ def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
     shape = parts.make(kind, seed)
     base = folder / f"{kind}_{seed}"
     outcome = Outcome(kind, seed, is_valid(shape))
-    subjects = {"brep": Subject(shape, Path(f"{base}.brep"))}
+    subjects = {"brep": Subject.as_brep(shape, Path(f"{base}.brep"))}
     unit = "INCH" if seed % INCH_PERIOD == 1 else "MM"
     for name, translate in (
         ("step", lambda: through_step(shape, Path(f"{base}.step"), unit)),
         ("iges", lambda: through_iges(shape, Path(f"{base}.iges"))),
     ):
         try:
-            subjects[name] = Subject(translate(), Path(f"{base}.{name}.brep"))
+            subjects[name] = Subject.as_brep(translate(), Path(f"{base}.{name}.brep"))
         except Exception as error:
             outcome.findings.append(f"{name}: OpenCASCADE does not translate it: {error}")
+    if "step" in subjects:
+        # The same file by the command's own reader.
+        subjects["own step"] = Subject(subjects["step"].shape, Path(f"{base}.step"))
     for name in list(subjects):
         if not same_part(subjects["brep"], subjects[name]):
             outcome.findings.append(f"{name}: not compared: OpenCASCADE's translation changes or breaks it")
@@ -59,7 +62,7 @@ def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
         if subject.readable:
             found += coverage(command, subject)
         outcome.findings += [f"{name}: {sentence}" for sentence in found]
-    for name in ("step", "iges"):
+    for name in ("step", "iges", "own step"):
         if name in subjects:
             found = agreement(command, subjects["brep"], subjects[name])
             outcome.findings += [f"brep and {name}: {sentence}" for sentence in found]
