@@ -1,6 +1,7 @@
 //! The faces of a model as untrimmed pieces, which every later stage measures.
 
 use crate::bvh::Aabb;
+use crate::certified::TrimmedFaces;
 use crate::engine::SurfacePoint;
 use crate::error::{Error, Result};
 use crate::model::trim::Trim;
@@ -10,6 +11,7 @@ use crate::untrim::{ParameterMap, Piece, Untrimmed, untrim};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The largest deviation of the pieces from the faces, relative to the diagonal of the
 /// model: three digits below the default tolerance.
@@ -22,7 +24,7 @@ const MAX_DEVIATION: f64 = 1e-9;
 #[derive(Debug)]
 pub(crate) struct FacePieces {
     /// The face of each piece, with the map to its parameters.
-    origins: Vec<(usize, ParameterMap)>,
+    origins: Arc<[(usize, ParameterMap)]>,
     /// The pieces of each face.
     faces: Vec<Range<usize>>,
     /// The name of each face.
@@ -104,19 +106,25 @@ impl FacePieces {
     /// Makes the pieces of all faces, with the untrimmed model.
     fn of_cuts(model: &Model, cuts: Vec<Untrimmed>) -> Result<(Self, Model)> {
         let face_names = model.faces().map(|face| face.name().map(str::to_owned)).collect();
-        let mut pieces = Self { origins: Vec::new(), faces: Vec::new(), face_names, deviation: 0.0 };
+        let (mut origins, mut faces, mut deviation) = (Vec::new(), Vec::new(), 0.0_f64);
         let mut surfaces: Vec<NurbsSurface> = Vec::new();
         for (face, untrimmed) in cuts.into_iter().enumerate() {
-            pieces.deviation = pieces.deviation.max(untrimmed.deviation);
+            deviation = deviation.max(untrimmed.deviation);
             let first = surfaces.len();
             for Piece { surface, map } in untrimmed.pieces {
                 surfaces.push(surface);
-                pieces.origins.push((face, map));
+                origins.push((face, map));
             }
-            pieces.faces.push(first..surfaces.len());
+            faces.push(first..surfaces.len());
         }
         let name = model.name().map(str::to_owned);
+        let pieces = Self { origins: origins.into(), faces, face_names, deviation };
         Ok((pieces, Model::new(name, surfaces)?))
+    }
+
+    /// Returns the faces of `model`, which these are the pieces of, for bounds over whole faces.
+    pub(crate) fn trimmed_faces(&self, model: &Model) -> TrimmedFaces {
+        TrimmedFaces::new(model.clone(), Arc::clone(&self.origins))
     }
 
     /// Returns the number of faces.

@@ -17,6 +17,7 @@ mod ascent;
 mod block;
 mod bounds;
 mod cell;
+mod faces;
 mod generatrix;
 mod maximin;
 mod nearest;
@@ -28,6 +29,7 @@ mod sheets;
 
 pub(crate) use block::Block;
 pub(crate) use cell::{Cell, MAX_ASPECT};
+pub(crate) use faces::TrimmedFaces;
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};

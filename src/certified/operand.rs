@@ -1,6 +1,6 @@
 //! The two models as the search uses them.
 
-use super::Sheets;
+use super::{Sheets, TrimmedFaces};
 use super::rounding::JetScale;
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
@@ -23,6 +23,8 @@ pub(crate) struct Operand<'a> {
     pub(super) revolutions: &'a [Option<Revolution>],
     /// How the patches join, where that is known.
     pub(super) sheets: Option<Sheets<'a>>,
+    /// The faces that its surfaces are cut from, where they are.
+    pub(super) faces: Option<&'a TrimmedFaces>,
     /// A sphere among the surfaces.
     pub(super) sphere: Option<Sphere>,
     /// A box around the control points of the surfaces.
@@ -43,6 +45,7 @@ impl<'a> Operand<'a> {
             uncut_patches,
             revolutions: &[],
             sheets: None,
+            faces: None,
             sphere: None,
             control_box,
             point_error,
@@ -69,6 +72,11 @@ impl<'a> Operand<'a> {
     /// take the sheets for the model.
     pub(crate) fn with_sheets(self, sheets: Sheets<'a>) -> Self {
         Self { sheets: Some(sheets), ..self }
+    }
+
+    /// The same model with the faces that its surfaces are cut from.
+    pub(crate) fn with_faces(self, faces: Option<&'a TrimmedFaces>) -> Self {
+        Self { faces, ..self }
     }
 
     /// The same model with what is known of its surfaces.

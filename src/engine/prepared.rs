@@ -6,7 +6,7 @@ use crate::bezier::{
 };
 use crate::brep::ReadReport;
 use crate::bvh::Aabb;
-use crate::certified::{Operand, SheetCache, Sheets};
+use crate::certified::{Operand, SheetCache, Sheets, TrimmedFaces};
 use crate::closest::Target;
 use crate::error::{Error, Result};
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
@@ -34,6 +34,7 @@ pub struct PreparedModel {
     scaled: RefCell<Option<Rc<PreparedModel>>>,
     gap: f64,
     pieces: FacePieces,
+    trimmed_faces: Option<TrimmedFaces>,
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
@@ -96,6 +97,7 @@ impl PreparedTarget {
         Operand::new(&self.target, self.bounds.get_or_init(|| self.places.derivative_bounds()))
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
+            .with_faces(model.trimmed_faces.as_ref())
             .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })
     }
 }
@@ -168,6 +170,7 @@ impl PreparedModel {
             source: model.unit().map(|_| model.clone()),
             scaled: RefCell::default(),
             gap: model.gap(),
+            trimmed_faces: model.is_trimmed().then(|| pieces.trimmed_faces(model)),
             pieces,
             revolutions: revolutions(&bezier),
             bezier,

@@ -53,13 +53,12 @@ impl Curve {
         divided(self.controls[self.degree()])
     }
 
-    /// Returns the part over [from, to]: control k is the blossom at `from`,
-    /// degree - k times, and `to`, k times. O(degree³).
+    /// Returns the part over [from, to]. O(degree³).
     pub(super) fn restricted(&self, from: f64, to: f64) -> Self {
         if from == 0.0 && to == 1.0 {
             return self.clone();
         }
-        Self { controls: (0..=self.degree()).map(|k| blossom(&self.controls, [from, to], k)).collect() }
+        Self { controls: restricted(&self.controls, [from, to]) }
     }
 
     pub(super) fn reversed(&self) -> Self {
@@ -176,33 +175,58 @@ pub(super) fn divided(homogeneous: DVec3) -> DVec2 {
     homogeneous.truncate() / homogeneous.z
 }
 
-/// Evaluates a Bézier curve by de Casteljau's algorithm.
-pub(super) fn casteljau<T>(controls: &[T], t: f64) -> T
-where
-    T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
-{
-    blossom(controls, [t, t], 0)
+/// A value that de Casteljau's algorithm takes means of.
+pub(super) trait Point: Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self> {}
+
+impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>> Point for T {}
+
+/// Evaluates a Bézier curve by de Casteljau's algorithm. O(degree²).
+pub(super) fn casteljau<T: Point>(controls: &[T], t: f64) -> T {
+    if controls.len() <= FEW_CONTROLS {
+        casteljau_within::<T, FEW_CONTROLS>(controls, t)
+    } else {
+        casteljau_within::<T, MAX_CONTROLS>(controls, t)
+    }
 }
 
-/// Returns the blossom of a Bézier curve at `from`, degree - k times, and `to`, k times.
-pub(super) fn blossom<T>(controls: &[T], [from, to]: [f64; 2], k: usize) -> T
-where
-    T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
-{
-    let mut line = [controls[0]; MAX_CONTROLS];
+/// Evaluates a curve of at most N controls.
+fn casteljau_within<T: Point, const N: usize>(controls: &[T], t: f64) -> T {
+    let mut line = [controls[0]; N];
     let line = &mut line[..controls.len()];
     line.copy_from_slice(controls);
-    for level in 1..line.len() {
-        let t = if level <= k { to } else { from };
-        for index in 0..line.len() - level {
-            line[index] = line[index] * (1.0 - t) + line[index + 1] * t;
-        }
+    for last in (1..line.len()).rev() {
+        step(&mut line[..=last], t);
     }
     line[0]
 }
 
+/// Takes one step of de Casteljau's algorithm, which leaves the last entry unused.
+fn step<T: Point>(line: &mut [T], t: f64) {
+    for index in 0..line.len() - 1 {
+        line[index] = line[index] * (1.0 - t) + line[index + 1] * t;
+    }
+}
+
+/// Returns the controls of a Bézier curve's part over [from, to]: control k is the blossom at
+/// `to`, k times, and at `from` otherwise. O(degree³).
+pub(super) fn restricted<T: Point>(controls: &[T], [from, to]: [f64; 2]) -> Vec<T> {
+    let mut line = controls.to_vec();
+    let mut part = Vec::with_capacity(controls.len());
+    loop {
+        part.push(casteljau(&line, from));
+        if line.len() == 1 {
+            return part;
+        }
+        step(&mut line, to);
+        line.pop();
+    }
+}
+
 /// The largest number of controls of a curve, or of the derivative of one.
 const MAX_CONTROLS: usize = 2 * crate::limits::MAX_DEGREE + 2;
+
+/// The number of controls of most curves, up to which an evaluation fills a short buffer only.
+const FEW_CONTROLS: usize = 6;
 
 /// Returns the roots in (0, 1) of a polynomial with these Bernstein coefficients,
 /// increasing. Roots of even order may be missing or be given twice.

@@ -111,6 +111,24 @@ impl<'a> Chart<'a> {
         }
     }
 
+    /// The chart about a point of a surface, by its parameters.
+    pub(in crate::certified) fn at(sheets: Sheets<'a>, surface: usize, parameters: [f64; 2]) -> Self {
+        let grid = &sheets.bezier.grids[surface];
+        let [(row, s), (column, t)] = Axis::BOTH.map(|axis| grid.locate(axis, parameters[axis.index()]));
+        let patch = sheets.patch(surface as u32, [row as u32, column as u32]);
+        Self { sheets, grid, index: [row, column], patch, parameters: [s, t] }
+    }
+
+    /// The parameters of the patch's surface at the point.
+    pub(in crate::certified) fn surface_parameters(&self) -> [f64; 2] {
+        self.patch.domain.at(self.parameters)
+    }
+
+    /// The chart's patch.
+    pub(in crate::certified) fn surface(&self) -> usize {
+        self.patch.surface
+    }
+
     /// The chart of the patch so many patches away, cyclically, about a point of it.
     pub(in crate::certified) fn moved(&self, offsets: [isize; 2], parameters: [f64; 2]) -> Self {
         let index = self.patch_at(offsets);

@@ -98,6 +98,27 @@ impl Chart<'_> {
         }
     }
 
+    /// The parts of the surface's domain along an axis that a range of the chart's parameters names, with
+    /// its rounding: two where the range goes on at the other end. `None` for more than the domain.
+    pub(in crate::certified) fn surface_ranges(
+        &self,
+        axis: Axis,
+        range: [f64; 2],
+    ) -> Option<impl Iterator<Item = [f64; 2]>> {
+        let (breaks, own) = (&self.grid.breaks[axis], self.index[axis]);
+        let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
+        let period = end - start;
+        let rounding = LINE_ROUNDINGS * UNIT_ROUNDOFF * (4.0 * period + start.abs().max(end.abs()));
+        let [low, high] = range.map(|parameter| breaks[own] + parameter * self.own_width(axis));
+        let [low, high] = [low - rounding, high + rounding];
+        let shifts = [-period, 0.0, period];
+        let part = move |shift: f64| {
+            let [low, high] = [(low + shift).max(start), (high + shift).min(end)];
+            (low < high).then_some([low, high])
+        };
+        (high - low < period).then(|| shifts.into_iter().filter_map(part))
+    }
+
     /// A bound on the rounding error of [`Chart::line`].
     pub(in crate::certified) fn line_error(&self, axis: Axis, offset: isize) -> f64 {
         if offset == 0 || offset == 1 {

@@ -5,6 +5,7 @@ mod closing;
 mod confinement;
 mod crossing;
 mod curve;
+mod enclosure;
 mod nesting;
 mod orientation;
 mod piece;

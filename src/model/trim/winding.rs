@@ -35,11 +35,11 @@ pub struct Winding {
 
 /// A piece in fractions of the domain.
 #[derive(Debug, Clone)]
-struct Arc {
-    piece: TrimPiece,
-    ends: [DVec2; 2],
+pub(super) struct Arc {
+    pub(super) piece: TrimPiece,
+    pub(super) ends: [DVec2; 2],
     /// An upper bound on the length of the control polygon, with the rounding of its points.
-    length: f64,
+    pub(super) length: f64,
 }
 
 impl Winding {
@@ -67,7 +67,7 @@ impl Winding {
         winding
     }
 
-    fn fraction(&self, point: DVec2) -> DVec2 {
+    pub(super) fn fraction(&self, point: DVec2) -> DVec2 {
         (point - DVec2::from(self.domain.low())) / DVec2::from(self.domain.lengths())
     }
 
@@ -91,6 +91,23 @@ impl Winding {
             angle += self.angle(arc, point)?;
         }
         Some((angle / TAU).round() as i32)
+    }
+
+    /// Returns the rounding of a coordinate, as a fraction of the domain's range.
+    pub(super) fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// Returns the pieces of all loops.
+    pub(super) fn arcs(&self) -> impl Iterator<Item = &Arc> {
+        self.loops.iter().flatten()
+    }
+
+    /// Returns the halves of an arc that was halved `halvings` times.
+    pub(super) fn halves(&self, arc: &Arc, halvings: u32) -> [Arc; 2] {
+        let rounding =
+            self.rounding + gamma(f64::from(halvings + 1) * (2.0 * arc.piece.degree() as f64 + 4.0));
+        arc.piece.halves().map(|half| Arc::new(half, rounding))
     }
 
     /// Returns the number of loops.
@@ -133,9 +150,7 @@ impl Winding {
             } else if halvings == MAX_HALVINGS || arc.length < RESOLUTION {
                 return None;
             } else {
-                let rounding =
-                    self.rounding + gamma(f64::from(halvings + 1) * (2.0 * arc.piece.degree() as f64 + 4.0));
-                stack.extend(arc.piece.halves().map(|half| (Arc::new(half, rounding), halvings + 1)));
+                stack.extend(self.halves(&arc, halvings).map(|half| (half, halvings + 1)));
             }
         }
         Some(angle)

@@ -3,7 +3,7 @@
 use super::run::Run;
 use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
-use crate::untrim::curve::{Curve, blossom, casteljau, divided};
+use crate::untrim::curve::{Curve, restricted, casteljau, divided};
 use glam::{DVec2, DVec3};
 
 /// The degrees tried, increasing; above 9 more pieces are cheaper than higher degrees.
@@ -47,19 +47,14 @@ impl Graph {
 
     /// Returns the part over [from, to] as a curve of constant speed in v, of degree at least 1.
     pub(in crate::untrim) fn restricted(&self, [from, to]: [f64; 2]) -> Curve {
-        let interval = [self.local(from), self.local(to)];
-        let degree = self.degree().max(1);
-        let controls = (0..=degree)
-            .map(|k| {
-                let u = if self.degree() == 0 {
-                    self.coefficients[0]
-                } else {
-                    blossom(&self.coefficients, interval, k)
-                };
-                let share = k as f64 / degree as f64;
-                DVec3::new(u, (1.0 - share) * from + share * to, 1.0)
-            })
-            .collect();
+        let mut values = restricted(&self.coefficients, [self.local(from), self.local(to)]);
+        if values.len() == 1 {
+            values.push(values[0]);
+        }
+        let degree = (values.len() - 1) as f64;
+        let at = |share: f64| (1.0 - share) * from + share * to;
+        let controls =
+            values.iter().enumerate().map(|(k, &u)| DVec3::new(u, at(k as f64 / degree), 1.0)).collect();
         Curve { controls }
     }
 }

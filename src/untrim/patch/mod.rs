@@ -3,11 +3,11 @@
 mod proof;
 
 use super::cells::ruling::Ruling;
-use super::curve::{Curve, blossom, casteljau, divided};
+use super::curve::{Curve, casteljau, divided, restricted};
 use super::face::Face;
 use crate::axis::Axis;
 use crate::bezier::{Patch, extract, power_of_two_below};
-use crate::chebyshev::{MAX_NODES, coefficients, nodes, to_bernstein};
+use crate::chebyshev::{MAX_NODES, binomial, coefficients, nodes, to_bernstein};
 use crate::error::Result;
 use crate::limits::MAX_WEIGHT_RATIO;
 use crate::model::{Model, NurbsSurface, SurfaceArrays};
@@ -163,19 +163,17 @@ fn across(face: &Face, patch: &Patch<'_>, ruling: &Ruling, t: f64) -> Vec<DVec4>
     let columns = patch.controls.chunks_exact(q + 1);
     if is_matched {
         let line: Vec<DVec4> = columns.map(|row| casteljau(row, from.y)).collect();
-        return (0..=p).map(|k| weight * blossom(&line, [from.x, to.x], k)).collect();
+        return restricted(&line, [from.x, to.x]).into_iter().map(|control| weight * control).collect();
     }
     // The diagonal of the patch restricted to the ruling's box: the product of Bernstein
     // polynomials of degrees p and q is a multiple of one of degree p + q.
-    let rows: Vec<Vec<DVec4>> =
-        columns.map(|row| (0..=q).map(|k| blossom(row, [from.y, to.y], k)).collect()).collect();
+    let rows: Vec<Vec<DVec4>> = columns.map(|row| restricted(row, [from.y, to.y])).collect();
     let mut controls = vec![DVec4::ZERO; p + q + 1];
     for j in 0..=q {
         let line: Vec<DVec4> = rows.iter().map(|row| row[j]).collect();
-        for i in 0..=p {
-            let share = crate::chebyshev::binomial(p, i) * crate::chebyshev::binomial(q, j)
-                / crate::chebyshev::binomial(p + q, i + j);
-            controls[i + j] += weight * share * blossom(&line, [from.x, to.x], i);
+        for (i, control) in restricted(&line, [from.x, to.x]).into_iter().enumerate() {
+            let share = binomial(p, i) * binomial(q, j) / binomial(p + q, i + j);
+            controls[i + j] += weight * share * control;
         }
     }
     controls

@@ -46,14 +46,15 @@ impl Composition<'_> {
         let roundings = 6.0 * (p + q + m + n) as f64 + 4.0 * (p + q) as f64 + 32.0;
         let rounding = 2.0 * gamma(roundings) * radius;
         let mut error = 0.0_f64;
+        let across: Vec<_> = nodes(count(along_s)).map(|s| (s, bernstein(m, s))).collect();
         for t in nodes(count(along_t)) {
             let basis = bernstein(n, t);
             let line: Vec<DVec4> = controls.chunks_exact(n + 1).map(|row| combined(row, &basis)).collect();
             let [left, right] = [&ruling.left, &ruling.right].map(|curve| curve.at(t));
             let weight = self.weight(left.z, right.z);
             let row = Row::new(face, patch, ruling, [divided(left), divided(right)]);
-            for s in nodes(count(along_s)) {
-                let (own, made) = (row.at(s) * weight, combined(&line, &bernstein(m, s)));
+            for (s, basis) in &across {
+                let (own, made) = (row.at(*s) * weight, combined(&line, basis));
                 let difference = own - made;
                 let found = difference.xyz().length() + radius * difference.w.abs();
                 error = upper_max(error, found + rounding * (own.w + made.w) + twist * own.w);
@@ -87,25 +88,24 @@ impl<'a> Row<'a> {
         let rectangle = face.rectangle(ruling.rectangle);
         let (low, lengths) = (DVec2::from(rectangle.low()), DVec2::from(rectangle.lengths()));
         let ends = ends.map(|end| (end - low) / lengths);
-        let mut row = Self { patch, ends, line: None };
-        row.line = ruling.height.is_some().then(|| row.line_at(ends[0].y));
-        row
-    }
-
-    /// Returns the controls of the curve of constant v.
-    fn line_at(&self, v: f64) -> Vec<DVec4> {
-        let basis = bernstein(self.patch.degree[1], v);
-        self.patch.controls.chunks_exact(self.patch.degree[1] + 1).map(|row| combined(row, &basis)).collect()
+        let line = ruling.height.is_some().then(|| {
+            let basis = bernstein(patch.degree[1], ends[0].y);
+            patch.controls.chunks_exact(patch.degree[1] + 1).map(|row| combined(row, &basis)).collect()
+        });
+        Self { patch, ends, line }
     }
 
     /// Returns the homogeneous point of the patch.
     fn at(&self, s: f64) -> DVec4 {
         let point = self.ends[0] * (1.0 - s) + self.ends[1] * s;
-        let basis = bernstein(self.patch.degree[0], point.x);
-        match &self.line {
-            Some(line) => combined(line, &basis),
-            None => combined(&self.line_at(point.y), &basis),
+        let [p, q] = self.patch.degree;
+        let basis = bernstein(p, point.x);
+        if let Some(line) = &self.line {
+            return combined(line, &basis);
         }
+        let across = bernstein(q, point.y);
+        let columns = self.patch.controls.chunks_exact(q + 1).zip(basis);
+        columns.fold(DVec4::ZERO, |sum, (column, share)| sum + combined(column, &across) * share)
     }
 }
 

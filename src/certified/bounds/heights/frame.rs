@@ -41,6 +41,19 @@ pub(super) struct Image {
     pub(super) pieces: Vec<Piece>,
     /// How far `P (a - B(y))` can be from zero along each axis where y is the fixed point.
     pub(super) overshoot: [f64; 2],
+    /// The ranges of the fixed points' parameters.
+    pub(super) feet: [[f64; 2]; 2],
+}
+
+/// The nearest number of a range; NaN, which is in no range, stays.
+fn clamped(number: f64, [start, end]: [f64; 2]) -> f64 {
+    if number < start {
+        start
+    } else if number > end {
+        end
+    } else {
+        number
+    }
 }
 
 impl<'a> Frame<'a> {
@@ -78,7 +91,7 @@ impl<'a> Frame<'a> {
             });
             let (pieces, lags) = self.pieces(&reach, extent, ends)?;
             let gap = self.chart.gap(&reach, extent);
-            let (mut overshoot, mut lack) = ([0.0; 2], [0.0; 2]);
+            let (mut overshoot, mut lack, mut feet) = ([0.0; 2], [0.0; 2], ends);
             for axis in 0..2 {
                 let (at, [start, end]) = (self.chart.parameters[axis], ends[axis]);
                 let [first, last] = [0, 1].map(|end| at + places[axis][end] + lags[axis][end]);
@@ -86,6 +99,8 @@ impl<'a> Frame<'a> {
                 let jump = self.inverse[axis].length() * gap;
                 let rounding = gamma(PLACE_ROUNDINGS) * (1.0 + extent[axis]);
                 overshoot[axis] = upper_max(upper_max(beyond[0], beyond[1]), 0.0) + jump + rounding;
+                let free = [first - jump - rounding, last + jump + rounding];
+                feet[axis] = free.map(|parameter| clamped(parameter, [start, end]));
                 // Beyond an end of the surface there is nothing more.
                 for (side, beyond) in beyond.into_iter().enumerate() {
                     if ends[axis][side] != reach.domain[axis][side] {
@@ -94,7 +109,7 @@ impl<'a> Frame<'a> {
                 }
             }
             if lack == [0.0; 2] {
-                return Some(Image { pieces, overshoot });
+                return Some(Image { pieces, overshoot, feet });
             }
             extent = [0, 1].map(|axis| ENLARGEMENT * (extent[axis] + lack[axis]));
         }

@@ -48,31 +48,48 @@ impl UpperBound for Heights {
         if !is_near {
             return None;
         }
-        let frame = Frame::new(Chart::new(context.pair.b.sheets?, foot.patch, foot.parameters))?;
-        if !leaves_slowly(context, &frame, threshold) {
-            return None;
-        }
-        let a = piece_of_a(context, &frame);
-        let image = frame.image(&a)?;
-        let beyond: f64 = (0..2).map(|axis| frame.tangents[axis].length() * image.overshoot[axis]).sum();
-        let is_over = beyond <= threshold;
-        if !is_over {
-            return None;
-        }
-        let over = Over { skew: frame.skew, beyond, a: &a, b: &image.pieces };
-        let mut least = over.upper_bound(&frame.plane());
-        let at_center = frame.normal.dot(context.jet.point - frame.jet.point);
-        for level in 0..2 {
-            if least <= threshold {
-                break;
-            }
-            let paraboloid = frame.paraboloid();
-            let quadric = if level == 0 { paraboloid } else { tilted(&paraboloid, &a, at_center) };
-            let bound = over.upper_bound(&quadric);
-            least = if bound < least { bound } else { least };
-        }
-        Some(least)
+        let chart = Chart::new(context.pair.b.sheets?, foot.patch, foot.parameters);
+        let over_face = context.pair.b.faces.and_then(|faces| {
+            let face = faces.chart(&chart)?;
+            let bound = over(context, face.chart, threshold, |feet| face.holds(feet))?;
+            Some(bound + face.point_error)
+        });
+        over_face.or_else(|| over(context, chart, threshold, |_| true))
     }
+}
+
+/// The bound over the part of B in a chart; `None` where not all feet, by the ranges of their parameters,
+/// belong to B.
+fn over(
+    context: &CellContext<'_>,
+    chart: Chart<'_>,
+    threshold: f64,
+    holds: impl FnOnce([[f64; 2]; 2]) -> bool,
+) -> Option<f64> {
+    let frame = Frame::new(chart)?;
+    if !leaves_slowly(context, &frame, threshold) {
+        return None;
+    }
+    let a = piece_of_a(context, &frame);
+    let image = frame.image(&a)?;
+    let beyond: f64 = (0..2).map(|axis| frame.tangents[axis].length() * image.overshoot[axis]).sum();
+    let is_over = beyond <= threshold && holds(image.feet);
+    if !is_over {
+        return None;
+    }
+    let over = Over { skew: frame.skew, beyond, a: &a, b: &image.pieces };
+    let mut least = over.upper_bound(&frame.plane());
+    let at_center = frame.normal.dot(context.jet.point - frame.jet.point);
+    for level in 0..2 {
+        if least <= threshold {
+            break;
+        }
+        let paraboloid = frame.paraboloid();
+        let quadric = if level == 0 { paraboloid } else { tilted(&paraboloid, &a, at_center) };
+        let bound = over.upper_bound(&quadric);
+        least = if bound < least { bound } else { least };
+    }
+    Some(least)
 }
 
 /// Whether the derivatives of A's height over B up to second order may let a bound reach the threshold.
