@@ -1,7 +1,7 @@
 //! The two models as the search uses them.
 
-use super::{Sheets, TrimmedFaces};
 use super::rounding::JetScale;
+use super::{Sheets, TrimmedFaces};
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::closest::Target;

@@ -176,7 +176,10 @@ pub(super) fn divided(homogeneous: DVec3) -> DVec2 {
 }
 
 /// A value that de Casteljau's algorithm takes means of.
-pub(super) trait Point: Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self> {}
+pub(super) trait Point:
+    Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self>
+{
+}
 
 impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>> Point for T {}
 

@@ -24,7 +24,16 @@ pub(super) struct Surfaces {
 
 impl Surfaces {
     pub(super) fn new(surfaces: Vec<SurfaceArrays>, flatness: Flatness) -> Self {
-        let bezier = extract(&Model::from_arrays(None, surfaces).unwrap());
+        Self::flattened(&Model::from_arrays(None, surfaces).unwrap(), flatness)
+    }
+
+    /// The surfaces of a model as they are.
+    pub(super) fn of(model: &Model) -> Self {
+        Self::flattened(model, Flatness::None)
+    }
+
+    fn flattened(model: &Model, flatness: Flatness) -> Self {
+        let bezier = extract(model);
         let flat = flatten(&bezier.patches, flatness);
         Self {
             target: Target::new(flat.patches),

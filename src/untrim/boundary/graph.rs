@@ -3,7 +3,7 @@
 use super::run::Run;
 use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
-use crate::untrim::curve::{Curve, restricted, casteljau, divided};
+use crate::untrim::curve::{Curve, casteljau, divided, restricted};
 use glam::{DVec2, DVec3};
 
 /// The degrees tried, increasing; above 9 more pieces are cheaper than higher degrees.

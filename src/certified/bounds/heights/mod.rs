@@ -12,11 +12,17 @@
 //! `μ = |M| r`, `μ_n = |M n| r`, r the sum of the largest distances of the cell's points and of those of B(Y)
 //! from b, if `μ <= 1` and `μ_n + ν <= 1/2`.
 //!
+//! Lemma (3.18). Where B is a trimmed face's whole surface, the bound holds for the face if the box of the
+//! fixed points' ranges lies in the face's region.
+//!
 //! The feet are fixed points (Brouwer), so that no map of the cell into B's parameters is needed. With f that
 //! vanishes on a plane, a sphere, a cylinder or a cone, A and B on it are at no distance however their
 //! parameters run.
 
 mod frame;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod over_faces;
 mod quadric;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]

@@ -9,7 +9,7 @@ use crate::model::{RigidTransform, SurfaceArrays};
 use glam::DVec4;
 
 /// A biquadratic patch with these control points and weights, v fastest.
-fn patch(controls: [DVec4; 9]) -> Surfaces {
+pub(super) fn patch(controls: [DVec4; 9]) -> Surfaces {
     let arrays = SurfaceArrays {
         degree: [2, 2],
         counts: [3, 3],
@@ -20,7 +20,7 @@ fn patch(controls: [DVec4; 9]) -> Surfaces {
 }
 
 /// The biquadratic patch through the points of a function at 0, ½ and 1.
-fn through(of: impl Fn(f64, f64) -> DVec3) -> [DVec4; 9] {
+pub(super) fn through(of: impl Fn(f64, f64) -> DVec3) -> [DVec4; 9] {
     let at = |i: usize, j: usize| of(0.5 * i as f64, 0.5 * j as f64);
     // Interpolation along an axis: the middle control is twice the middle point less the mean of the ends.
     let row = |i: usize| [at(i, 0), 2.0 * at(i, 1) - 0.5 * (at(i, 0) + at(i, 2)), at(i, 2)];
@@ -54,7 +54,7 @@ fn plane() -> Surfaces {
 }
 
 /// A patch over [¼, ¾]² or nearly, in parameters at 45° to x and y, of this height.
-fn oblique(height: impl Fn(f64, f64) -> f64) -> [DVec4; 9] {
+pub(super) fn oblique(height: impl Fn(f64, f64) -> f64) -> [DVec4; 9] {
     through(|s, t| {
         let [x, y] = [0.25 + 0.25 * (s + t), 0.5 + 0.25 * (s - t)];
         DVec3::new(x, y, height(x, y))

@@ -1,0 +1,168 @@
+//! Cells over trimmed faces: across the lines of a cut, over its loops and over a seam.
+
+use super::super::attained_across_seams::Surfaces;
+use super::tests::{oblique, patch, through};
+use super::*;
+use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::{Cell, Pair, TrimmedFaces};
+use crate::model::trim::{FaceArrays, TrimCurveArrays};
+use crate::model::{Model, ModelArrays, RigidTransform, SurfaceArrays};
+use crate::pieces::FacePieces;
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// A model's pieces, and its faces.
+struct Cut {
+    pieces: Surfaces,
+    faces: TrimmedFaces,
+}
+
+/// Cuts a face with polygons for loops, of (u, v).
+fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
+    let side = |corners: &[[f64; 2]], k: usize| TrimCurveArrays {
+        degree: 1,
+        knots: vec![0.0, 0.0, 1.0, 1.0],
+        control_points: [corners[k], corners[(k + 1) % corners.len()]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+        ..TrimCurveArrays::default()
+    };
+    let sides = |corners: &&[[f64; 2]]| (0..corners.len()).map(|k| side(corners, k)).collect();
+    let face = FaceArrays {
+        surface,
+        trim: Some(loops.iter().map(sides).collect()),
+        reversed: false,
+        face_name: None,
+        kind: None,
+        gap: 0.0,
+    };
+    let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
+    let (pieces, untrimmed) = FacePieces::new(&model).unwrap();
+    Cut { pieces: Surfaces::of(&untrimmed), faces: pieces.trimmed_faces(&model) }
+}
+
+/// Half the length of the plate, and of the diagonals of its hole.
+const PLATE: f64 = 0.9;
+const HOLE: f64 = 0.4;
+
+/// A square plate at height 0 with a hole whose corners are on the axes; u and v are x and y.
+fn plate() -> Cut {
+    let corners = [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| [x, y, 0.0, 1.0]));
+    let surface = SurfaceArrays {
+        degree: [1, 1],
+        knots: [[-1.0, -1.0, 1.0, 1.0].to_vec(), [-1.0, -1.0, 1.0, 1.0].to_vec()],
+        counts: [2, 2],
+        control_points: corners.concat(),
+    };
+    let outer = [[-PLATE, -PLATE], [PLATE, -PLATE], [PLATE, PLATE], [-PLATE, PLATE]];
+    let hole = [[HOLE, 0.0], [0.0, -HOLE], [-HOLE, 0.0], [0.0, HOLE]];
+    cut(surface, &[&outer, &hole])
+}
+
+/// The distance of a point of the plane from the plate.
+fn distance([x, y]: [f64; 2]) -> f64 {
+    let beyond = [x, y].map(|place: f64| (place.abs() - PLATE).max(0.0));
+    let into_the_hole = FRAC_1_SQRT_2 * (HOLE - x.abs() - y.abs()).max(0.0);
+    beyond[0].hypot(beyond[1]).max(into_the_hole)
+}
+
+/// The bound of A's whole patch over a cut face, or over its pieces alone.
+fn bound(a: &Surfaces, b: &Cut, over_faces: bool, threshold: f64) -> Option<f64> {
+    let target = b.pieces.operand().with_faces(over_faces.then_some(&b.faces));
+    let pair = Pair { a: a.operand(), b: target, transform: RigidTransform::IDENTITY };
+    let nearest = NearestPoint::new(pair.b);
+    let cell = Cell::whole(0);
+    let center = pair.a.patch(0).point([0.5; 2]);
+    let foot = nearest.nearest(center, Foot::start(0, [0.5; 2]), 0.0);
+    let mut context = CellContext::new(&pair, &nearest, cell, &foot);
+    Heights.evaluate(&mut context, threshold)
+}
+
+/// A flat patch at 45° about a point, so long from its centre to its corners.
+fn flat([x, y]: [f64; 2], size: f64) -> Surfaces {
+    let place = |s: f64, t: f64| DVec3::new(x + size * (s + t - 1.0), y + size * (s - t), 0.0);
+    patch(through(place))
+}
+
+/// Beside the hole a cell lies on the plate, whatever lines the cut has put there.
+#[test]
+fn a_cell_across_the_lines_of_a_cut_lies_on_the_face() {
+    let (plate, mut only_whole) = (plate(), 0);
+    for x in [-0.65, 0.65] {
+        for y in [-0.42, -0.1, 0.1, 0.42] {
+            let a = flat([x, y], 0.2);
+            let whole = bound(&a, &plate, true, 1e-9).unwrap();
+            assert!(whole <= 1e-12, "{whole:e} at {x}, {y}");
+            only_whole += usize::from(bound(&a, &plate, false, 1e-9).is_none_or(|bound| bound > 1e-3));
+        }
+    }
+    assert!(only_whole >= 4, "{only_whole}");
+}
+
+/// Over the hole and beyond the edges no point of a cell is farther than its bound.
+#[test]
+fn no_point_over_a_hole_is_farther_than_the_bound() {
+    let random = &mut fastrand::Rng::with_seed(318);
+    let (plate, mut bounded, mut off) = (plate(), 0, 0);
+    for _ in 0..2000 {
+        let [x, y] = [0, 1].map(|_| 2.0 * random.f64() - 1.0);
+        let size = 10.0_f64.powf(-0.5 - 2.0 * random.f64());
+        let a = flat([x, y], size);
+        let Some(upper) = bound(&a, &plate, true, 0.1) else { continue };
+        bounded += 1;
+        let mut farthest = 0.0_f64;
+        for _ in 0..50 {
+            let [s, t] = [random.f64(), random.f64()];
+            farthest = farthest.max(distance([x + size * (s + t - 1.0), y + size * (s - t)]));
+        }
+        off += usize::from(farthest > 1e-6);
+        assert!(farthest <= upper + 1e-12, "{farthest:e} {upper:e} at {x}, {y}, {size}");
+    }
+    assert!(bounded > 500 && off > 20, "{bounded} {off}");
+}
+
+/// A tube of four cubics that join smoothly at u = 0 and u = 1, of height 1.
+fn tube() -> SurfaceArrays {
+    // A periodic cubic on a square, unclamped: the last three control points are the first ones.
+    let place = |k: usize| [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][k % 4];
+    let point = |k: usize, z: f64| [place(k)[0], place(k)[1], z, 1.0];
+    SurfaceArrays {
+        degree: [3, 1],
+        knots: [(-3..=7).map(|k| 0.25 * f64::from(k)).collect(), vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [7, 2],
+        control_points: (0..7).flat_map(|k| [0.0, 1.0].map(|z| point(k, z))).collect(),
+    }
+}
+
+/// Over the seam of a tube a cell lies on it, unless there is a hole on either side.
+#[test]
+fn a_cell_across_a_seam_lies_on_the_face_up_to_its_holes() {
+    let border: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let hole_at = |u: f64| [[u - 0.01, 0.5], [u, 0.6], [u + 0.01, 0.5], [u, 0.4]];
+    let full = crate::bezier::extract(&Model::from_arrays(None, vec![tube()]).unwrap());
+    let jet = full.patches.patch(0).jet([0.0, 0.5]);
+    // About the seam, as a paraboloid that is at 45° to it: [-0.03, 0.03] of u.
+    let steps = |s: f64, t: f64| [0.06 * (s + t - 1.0), 0.06 * (s - t)];
+    let a = patch(through(|s, t| {
+        let [u, v] = steps(s, t);
+        jet.point + u * jet.s + v * jet.t + 0.5 * u * u * jet.ss
+    }));
+    let rise = 0.06_f64.powi(3) * jet.ss.length();
+    let over = bound(&a, &cut(tube(), &[border]), true, 0.01).unwrap();
+    assert!(over <= rise, "{over:e} {rise:e}");
+    // The hole is 0.02 wide and 0.2 high: its middle is farther than 0.005 / 4 |B_u| from its ends.
+    let least = 0.005 * 4.0 * jet.s.length().min(1.0) * 0.25;
+    for u in [0.02, 0.98] {
+        let over_hole = bound(&a, &cut(tube(), &[border, &hole_at(u)]), true, 0.01);
+        assert!(over_hole.is_none_or(|bound| bound >= least), "{over_hole:?} {least:e}");
+    }
+}
+
+/// The oblique cell of the other tests is bounded by its height over a face, too.
+#[test]
+fn a_height_over_a_face_is_the_distance() {
+    let mut raised = oblique(|_, _| 1e-4);
+    for control in &mut raised {
+        control.x = 0.5 * control.x - 0.9;
+        control.y = 0.5 * control.y - 0.25;
+    }
+    let bound = bound(&patch(raised), &plate(), true, 1.0).unwrap();
+    assert!((1e-4..=1e-4 * (1.0 + 1e-9)).contains(&bound), "{bound:e}");
+}
