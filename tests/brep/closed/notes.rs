@@ -103,6 +103,36 @@ fn rings_bound_the_band_on_their_left() {
     }
 }
 
+/// The band of a torus between two rings and its seam, whichever way the loop turns: the rest of the torus
+/// does not touch the seam's edge.
+#[test]
+fn a_seam_decides_which_part_of_a_torus_its_loop_bounds() {
+    let [low, high] = [1.0, 2.5];
+    for is_clockwise in [false, true] {
+        let mut text = BrepText::new();
+        let surface = text.surface(TORUS);
+        let [foot, top] = [0; 2].map(|_| text.vertex([0.0; 3]));
+        let [far, near] = [TAU, 0.0].map(|u| text.p_curve(format!("1 {u:?} 0 0 1")));
+        let sides = if is_clockwise { [near, far] } else { [far, near] };
+        let rings = [low, high].map(|v| text.p_curve(format!("1 0 {v:?} 1 0")));
+        let [low_ring, high_ring] = [(rings[0], foot), (rings[1], top)]
+            .map(|(ring, at)| text.edge(&[format!("2 {ring} {surface} 0 0 {TAU:?}")], [at, at]));
+        let entry = format!("3 {} {}CN {surface} 0 {low:?} {high:?}", sides[0], sides[1]);
+        let seam = text.edge(&[entry], [foot, top]);
+        let children = if is_clockwise {
+            [plus(seam), plus(high_ring), minus(seam), minus(low_ring)]
+        } else {
+            [plus(low_ring), plus(seam), minus(high_ring), minus(seam)]
+        };
+        let wire = text.wire(&children);
+        let face = text.face(surface, &[wire]);
+        let (model, report) = read(&text, face);
+        assert_near(crate::area_of(&model), torus_area([0.0, low], [TAU, high]), 1e-11);
+        let notes = if is_clockwise { vec![(0, "BREP_LOOP_TURNED")] } else { Vec::new() };
+        assert_eq!(codes(&report), notes);
+    }
+}
+
 /// A square tube, closed and not periodic, with a ring at its foot and none at the height at which
 /// its seam ends.
 #[test]

@@ -66,8 +66,10 @@ impl Chain {
         let is_seam_end = last.edge.is_some() && last.edge == next.edge && apart <= allowed;
         if !(gap <= allowed) && is_seam_end {
             gap = apart;
-            let why =
-                format!("the loop is closed along {from:?} to {to:?}, where the seam ends without an edge");
+            let [[u, v], [end_u, end_v]] = [from, to].map(|point| [point.x, point.y]);
+            let why = format!(
+                "the loop is closed along ({u:?}, {v:?}) to ({end_u:?}, {end_v:?}), where the seam ends without an edge"
+            );
             self.remarks.push(Remark::new("BREP_SEAM_END", why));
         }
         if gap.is_nan() || gap > allowed {

@@ -44,7 +44,7 @@ pub(super) fn of_face(file: &Topology, shape: usize, surface: &Surface) -> Resul
         }
         let uses = uses::of_wire(file, shape, wire)?;
         if !uses.is_empty() {
-            chains.push(chain::chain(uses, surface)?);
+            chains.push(turned_about_seam(chain::chain(uses, surface)?, surface));
         }
     }
     let complement_fits = complement_fits(&chains, surface);
@@ -52,6 +52,40 @@ pub(super) fn of_face(file: &Topology, shape: usize, surface: &Surface) -> Resul
     let remarks = chains.iter_mut().flat_map(|chain| std::mem::take(&mut chain.remarks)).collect();
     let loops = nesting::directed(rings::close(chains, surface)?, surface)?;
     Ok(Loops { loops, remarks, complement_fits })
+}
+
+/// Returns a loop, reversed if it runs clockwise around a part of a closed surface and along a seam on
+/// both sides of that part.
+///
+/// The face lies on both sides of an edge that it uses once each way; the rest of the surface, which the
+/// loop as it is would bound, lies on neither (lemma B2 of `docs/cad.md`).
+fn turned_about_seam(chain: Chain, surface: &Surface) -> Chain {
+    let is_clockwise = chain.turns == [0, 0]
+        && area::of_closed(surface).is_some()
+        && area::of_loop(&chain.uses) < 0.0
+        && has_seam(&chain, surface);
+    if !is_clockwise {
+        return chain;
+    }
+    let mut turned = Chain { uses: rings::reversed(chain.uses), ..chain };
+    let why = "the loop runs clockwise along both sides of a seam, and is read in the other direction";
+    turned.remarks.push(Remark::new("BREP_LOOP_TURNED", why));
+    turned
+}
+
+/// Returns whether a loop uses an edge once each way, a period apart.
+fn has_seam(chain: &Chain, surface: &Surface) -> bool {
+    let closures = surface.closures();
+    let is_apart = |one: &TrimUse, other: &TrimUse| {
+        let step = one.curve.start() - other.curve.end();
+        (0..2).any(|axis| closures[axis].is_some_and(|period| step[axis].abs() > 0.5 * period))
+    };
+    chain.uses.iter().enumerate().any(|(index, one)| {
+        let mut others = chain.uses[index + 1..].iter();
+        one.edge.is_some()
+            && others
+                .any(|other| other.edge == one.edge && other.reversed != one.reversed && is_apart(one, other))
+    })
 }
 
 /// Returns whether a loop runs along seams and back on a closed surface: its curves cancel, so that
