@@ -1,7 +1,8 @@
 //! The readers of boundary representations.
 //!
-//! The stages: [`text`], the text of OpenCASCADE's BREP files, and [`step`] each read a format
-//! into the curves, surfaces and shapes of a [`topology`]; [`nurbs`] evaluates them and makes exact NURBS of them; [`faces`]
+//! The stages: [`text`], the text of OpenCASCADE's BREP files, [`step`] and [`iges`] each read a
+//! format into the curves, surfaces and shapes of a [`topology`]; [`nurbs`] evaluates them and
+//! makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
 //! their distance from the edges; [`assembly`] collects the faces and their placements.
 
@@ -9,6 +10,7 @@ mod assembly;
 mod edges;
 mod faces;
 mod gap;
+mod iges;
 mod nurbs;
 mod report;
 mod step;
@@ -58,6 +60,25 @@ impl Model {
     pub fn from_step(bytes: &[u8]) -> Result<(Self, ReadReport)> {
         check_length(bytes.len())?;
         validation::into_model(assembly::assemble(&step::parse(bytes)?)?)
+    }
+}
+
+impl Model {
+    /// Reads an IGES file of version 5.3 or earlier, in millimetres, with every face trimmed as
+    /// [`Model::from_brep`] does.
+    ///
+    /// Read are trimmed, bounded and whole surfaces, solids and shells, groups and subfigures
+    /// with their placements. Curves in the parameters that the file has are used where they lie
+    /// on the curves in space that they stand for, and made anew from these where not. A face
+    /// that cannot be read is in the report with its number in the directory. O(length).
+    ///
+    /// # Errors
+    /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::IgesSyntax`],
+    /// [`Error::IgesUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
+    /// [`Error::EmptyModel`] without faces.
+    pub fn from_iges(bytes: &[u8]) -> Result<(Self, ReadReport)> {
+        check_length(bytes.len())?;
+        validation::into_model(assembly::assemble(&iges::parse(bytes)?)?)
     }
 }
 

@@ -259,6 +259,22 @@ pub enum Error {
         /// The reason.
         found: String,
     },
+    /// Text that is not in the format of IGES, or a file that ends early.
+    #[error("line {line}: found {found:?}, expected {expected}")]
+    IgesSyntax {
+        /// The line, from 1.
+        line: usize,
+        /// The line's content.
+        found: String,
+        /// The content that the format requires there.
+        expected: String,
+    },
+    /// An IGES file without a known unit, or over the limits of the reader.
+    #[error("the IGES file cannot be read: {found}")]
+    IgesUnreadable {
+        /// The reason.
+        found: String,
+    },
     /// A BREP file of which no face can be read.
     #[error("none of the {faces} faces can be read; face {face}: {found}")]
     BrepUnreadable {
@@ -288,7 +304,7 @@ pub enum Error {
     /// A file of a format that the package's command line in Node reads, but this crate
     /// does not.
     #[error(
-        "found {found}; read are interchange JSON, STEP and OpenCASCADE's BREP text: \
+        "found {found}; read are interchange JSON, STEP, IGES and OpenCASCADE's BREP text: \
          `npx nurbs-hausdorff convert {path} model.json` converts it"
     )]
     FormatUnsupported {
@@ -420,6 +436,8 @@ impl Error {
             Self::BrepSyntax { .. } => "BREP_SYNTAX",
             Self::StepSyntax { .. } => "STEP_SYNTAX",
             Self::StepUnreadable { .. } => "STEP_UNREADABLE",
+            Self::IgesSyntax { .. } => "IGES_SYNTAX",
+            Self::IgesUnreadable { .. } => "IGES_UNREADABLE",
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",

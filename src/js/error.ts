@@ -44,6 +44,8 @@ export type ErrorCode =
   | "BREP_SYNTAX"
   | "STEP_SYNTAX"
   | "STEP_UNREADABLE"
+  | "IGES_SYNTAX"
+  | "IGES_UNREADABLE"
   | "BREP_UNREADABLE"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"

@@ -32,16 +32,15 @@ pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
     let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
     let signatures = [
         (head.starts_with(b"3D Geometry File Format"), "a Rhino 3DM file"),
-        (is_iges(head), "an IGES file"),
         (head.starts_with(b"PK\x03\x04"), "a zip archive, as FreeCAD documents are"),
         (head.starts_with(&[0x1f, 0x8b]), "a file compressed by gzip"),
     ];
     signatures.into_iter().find_map(|(found, name)| found.then_some(name))
 }
 
-/// Whether the first line is of the start section, and numbered.
-fn is_iges(head: &[u8]) -> bool {
-    let mark = head.get(IGES_SECTION_COLUMN..IGES_SECTION_COLUMN + 8);
+/// Whether bytes are an IGES file, whose first line is of the start section, and numbered.
+pub(crate) fn is_iges(bytes: &[u8]) -> bool {
+    let mark = bytes.get(IGES_SECTION_COLUMN..IGES_SECTION_COLUMN + 8);
     mark.is_some_and(|mark| {
         mark[0] == b'S'
             && mark[1..7].iter().all(|byte| matches!(byte, b' ' | b'0'..=b'9'))

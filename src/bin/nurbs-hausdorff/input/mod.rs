@@ -9,13 +9,13 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Reads the model in a file of interchange JSON, STEP or OpenCASCADE's BREP text, found by its
+/// Reads the model in a file of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
 /// content, and prints the faces left out and the notes on others.
 ///
 /// # Errors
 /// [`Error::FileUnreadable`], [`Error::FileTooLarge`] before anything is read,
 /// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`],
-/// [`Model::from_step`], [`Model::from_brep`] and [`PreparedModel`]; all with the path.
+/// [`Model::from_step`], [`Model::from_iges`], [`Model::from_brep`] and [`PreparedModel`]; all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     let input = bytes(path).and_then(|bytes| parse(path, bytes));
     let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
@@ -84,6 +84,10 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     if format::is_step(&bytes) {
         let (model, read) = Model::from_step(&bytes)?;
         return of_cad(model, read, "step");
+    }
+    if format::is_iges(&bytes) {
+        let (model, read) = Model::from_iges(&bytes)?;
+        return of_cad(model, read, "iges");
     }
     let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
     if format::is_brep(&text) {

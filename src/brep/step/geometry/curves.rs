@@ -1,7 +1,7 @@
 //! Curves of the file, in space or in a parameter plane.
 
-use super::{MAX_NESTING, Scale, direction, length, nearest_parameter, placement, point, splines, vector};
-use crate::brep::nurbs::{Conic, Curve, Spline};
+use super::{MAX_NESTING, Scale, direction, length, placement, point, splines, vector};
+use crate::brep::nurbs::{Conic, Curve, Spline, nearest_parameter};
 use crate::brep::report::FaceFault;
 use crate::brep::step::exchange::{Entity, Exchange, Value, number, reference};
 use glam::DVec3;

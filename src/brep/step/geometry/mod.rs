@@ -1,13 +1,11 @@
 //! Points, placements, curves and surfaces of the file.
 
 mod curves;
-mod parameter;
 mod placement;
 mod splines;
 mod surfaces;
 
 pub(super) use curves::{curve, trimmed};
-pub(super) use parameter::nearest_parameter;
 pub(super) use placement::{operator, placement};
 pub(super) use surfaces::{plane_through, surface};
 

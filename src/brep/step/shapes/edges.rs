@@ -1,9 +1,9 @@
 //! Edges: the parts of curves between vertices.
 
 use super::{Shapes, used};
-use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::nurbs::{Curve, Part, nearest_parameter};
 use crate::brep::report::FaceFault;
-use crate::brep::step::geometry::{curve, nearest_parameter, point, trimmed};
+use crate::brep::step::geometry::{curve, point, trimmed};
 use crate::brep::topology::{Edge, ShapeKind, SpaceCurve, Use};
 use glam::{DAffine3, DVec3};
 
@@ -21,9 +21,6 @@ const TOLERANCE: f64 = 1e-7;
 /// in uncertainties of the file if that is more.
 const NEAR: f64 = 1e-3;
 const UNCERTAINTIES: f64 = 10.0;
-
-/// Part of a range below which parameters are the same.
-const SAME_PARAMETER: f64 = 1e-9;
 
 /// A vertex: its shape and its point.
 #[derive(Debug, Clone, Copy)]
@@ -59,11 +56,10 @@ impl Shapes<'_> {
         let parameters = ends.map(|end| nearest_parameter(&geometry, end.point));
         let [Some(from), Some(to)] = parameters else { return Err(fault("its curve has no range")) };
         let closed = start.shape == end.shape;
-        let part = part(geometry, [from, to], closed).map_err(fault)?;
-        let Part { curve, range, turned } = part;
+        let Part { curve, range, turned } = Part::between(geometry, [from, to], closed).map_err(fault)?;
         let ends = if turned { [ends[1], ends[0]] } else { ends };
         let distances = [0, 1].map(|end| curve.point(range[end]).distance(ends[end].point));
-        let size = size(&curve, range);
+        let size = curve.size(range);
         let allowed = (NEAR * size).max(UNCERTAINTIES * self.units.uncertainty);
         for end in [0, 1] {
             let distance = distances[end];
@@ -129,76 +125,4 @@ impl Shapes<'_> {
         };
         Ok(Vertex { shape, point })
     }
-}
-
-/// The diagonal of the box of some points of a curve.
-fn size(curve: &Curve, [start, end]: [f64; 2]) -> f64 {
-    let points =
-        || [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| curve.point(start + part * (end - start))).into_iter();
-    points().fold(DVec3::INFINITY, DVec3::min).distance(points().fold(DVec3::NEG_INFINITY, DVec3::max))
-}
-
-/// The part of a curve that an edge is.
-struct Part {
-    curve: Curve,
-    range: [f64; 2],
-    /// Whether it runs from the second end to the first one.
-    turned: bool,
-}
-
-/// Returns the part of a curve from one parameter to another. Around a closed curve it runs
-/// over the curve's end, and it is the whole curve if the ends are one vertex; an open curve
-/// has one part between two points, whatever the direction stated.
-fn part(curve: Curve, [from, mut to]: [f64; 2], closed: bool) -> Result<Part, &'static str> {
-    if let Some(period) = curve.period() {
-        to += period * ((from - to) / period).ceil();
-        if closed || to - from <= SAME_PARAMETER * period {
-            to = from + period;
-        }
-        return Ok(Part { curve, range: [from, to], turned: false });
-    }
-    let Some([start, end]) = curve.natural_range() else {
-        return match from.partial_cmp(&to) {
-            Some(std::cmp::Ordering::Less) => Ok(Part { curve, range: [from, to], turned: false }),
-            Some(std::cmp::Ordering::Greater) => Ok(Part { curve, range: [to, from], turned: true }),
-            _ => Err("its vertices are one point of an open curve"),
-        };
-    };
-    let margin = SAME_PARAMETER * (end - start);
-    let is_loop =
-        curve.point(start).distance(curve.point(end)) <= SAME_PARAMETER * size(&curve, [start, end]);
-    if !is_loop {
-        let whole = closed && (from - to).abs() <= margin;
-        return match (from < to, whole) {
-            (_, true) => Err("its vertices are one point of an open curve"),
-            (true, _) => Ok(Part { curve, range: [from, to], turned: false }),
-            (false, _) => Ok(Part { curve, range: [to, from], turned: true }),
-        };
-    }
-    let from = if end - from <= margin { start } else { from };
-    let to = if to - start <= margin || closed && from == start { end } else { to };
-    if from < to && to - from > margin {
-        return Ok(Part { curve, range: [from, to], turned: false });
-    }
-    let to = if closed { from } else { to };
-    let curve =
-        over_the_end(&curve, [from, to]).ok_or("it runs over the end of a curve that is no B-spline")?;
-    let range = curve.domain();
-    Ok(Part { curve: Curve::Spline(curve.into()), range, turned: false })
-}
-
-/// Returns the B-spline from a parameter over the end of a closed curve to another one.
-fn over_the_end(curve: &Curve, [from, to]: [f64; 2]) -> Option<Spline> {
-    let Curve::Spline(_) = curve else { return None };
-    let [start, end] = curve.natural_range()?;
-    let (mut joined, _, _) = curve.spline([from, end]).ok()?;
-    let (second, _, _) = curve.spline([start, to]).ok()?;
-    let shift = end - start;
-    // The homogeneous points of both sides of the joint are multiples of each other.
-    let factor = joined.controls.last()?.w / second.controls.first()?.w;
-    let degree = joined.degree;
-    joined.knots.pop();
-    joined.knots.extend(second.knots.iter().skip(degree + 1).map(|knot| knot + shift));
-    joined.controls.extend(second.controls.iter().skip(1).map(|&control| factor * control));
-    Some(joined)
 }

@@ -1,6 +1,7 @@
 //! Parameters of points on curves.
 
-use crate::brep::nurbs::{Conic, Curve};
+use super::conic::Conic;
+use super::curve::Curve;
 use glam::DVec3;
 
 /// The samples of every polynomial piece of a curve among which the search begins.
@@ -18,7 +19,7 @@ const CONVERGED: f64 = 1e-16;
 /// Returns the parameter of the point of a curve that is nearest to a given one, for points
 /// near the curve: in closed form for lines and conics, by samples and Gauss-Newton steps for
 /// others. `None` for a curve without a range. O(pieces).
-pub(in crate::brep::step) fn nearest_parameter(curve: &Curve, point: DVec3) -> Option<f64> {
+pub(crate) fn nearest_parameter(curve: &Curve, point: DVec3) -> Option<f64> {
     match curve {
         Curve::Line { point: origin, direction } => {
             Some((point - *origin).dot(*direction) / direction.length_squared())

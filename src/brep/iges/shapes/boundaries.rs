@@ -1,0 +1,143 @@
+//! Boundaries of trimmed and bounded surfaces as wires.
+
+use super::pairing::{Ground, area};
+use super::{Shapes, Sheet, used};
+use crate::brep::iges::file::{Entity, Found};
+use crate::brep::iges::geometry::{Leaf, Scale, leaves, over, placed, spline};
+use crate::brep::nurbs::Spline;
+use crate::brep::report::FaceFault;
+use crate::brep::topology::{ShapeKind, Use};
+use glam::{DAffine3, DVec2, DVec3};
+
+/// A wire, and about the signed area within it, if its curves in the parameters are known.
+pub(super) struct Boundary {
+    pub(super) wire: usize,
+    pub(super) area: Option<f64>,
+}
+
+impl Shapes<'_> {
+    /// Returns the wire of a curve on a surface, type 142.
+    pub(super) fn curve_on_surface(&mut self, number: u64, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+        let entity = self.file.entity(number)?;
+        if entity.entry.kind != 142 {
+            return Err(entity.unknown("a curve on a surface, type 142"));
+        }
+        let above_curves = *above * placed(self.file, &entity.entry, self.scale)?;
+        let parameters = self.in_parameters(entity.pointer(3)?, sheet)?;
+        let space = self.in_space(entity.pointer(4)?, &above_curves)?;
+        self.boundary(&entity, sheet, above, parameters, space)
+    }
+
+    /// Returns the wire of a boundary, type 141.
+    pub(super) fn listed_boundary(&mut self, number: u64, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+        let entity = self.file.entity(number)?;
+        if entity.entry.kind != 141 {
+            return Err(entity.unknown("a boundary, type 141"));
+        }
+        let above_curves = *above * placed(self.file, &entity.entry, self.scale)?;
+        let (mut parameters, mut space) = (Vec::new(), Vec::new());
+        let mut at = 5;
+        for _ in 0..entity.items(4, 3)? {
+            let mut curves = self.in_space(entity.reference(at)?, &above_curves)?;
+            if entity.count(at + 1, 2)? == 2 {
+                curves = curves.into_iter().rev().map(reversed).collect();
+            }
+            space.extend(curves);
+            let in_parameters = entity.references(at + 2)?;
+            at += 3 + in_parameters.len();
+            for curve in in_parameters {
+                parameters.extend(self.in_parameters(curve, sheet)?);
+            }
+        }
+        self.boundary(&entity, sheet, above, parameters, space)
+    }
+
+    /// Returns the wire of the rectangle of a whole surface.
+    pub(super) fn whole_boundary(&mut self, entity: &Entity, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+        let [Some([u0, u1]), Some([v0, v1])] = self.topology.surfaces[sheet.surface].natural_ranges() else {
+            return Err(entity.fault(3, "the number of holes of a surface with an end"));
+        };
+        let corners = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| DVec3::new(u, v, 0.0));
+        let side = |index: usize| Spline::segment([0.0, 1.0], corners[index], corners[(index + 1) % 4]);
+        self.boundary(entity, sheet, above, (0..4).map(side).collect(), Vec::new())
+    }
+
+    /// Returns the wire of the curve around a plane, whose matrix places both.
+    pub(super) fn curve_in_plane(&mut self, plane: &Entity, curve: u64, sheet: &Sheet) -> Found<Boundary> {
+        let space = self.in_space(curve, &sheet.location)?;
+        self.boundary(plane, sheet, &DAffine3::IDENTITY, Vec::new(), space)
+    }
+
+    fn boundary(
+        &mut self,
+        entity: &Entity,
+        sheet: &Sheet,
+        above: &DAffine3,
+        parameters: Vec<Spline>,
+        space: Vec<Leaf>,
+    ) -> Found<Boundary> {
+        let location = *above * sheet.location;
+        let surface = &self.topology.surfaces[sheet.surface];
+        let ground = Ground { surface, location, tolerance: self.tolerance };
+        let pieces = ground.pieces(parameters, space);
+        if pieces.is_empty() {
+            let why = format!("the boundary {} has no curves that are read", entity.number());
+            return Err(FaceFault::new("IGES_BOUNDARY", why));
+        }
+        let area = area(&pieces);
+        let edges = pieces.into_iter().map(|piece| self.piece(piece, sheet, location));
+        let edges = edges.collect::<Found<Vec<Use>>>()?;
+        Ok(Boundary { wire: self.push(ShapeKind::Wire, edges)?, area })
+    }
+
+    /// Reads the curves in the parameters of a surface, each over [0, 1] in our parameters; none
+    /// where the file has none.
+    pub(super) fn in_parameters(&self, number: u64, sheet: &Sheet) -> Found<Vec<Spline>> {
+        let Some(to_ours) = sheet.parameters.filter(|_| number != 0) else { return Ok(Vec::new()) };
+        let mut curves = Vec::new();
+        for leaf in leaves(self.file, number, Scale(1.0))? {
+            let mut curve = over(spline(&leaf)?, [0.0, 1.0]);
+            for control in &mut curve.controls {
+                let weight = control.w;
+                let at = to_ours.transform_point2(DVec2::new(control.x, control.y) / weight);
+                *control = (weight * at.extend(0.0)).extend(weight);
+            }
+            let start = curve.start();
+            if curve.points().any(|point| point != start) {
+                curves.push(curve);
+            }
+        }
+        Ok(curves)
+    }
+
+    /// Reads curves in space; none where the file has none.
+    fn in_space(&self, number: u64, above: &DAffine3) -> Found<Vec<Leaf>> {
+        if number == 0 {
+            return Ok(Vec::new());
+        }
+        let mut curves = leaves(self.file, number, self.scale)?;
+        for leaf in &mut curves {
+            leaf.location = *above * leaf.location;
+        }
+        Ok(curves)
+    }
+}
+
+fn reversed(leaf: Leaf) -> Leaf {
+    let [start, end] = leaf.range;
+    Leaf { curve: leaf.curve.reversed(), range: [-end, -start], location: leaf.location }
+}
+
+/// Returns the uses of wires in a face: the largest one turns counter-clockwise in the parameters,
+/// others clockwise. Wires whose curves in the parameters are not known keep their direction.
+pub(super) fn directed(boundaries: &[Boundary], outer: Option<usize>) -> Vec<Use> {
+    let size = |index: &usize| boundaries[*index].area.map_or(0.0, f64::abs);
+    let largest = || (0..boundaries.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
+    let outer = outer.or_else(largest);
+    let wires = boundaries.iter().enumerate();
+    let directed = wires.map(|(index, boundary)| {
+        let forward = boundary.area.is_none_or(|area| (area > 0.0) == (Some(index) == outer));
+        used(boundary.wire, forward)
+    });
+    directed.collect()
+}

@@ -1,0 +1,179 @@
+//! Edges: curves of boundaries, and those of edge lists between their vertices.
+
+use super::pairing::Piece;
+use super::{Shapes, Sheet, used};
+use crate::brep::iges::file::{Entity, Found};
+use crate::brep::iges::geometry::{Leaf, leaves};
+use crate::brep::nurbs::{Curve, Part, nearest_parameter};
+use crate::brep::report::FaceFault;
+use crate::brep::topology::{Edge, PCurve, ShapeKind, SpaceCurve, Use};
+use glam::{DAffine3, DVec3};
+
+/// The shape of an edge, and whether the edge of the file runs along its curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Segment {
+    pub(super) shape: usize,
+    pub(super) forward: bool,
+}
+
+/// The largest distance of a vertex from the curve of its edge, relative to the edge's size, or
+/// in tolerances if that is more.
+const NEAR: f64 = 1e-3;
+const TOLERANCES: f64 = 10.0;
+
+/// A vertex: its shape and its point.
+#[derive(Debug, Clone, Copy)]
+struct Vertex {
+    shape: usize,
+    point: DVec3,
+}
+
+impl Shapes<'_> {
+    /// Appends the edge of a part of a face's boundary.
+    pub(super) fn piece(&mut self, piece: Piece, sheet: &Sheet, location: DAffine3) -> Found<Use> {
+        let (leaf, curve, degenerate, along) = match piece {
+            Piece::Both(leaf, curve, along) => (Some(leaf), Some(curve), false, along),
+            Piece::Space(leaf) => (Some(leaf), None, false, true),
+            Piece::Parameters(curve, is_point) => (None, Some(curve), is_point, true),
+        };
+        let mut p_curves = Vec::new();
+        if let Some(curve) = curve {
+            self.spend(curve.controls.len())?;
+            self.topology.p_curves.push(Curve::Spline(curve.into()));
+            let index = self.topology.p_curves.len() - 1;
+            p_curves.push(PCurve { curves: [index; 2], surface: sheet.surface, location, range: [0.0, 1.0] });
+        }
+        let curve = leaf.map(|leaf| self.space_curve(leaf)).transpose()?;
+        let edge = Edge { tolerance: self.tolerance, degenerate, curve, p_curves };
+        Ok(used(self.push(ShapeKind::Edge(edge), Vec::new())?, along))
+    }
+
+    fn space_curve(&mut self, leaf: Leaf) -> Found<SpaceCurve> {
+        self.spend(leaf.curve.pole_count())?;
+        self.topology.curves.push(leaf.curve);
+        let curve = self.topology.curves.len() - 1;
+        Ok(SpaceCurve { curve, location: leaf.location, range: leaf.range })
+    }
+
+    /// Returns the segments of an edge of a list, type 504, in its direction.
+    ///
+    /// # Errors
+    /// `IGES_EDGE` if the vertices bound no part of the curve, and those of entities.
+    pub(super) fn listed_edge(&mut self, list: u64, index: usize) -> Found<Vec<Segment>> {
+        if let Some(known) = self.edges.get(&(list, index)) {
+            return known.clone();
+        }
+        let found = self.new_edge(list, index);
+        self.edges.insert((list, index), found.clone());
+        found
+    }
+
+    fn new_edge(&mut self, list: u64, index: usize) -> Found<Vec<Segment>> {
+        let entity = self.listed(list, index, 504, 5, "a list of edges, type 504")?;
+        let first = 2 + 5 * (index - 1);
+        let ends = [1, 3].map(|at| -> Found<Vertex> {
+            self.listed_vertex(entity.reference(first + at)?, entity.count(first + at + 1, u32::MAX as usize)?)
+        });
+        let [start, end] = ends;
+        let ends = [start?, end?];
+        let mut parts = leaves(self.file, entity.reference(first)?, self.scale)?;
+        let fault = |why: &str| FaceFault::new("IGES_EDGE", format!("edge {index} of {list}: {why}"));
+        if let [leaf] = parts.as_slice() {
+            let (leaf, turned) = self.between(leaf, ends).map_err(|why| fault(&why))?;
+            let curve = self.space_curve(leaf)?;
+            let ends = if turned { [ends[1], ends[0]] } else { ends };
+            let shape = self.push_edge(curve, [Some(ends[0].shape), Some(ends[1].shape)])?;
+            return Ok(vec![Segment { shape, forward: !turned }]);
+        }
+        let point = |leaf: &Leaf, end: usize| leaf.location.transform_point3(leaf.curve.point(leaf.range[end]));
+        let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
+            return Err(fault("its curve has no parts"));
+        };
+        let forward = point(first, 0).distance(ends[0].point) + point(last, 1).distance(ends[1].point)
+            <= point(first, 0).distance(ends[1].point) + point(last, 1).distance(ends[0].point);
+        let outer = if forward { ends } else { [ends[1], ends[0]] };
+        let count = parts.len();
+        let mut segments = Vec::with_capacity(count);
+        for (place, leaf) in parts.drain(..).enumerate() {
+            let vertices =
+                [(place == 0).then_some(outer[0].shape), (place + 1 == count).then_some(outer[1].shape)];
+            let curve = self.space_curve(leaf)?;
+            segments.push(Segment { shape: self.push_edge(curve, vertices)?, forward });
+        }
+        if !forward {
+            segments.reverse();
+        }
+        Ok(segments)
+    }
+
+    fn push_edge(&mut self, curve: SpaceCurve, vertices: [Option<usize>; 2]) -> Found<usize> {
+        let edge =
+            Edge { tolerance: self.tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
+        let children = vertices.into_iter().zip([true, false]);
+        let children = children.filter_map(|(vertex, start)| Some(used(vertex?, start))).collect();
+        self.push(ShapeKind::Edge(edge), children)
+    }
+
+    /// Returns the part of a curve between two vertices, and whether it runs from the second to
+    /// the first: the whole curve if they are its ends.
+    fn between(&mut self, leaf: &Leaf, ends: [Vertex; 2]) -> Result<(Leaf, bool), String> {
+        let Leaf { curve, range, location } = leaf;
+        let to_curve = location.inverse();
+        let points = ends.map(|end| to_curve.transform_point3(end.point));
+        let allowed = |curve: &Curve, range| (NEAR * curve.size(range)).max(TOLERANCES * self.tolerance);
+        let distances = |curve: &Curve, range: [f64; 2], turned: bool| {
+            [0, 1].map(|end: usize| curve.point(range[end]).distance(points[if turned { 1 - end } else { end }]))
+        };
+        let whole = [false, true].into_iter().find(|&turned| {
+            distances(curve, *range, turned).iter().all(|&distance| distance <= allowed(curve, *range))
+        });
+        let (curve, range, turned) = match whole {
+            Some(turned) => (curve.clone(), *range, turned),
+            None => {
+                let parameters = points.map(|point| nearest_parameter(curve, point));
+                let [Some(from), Some(to)] = parameters else { return Err("its curve has no range".to_owned()) };
+                let closed = ends[0].shape == ends[1].shape;
+                let Part { curve, range, turned } = Part::between(curve.clone(), [from, to], closed)?;
+                (curve, range, turned)
+            }
+        };
+        let allowed = allowed(&curve, range);
+        for (end, distance) in distances(&curve, range, turned).into_iter().enumerate() {
+            if !(distance <= allowed) {
+                return Err(format!("its curve ends {distance:e} from its vertex"));
+            }
+            let vertex = ends[if turned { 1 - end } else { end }].shape;
+            if let ShapeKind::Vertex(tolerance) = &mut self.topology.shapes[vertex].kind {
+                *tolerance = tolerance.max(distance);
+            }
+        }
+        Ok((Leaf { curve, range, location: *location }, turned))
+    }
+
+    /// Returns the vertex of a list, type 502.
+    fn listed_vertex(&mut self, list: u64, index: usize) -> Found<Vertex> {
+        let entity = self.listed(list, index, 502, 3, "a list of vertices, type 502")?;
+        let point = self.scale.0 * entity.point(2 + 3 * (index - 1))?;
+        let shape = match self.vertices.get(&(list, index)) {
+            Some(&shape) => shape,
+            None => {
+                let shape = self.push(ShapeKind::Vertex(self.tolerance), Vec::new())?;
+                self.vertices.insert((list, index), shape);
+                shape
+            }
+        };
+        Ok(Vertex { shape, point })
+    }
+
+    /// Returns a list that has an item of this index, from 1.
+    fn listed(&self, list: u64, index: usize, kind: u32, size: usize, expected: &str) -> Found<Entity> {
+        let entity = self.file.entity(list)?;
+        if entity.entry.kind != kind {
+            return Err(entity.unknown(expected));
+        }
+        if index == 0 || index > entity.items(1, size)? {
+            return Err(entity.fault(1, &format!("the number of a list with an item {index}")));
+        }
+        Ok(entity)
+    }
+}
