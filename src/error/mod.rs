@@ -259,6 +259,12 @@ pub enum Error {
         /// The reason.
         found: String,
     },
+    /// Bytes that are not what the readers' wasm module of this version gave.
+    #[error("the faces that were read cannot be taken over: {found}")]
+    TransferInvalid {
+        /// The reason.
+        found: String,
+    },
     /// A BREP file of which no face can be read.
     #[error("none of the {faces} faces can be read; face {face}: {found}")]
     BrepUnreadable {
@@ -420,6 +426,7 @@ impl Error {
             Self::BrepSyntax { .. } => "BREP_SYNTAX",
             Self::StepSyntax { .. } => "STEP_SYNTAX",
             Self::StepUnreadable { .. } => "STEP_UNREADABLE",
+            Self::TransferInvalid { .. } => "TRANSFER_INVALID",
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
