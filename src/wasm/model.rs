@@ -15,6 +15,10 @@ use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
+/// The largest integer up to which JavaScript's numbers hold every one; a larger number of a
+/// face in its file is left out of the report.
+const MAX_SAFE_INTEGER: u64 = (1 << 53) - 1;
+
 /// A model ready to be measured, shared with the distances that use it, and the report
 /// on reading it from a text.
 #[wasm_bindgen]
@@ -205,7 +209,11 @@ fn read_model(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<(
     let mut read = Assembled::from_bytes(bytes)?;
     read.model.name = name;
     read.model.unit = read.model.unit.or(unit);
-    validation::into_model(read)
+    let (model, mut report) = validation::into_model(read)?;
+    for skipped in &mut report.skipped {
+        skipped.entity = skipped.entity.filter(|&entity| entity <= MAX_SAFE_INTEGER);
+    }
+    Ok((model, report))
 }
 
 fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {

@@ -94,12 +94,22 @@ export type OnProgress = (
   stalled?: boolean,
 ) => void;
 
+/**
+ * Options of any method.
+ * @internal
+ */
+export interface SplittableOptions {
+  transform?: Transform;
+  signal?: AbortSignal;
+  onProgress?: (...progress: never[]) => void;
+}
+
 /** @internal */
 export interface SplitOptions {
   plain: object;
   transform: Transform | undefined;
   signal: AbortSignal | undefined;
-  onProgress: OnProgress | undefined;
+  onProgress: ((...progress: never[]) => void) | undefined;
 }
 
 /**
@@ -107,7 +117,7 @@ export interface SplitOptions {
  * and those that are objects of JavaScript.
  * @internal
  */
-export function split(options: DistanceOptions): SplitOptions {
+export function split(options: SplittableOptions): SplitOptions {
   if (typeof options !== "object" || options === null) {
     throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
   }

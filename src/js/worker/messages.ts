@@ -1,6 +1,5 @@
 import type { CadReport } from "../cad/report.js";
 import type { ErrorCode } from "../error.js";
-import type { OnProgress } from "../measure/options.js";
 
 /** What a model's twin on the caller's thread knows of it. */
 export interface ModelFacts {
@@ -43,7 +42,7 @@ export interface Failure {
 export type Reply =
   | { id: number; result: unknown; engine: EngineFacts | undefined }
   | { id: number; failure: Failure }
-  | { id: number; progress: Parameters<OnProgress> };
+  | { id: number; progress: unknown[] };
 
 /** One end of the channel between the two threads. */
 export interface Port {
