@@ -55,6 +55,7 @@ export async function loadModule(name: ModuleName, init: Init): Promise<void> {
     await started;
   } catch (cause) {
     loading.delete(name);
+    sources.delete(name);
     const why = cause instanceof Error ? cause.message : `${cause}`;
     throw new HausdorffError(
       "MODULE_FAILED",
