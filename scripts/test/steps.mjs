@@ -69,9 +69,9 @@ export const steps = [
   },
   {
     name: "wasm",
-    what: "the wasm module is within its budget",
+    what: "the wasm modules are within their budgets",
     run: async () => {
-      console.log(`wasm module: ${await buildWasm()}`);
+      console.log(`wasm modules: ${await buildWasm()}`);
       checkBudget();
     },
   },
