@@ -92,7 +92,7 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
             }
             Err(FaceFault { code, why }) => {
                 let entity = placed.entity(file);
-                read.skipped.push(Skipped { face: number, entity, code: code.into(), why });
+                read.skipped.push(Skipped { face: number, entity, code, why });
             }
         }
     }
@@ -174,7 +174,7 @@ fn notes(
                    of its edges' directions, which no seam and no neighbours confirm";
         let complement = open.then(|| Remark::new("BREP_COMPLEMENT", why));
         let remarks = converted.remarks.iter().cloned().chain(complement);
-        notes.extend(remarks.map(|Remark { code, why }| Note { face, code: code.into(), why }));
+        notes.extend(remarks.map(|Remark { code, why }| Note { face, code, why }));
     }
     notes
 }

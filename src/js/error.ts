@@ -106,14 +106,23 @@ function inJavaScript(message: string): string {
 /** The codes of errors whose messages name types and properties of the caller's values. */
 const ON_VALUES: readonly ErrorCode[] = ["OPTION_INVALID", "JSON_SHAPE"];
 
+/** Options of the constructor of `HausdorffError`. */
+export interface HausdorffErrorOptions extends ErrorOptions {
+  interval?: readonly [lower: number, upper: number] | undefined;
+}
+
 /** The class of all errors that the package raises on purpose. */
 export class HausdorffError extends Error {
   readonly code: ErrorCode;
 
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  /** With `CANCELLED`: the interval that contains the distance as far as the work had come, if it had. */
+  readonly interval?: readonly [lower: number, upper: number];
+
+  constructor(code: ErrorCode, message: string, options: HausdorffErrorOptions = {}) {
     super(message, options);
     this.name = "HausdorffError";
     this.code = code;
+    if (options.interval !== undefined) this.interval = options.interval;
   }
 }
 
@@ -121,12 +130,18 @@ export class HausdorffError extends Error {
  * The error for a value that the wasm module threw; other values are returned as they are.
  * @internal
  */
-export function translated(thrown: unknown, cause?: unknown): unknown {
+export function translated(
+  thrown: unknown,
+  { cause, interval }: HausdorffErrorOptions = {},
+): unknown {
   if (typeof thrown !== "object" || thrown === null || thrown instanceof Error) return thrown;
   const { code, message } = thrown as { code?: ErrorCode; message?: string };
   if (code === undefined || message === undefined) return thrown;
   const text = ON_VALUES.includes(code) ? inJavaScript(message) : message;
-  return new HausdorffError(code, text, cause === undefined ? undefined : { cause });
+  return new HausdorffError(code, text, {
+    ...(cause === undefined ? {} : { cause }),
+    ...(code === "CANCELLED" ? { interval } : {}),
+  });
 }
 
 /**

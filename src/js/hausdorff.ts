@@ -6,6 +6,7 @@ import { HausdorffError, translated, translating } from "./error.js";
 import { type BestFit, type BestFitOptions, bestFit } from "./fit/best-fit.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
+import { Reached, requireWhole } from "./measure/cancelled.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
@@ -173,13 +174,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const call = new Call(plain, transform, signal, onProgress, this.#turn);
+    const reached = new Reached(onProgress);
+    const report = signal === undefined ? onProgress : reached.onProgress;
+    const call = new Call(plain, transform, signal, report, this.#turn);
     const result = run(engine, call) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
-      return await result;
+      return requireWhole(await result, signal?.reason);
     } catch (thrown) {
-      throw translated(thrown, signal?.reason);
+      throw translated(thrown, { cause: signal?.reason, interval: reached.interval });
     }
   }
 

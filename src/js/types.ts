@@ -1,5 +1,5 @@
 // The types and the error class that the package's entries share.
-export { type ErrorCode, HausdorffError } from "./error.js";
+export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
 export type { CadKind } from "./cad/kind.js";
 export type { CadOptions } from "./cad/options.js";
 export type { PeerLoader } from "./cad/peers/peers.js";

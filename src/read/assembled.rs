@@ -3,10 +3,8 @@
 use super::report::{FaceCounts, Note, ReadReport, Skipped};
 use crate::model::ModelArrays;
 use crate::model::trim::FaceArrays;
-use serde::{Deserialize, Serialize};
 
 /// The faces that a reader made of a file, not validated, with the account of each.
-#[derive(Serialize, Deserialize)]
 pub(crate) struct Assembled {
     pub(crate) model: ModelArrays,
     /// One entry a face of the model.

@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::model::Model;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// The result of reading a CAD file, face by face.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -78,12 +77,7 @@ impl ReadReport {
             self.trims -= exact + fitted;
             self.exact -= exact;
             self.fitted -= fitted;
-            self.skipped.push(Skipped {
-                face: number,
-                entity,
-                code: error.code().into(),
-                why: error.to_string(),
-            });
+            self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
         }
         self.skipped.sort_by_key(|skipped| skipped.face);
         self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
@@ -91,26 +85,27 @@ impl ReadReport {
 }
 
 /// A face that could not be read.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Skipped {
     /// The number of the face in the file, from 0, in the order of OpenCASCADE's
     /// `TopExp_Explorer`, each face once at its place.
     pub face: usize,
     /// The number by which the file calls the face, if it has one, as `#` in STEP.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub entity: Option<u64>,
     /// The stable code of the reason.
-    pub code: Cow<'static, str>,
+    pub code: &'static str,
     /// The reason.
     pub why: String,
 }
 
 /// What the file leaves open of a face that was read.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Note {
     /// The number of the face in the file, as of [`Skipped`].
     pub face: usize,
     /// The stable code of the remark.
-    pub code: Cow<'static, str>,
+    pub code: &'static str,
     /// The decision, and the reason for it.
     pub why: String,
 }

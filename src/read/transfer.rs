@@ -6,16 +6,33 @@
 )]
 
 use super::assembled::Assembled;
+use super::report::{FaceCounts, Note, Skipped};
 use crate::error::{Error, Result};
+use crate::model::ModelArrays;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::HashSet;
 
 /// The version of the crate, which writer and reader have in common.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 #[derive(Serialize, Deserialize)]
-struct Transfer<T> {
-    version: String,
-    read: T,
+struct Transfer<'a> {
+    version: Cow<'a, str>,
+    model: Cow<'a, ModelArrays>,
+    counts: Cow<'a, [FaceCounts]>,
+    skipped: Vec<Account>,
+    notes: Vec<Account>,
+}
+
+/// The account of a face, skipped or with a remark.
+#[derive(Serialize, Deserialize)]
+struct Account {
+    face: usize,
+    entity: Option<u64>,
+    code: String,
+    why: String,
 }
 
 impl Assembled {
@@ -24,7 +41,18 @@ impl Assembled {
     /// # Errors
     /// [`Error::TransferInvalid`] if the writer fails, which it does not for these types.
     pub(crate) fn to_bytes(&self) -> Result<Vec<u8>> {
-        let transfer = Transfer { version: VERSION.to_owned(), read: self };
+        let account = |face, entity, code: &str, why: &str| {
+            let [code, why] = [code, why].map(str::to_owned);
+            Account { face, entity, code, why }
+        };
+        let Self { model, counts, skipped, notes } = self;
+        let transfer = Transfer {
+            version: VERSION.into(),
+            model: Cow::Borrowed(model),
+            counts: counts.into(),
+            skipped: skipped.iter().map(|one| account(one.face, one.entity, one.code, &one.why)).collect(),
+            notes: notes.iter().map(|note| account(note.face, None, note.code, &note.why)).collect(),
+        };
         postcard::to_extend(&transfer, Vec::new()).map_err(invalid)
     }
 
@@ -39,9 +67,38 @@ impl Assembled {
             let found = format!("they are of version {version}, expected {VERSION}");
             return Err(Error::TransferInvalid { found });
         }
-        let Transfer { read, .. } = postcard::from_bytes(bytes).map_err(invalid)?;
-        Ok(read)
+        let Transfer { model, counts, skipped, notes, .. } = postcard::from_bytes(bytes).map_err(invalid)?;
+        let skipped = skipped.into_iter().map(|Account { face, entity, code, why }| {
+            let code = interned(code);
+            Skipped { face, entity, code, why }
+        });
+        let notes = notes.into_iter().map(|Account { face, code, why, .. }| {
+            let code = interned(code);
+            Note { face, code, why }
+        });
+        Ok(Self {
+            model: model.into_owned(),
+            counts: counts.into_owned(),
+            skipped: skipped.collect(),
+            notes: notes.collect(),
+        })
     }
+}
+
+/// Returns a code for as long as the program runs. Each distinct one is kept once, and the
+/// readers have some dozens.
+fn interned(code: String) -> &'static str {
+    thread_local! {
+        static CODES: RefCell<HashSet<&'static str>> = RefCell::default();
+    }
+    CODES.with_borrow_mut(|codes| match codes.get(code.as_str()) {
+        Some(known) => known,
+        None => {
+            let kept: &'static str = code.leak();
+            codes.insert(kept);
+            kept
+        }
+    })
 }
 
 fn invalid(error: postcard::Error) -> Error {
@@ -53,8 +110,7 @@ fn invalid(error: postcard::Error) -> Error {
 mod tests {
     use super::*;
     use crate::model::trim::{FaceArrays, TrimCurveArrays};
-    use crate::model::{InstanceArrays, ModelArrays, SurfaceArrays};
-    use crate::read::{FaceCounts, Note, Skipped};
+    use crate::model::{InstanceArrays, SurfaceArrays};
 
     /// Floats that a way through text or float32 changes.
     const FLOATS: [f64; 4] = [-0.0, 5e-324, 0.1, f64::MAX];
@@ -91,8 +147,8 @@ mod tests {
                 instances: vec![instance],
             },
             counts: vec![FaceCounts { number: 7, entity: Some(u64::MAX), exact: 1, fitted: 2 }],
-            skipped: vec![Skipped { face: 1, entity: Some(77), code: "CODE".into(), why: "why".to_owned() }],
-            notes: vec![Note { face: 2, code: "NOTE".into(), why: "ambiguous".to_owned() }],
+            skipped: vec![Skipped { face: 1, entity: Some(77), code: "CODE", why: "why".to_owned() }],
+            notes: vec![Note { face: 2, code: "NOTE", why: "ambiguous".to_owned() }],
         }
     }
 

@@ -29,12 +29,7 @@ pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
                 Some(kept.model.faces.len() - 1)
             }
             Some((code, why)) => {
-                kept.skipped.push(Skipped {
-                    face: counts.number,
-                    entity: counts.entity,
-                    code: code.into(),
-                    why,
-                });
+                kept.skipped.push(Skipped { face: counts.number, entity: counts.entity, code, why });
                 None
             }
         });

@@ -118,8 +118,8 @@ export class Channel {
   }
 }
 
-function failed({ code, message }: Failure, signal?: AbortSignal): Error {
+function failed({ code, message, interval }: Failure, signal?: AbortSignal): Error {
   if (code === undefined) return new Error(message);
-  const options = code === "CANCELLED" && signal?.aborted ? { cause: signal.reason } : undefined;
-  return new HausdorffError(code, message, options);
+  const cause = code === "CANCELLED" && signal?.aborted ? { cause: signal.reason } : {};
+  return new HausdorffError(code, message, { ...cause, interval });
 }

@@ -48,6 +48,9 @@ export interface WorkerCadOptions extends CadOptions {
   transfer?: boolean;
 }
 
+/** A function that receives progress, of any method. */
+type OnReport = (...progress: never[]) => void;
+
 /** Connects to a worker: the caller's, or a new one. */
 export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
@@ -205,7 +208,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions | BestFitOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {
-    const { plain, transform, signal, onProgress } = split(options);
+    const { plain, transform, signal, onProgress } = split<OnReport>(options);
     const sent = transform === undefined ? plain : { ...plain, transform };
     const [result] = await this.#channel.call(method, [...args, sent], {
       signal,

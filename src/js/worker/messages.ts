@@ -36,6 +36,8 @@ export type Request = Call | { cancel: number } | { drop: number };
 export interface Failure {
   code: ErrorCode | undefined;
   message: string;
+  /** With `CANCELLED`: the interval reached. */
+  interval?: readonly [lower: number, upper: number] | undefined;
 }
 
 /** What the worker sends. */

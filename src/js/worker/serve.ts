@@ -51,9 +51,9 @@ class Server {
       const result = await this.#methods[method]?.([id, ...args], watch);
       this.#post({ id, result, engine: this.#facts() }, buffers(result));
     } catch (error) {
-      const code = error instanceof HausdorffError ? error.code : undefined;
+      const { code, interval } = error instanceof HausdorffError ? error : {};
       const message = error instanceof Error ? error.message : `${error}`;
-      this.#post({ id, failure: { code, message } }, []);
+      this.#post({ id, failure: { code, message, interval } }, []);
     } finally {
       this.#running.delete(id);
     }
