@@ -65,6 +65,10 @@
 //!
 //! # Features
 //!
+//! `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
+//! command, which needs `cad`. `wasm` and `wasm-readers` are the exports of the two modules
+//! of the npm package: another crate for the web needs neither.
+//!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
 //! and examples. It promises no stability.
 
@@ -84,10 +88,11 @@ mod chebyshev;
 mod limits;
 mod parallel;
 mod pieces;
+mod read;
 mod rounding;
 mod symmetry;
 mod tolerance;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-readers")))]
 mod wasm;
 
 // With the feature `internals` the crate's own tests, benchmarks and examples
@@ -97,9 +102,9 @@ mod bezier;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod bezier;
-#[cfg(not(feature = "internals"))]
+#[cfg(all(feature = "cad", not(feature = "internals")))]
 mod brep;
-#[cfg(feature = "internals")]
+#[cfg(all(feature = "cad", feature = "internals"))]
 #[doc(hidden)]
 pub mod brep;
 #[cfg(not(feature = "internals"))]
@@ -165,7 +170,6 @@ pub mod untrim;
 
 pub use area::Area;
 pub use axis::Axis;
-pub use brep::{Note, ReadReport, Skipped};
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,
@@ -176,6 +180,7 @@ pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
+pub use read::{Note, ReadReport, Skipped};
 
 /// The trimming of faces.
 pub mod trim {

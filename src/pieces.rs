@@ -249,9 +249,9 @@ fn extent(model: &Model) -> Aabb {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::brep::ReadReport;
     use crate::model::ModelArrays;
     use crate::model::trim::{FaceArrays, TrimCurveArrays};
+    use crate::read::ReadReport;
     use crate::shapes::figure5_plane;
 
     /// Faces of the plane, each trimmed by a triangle and named by its number.

@@ -17,7 +17,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { parseArgs } from "node:util";
 import { Hausdorff } from "nurbs-hausdorff";
-import { wasmFile } from "../../scripts/build/wasm.mjs";
+import { modules, wasmFile } from "../../scripts/build/wasm.mjs";
 import { inRoot } from "../../scripts/paths.mjs";
 import { environment } from "../../scripts/process.mjs";
 
@@ -34,7 +34,7 @@ const { values, positionals } = parseArgs({
 
 function pairs() {
   const file = join(folder, "reference.jsonl");
-  for (const needed of [file, inRoot(wasmFile), inRoot("dist/index.js")]) {
+  for (const needed of [file, inRoot(wasmFile(modules[0])), inRoot("dist/index.js")]) {
     if (!existsSync(needed)) {
       console.error(`npm run bench: there is no ${needed}`);
       process.exit(2);

@@ -4,7 +4,7 @@ import { inRoot } from "../paths.mjs";
 import { Failure, must } from "../process.mjs";
 
 /** The entries of the package that have an API. */
-const entries = ["index", "worker/index", "cad/index", "worker/cad/index", "adapters/index"];
+const entries = ["index", "worker/index", "cad/index", "adapters/index"];
 
 /**
  * Makes the pages in this folder. Broken links and references in the comments, the README or

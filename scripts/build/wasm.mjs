@@ -1,4 +1,4 @@
-// The crate as a wasm module with its JavaScript glue, in dist/wasm.
+// The crate as wasm modules with their JavaScript glue, in dist/wasm.
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
@@ -15,10 +15,20 @@ const made = ".setup/wasm-made-from";
 // adds these flags to those of .cargo/config.toml.
 const rustFlags = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
 
-export const wasmFile = `${out}/nurbs_hausdorff_bg.wasm`;
+/**
+ * The modules: the core, and the readers of CAD files, which are fetched when a file comes.
+ * Each is the crate with the exports of one feature.
+ */
+export const modules = [
+  { name: "nurbs_hausdorff", feature: "wasm", inlined: "inlined" },
+  { name: "nurbs_hausdorff_readers", feature: "wasm-readers", inlined: "inlined-readers" },
+];
+
+/** The file of a module. */
+export const wasmFile = ({ name }) => `${out}/${name}_bg.wasm`;
 
 export async function buildWasm() {
-  // The TypeScript in src/js is no part of the module.
+  // The TypeScript in src/js is no part of the modules.
   const rust = readdirSync(inRoot("src")).filter((name) => name !== "js");
   const sources = digest(
     [
@@ -27,31 +37,40 @@ export async function buildWasm() {
     ],
     [toolsFolder()],
   );
-  if (stamped(made, sources) && existsSync(inRoot(wasmFile))) return "unchanged";
+  const present = modules.every((module) => existsSync(inRoot(wasmFile(module))));
+  if (stamped(made, sources) && present) return "unchanged";
   rmSync(inRoot(out), { recursive: true, force: true });
+  for (const module of modules) {
+    await compile(module);
+    inline(module);
+  }
+  // This file would make npm exclude the folder from the package.
+  rmSync(inRoot(out, ".gitignore"), { force: true });
+  stamp(made, sources);
+  return "built";
+}
+
+/** Compiles a module, and writes its JavaScript glue beside it. */
+async function compile({ name, feature }) {
   await must(
     "wasm-pack",
     // All tools are on PATH, so wasm-pack downloads none. It writes no
     // package.json, because the package has its own.
     [
-      ...["build", "--mode", "no-install", "--no-pack"],
-      ...["--profile", "wasm", "--target", "web", "--out-dir", out],
+      ...["build", "--mode", "no-install", "--no-pack", "--profile", "wasm", "--target", "web"],
+      ...["--out-dir", out, "--out-name", name, "--", "--no-default-features", "--features", feature],
     ],
     { env: toolsEnvironment({ CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: rustFlags }) },
   );
-  // This file would make npm exclude the folder from the package.
-  rmSync(inRoot(out, ".gitignore"), { force: true });
-  inline();
-  stamp(made, sources);
-  return "built";
 }
 
-/** Writes the module as a JavaScript string: gzipped, in base64. */
-function inline() {
-  const text = gzipSync(readFileSync(inRoot(wasmFile)), { level: 9 }).toString("base64");
-  writeFileSync(inRoot(out, "inlined.js"), `export default "${text}";\n`);
+/** Writes a module as a JavaScript string: gzipped, in base64. */
+function inline(module) {
+  const bytes = readFileSync(inRoot(wasmFile(module)));
+  const text = gzipSync(bytes, { level: 9 }).toString("base64");
+  writeFileSync(inRoot(out, `${module.inlined}.js`), `export default "${text}";\n`);
   writeFileSync(
-    inRoot(out, "inlined.d.ts"),
+    inRoot(out, `${module.inlined}.d.ts`),
     "declare const base64: string;\nexport default base64;\n",
   );
 }

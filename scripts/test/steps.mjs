@@ -3,7 +3,7 @@
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildSite } from "../build/site.mjs";
-import { buildWasm } from "../build/wasm.mjs";
+import { buildWasm, modules } from "../build/wasm.mjs";
 import { inRoot } from "../paths.mjs";
 import { environment, Failure, must, which } from "../process.mjs";
 import { vulkan } from "../setup/lavapipe.mjs";
@@ -45,9 +45,14 @@ export const steps = [
   },
   {
     name: "clippy-wasm",
-    what: "Rust lints, wasm32",
-    run: () =>
-      cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
+    what: "Rust lints, wasm32: with the tests, and each wasm module as it is built",
+    run: async () => {
+      const clippy = ["clippy", "--release", "--locked", ...wasm32];
+      await cargo([...clippy, "--lib", "--tests", ...denyWarnings]);
+      for (const { feature } of modules) {
+        await cargo([...clippy, "--features", feature, "--lib", ...denyWarnings]);
+      }
+    },
   },
   {
     name: "dependencies",
@@ -69,9 +74,9 @@ export const steps = [
   },
   {
     name: "wasm",
-    what: "the wasm module is within its budget",
+    what: "the wasm modules are within their budgets",
     run: async () => {
-      console.log(`wasm module: ${await buildWasm()}`);
+      console.log(`wasm modules: ${await buildWasm()}`);
       checkBudget();
     },
   },

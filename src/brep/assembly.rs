@@ -2,12 +2,12 @@
 
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
-use super::report::{FaceCounts, FaceFault, Note, ReadReport, Remark, Skipped};
+use super::report::{FaceFault, Remark};
 use super::topology::{Face, FaceLabel, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
-use crate::model::trim::FaceArrays;
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::parallel;
+use crate::read::{Assembled, FaceCounts, Note, Skipped};
 use glam::DAffine3;
 use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
@@ -19,46 +19,6 @@ const MAX_VISITS: usize = 1 << 22;
 /// The most control points of the surfaces of all faces, half a gibibyte. Each face has a
 /// copy of its surface, so that a short file may describe more than memory holds.
 const MAX_POLES: usize = 1 << 24;
-
-/// The faces of a file with the account of each.
-pub(super) struct Assembled {
-    pub(super) model: ModelArrays,
-    /// One entry a face of the model.
-    pub(super) counts: Vec<FaceCounts>,
-    pub(super) skipped: Vec<Skipped>,
-    pub(super) notes: Vec<Note>,
-}
-
-impl Assembled {
-    /// Returns the report on these faces.
-    pub(super) fn report(&self) -> ReadReport {
-        let curves = || self.model.faces.iter().filter_map(|face| face.trim.as_ref()).flatten().flatten();
-        let gap = |face: &FaceArrays| {
-            let curves = face.trim.iter().flatten().flatten();
-            face.gap + curves.map(|curve| curve.gap).fold(0.0, f64::max)
-        };
-        ReadReport {
-            faces: self.counts.len(),
-            trims: curves().count(),
-            exact: self.counts.iter().map(|face| face.exact).sum(),
-            fitted: self.counts.iter().map(|face| face.fitted).sum(),
-            gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
-            unit: self.model.unit,
-            skipped: self.skipped.clone(),
-            notes: self.notes.clone(),
-            sources: self.sources(),
-        }
-    }
-
-    /// Returns the counts of the model's faces, which are those of each instance in order.
-    fn sources(&self) -> Vec<FaceCounts> {
-        if self.model.instances.is_empty() {
-            return self.counts.clone();
-        }
-        let placed = self.model.instances.iter().flat_map(|instance| &instance.surfaces);
-        placed.filter_map(|&index| self.counts.get(index).copied()).collect()
-    }
-}
 
 /// A face where an assembly places it.
 pub(super) struct Placed {

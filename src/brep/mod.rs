@@ -16,14 +16,10 @@ mod report;
 mod step;
 mod text;
 mod topology;
-mod validation;
-
-pub use report::{Note, ReadReport, Skipped};
 
 use crate::error::{Error, Result};
 use crate::model::Model;
-#[cfg(target_arch = "wasm32")]
-use crate::model::ModelArrays;
+use crate::read::{Assembled, ReadReport, validation};
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
@@ -41,7 +37,7 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        model(text, None, None)
+        validation::into_model(read_brep(text)?)
     }
 }
 
@@ -58,8 +54,7 @@ impl Model {
     /// [`Error::StepUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
     /// [`Error::EmptyModel`] without faces.
     pub fn from_step(bytes: &[u8]) -> Result<(Self, ReadReport)> {
-        check_length(bytes.len())?;
-        validation::into_model(assembly::assemble(&step::parse(bytes)?)?)
+        validation::into_model(read_step(bytes)?)
     }
 }
 
@@ -77,37 +72,35 @@ impl Model {
     /// [`Error::IgesUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
     /// [`Error::EmptyModel`] without faces.
     pub fn from_iges(bytes: &[u8]) -> Result<(Self, ReadReport)> {
-        check_length(bytes.len())?;
-        validation::into_model(assembly::assemble(&iges::parse(bytes)?)?)
+        validation::into_model(read_iges(bytes)?)
     }
 }
 
-/// Reads a BREP text as a model of this name and unit, which the text does not state.
+/// Reads the text of a BREP file, of which the model is not yet validated.
 ///
 /// # Errors
-/// Those of [`Model::from_brep`], and [`Error::UnitInvalid`].
-pub fn model(text: &str, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
-    let mut read = assembled(text)?;
-    (read.model.name, read.model.unit) = (name, unit);
-    validation::into_model(read)
-}
-
-/// Makes a model of faces that another reader made, whose curves count as exact. Faces
-/// that the model refuses are skipped in the report, by their index.
-///
-/// # Errors
-/// Those of [`Model::from_faces`] that concern no face, or every one.
-#[cfg(target_arch = "wasm32")]
-pub fn of_reader(model: ModelArrays) -> Result<(Model, ReadReport)> {
-    let curves = |face: &crate::model::trim::FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
-    let count = |(number, face)| report::FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
-    let counts = model.faces.iter().enumerate().map(count).collect();
-    validation::into_model(assembly::Assembled { model, counts, skipped: Vec::new(), notes: Vec::new() })
-}
-
-fn assembled(text: &str) -> Result<assembly::Assembled> {
+/// Those of [`Model::from_brep`] on the text.
+pub(crate) fn read_brep(text: &str) -> Result<Assembled> {
     check_length(text.len())?;
     assembly::assemble(&text::parse(text)?)
+}
+
+/// Reads a STEP file, of which the model is not yet validated.
+///
+/// # Errors
+/// Those of [`Model::from_step`] on the file.
+pub(crate) fn read_step(bytes: &[u8]) -> Result<Assembled> {
+    check_length(bytes.len())?;
+    assembly::assemble(&step::parse(bytes)?)
+}
+
+/// Reads an IGES file, of which the model is not yet validated.
+///
+/// # Errors
+/// Those of [`Model::from_iges`] on the file.
+pub(crate) fn read_iges(bytes: &[u8]) -> Result<Assembled> {
+    check_length(bytes.len())?;
+    assembly::assemble(&iges::parse(bytes)?)
 }
 
 fn check_length(length: usize) -> Result<()> {

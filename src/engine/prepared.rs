@@ -4,7 +4,6 @@ use crate::area::{Area, area};
 use crate::bezier::{
     BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
 };
-use crate::brep::ReadReport;
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets, TrimmedFaces};
 use crate::closest::Target;
@@ -17,6 +16,7 @@ use crate::model::Model;
 use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
+use crate::read::ReadReport;
 use crate::rounding::gamma;
 use crate::symmetry::{Revolution, revolutions};
 use std::cell::{OnceCell, RefCell};

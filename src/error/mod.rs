@@ -275,6 +275,12 @@ pub enum Error {
         /// The reason.
         found: String,
     },
+    /// Bytes that are not what the readers' wasm module of this version gave.
+    #[error("the faces that were read cannot be taken over: {found}")]
+    TransferInvalid {
+        /// The reason.
+        found: String,
+    },
     /// A BREP file of which no face can be read.
     #[error("none of the {faces} faces can be read; face {face}: {found}")]
     BrepUnreadable {
@@ -438,6 +444,7 @@ impl Error {
             Self::StepUnreadable { .. } => "STEP_UNREADABLE",
             Self::IgesSyntax { .. } => "IGES_SYNTAX",
             Self::IgesUnreadable { .. } => "IGES_UNREADABLE",
+            Self::TransferInvalid { .. } => "TRANSFER_INVALID",
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",

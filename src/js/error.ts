@@ -1,10 +1,13 @@
+import { nearest } from "./nearest.js";
+
 /**
  * What went wrong, as a code that stays the same across releases; the
  * message, for people, may change. Those after `CANCELLED` are JavaScript's.
  *
  * - a model is invalid: `NON_FINITE` to `UNIT_INVALID`, or a face's trimming
  *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
- *   text: `BREP_…`, or it is too long: `FILE_TOO_LARGE`;
+ *   text: `BREP_…`, a STEP file `STEP_…`, or it is too long: `FILE_TOO_LARGE`;
+ * - `TRANSFER_INVALID`: the wasm modules of core and readers are of two versions;
  * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
@@ -47,6 +50,7 @@ export type ErrorCode =
   | "IGES_SYNTAX"
   | "IGES_UNREADABLE"
   | "BREP_UNREADABLE"
+  | "TRANSFER_INVALID"
   | "FILE_TOO_LARGE"
   | "FILE_UNREADABLE"
   | "FORMAT_UNSUPPORTED"
@@ -77,14 +81,50 @@ export type ErrorCode =
   | "WORKER_FAILED"
   | "DISPOSED";
 
+/** Rust's names of types in messages of the module, and JavaScript's. */
+const TYPES: readonly (readonly [RegExp, string])[] = [
+  [/\bexpected f(?:32|64)\b/g, "expected a number"],
+  [/\bexpected u(?:size|8|16|32|64)\b/g, "expected an integer from 0"],
+  [/\bexpected i(?:size|8|16|32|64)\b/g, "expected an integer"],
+  [/\bunit value\b/g, "null"],
+  [/JsValue\(Function.*?\)(?=, expected)/gs, "a function"],
+  [/JsValue\(Object.*?\)(?=, expected)/gs, "an object"],
+  [/JsValue\((.*?)\)(?=, expected)/gs, "$1"],
+  [/\bexpected struct \w+/g, "expected an object"],
+];
+
+/** The end of a message on an unknown name: the name, and those that are known. */
+const UNKNOWN_NAME = /unknown field `([^`]*)`, expected (?:one of )?(`.*`)/;
+
+/** A message of the module in the words of JavaScript. */
+function inJavaScript(message: string): string {
+  const typed = TYPES.reduce((text, [rust, script]) => text.replace(rust, script), message);
+  return typed.replace(UNKNOWN_NAME, (_, name: string, names: string) => {
+    const known = [...names.matchAll(/`([^`]*)`/g)].map(([, known = ""]) => known);
+    return `unknown name "${name}", ${nearest(name, known)}`;
+  });
+}
+
+/** The codes of errors whose messages name types and properties of the caller's values. */
+const ON_VALUES: readonly ErrorCode[] = ["OPTION_INVALID", "JSON_SHAPE"];
+
+/** Options of the constructor of `HausdorffError`. */
+export interface HausdorffErrorOptions extends ErrorOptions {
+  interval?: readonly [lower: number, upper: number] | undefined;
+}
+
 /** The class of all errors that the package raises on purpose. */
 export class HausdorffError extends Error {
   readonly code: ErrorCode;
 
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  /** With `CANCELLED`: the interval that contains the distance as far as the work had come, if it had. */
+  readonly interval?: readonly [lower: number, upper: number];
+
+  constructor(code: ErrorCode, message: string, options: HausdorffErrorOptions = {}) {
     super(message, options);
     this.name = "HausdorffError";
     this.code = code;
+    if (options.interval !== undefined) this.interval = options.interval;
   }
 }
 
@@ -92,11 +132,18 @@ export class HausdorffError extends Error {
  * The error for a value that the wasm module threw; other values are returned as they are.
  * @internal
  */
-export function translated(thrown: unknown, cause?: unknown): unknown {
+export function translated(
+  thrown: unknown,
+  { cause, interval }: HausdorffErrorOptions = {},
+): unknown {
   if (typeof thrown !== "object" || thrown === null || thrown instanceof Error) return thrown;
   const { code, message } = thrown as { code?: ErrorCode; message?: string };
   if (code === undefined || message === undefined) return thrown;
-  return new HausdorffError(code, message, cause === undefined ? undefined : { cause });
+  const text = ON_VALUES.includes(code) ? inJavaScript(message) : message;
+  return new HausdorffError(code, text, {
+    ...(cause === undefined ? {} : { cause }),
+    ...(code === "CANCELLED" ? { interval } : {}),
+  });
 }
 
 /**

@@ -1,21 +1,25 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import type { CadOptions } from "./cad/options.js";
+import { readCad } from "./cad/read.js";
 import { HausdorffError, translated, translating } from "./error.js";
-import { load, type ModuleSource, requireLoaded } from "./load.js";
+import { type BestFit, type BestFitOptions, bestFit } from "./fit/best-fit.js";
+import { checkKeys } from "./keys.js";
+import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
+import { Reached, requireWhole } from "./measure/cancelled.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
-import { fromBrepText, isBrepText } from "./model/brep-text.js";
 import { NurbsModel } from "./model/model.js";
 import {
   type BrepText,
   type InterchangeModel,
   type ModelArrays,
   type Numbers,
-  numbers,
+  coordinatesOf,
   prepare,
   type SurfaceArrays,
 } from "./model/surface.js";
@@ -30,7 +34,12 @@ export interface CreateOptions {
    * does not find it beside its own files: compiled, its bytes or its address.
    */
   module?: ModuleSource;
+  /** The same of the readers' module, `nurbs-hausdorff/nurbs_hausdorff_readers_bg.wasm`. */
+  readers?: ModuleSource;
 }
+
+/** The names of the options of `create`. */
+const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers"];
 
 /** A shape that the package makes. */
 export interface ShapeInfo {
@@ -42,7 +51,7 @@ export interface ShapeInfo {
 
 /**
  * Measures Hausdorff distances on one GPU device, or on the CPU. Models are
- * not tied to the one that made them.
+ * not tied to the one that made them, and can be made after it is disposed of.
  */
 export class Hausdorff implements DistanceEngine<NurbsModel> {
   #engine: Engine | undefined;
@@ -59,7 +68,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `NO_ADAPTER` if `backend` is `gpu` and there is
    * none; `OPTION_INVALID`; `MODULE_FAILED`, with its cause.
    */
-  static async create({ backend, module }: CreateOptions = {}): Promise<Hausdorff> {
+  static async create(options: CreateOptions = {}): Promise<Hausdorff> {
+    checkKeys("options", options, CREATE_OPTIONS);
+    const { backend, module, readers } = options;
+    setSource("nurbs_hausdorff_readers", readers);
     await load(module);
     try {
       return new Hausdorff(await Engine.create(backend));
@@ -81,17 +93,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   }
 
   /**
-   * A model of surfaces as plain arrays, whole or trimmed, of interchange JSON or its
-   * text, or of OpenCASCADE's BREP text.
+   * A model of surfaces as plain arrays, whole or trimmed, whose keys are in camel case, or
+   * of interchange JSON or its text, whose keys are `knots_u`, `knots_v` and `ctrl`. CAD
+   * files are for `readCad`.
    *
    * @throws {HausdorffError} naming the surface, the place, what was found and
    * what was expected.
    */
-  model(
-    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
-  ): NurbsModel {
-    this.#open();
-    if (isBrepText(input)) return fromBrepText(input);
+  model(input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string): NurbsModel {
+    requireLoaded();
     return translating(() => NurbsModel.of(prepare(input)));
   }
 
@@ -101,7 +111,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `UNKNOWN_SHAPE`.
    */
   shape(name: string): NurbsModel {
-    this.#open();
+    requireLoaded();
     return translating(() => NurbsModel.of(PreparedModel.shape(`${name}`)));
   }
 
@@ -113,6 +123,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   static shapes(): ShapeInfo[] {
     requireLoaded();
     return shapes() as ShapeInfo[];
+  }
+
+  async readCad(
+    bytes: Uint8Array | ArrayBuffer | BrepText,
+    options: CadOptions = {},
+  ): Promise<NurbsModel> {
+    return readCad(bytes, options);
   }
 
   async distance<Method extends keyof Results = "certified">(
@@ -140,10 +157,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     options: ClosestPointOptions = {},
   ): Promise<ClosestPoints> {
     const surfaces = prepared(model, "model");
-    const coordinates = numbers(points, "points");
+    const coordinates = coordinatesOf(points);
     return this.#inTurn(options, (engine, call) =>
       engine.closestPoints(surfaces, coordinates, call),
     );
+  }
+
+  async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
+    return bestFit(this, a, b, options);
   }
 
   /** Runs a method of the engine when no other is running. */
@@ -153,13 +174,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<Result> {
     const engine = this.#open();
     const { plain, transform, signal, onProgress } = split(options);
-    const call = new Call(plain, transform, signal, onProgress, this.#turn);
+    const reached = new Reached(onProgress);
+    const report = signal === undefined ? onProgress : reached.onProgress;
+    const call = new Call(plain, transform, signal, report, this.#turn);
     const result = run(engine, call) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
-      return await result;
+      return requireWhole(await result, signal?.reason);
     } catch (thrown) {
-      throw translated(thrown, signal?.reason);
+      throw translated(thrown, { cause: signal?.reason, interval: reached.interval });
     }
   }
 

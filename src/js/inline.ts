@@ -1,9 +1,17 @@
-// The package with the wasm module inlined, for bundlers that do not copy it.
-import { findModuleBy } from "./load.js";
-import inlined from "./wasm/inlined.js";
+// The package with the wasm modules inlined, for bundlers that do not copy them. The readers of
+// CAD files are a part of their own, which a bundler that splits programs loads with the first file.
+import { findModulesBy, type ModuleName } from "./load.js";
+import core from "./wasm/inlined.js";
 
-findModuleBy(async () => {
-  const compressed = Uint8Array.from(atob(inlined), (character) => character.charCodeAt(0));
+const texts: Readonly<Record<ModuleName, () => Promise<string>>> = {
+  nurbs_hausdorff: async () => core,
+  nurbs_hausdorff_readers: async () => (await import("./wasm/inlined-readers.js")).default,
+};
+
+findModulesBy(async (name) => {
+  const compressed = Uint8Array.from(atob(await texts[name]()), (character) =>
+    character.charCodeAt(0),
+  );
   const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
 });

@@ -1,12 +1,13 @@
 //! A model as plain arrays, not validated, as readers of CAD files yield it.
 
 use super::trim::FaceArrays;
+use serde::{Deserialize, Serialize};
 
 /// The row-major 3x4 matrix of the identity.
 pub const IDENTITY: [f64; 12] = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 
 /// A model as plain arrays, not validated.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ModelArrays {
     /// The model's name.
     pub name: Option<String>,
@@ -19,7 +20,7 @@ pub struct ModelArrays {
 }
 
 /// A placement of some faces of a model.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InstanceArrays {
     /// The indices of the faces placed.
     pub surfaces: Vec<usize>,

@@ -5,10 +5,11 @@ use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
 use crate::param_box::ParamBox;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// A NURBS surface as plain arrays, not validated.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SurfaceArrays {
     /// The degrees in u and v.
     pub degree: [usize; 2],

@@ -1,6 +1,6 @@
-//! Values on their way between Rust and JavaScript: options, results,
-//! tessellations and errors.
+//! Values on their way between Rust and JavaScript: options, results and tessellations.
 
+use super::failure::to_object;
 use crate::engine::{
     ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceResult, Field, FieldOptions,
     Options, Statistics,
@@ -13,7 +13,7 @@ use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uin
 use serde::de::DeserializeOwned;
 use serde::de::value::MapDeserializer;
 use serde::{Deserialize, Serialize};
-use serde_wasm_bindgen::{Deserializer, Serializer};
+use serde_wasm_bindgen::Deserializer;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The options of a distance, of which undefined ones have their defaults. The
@@ -143,14 +143,6 @@ fn message(error: serde_wasm_bindgen::Error) -> String {
 
 fn invalid(found: String) -> Error {
     Error::OptionInvalid { found }
-}
-
-/// A plain object as the command line's JSON, with `null` for absent values.
-///
-/// # Errors
-/// The serializer's, which the crate's own types do not cause.
-pub(super) fn to_object(value: &impl Serialize) -> std::result::Result<JsValue, JsValue> {
-    Ok(value.serialize(&Serializer::json_compatible())?)
 }
 
 /// A result as the command line's JSON, with the fields as typed arrays.
@@ -298,17 +290,4 @@ struct TessellationArrays {
 struct IndexRange {
     first_index: usize,
     index_count: usize,
-}
-
-impl From<Error> for JsValue {
-    /// `{code, message}`, from which the package makes its class of errors.
-    fn from(error: Error) -> Self {
-        #[derive(Serialize)]
-        struct Failure {
-            code: &'static str,
-            message: String,
-        }
-        let failure = Failure { code: error.code(), message: error.to_string() };
-        to_object(&failure).unwrap_or_else(|thrown| thrown)
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::call::Call;
 use super::convert;
+use super::failure::to_object;
 use super::model::PreparedModel;
 use crate::engine;
 use js_sys::Promise;
@@ -58,7 +59,7 @@ impl Engine {
     pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::diff_options);
-        call.run(async move |monitor| convert::to_object(&engine.diff(&a, &b, &options?, monitor).await?))
+        call.run(async move |monitor| to_object(&engine.diff(&a, &b, &options?, monitor).await?))
     }
 
     /// The closest points of a model to `points`, x, y, z each.

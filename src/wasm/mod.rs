@@ -1,12 +1,22 @@
-//! The classes that JavaScript sees of the crate. The package's own API, in
-//! `src/js`, is built on these classes and hides them.
+//! The exports of the crate's two wasm modules: the classes of the core, with the feature
+//! `wasm`, and the readers of CAD files, with `wasm-readers`. The package's own API, in
+//! `src/js`, is built on them and hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
+#[cfg(feature = "wasm")]
 mod call;
+#[cfg(feature = "wasm")]
 mod convert;
+#[cfg(feature = "wasm")]
 mod engine;
+mod failure;
+#[cfg(feature = "wasm")]
 mod model;
+#[cfg(feature = "wasm")]
 mod progress;
+#[cfg(feature = "wasm-readers")]
+mod readers;
+#[cfg(feature = "wasm")]
 mod surfaces;
 
 use wasm_bindgen::prelude::wasm_bindgen;

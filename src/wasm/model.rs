@@ -1,18 +1,23 @@
 //! The class of models.
 
 use super::convert;
+use super::failure::to_object;
 use super::surfaces::Surfaces;
 use crate::area::Area;
-use crate::brep::{self, ReadReport};
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
 use crate::model::Model;
+use crate::read::{Assembled, ReadReport, validation};
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
 use js_sys::JsString;
 use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
+
+/// The largest integer up to which JavaScript's numbers hold every one; a larger number of a
+/// face in its file is left out of the report.
+const MAX_SAFE_INTEGER: u64 = (1 << 53) - 1;
 
 /// A model ready to be measured, shared with the distances that use it, and the report
 /// on reading it from a text.
@@ -40,26 +45,27 @@ impl PreparedModel {
         Self::new(model, Some(report))
     }
 
-    /// A model of BREP text; undefined is an unknown name or unit.
-    #[wasm_bindgen(js_name = fromBrep)]
-    pub fn from_brep(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
-        Self::of_read(brep_model(text, name, unit)?)
+    /// A model of what the readers' module gave; undefined is an unknown name or unit, and a
+    /// unit that the file states comes before this one.
+    #[wasm_bindgen(js_name = fromRead)]
+    pub fn from_read(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
+        Self::of_read(read_model(bytes, name, unit)?)
     }
 
     /// The report on reading the text, or undefined.
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
-        self.report.as_ref().map_or(Ok(JsValue::UNDEFINED), convert::to_object)
+        self.report.as_ref().map_or(Ok(JsValue::UNDEFINED), to_object)
     }
 
-    /// `{json, report}` of BREP text: its interchange JSON.
-    #[wasm_bindgen(js_name = brepToJson)]
-    pub fn brep_to_json(
-        text: &JsString,
+    /// `{json, report}` of what the readers' module gave, as [`Self::from_read`].
+    #[wasm_bindgen(js_name = readToJson)]
+    pub fn read_to_json(
+        bytes: &[u8],
         name: Option<String>,
         unit: Option<f64>,
     ) -> std::result::Result<JsValue, JsValue> {
-        interchange(brep_model(text, name, unit)?)
+        interchange(read_model(bytes, name, unit)?)
     }
 
     /// A model of interchange JSON that a reader made: faces that are refused are in the
@@ -79,12 +85,12 @@ impl PreparedModel {
     #[wasm_bindgen(js_name = jsonToJson)]
     pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
         let model = Model::from_json(&checked(text)?)?;
-        convert::to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
+        to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
     }
 
     /// The numbers of a model of interchange JSON, as the command line prints them.
     pub fn info(text: &JsString) -> std::result::Result<JsValue, JsValue> {
-        convert::to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?)?)
+        to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?)?)
     }
 
     /// One of [`shapes`].
@@ -142,7 +148,7 @@ impl PreparedModel {
 
     /// `{lower, upper, faces}`: the area and those of the faces.
     pub fn area(&self) -> std::result::Result<JsValue, JsValue> {
-        convert::to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
+        to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
     }
 
     /// Triangles to display, by a plain object of options.
@@ -186,7 +192,7 @@ struct Interchange {
 /// The interchange JSON of what was read, without the faces that cannot be cut.
 fn interchange((model, mut report): (Model, ReadReport)) -> std::result::Result<JsValue, JsValue> {
     let (model, _) = engine::PreparedModel::of_read(model, &mut report)?;
-    convert::to_object(&Interchange { json: model.to_json()?, report })
+    to_object(&Interchange { json: model.to_json()?, report })
 }
 
 /// A text of JavaScript. No text has fewer bytes than characters: one over the limit is
@@ -199,16 +205,23 @@ fn checked(text: &JsString) -> Result<String> {
     Ok(String::from(text))
 }
 
-fn brep_model(text: &JsString, name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
-    brep::model(&checked(text)?, name, unit)
+fn read_model(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<(Model, ReadReport)> {
+    let mut read = Assembled::from_bytes(bytes)?;
+    read.model.name = name;
+    read.model.unit = read.model.unit.or(unit);
+    let (model, mut report) = validation::into_model(read)?;
+    for skipped in &mut report.skipped {
+        skipped.entity = skipped.entity.filter(|&entity| entity <= MAX_SAFE_INTEGER);
+    }
+    Ok((model, report))
 }
 
 fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
-    brep::of_reader(Model::arrays_of_json(&checked(text)?)?)
+    validation::into_model(Assembled::of_exact(Model::arrays_of_json(&checked(text)?)?))
 }
 
 /// The shapes that the crate makes, each with its name and title.
 #[wasm_bindgen]
 pub fn shapes() -> std::result::Result<JsValue, JsValue> {
-    convert::to_object(&list().collect::<Vec<_>>())
+    to_object(&list().collect::<Vec<_>>())
 }

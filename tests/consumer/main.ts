@@ -77,7 +77,7 @@ export async function elsewhere(text: string): Promise<number> {
   const { within } = await hd.distance(a, await hd.shape("sphere"), { limit: 1 });
   const points = new Float64Array(3);
   const { distances } = await hd.closestPoints(a, points, { transfer: true });
-  const { transform, rms } = await away.bestFit(hd, a, a, { samples: 8 });
+  const { transform, rms } = await hd.bestFit(a, a, { samples: 8 });
   const { statistics, field } = await hd.field(a, a, { transform, upper: rms });
   if (statistics !== undefined && field[0]?.areas.length === 0) return statistics.mean;
   // @ts-expect-error models are the worker's
@@ -147,14 +147,19 @@ export async function readFiles(hd: Hausdorff, bytes: Uint8Array): Promise<CadRe
   );
   // @ts-expect-error no such option
   await readCad(bytes, { units: 0.001 });
+  // @ts-expect-error files are read by `readCad`
+  hd.model(bytes);
+  using same = await hd.readCad(bytes, { reader: "occt", occt: new URL("https://example.org/occt.js") });
+  const numbers: (number | undefined)[] = same.report?.skipped.map(({ entity }) => entity) ?? [];
+  console.log(same.report?.reader, numbers);
   return report.kind === "step" ? report : part.report;
 }
 
-export function adapt(hd: Hausdorff, oc: object, shape: object): NurbsModel[] {
+export async function adapt(hd: Hausdorff, oc: object, shape: object): Promise<NurbsModel[]> {
   const three = { degree1: 1, degree2: 1, knots1: [0, 1], knots2: [0, 1], controlPoints: [] };
   const verb = { degreeU: 1, degreeV: 1, knotsU: [], knotsV: [], controlPoints: [] };
   return [
-    hd.model(fromOcct(oc, shape, { unit: 0.0254 })),
+    await hd.readCad(fromOcct(oc, shape, { unit: 0.0254 }), { name: "part" }),
     hd.model(fromRhino(shape, { name: "part" })),
     hd.model(fromThree(three)),
     hd.model(fromVerb({ asNurbs: () => verb })),

@@ -30,7 +30,6 @@ export async function viteBundle({ source, out, names }) {
       target: "es2022",
       rolldownOptions: { input: names.map((name) => join(source, `${name}.html`)) },
     },
-    worker: { format: "es" },
   });
 }
 
@@ -75,12 +74,11 @@ export async function esbuildBundle({ source, out, names }) {
   pages(out, names);
 }
 
-/** Copies the wasm module beside a bundle, as the README says. */
-export function copyModule(installed, out) {
-  copyFileSync(
-    join(installed, "dist", "wasm", "nurbs_hausdorff_bg.wasm"),
-    join(out, "nurbs_hausdorff_bg.wasm"),
-  );
+/** Copies the wasm modules beside a bundle, as the README says. */
+export function copyModules(installed, out) {
+  for (const file of ["nurbs_hausdorff_bg.wasm", "nurbs_hausdorff_readers_bg.wasm"]) {
+    copyFileSync(join(installed, "dist", "wasm", file), join(out, file));
+  }
 }
 
 /** No bundler: the files as they are, found by an import map. */
@@ -91,7 +89,7 @@ export function importMap({ source, out, names, installed }) {
   const imports = {
     "nurbs-hausdorff": "./package/index.js",
     "nurbs-hausdorff/worker": "./package/worker/index.js",
-    "nurbs-hausdorff/worker/cad": "./package/worker/cad/index.js",
+    "nurbs-hausdorff/cad": "./package/cad/index.js",
   };
   const head = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
   for (const name of names) page(join(out, `${name}.html`), script(name), head);

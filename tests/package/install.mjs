@@ -1,5 +1,14 @@
 // The package as users get it: packed, and installed in a temporary folder.
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { inRoot } from "../../scripts/paths.mjs";
@@ -22,7 +31,23 @@ export async function install() {
     folder,
     tarball,
     installed: join(folder, "node_modules", "nurbs-hausdorff"),
+    installPeers: () => installPeers(join(folder, "node_modules")),
     remove: () => rmSync(folder, { recursive: true }),
+  };
+}
+
+/** Puts the optional peers of this checkout beside the installed package. */
+function installPeers(modules) {
+  mkdirSync(join(modules, "@bitbybit-dev"), { recursive: true });
+  const links = ["rhino3dm", "@bitbybit-dev/occt"].map((name) => {
+    const link = join(modules, name);
+    symlinkSync(realpathSync(inRoot("node_modules", name)), link, "dir");
+    return link;
+  });
+  return {
+    remove() {
+      for (const link of links) rmSync(link);
+    },
   };
 }
 

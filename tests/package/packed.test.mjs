@@ -12,7 +12,7 @@ import { inRoot } from "../../scripts/paths.mjs";
 import { environment } from "../../scripts/process.mjs";
 import { launchOptions } from "../../scripts/test/browser.mjs";
 import {
-  copyModule,
+  copyModules,
   esbuildBundle,
   importMap,
   rollupBundle,
@@ -22,28 +22,32 @@ import {
 import { install, program } from "./install.mjs";
 import { serve } from "./serve.mjs";
 
+/** The programs that read files, as bundlers that find workers bundle them, and as others do. */
+const files = ["direct-files", "cad-files", "worker-files"];
+const filesInline = ["direct-files", "cad-files", "given-worker-files"];
+
 /**
  * Every way to bundle: the programs that are run, other parts of them, and whether the
  * module is inlined, or copied by hand.
  */
 const bundles = {
-  vite: { bundle: viteBundle, names: ["direct", "own-worker", "worker", "worker-cad"] },
-  webpack: { bundle: webpackBundle, names: ["direct", "own-worker", "worker"] },
+  vite: { bundle: viteBundle, names: ["direct", "own-worker", "worker", ...files] },
+  webpack: { bundle: webpackBundle, names: ["direct", "own-worker", "worker", ...files] },
   rollup: {
     bundle: rollupBundle,
-    names: ["direct", "given-worker"],
+    names: ["direct", "given-worker", ...filesInline],
     parts: ["thread"],
     inline: true,
   },
-  "rollup-copy": { bundle: rollupBundle, names: ["direct"], copy: true },
+  "rollup-copy": { bundle: rollupBundle, names: ["direct", "direct-files"], copy: true },
   esbuild: {
     bundle: esbuildBundle,
-    names: ["direct", "given-worker"],
+    names: ["direct", "given-worker", ...filesInline],
     parts: ["thread"],
     inline: true,
   },
-  "esbuild-copy": { bundle: esbuildBundle, names: ["direct"], copy: true },
-  "import-map": { bundle: importMap, names: ["direct", "worker", "worker-cad"] },
+  "esbuild-copy": { bundle: esbuildBundle, names: ["direct", "direct-files"], copy: true },
+  "import-map": { bundle: importMap, names: ["direct", "worker", ...files] },
 };
 
 let packed;
@@ -77,16 +81,34 @@ async function outcome(path) {
   }
 }
 
-for (const [name, { bundle, names, parts = [], inline, copy }] of Object.entries(bundles)) {
-  test(`${name}: ${names.join(" and ")} run in a browser`, async () => {
-    const from = inline ? "nurbs-hausdorff/inline" : "nurbs-hausdorff";
-    const source = program(packed.folder, name, from);
-    const out = join(packed.folder, name, "out");
-    await bundle({ source, out, names: [...names, ...parts], installed: packed.installed });
-    if (copy) copyModule(packed.installed, out);
-    for (const page of names) isRight(await outcome(`${name}/out/${page}.html`));
-  });
+/** Bundles programs in the folder `place`, and runs those that are pages. */
+async function bundleAndRun(place, { bundle, parts = [], inline, copy }, names) {
+  const from = inline ? "nurbs-hausdorff/inline" : "nurbs-hausdorff";
+  const source = program(packed.folder, place, from);
+  const out = join(packed.folder, place, "out");
+  await bundle({ source, out, names: [...names, ...parts], installed: packed.installed });
+  if (copy) copyModules(packed.installed, out);
+  for (const page of names) {
+    await outcome(`${place}/out/${page}.html`).then(isRight, (error) => assert.fail(`${page}: ${error}`));
+  }
 }
+
+for (const [name, how] of Object.entries(bundles)) {
+  test(`${name}: ${how.names.join(" and ")} run in a browser`, () =>
+    bundleAndRun(name, how, how.names));
+}
+
+test("with the optional peers installed, programs that read files are bundled and run as well", async () => {
+  const peers = packed.installPeers();
+  try {
+    for (const [name, how] of Object.entries(bundles)) {
+      const names = how.names.filter((name) => name.endsWith("files"));
+      await bundleAndRun(`${name}-peers`, how, names);
+    }
+  } finally {
+    peers.remove();
+  }
+});
 
 test("esbuild without the module ends with a code and a remedy", async () => {
   const source = program(packed.folder, "missing", "nurbs-hausdorff");
@@ -109,8 +131,12 @@ for (const [from, name] of [
   ["nurbs-hausdorff", "direct"],
   ["nurbs-hausdorff/inline", "direct"],
   ["nurbs-hausdorff/worker", "worker"],
+  ["nurbs-hausdorff", "direct-files"],
+  ["nurbs-hausdorff/inline", "direct-files"],
+  ["nurbs-hausdorff", "cad-files"],
+  ["nurbs-hausdorff/worker", "worker-files"],
 ]) {
-  test(`${from} runs in plain Node, and lets it end`, () => {
+  test(`${from} runs in plain Node, and lets it end: ${name}`, () => {
     program(packed.folder, "node", from);
     const print = "console.log(JSON.stringify(await globalThis.outcome))";
     isRight(inNode(`import "./node/src/${name}.js"; ${print};`));
@@ -164,7 +190,7 @@ test("the types are found by every resolution of ES modules", () => {
   const { status, stdout } = spawnSync(
     "attw",
     // The wasm module is a file to fetch, without types; CommonJS imports the package by import().
-    [packed.tarball, "--profile", "esm-only", "--exclude-entrypoints", "nurbs_hausdorff_bg.wasm"],
+    [packed.tarball, "--profile", "esm-only", "--exclude-entrypoints", "nurbs_hausdorff_bg.wasm", "nurbs_hausdorff_readers_bg.wasm"],
     { env: environment(), encoding: "utf8" },
   );
   assert.equal(status, 0, stdout);

@@ -1,7 +1,6 @@
 //! Bernstein coefficients of the polynomial through points.
 
 use super::bernstein::MAX_ORDER;
-use crate::chebyshev::Linear;
 use std::f64::consts::PI;
 
 /// Returns the values at `t` in [0, 1] of the Bernstein polynomials of a degree below
@@ -68,7 +67,8 @@ impl Interpolation {
 
     /// Returns the Bernstein coefficients of the polynomial with these values at the nodes.
     /// O(degree²).
-    pub(crate) fn coefficients<T: Linear>(&self, values: &[T]) -> Vec<T> {
+    #[cfg(any(test, feature = "cad"))]
+    pub(crate) fn coefficients<T: crate::chebyshev::Linear>(&self, values: &[T]) -> Vec<T> {
         let combined = |weights: &[f64]| {
             weights.iter().zip(values).fold(T::ZERO, |sum, (&weight, &value)| sum + value * weight)
         };

@@ -1,4 +1,4 @@
-// `nurbs-hausdorff/adapters`: geometry of other libraries as what `hd.model` takes.
+// `nurbs-hausdorff/adapters`: geometry of other libraries as what `hd.model` takes, or `hd.readCad` of OpenCASCADE's.
 export type { BrepText, InterchangeModel } from "../model/surface.js";
 export { fromOcct } from "./occt.js";
 export { fromRhino, type RhinoGeometry } from "./rhino.js";

@@ -23,7 +23,7 @@ interface Writers {
 
 /**
  * A shape of opencascade.js, replicad or bitbybit, as BREP text, which is exact.
- * For `hd.model`.
+ * For `hd.readCad`.
  *
  * @param oc the started OpenCASCADE module.
  * @param shape a `TopoDS_Shape` of it.

@@ -48,6 +48,14 @@ export function head(bytes: Uint8Array): string {
   return text;
 }
 
+/** The kind of a CAD file by the beginning of its text, or undefined. */
+export function kindOfText(text: string): "step" | "brep" | "iges" | undefined {
+  const start = text.slice(0, HEAD_LENGTH);
+  if (start.includes("ISO-10303-21")) return "step";
+  if (/^\s*(DBRep_DrawableShape|CASCADE Topology V)/.test(start)) return "brep";
+  return /^S[ \d]{6}\d/.test(start.slice(IGES_SECTION_COLUMN)) ? "iges" : undefined;
+}
+
 /** Whether the bytes are compressed by gzip. */
 export function isGzip(bytes: Uint8Array): boolean {
   return bytes[0] === 0x1f && bytes[1] === 0x8b;
@@ -70,9 +78,8 @@ export function kindByContent(bytes: Uint8Array): CadKind {
   if (isZip(bytes)) return "fcstd";
   const text = head(bytes).replace(/^\xEF\xBB\xBF/, "");
   if (text.startsWith("3D Geometry File Format")) return "3dm";
-  if (text.includes("ISO-10303-21")) return "step";
-  if (/^\s*(DBRep_DrawableShape|CASCADE Topology V)/.test(text)) return "brep";
-  if (/^S[ \d]{6}\d/.test(text.slice(IGES_SECTION_COLUMN))) return "iges";
+  const kind = kindOfText(text);
+  if (kind !== undefined) return kind;
   if (/^\s*\{/.test(text)) return "json";
   const other = OTHERS.find(([signature]) => signature.test(text));
   if (other) throw unsupported(other[1], other[2]);

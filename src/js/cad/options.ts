@@ -6,8 +6,16 @@ export interface CadOptions {
   name?: string;
   /** Metres per unit of the file's coordinates, where the file does not state it. */
   unit?: number;
-  /** Loads OpenCASCADE for STEP and IGES; default the package `@bitbybit-dev/occt`. */
+  /**
+   * The reader of STEP: the package's own (default), with OpenCASCADE for a file that
+   * it refuses; or OpenCASCADE at once.
+   */
+  reader?: "built-in" | "occt";
+  /**
+   * Loads OpenCASCADE, for IGES and as `reader` says. Default in Node: the package
+   * `@bitbybit-dev/occt`; elsewhere there is none.
+   */
   occt?: PeerLoader;
-  /** Loads rhino3dm for 3DM; default the package `rhino3dm`. */
+  /** Loads rhino3dm for 3DM. Default in Node: the package `rhino3dm`; elsewhere there is none. */
   rhino?: PeerLoader;
 }

@@ -1,36 +1,43 @@
 import { HausdorffError, translating } from "../error.js";
-import { requireLoaded } from "../load.js";
+import { load } from "../load.js";
 import { NurbsModel } from "../model/model.js";
+import { type BrepText, isBrepText } from "../model/surface.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
+import { checkKeys } from "../keys.js";
 import { inflate } from "./archive/inflate.js";
 import { isGzip, kindByContent } from "./kind.js";
 import type { CadOptions } from "./options.js";
-import { brepInterchange, prepareBrep } from "./prepare/brep.js";
 import { facesInterchange, prepareFaces } from "./prepare/faces.js";
 import { prepareInterchange, rewritten } from "./prepare/json.js";
+import { prepareRead, readInterchange } from "./prepare/read.js";
 import type { CadReport } from "./report.js";
 import { type Translation, translation } from "./translation.js";
+
+/** The names of the options. */
+const OPTIONS = ["name", "unit", "reader", "occt", "rhino"] as const satisfies (keyof CadOptions)[];
 
 /** The most bytes that are read: as much text as the module parses. */
 const MAX_BYTES = 256 * 2 ** 20;
 
 /**
  * Reads a CAD file: STEP, IGES, Rhino 3DM, OpenCASCADE BREP text, FreeCAD FCStd
- * or interchange JSON, each also compressed by gzip. The kind is found by the
- * content. The model's `report` says what was kept, approximated and left out.
+ * or interchange JSON, each also compressed by gzip; or the BREP text of a shape in
+ * memory, which `fromOcct` writes. The kind is found by the content. The model's `report`
+ * says what was kept, approximated and left out, and by which reader. The modules that a
+ * file needs are loaded when it comes; no engine is needed.
  *
  * @throws {HausdorffError} `FORMAT_UNSUPPORTED` with the way to convert,
- * `PEER_MISSING` with the package to install, `CAD_UNREADABLE`,
- * `FILE_TOO_LARGE`, `EMPTY_MODEL`, `MODULE_NOT_LOADED` before the first
- * `Hausdorff.create`, and the errors of `Hausdorff.model`.
+ * `PEER_MISSING` with the package to install, `CAD_UNREADABLE`, `STEP_SYNTAX`, `BREP_SYNTAX` and
+ * the others of the formats, `FILE_TOO_LARGE`, `EMPTY_MODEL`, `MODULE_FAILED`, and the errors of
+ * `Hausdorff.model`.
  */
 export async function readCad(
-  bytes: Uint8Array | ArrayBuffer,
+  bytes: Uint8Array | ArrayBuffer | BrepText,
   options: CadOptions = {},
 ): Promise<NurbsModel> {
   const file = await translatedFile(bytes, options);
   return translating(() => {
-    if ("brep" in file) return modelOf(prepareBrep(file, options.name));
+    if ("read" in file) return modelOf(prepareRead(file, options.name));
     if ("model" in file) return modelOf(prepareFaces(file));
     return modelOf(prepareInterchange(file.text));
   });
@@ -42,12 +49,12 @@ export async function readCad(
  * @throws {HausdorffError} as `readCad`.
  */
 export async function convertCad(
-  bytes: Uint8Array | ArrayBuffer,
+  bytes: Uint8Array | ArrayBuffer | BrepText,
   options: CadOptions = {},
 ): Promise<{ json: string; report: CadReport }> {
   const file = await translatedFile(bytes, options);
   return translating(() => {
-    if ("brep" in file) return brepInterchange(file, options.name);
+    if ("read" in file) return readInterchange(file, options.name);
     return "model" in file ? facesInterchange(file) : rewritten(file.text);
   });
 }
@@ -57,10 +64,11 @@ function modelOf({ prepared, report }: { prepared: PreparedModel; report: CadRep
 }
 
 async function translatedFile(
-  bytes: Uint8Array | ArrayBuffer,
+  bytes: Uint8Array | ArrayBuffer | BrepText,
   options: CadOptions,
 ): Promise<Translation> {
-  requireLoaded();
+  checkKeys("options", options, OPTIONS);
+  if (isBrepText(bytes)) return ofShape(bytes, options);
   let content = asBytes(bytes);
   if (isGzip(content)) content = await inflate(content, "gzip");
   if (content.length > MAX_BYTES) {
@@ -69,7 +77,25 @@ async function translatedFile(
       `the file has ${content.length} bytes, expected at most ${MAX_BYTES}`,
     );
   }
-  return translation(content, kindByContent(content), options);
+  const kind = kindByContent(content);
+  await load();
+  return translation(content, kind, options);
+}
+
+/** The BREP text of a shape in memory, which may state its unit. */
+async function ofShape(text: BrepText, options: CadOptions): Promise<Translation> {
+  checkKeys("the BREP text", text, ["brep", "unit"]);
+  const { brep, unit = options.unit } = text;
+  requireType("brep", brep, "string");
+  if (unit !== undefined) requireType("unit", unit, "number");
+  await load();
+  const content = new TextEncoder().encode(brep);
+  return translation(content, "brep", { ...options, ...(unit === undefined ? {} : { unit }) });
+}
+
+function requireType(name: string, value: unknown, type: "string" | "number"): void {
+  if (typeof value === type) return;
+  throw new HausdorffError("ARGUMENT_INVALID", `${name} is ${typeof value}, expected a ${type}`);
 }
 
 function asBytes(bytes: Uint8Array | ArrayBuffer): Uint8Array {

@@ -1,9 +1,14 @@
 import type { CadKind } from "./kind.js";
 
+/** The reader of a file: the package's own, OpenCASCADE or rhino3dm. */
+export type CadReader = "built-in" | "occt" | "rhino3dm";
+
 /** A face that was not read, and the reason. */
 export interface SkippedFace {
   /** The face's name or number in its file. */
   face: string;
+  /** The number by which the file calls the face, as `#` in STEP, where it has one. */
+  entity?: number;
   /** The reason in words. */
   why: string;
 }
@@ -20,6 +25,8 @@ export interface FaceNote {
 export interface CadReport {
   /** The kind of file, found by its content. */
   kind: CadKind;
+  /** The reader that took it. */
+  reader: CadReader;
   /** Number of faces read, instances not counted. */
   faces: number;
   /** Number of trimming curves. */

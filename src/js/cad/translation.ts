@@ -1,14 +1,16 @@
+import { HausdorffError } from "../error.js";
 import { documentModel } from "./freecad/document.js";
 import { documentShapes } from "./freecad/fcstd.js";
 import type { CadKind } from "./kind.js";
 import type { CadOptions } from "./options.js";
 import { declaredFaces, translated } from "./peers/occt.js";
-import type { BrepFile } from "./prepare/brep.js";
 import type { FacesFile } from "./prepare/faces.js";
+import type { ReadFile } from "./prepare/read.js";
+import { isReadable, readFaces } from "./readers.js";
 import { readRhino } from "./rhino/index.js";
 
-/** A file as BREP text, as the faces of a reader here, or as interchange JSON. */
-export type Translation = BrepFile | FacesFile | { text: string };
+/** A file as the readers' module gave it, as the faces of a reader here, or as interchange JSON. */
+export type Translation = ReadFile | FacesFile | { text: string };
 
 /**
  * Translates a file of this kind.
@@ -18,18 +20,17 @@ export type Translation = BrepFile | FacesFile | { text: string };
 export async function translation(
   bytes: Uint8Array,
   kind: CadKind,
-  { name, unit, occt, rhino }: CadOptions,
+  options: CadOptions,
 ): Promise<Translation> {
+  const { name, unit, rhino } = options;
   switch (kind) {
     case "step":
     case "iges":
-      return {
-        kind,
-        ...(await translated(bytes, kind, occt)),
-        declared: declaredFaces(bytes, kind),
-      };
+      return isReadable(kind) && options.reader !== "occt"
+        ? ownElseOcct(bytes, kind, options)
+        : byOcct(bytes, kind, options);
     case "brep":
-      return { kind, brep: text(bytes), ...(unit === undefined ? {} : { unit }), declared: 0 };
+      return own(bytes, kind, unit);
     case "3dm": {
       const { model, report } = await readRhino(bytes, name, rhino);
       const known = report.unit ?? unit;
@@ -40,10 +41,50 @@ export async function translation(
     case "fcstd":
       return documentModel(await documentShapes(bytes), name);
     case "json":
-      return { text: text(bytes) };
+      return { text: new TextDecoder().decode(bytes) };
   }
 }
 
-function text(bytes: Uint8Array): string {
-  return new TextDecoder().decode(bytes);
+type Readable = Parameters<typeof readFaces>[1];
+
+async function own(bytes: Uint8Array, kind: Readable, unit?: number): Promise<ReadFile> {
+  const read = await readFaces(bytes, kind);
+  return { kind, reader: "built-in", read, ...(unit === undefined ? {} : { unit }), declared: 0 };
+}
+
+/** A file by the package's reader, or by OpenCASCADE where that refuses it and this is at hand. */
+async function ownElseOcct(
+  bytes: Uint8Array,
+  kind: Readable & ("step" | "iges"),
+  options: CadOptions,
+): Promise<ReadFile> {
+  try {
+    return await own(bytes, kind, options.unit);
+  } catch (refusal) {
+    if (!isRefusal(refusal)) throw refusal;
+    const file = await byOcct(bytes, kind, options).catch(() => {
+      // OpenCASCADE is missing or refuses the file too: the first reason is the one to act on.
+      throw refusal;
+    });
+    return { ...file, refusal: refusal.message };
+  }
+}
+
+/** Whether the file is the reason, and not its size or the module. */
+function isRefusal(error: unknown): error is HausdorffError {
+  return (
+    error instanceof HausdorffError && !["FILE_TOO_LARGE", "MODULE_FAILED"].includes(error.code)
+  );
+}
+
+/** A file that OpenCASCADE translates to BREP text, which it scales to millimetres. */
+async function byOcct(
+  bytes: Uint8Array,
+  kind: "step" | "iges",
+  { occt }: CadOptions,
+): Promise<ReadFile> {
+  const { brep, unit } = await translated(bytes, kind, occt);
+  const read = await readFaces(new TextEncoder().encode(brep), "brep");
+  const declared = declaredFaces(bytes, kind);
+  return { kind, reader: "occt", read, ...(unit === undefined ? {} : { unit }), declared };
 }

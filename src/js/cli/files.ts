@@ -76,8 +76,9 @@ function unreadable(path: string, cause: unknown, code: string): SystemError {
 }
 
 function warn(path: string, report: CadReport | null): void {
-  for (const { face, why } of report?.skipped ?? []) {
-    process.stderr.write(`warning: ${path}: ${face} is left out: ${why}\n`);
+  for (const { face, entity, why } of report?.skipped ?? []) {
+    const number = entity === undefined ? "" : ` (#${entity})`;
+    process.stderr.write(`warning: ${path}: ${face}${number} is left out: ${why}\n`);
   }
   for (const { face, why } of report?.notes ?? []) {
     process.stderr.write(`note: ${path}: ${face}: ${why}\n`);

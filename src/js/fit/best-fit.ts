@@ -4,7 +4,7 @@ import type { Transform } from "../measure/options.js";
 import { dampedStep, type LeastSquares, leastSquares } from "./least-squares.js";
 import { complete, followed, type Rigid } from "./rigid.js";
 
-/** Options of `bestFit`. */
+/** Options of `Hausdorff.bestFit`. */
 export interface BestFitOptions {
   /** Samples along each direction of every surface of `a`, 2 to 1024; default 16. */
   samples?: number;
@@ -59,17 +59,8 @@ const MIN_GAIN = 1e-12;
 const DEFAULTS = { samples: 16, relativeTolerance: 1e-9, maxSteps: 100 };
 
 /**
- * Finds the rigid motion of `a` that minimises the mean of the squared distances of its
- * samples from `b`, weighted by area, as coordinate metrology aligns parts. Each step
- * searches all closest points anew and solves the linearised problem, after Levenberg and
- * Marquardt; a step that raises the sum is not taken. Directions in which nothing changes,
- * such as the rotation of a sphere, stay as they are.
- *
- * The minimum found is a local one: start from a position where most samples lie nearest to
- * the parts of `b` that they belong to. It is no certified result: measure `distance` there.
- *
- * @throws {HausdorffError} as `DistanceEngine.field`; `OPTION_OUT_OF_RANGE` for a tolerance
- * or a number of steps that is not positive.
+ * The method `bestFit` of an engine, by its method `field`.
+ * @internal
  */
 export async function bestFit<Model>(
   engine: Pick<DistanceEngine<Model>, "field">,

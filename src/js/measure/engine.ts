@@ -1,4 +1,6 @@
-import type { Numbers } from "../model/surface.js";
+import type { CadOptions } from "../cad/options.js";
+import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
+import type { BrepText, Numbers } from "../model/surface.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
@@ -6,7 +8,7 @@ import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
 
 /**
- * The measurements of both classes `Hausdorff`: that of the main entry, and
+ * The methods of both classes `Hausdorff`: that of the main entry, and
  * that of `nurbs-hausdorff/worker`, whose models are of type `Model`.
  */
 export interface DistanceEngine<Model> {
@@ -73,4 +75,30 @@ export interface DistanceEngine<Model> {
     points: Numbers,
     options?: ClosestPointOptions,
   ): Promise<ClosestPoints>;
+
+  /**
+   * Finds the rigid motion of `a` that minimises the mean of the squared distances of its
+   * samples from `b`, weighted by area, as coordinate metrology aligns parts. Each step
+   * searches all closest points anew and solves the linearised problem, after Levenberg and
+   * Marquardt; a step that raises the sum is not taken. Directions in which nothing changes,
+   * such as the rotation of a sphere, stay as they are.
+   *
+   * The minimum found is a local one: start from a position where most samples lie nearest to
+   * the parts of `b` that they belong to. It is no certified result: measure `distance` there.
+   *
+   * @throws {HausdorffError} as `field`; `OPTION_OUT_OF_RANGE` for a tolerance or a number of
+   * steps that is not positive.
+   */
+  bestFit(a: Model, b: Model, options?: BestFitOptions): Promise<BestFit>;
+
+  /**
+   * Reads a CAD file: STEP, IGES, Rhino 3DM, OpenCASCADE BREP text, FreeCAD FCStd or
+   * interchange JSON, each also compressed by gzip; or the BREP text of a shape in memory,
+   * which `fromOcct` writes. The kind is found by the content; the model's `report` says
+   * what was kept, approximated and left out, and by which reader. The readers are loaded
+   * with the first file.
+   *
+   * @throws {HausdorffError} as `readCad` of `nurbs-hausdorff/cad`.
+   */
+  readCad(bytes: Uint8Array | ArrayBuffer | BrepText, options?: CadOptions): Promise<Model>;
 }

@@ -68,9 +68,8 @@ export interface DistanceOptions {
   /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
   field?: boolean;
   /**
-   * Cancels the work: distances that have not begun and all methods but
-   * `certified` then reject with code `CANCELLED`; `certified` resolves to the
-   * interval reached, with `stop` `cancelled`.
+   * Cancels the work, before it begins or while it is done: the promise rejects with code
+   * `CANCELLED`, and the error has the interval reached, if there is one. Budgets resolve to it.
    */
   signal?: AbortSignal;
   /**
@@ -94,12 +93,22 @@ export type OnProgress = (
   stalled?: boolean,
 ) => void;
 
+/**
+ * Options of any method.
+ * @internal
+ */
+export interface SplittableOptions<Report> {
+  transform?: Transform;
+  signal?: AbortSignal;
+  onProgress?: Report;
+}
+
 /** @internal */
-export interface SplitOptions {
+export interface SplitOptions<Report> {
   plain: object;
   transform: Transform | undefined;
   signal: AbortSignal | undefined;
-  onProgress: OnProgress | undefined;
+  onProgress: Report | undefined;
 }
 
 /**
@@ -107,7 +116,9 @@ export interface SplitOptions {
  * and those that are objects of JavaScript.
  * @internal
  */
-export function split(options: DistanceOptions): SplitOptions {
+export function split<Report extends (...progress: never[]) => void>(
+  options: SplittableOptions<Report>,
+): SplitOptions<Report> {
   if (typeof options !== "object" || options === null) {
     throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
   }

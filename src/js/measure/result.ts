@@ -100,7 +100,7 @@ export interface CertifiedResult extends Common {
   /** Halvings from the whole model to the smallest cell. */
   levels: number;
   /** Why the search ended. */
-  stop: "converged" | "cells" | "time" | "precision" | "cancelled";
+  stop: "converged" | "cells" | "time" | "precision";
   /** With `limit`: whether the distance is at most the limit, absent if that was not decided. */
   within?: boolean;
   /** With `symmetric`: from A to B. The result itself is the larger's. */

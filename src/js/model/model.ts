@@ -1,11 +1,18 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError, translating } from "../error.js";
+import { checkKeys } from "../keys.js";
 import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
+
+/** Options of `NurbsModel.update`. */
+export interface UpdateOptions {
+  /** Whether x, y, z are given multiplied by w; default no. */
+  homogeneous?: boolean;
+}
 
 /** The largest index that the module's 32 bits take. */
 const MAX_FACE = 2 ** 32 - 1;
@@ -107,12 +114,13 @@ export class NurbsModel {
    * @throws {HausdorffError} as `Hausdorff.model`; `OPTION_OUT_OF_RANGE` for an index
    * that the model does not have. The model is then unchanged.
    */
-  update(face: number, points: Numbers, { homogeneous }: { homogeneous?: boolean } = {}): void {
+  update(face: number, points: Numbers, options: UpdateOptions = {}): void {
     const prepared = this.prepared;
+    checkKeys("options", options, ["homogeneous"]);
     if (!Number.isInteger(face) || face < 0 || face > MAX_FACE) {
       throw new HausdorffError("ARGUMENT_INVALID", `face is ${face}, expected an index`);
     }
-    const changed = controlPoints(points, homogeneous, "");
+    const changed = controlPoints(points, options.homogeneous, "");
     translating(() => prepared.update(face, changed));
   }
 

@@ -1,4 +1,6 @@
+import { kindOfText } from "../cad/kind.js";
 import { HausdorffError } from "../error.js";
+import { checkKeys } from "../keys.js";
 import { PreparedModel, Surfaces } from "../wasm/nurbs_hausdorff.js";
 
 /** Numbers in an array of any kind, converted to float64. */
@@ -113,12 +115,26 @@ export interface InterchangeModel {
   instances?: readonly InterchangeInstance[];
 }
 
-/** The text that OpenCASCADE writes of a shape, with `BRepTools.Write`. */
+/** The text that OpenCASCADE writes of a shape, with `BRepTools.Write`; `readCad` reads it. */
 export interface BrepText {
   brep: string;
   /** Metres per unit of its coordinates, which the text does not state. */
   unit?: number;
 }
+
+/** The keys of plain arrays, in camel case, and of surfaces of interchange JSON, as files have them. */
+const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
+const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
+  ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
+  ...(["trim", "reversed", "faceName", "kind", "gap"] as const),
+];
+const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
+  ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
+];
+const INSTANCE_KEYS: readonly (keyof InstanceArrays)[] = ["surfaces", "transform", "name"];
+const INTERCHANGE_KEYS: readonly string[] = [
+  ...(["degree", "knots_u", "knots_v", "ctrl", "trim", "reversed", "part", "kind", "gap"] as const),
+] satisfies (keyof InterchangeSurface)[];
 
 /**
  * The module's model of what `Hausdorff.model` takes. Here the types of plain
@@ -128,6 +144,7 @@ export interface BrepText {
 export function prepare(
   input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string,
 ): PreparedModel {
+  refuseFile(input);
   if (isArray(input)) return fromArrays({ surfaces: input as readonly SurfaceArrays[] });
   if (typeof input === "string") return PreparedModel.fromJson(input);
   if (typeof input !== "object" || input === null) {
@@ -137,7 +154,38 @@ export function prepare(
     );
   }
   if (isModelArrays(input)) return fromArrays(input);
+  refuseArrayKeys(input);
   return PreparedModel.fromJson(JSON.stringify(input));
+}
+
+/** Keys of plain arrays that interchange JSON has not: those of a mixture would be ignored. */
+const ARRAY_KEYS = SURFACE_KEYS.filter((key) => !INTERCHANGE_KEYS.includes(key));
+
+function refuseArrayKeys({ surfaces }: InterchangeModel): void {
+  (isArray(surfaces) ? surfaces : []).forEach((surface: unknown, index) => {
+    const key = ARRAY_KEYS.find(
+      (key) => typeof surface === "object" && surface !== null && key in surface,
+    );
+    if (key !== undefined) {
+      const why = `found "${key}", which plain arrays have, in interchange JSON`;
+      throw invalid(`surface ${index}: ${why}: expected ${INTERCHANGE_KEYS.join(", ")}`);
+    }
+  });
+}
+
+/** Whether a value is BREP text. */
+export function isBrepText(input: unknown): input is BrepText {
+  return typeof input === "object" && input !== null && "brep" in input;
+}
+
+/** Refuses files, whose reader is another method. */
+function refuseFile(input: unknown): void {
+  const isFile =
+    isBrepText(input) ||
+    input instanceof ArrayBuffer ||
+    ArrayBuffer.isView(input) ||
+    (typeof input === "string" && kindOfText(input) !== undefined);
+  if (isFile) throw invalid("the model is a CAD file, which `await hd.readCad(bytes)` reads");
 }
 
 /** Whether the surfaces are plain arrays, and not those of interchange JSON. */
@@ -146,7 +194,9 @@ function isModelArrays(input: ModelArrays | InterchangeModel): input is ModelArr
   return typeof first === "object" && first !== null && "controlPoints" in first;
 }
 
-function fromArrays({ name, unit, surfaces: input, instances }: ModelArrays): PreparedModel {
+function fromArrays(model: ModelArrays): PreparedModel {
+  checkKeys("the model", model, MODEL_KEYS, "ARGUMENT_INVALID");
+  const { name, unit, surfaces: input, instances } = model;
   const surfaces = new Surfaces(optional(name, "string", "name"), optional(unit, "number", "unit"));
   try {
     input.forEach((surface, index) => {
@@ -167,6 +217,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
   if (typeof surface !== "object" || surface === null) {
     throw invalid(`${where} is ${surface === null ? "null" : typeof surface}, expected an object`);
   }
+  checkKeys(where, surface, SURFACE_KEYS, "ARGUMENT_INVALID");
   const points = controlPoints(surface.controlPoints, surface.homogeneous, `${where}: `);
   surfaces.push(
     ...pair(surface.degree, `${where}: degree`),
@@ -195,6 +246,7 @@ function pushCurve(surfaces: Surfaces, curve: TrimCurveArrays, where: string): v
   if (typeof curve !== "object" || curve === null) {
     throw invalid(`${where} is ${curve === null ? "null" : typeof curve}, expected an object`);
   }
+  checkKeys(where, curve, CURVE_KEYS, "ARGUMENT_INVALID");
   const controlPoints = numbers(curve.controlPoints, `${where}: controlPoints`);
   if (controlPoints.length % 3 !== 0) {
     throw invalid(
@@ -216,6 +268,7 @@ function pushInstance(surfaces: Surfaces, instance: InstanceArrays, where: strin
       `${where} is ${instance === null ? "null" : typeof instance}, expected an object`,
     );
   }
+  checkKeys(where, instance, INSTANCE_KEYS, "ARGUMENT_INVALID");
   const transform = numbers(instance.transform, `${where}: transform`);
   if (transform.length !== 12) {
     throw invalid(`${where}: transform has ${transform.length} numbers, expected 12`);
@@ -301,6 +354,18 @@ export function numbers(value: unknown, where: string): Float64Array {
     throw invalid(`${where}: item ${wrong} is ${typeof value[wrong]}, expected a number`);
   }
   return Float64Array.from(value as number[]);
+}
+
+/**
+ * The coordinates of points, x, y, z each, as float64.
+ * @internal
+ */
+export function coordinatesOf(points: unknown): Float64Array {
+  const coordinates = numbers(points, "points");
+  if (coordinates.length % 3 !== 0) {
+    throw invalid(`points has ${coordinates.length} numbers, not a multiple of 3`);
+  }
+  return coordinates;
 }
 
 /** Unlike Array.isArray, this does not make everything `any`. */

@@ -1,11 +1,11 @@
 import { HausdorffError } from "../error.js";
-import type { OnProgress } from "../measure/options.js";
 import type { EngineFacts, Failure, Listener, Port, Reply } from "./messages.js";
 
 /** What a call passes on besides its arguments. */
 export interface CallOptions {
   signal?: AbortSignal | undefined;
-  onProgress?: OnProgress | undefined;
+  /** Called with what the worker's method reports. */
+  onProgress?: ((...progress: never[]) => void) | undefined;
   /** Buffers that are transferred, not copied. */
   transfer?: ArrayBuffer[];
 }
@@ -97,7 +97,7 @@ export class Channel {
     if (pending === undefined) return;
     if ("progress" in reply) {
       try {
-        pending.onProgress?.(...reply.progress);
+        pending.onProgress?.(...(reply.progress as never[]));
       } catch (thrown) {
         pending.cancel();
         pending.reject(thrown);
@@ -118,8 +118,8 @@ export class Channel {
   }
 }
 
-function failed({ code, message }: Failure, signal?: AbortSignal): Error {
+function failed({ code, message, interval }: Failure, signal?: AbortSignal): Error {
   if (code === undefined) return new Error(message);
-  const options = code === "CANCELLED" && signal?.aborted ? { cause: signal.reason } : undefined;
-  return new HausdorffError(code, message, options);
+  const cause = code === "CANCELLED" && signal?.aborted ? { cause: signal.reason } : {};
+  return new HausdorffError(code, message, { ...cause, interval });
 }

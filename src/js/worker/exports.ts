@@ -2,6 +2,7 @@ export type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 export * from "../types.js";
 export {
   Hausdorff,
+  type WorkerCadOptions,
   type WorkerClosestPointOptions,
   type WorkerCreateOptions,
 } from "./hausdorff.js";

@@ -1,6 +1,9 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import type { CadOptions } from "../cad/options.js";
+import type { PeerLoader } from "../cad/peers/peers.js";
 import { HausdorffError } from "../error.js";
+import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
 import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
@@ -14,7 +17,7 @@ import {
   type InterchangeModel,
   type ModelArrays,
   type Numbers,
-  numbers,
+  coordinatesOf,
   type SurfaceArrays,
 } from "../model/surface.js";
 import { Channel } from "./channel.js";
@@ -36,21 +39,29 @@ export interface WorkerClosestPointOptions extends ClosestPointOptions {
   transfer?: boolean;
 }
 
+/**
+ * Options of `Hausdorff.readCad` of this entry. The worker loads OpenCASCADE and rhino3dm
+ * itself: `occt` and `rhino` are addresses of their ES modules.
+ */
+export interface WorkerCadOptions extends CadOptions {
+  /** Whether the file's buffer is transferred, and empty afterwards, not copied; default no. */
+  transfer?: boolean;
+}
+
+/** A function that receives progress, of any method. */
+type OnReport = (...progress: never[]) => void;
+
 /** Connects to a worker: the caller's, or a new one. */
 export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
 let connect: Connect;
-let connectsReaders = false;
 
 /**
- * Sets how workers are started on this platform. Where a program imports both
- * entries, those with the readers of files are started, whichever was set last.
+ * Sets how workers are started on this platform.
  * @internal
  */
-export function connectBy(platform: Connect, { readers = false } = {}): void {
-  if (connectsReaders && !readers) return;
+export function connectBy(platform: Connect): void {
   connect = platform;
-  connectsReaders = readers;
 }
 
 /**
@@ -70,10 +81,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, ...rest } = options;
+    const { worker, module, readers, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
-      await channel.call("create", [{ ...rest, module: sendable(module) }]);
+      await channel.call("create", [{ ...rest, module: sendable(module), readers: sendable(readers) }]);
     } catch (error) {
       channel.close();
       throw error;
@@ -98,20 +109,34 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * object of plain arrays is copied item by item on the caller's thread.
    */
   async model(
-    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | BrepText | string,
+    input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string,
   ): Promise<NurbsModel> {
-    return Hausdorff.newModel(this, "model", [input]);
+    return this.#newModel("model", [input]);
   }
 
   /** As the main entry's `shape`. */
   async shape(name: string): Promise<NurbsModel> {
-    return Hausdorff.newModel(this, "shape", [name]);
+    return this.#newModel("shape", [name]);
   }
 
   /** The shapes there are, as the main entry's static `shapes`. */
   async shapes(): Promise<ShapeInfo[]> {
     const [result] = await this.#channel.call("shapes", []);
     return result as ShapeInfo[];
+  }
+
+  async readCad(
+    bytes: Uint8Array | ArrayBuffer | BrepText,
+    options: WorkerCadOptions = {},
+  ): Promise<NurbsModel> {
+    const { transfer, occt, rhino, ...rest } = options;
+    const libraries = {
+      ...(occt === undefined ? {} : { occt: address("occt", occt) }),
+      ...(rhino === undefined ? {} : { rhino: address("rhino", rhino) }),
+    };
+    const buffer = bytes instanceof Uint8Array ? bytes.buffer : bytes;
+    const moved = transfer === true && buffer instanceof ArrayBuffer ? [buffer] : [];
+    return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], moved);
   }
 
   async distance<Method extends keyof Results = "certified">(
@@ -137,10 +162,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<ClosestPoints> {
     const id = this.#id(model, "model");
     const { transfer, ...rest } = options;
-    const typed = points instanceof Float32Array ? points : numbers(points, "points");
+    const typed = coordinatesOf(points);
     // What was converted is nobody else's.
     const given = typed !== points || transfer === true ? [typed.buffer as ArrayBuffer] : [];
     return this.#measure("closestPoints", [id, typed], rest, given);
+  }
+
+  async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
+    return this.#measure("bestFit", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
   /** Ends the worker once the calls that it has received are answered. */
@@ -162,17 +191,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return NurbsModel.id(model, this.#channel, name);
   }
 
-  /**
-   * The model that a method of the worker makes.
-   * @internal
-   */
-  static async newModel(
-    hausdorff: Hausdorff,
+  /** The model that a method of the worker makes. */
+  async #newModel(
     method: "model" | "shape" | "readCad",
     args: unknown[],
     transfer: ArrayBuffer[] = [],
   ): Promise<NurbsModel> {
-    const channel = hausdorff.#channel;
+    const channel = this.#channel;
     const [facts, id] = await channel.call(method, args, { transfer });
     return NurbsModel.of(channel, id, facts as ModelFacts);
   }
@@ -180,10 +205,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async #measure<Result>(
     method: string,
     args: unknown[],
-    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions,
+    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions | BestFitOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {
-    const { plain, transform, signal, onProgress } = split(options);
+    const { plain, transform, signal, onProgress } = split<OnReport>(options);
     const sent = transform === undefined ? plain : { ...plain, transform };
     const [result] = await this.#channel.call(method, [...args, sent], {
       signal,
@@ -192,6 +217,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     });
     return result as Result;
   }
+}
+
+/** The address of a library as it can be sent: a function cannot. */
+function address(option: string, loader: PeerLoader): string {
+  if (typeof loader === "string") return loader;
+  if (loader instanceof URL) return loader.href;
+  const why = "no function can be sent to the worker: expected the address of the ES module";
+  throw new HausdorffError("OPTION_INVALID", `${option} is ${typeof loader}: ${why}`);
 }
 
 /** The module's source as it can be sent: addresses as absolute text. */

@@ -1,6 +1,5 @@
 import type { CadReport } from "../cad/report.js";
 import type { ErrorCode } from "../error.js";
-import type { OnProgress } from "../measure/options.js";
 
 /** What a model's twin on the caller's thread knows of it. */
 export interface ModelFacts {
@@ -37,13 +36,15 @@ export type Request = Call | { cancel: number } | { drop: number };
 export interface Failure {
   code: ErrorCode | undefined;
   message: string;
+  /** With `CANCELLED`: the interval reached. */
+  interval?: readonly [lower: number, upper: number] | undefined;
 }
 
 /** What the worker sends. */
 export type Reply =
   | { id: number; result: unknown; engine: EngineFacts | undefined }
   | { id: number; failure: Failure }
-  | { id: number; progress: Parameters<OnProgress> };
+  | { id: number; progress: unknown[] };
 
 /** One end of the channel between the two threads. */
 export interface Port {

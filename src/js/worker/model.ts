@@ -3,6 +3,7 @@ import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
+import type { UpdateOptions } from "../model/model.js";
 import type { Numbers } from "../model/surface.js";
 import type { Tessellation, TessellationOptions } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
@@ -102,7 +103,7 @@ export class NurbsModel {
   async update(
     face: number,
     points: Numbers,
-    options: { homogeneous?: boolean } = {},
+    options: UpdateOptions = {},
   ): Promise<void> {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [facts] = await this.#channel.call("update", [id, face, points, options]);

@@ -1,19 +1,16 @@
 import type { CadOptions } from "../cad/options.js";
+import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
-import type { OnProgress } from "../measure/options.js";
 import type { NurbsModel } from "../model/model.js";
 import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
-
-/** The reader of CAD files, where the worker has one. */
-export type ReadCad = (bytes: Uint8Array | ArrayBuffer, options: CadOptions) => Promise<NurbsModel>;
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
 
 /** A call's signal and progress, as options. */
 interface Watch {
   signal: AbortSignal;
-  onProgress?: OnProgress;
+  onProgress?: (...progress: unknown[]) => void;
 }
 
 type Method = (args: unknown[], watch: Watch) => unknown;
@@ -22,21 +19,19 @@ type Method = (args: unknown[], watch: Watch) => unknown;
  * Answers calls in the worker: returns the function that takes the requests.
  * @internal
  */
-export function serve(post: Post, readCad?: ReadCad): (request: Request) => void {
-  const server = new Server(post, readCad);
+export function serve(post: Post): (request: Request) => void {
+  const server = new Server(post);
   return (request) => server.take(request);
 }
 
 class Server {
   readonly #post: Post;
-  readonly #readCad: ReadCad | undefined;
   #hausdorff: Hausdorff | undefined;
   readonly #models = new Map<number, NurbsModel>();
   readonly #running = new Map<number, AbortController>();
 
-  constructor(post: Post, readCad: ReadCad | undefined) {
+  constructor(post: Post) {
     this.#post = post;
-    this.#readCad = readCad;
   }
 
   take(request: Request): void {
@@ -56,9 +51,9 @@ class Server {
       const result = await this.#methods[method]?.([id, ...args], watch);
       this.#post({ id, result, engine: this.#facts() }, buffers(result));
     } catch (error) {
-      const code = error instanceof HausdorffError ? error.code : undefined;
+      const { code, interval } = error instanceof HausdorffError ? error : {};
       const message = error instanceof Error ? error.message : `${error}`;
-      this.#post({ id, failure: { code, message } }, []);
+      this.#post({ id, failure: { code, message, interval } }, []);
     } finally {
       this.#running.delete(id);
     }
@@ -72,15 +67,8 @@ class Server {
     shapes: () => Hausdorff.shapes(),
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
-    readCad: async ([id, bytes, options]) => {
-      if (this.#readCad === undefined) {
-        throw new HausdorffError(
-          "WORKER_FAILED",
-          "the worker reads no CAD files, expected one that runs nurbs-hausdorff/worker/cad/thread",
-        );
-      }
-      return this.#keep(id, await this.#readCad(bytes as ArrayBuffer, options as CadOptions));
-    },
+    readCad: async ([id, bytes, options]) =>
+      this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
     area: ([, model]) => this.#model(model).area(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, face, points, options]) => {
@@ -94,6 +82,8 @@ class Server {
       this.#open.field(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     diff: ([, a, b, options], watch) =>
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    bestFit: ([, a, b, options], watch) =>
+      this.#open.bestFit(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     closestPoints: ([, model, points, options], watch) =>
       this.#open.closestPoints(this.#model(model), points as Float64Array, {
         ...(options as object),

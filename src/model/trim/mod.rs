@@ -22,10 +22,11 @@ use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
 use confinement::Confined;
 use curve::Place;
+use serde::{Deserialize, Serialize};
 
 /// A trimming curve as plain arrays, not validated: a rational B-spline curve in the
 /// parameter plane (u, v) of its surface.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct TrimCurveArrays {
     /// The degree, 1 to 15.
     pub degree: usize,
@@ -42,7 +43,7 @@ pub struct TrimCurveArrays {
 }
 
 /// A face as plain arrays, not validated: a surface and the loops that trim it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FaceArrays {
     /// The surface.
     pub surface: crate::model::SurfaceArrays,

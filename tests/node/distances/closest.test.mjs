@@ -40,7 +40,10 @@ test("wrong points are refused by their index", async () => {
   const model = hd.model([square(0)]);
   const wrong = [0, 0, 0, 1, Number.NaN, 0];
   await assert.rejects(hd.closestPoints(model, wrong), withCode("POINT_OUT_OF_RANGE", /point 1 /));
-  await assert.rejects(hd.closestPoints(model, [1, 2]), withCode("POINT_OUT_OF_RANGE"));
+  await assert.rejects(
+    hd.closestPoints(model, [1, 2]),
+    withCode("ARGUMENT_INVALID", /2 numbers, not a multiple of 3/),
+  );
   await assert.rejects(hd.closestPoints(model, "1"), withCode("ARGUMENT_INVALID", /points/));
   await assert.rejects(hd.closestPoints({}, [1, 2, 3]), withCode("ARGUMENT_INVALID", /model/));
   model.dispose();

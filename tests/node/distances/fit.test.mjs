@@ -1,7 +1,6 @@
 // The best fit: known motions are undone, and residuals are those of geometry.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { bestFit } from "nurbs-hausdorff";
 import { create, near, square, withCode } from "../support.mjs";
 
 let hd;
@@ -20,7 +19,7 @@ test("a part that a rigid motion moved returns", async () => {
   const rotation = [...axis.map((part) => part * Math.sin(half)), Math.cos(half)];
   const transform = { rotation, translation: [0.1, -0.05, 0.08] };
   const steps = [];
-  const fit = await bestFit(hd, part, part, {
+  const fit = await hd.bestFit(part, part, {
     transform,
     onProgress: (step, rms) => steps.push([step, rms]),
   });
@@ -46,7 +45,7 @@ test("a part that a rigid motion moved returns", async () => {
 test("the best fit of a sphere in a larger one is concentric", async () => {
   // Radii 2.2 and 2: every distance is 0.2 there. Sixteen cells around lie alike in all quarters.
   const [larger, smaller] = [hd.shape("sphere-larger"), hd.shape("sphere")];
-  const fit = await bestFit(hd, larger, smaller, {
+  const fit = await hd.bestFit(larger, smaller, {
     samples: 17,
     transform: { translation: [0.3, -0.2, 0.1] },
   });
@@ -76,7 +75,7 @@ test("the best fit of two squares at heights 0 and 1 to a plane is their mean", 
       ),
     },
   ]);
-  const fit = await bestFit(hd, steps, plane, { samples: 65 });
+  const fit = await hd.bestFit(steps, plane, { samples: 65 });
   assert.ok(fit.converged, JSON.stringify(fit));
   // By the eigenvalues of the covariance of x and z: var x = 1/3, var z = 1/4, cov = 1/4;
   // the smaller one is the mean square of the orthogonal distances.
@@ -89,12 +88,12 @@ test("the best fit of two squares at heights 0 and 1 to a plane is their mean", 
 
 test("a model on itself stays, and wrong options are refused", async () => {
   const model = hd.model([square(0)]);
-  const { transform, rms, steps, converged } = await bestFit(hd, model, model);
+  const { transform, rms, steps, converged } = await hd.bestFit(model, model);
   assert.deepEqual(transform, { rotation: [0, 0, 0, 1], translation: [0, 0, 0] });
   near(rms, 0, 1e-15);
   assert.deepEqual([steps, converged], [0, true]);
   const refused = (options, code, message) =>
-    assert.rejects(bestFit(hd, model, model, options), withCode(code, message));
+    assert.rejects(hd.bestFit(model, model, options), withCode(code, message));
   await refused({ tolerance: 0 }, "OPTION_OUT_OF_RANGE", /tolerance/);
   await refused({ relativeTolerance: 0 }, "OPTION_OUT_OF_RANGE", /relativeTolerance/);
   await refused({ tolerance: 1, relativeTolerance: 1 }, "OPTION_INVALID", /both/);

@@ -107,18 +107,41 @@ test("work cancelled before it begins does not begin", async () => {
   );
 });
 
-test("certified work that is cancelled returns the interval so far", async () => {
+test("certified work that is cancelled rejects with the interval so far", async () => {
   const controller = new AbortController();
   // Tens of thousands of cells: two hulls of about equal distance all over.
   const [hull, wider] = ["wigley-hull", "wigley-hull-wider"].map((name) => hd.shape(name));
-  const result = await hd.distance(hull, wider, {
-    relativeTolerance: 1e-12,
-    signal: controller.signal,
-    onProgress: (fraction) => fraction > 0 && controller.abort(),
-  });
-  assert.equal(result.stop, "cancelled");
-  assert.equal(result.converged, false);
-  assert.ok(result.lower < result.upper);
+  const { lower, upper } = await hd.distance(hull, wider, { relativeTolerance: 1e-4 });
+  const reason = new Error("enough");
+  for (const symmetric of [false, true]) {
+    const work = hd.distance(hull, wider, {
+      ...{ relativeTolerance: 1e-12, symmetric, signal: controller.signal },
+      onProgress: (fraction) => fraction > 0 && controller.abort(reason),
+    });
+    await assert.rejects(work, (error) => {
+      assert.equal(error.cause, reason);
+      // The second call is cancelled before it begins, and has no interval.
+      if (symmetric) assert.equal(error.interval, undefined);
+      else assert.ok(error.interval[0] <= upper && lower <= error.interval[1]);
+      return withCode("CANCELLED")(error);
+    });
+  }
+});
+
+test("cancelled work by method hierarchy, and by diff, rejects", async () => {
+  for (const run of [
+    (options) => hd.distance(a, b, { ...options, method: "hierarchy", grid: 256 }),
+    (options) => hd.diff(a, b, options),
+    (options) => hd.field(a, b, { ...options, samples: 256 }),
+    (options) => hd.closestPoints(a, new Float64Array(300_000), options),
+    (options) => hd.bestFit(a, b, { ...options, samples: 128, onProgress: undefined }),
+  ]) {
+    const controller = new AbortController();
+    setTimeout(() => controller.abort(), 5);
+    const options = { signal: controller.signal, onProgress: () => {} };
+    await assert.rejects(run(options), withCode("CANCELLED"));
+    await assert.rejects(run(options), withCode("CANCELLED"), "before it begins");
+  }
 });
 
 test("what onProgress throws ends the work and is thrown on", async () => {

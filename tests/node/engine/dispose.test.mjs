@@ -29,14 +29,14 @@ test("an engine that was disposed of says so", async () => {
     () => hd.backend,
     () => hd.adapter,
     () => hd.notice,
-    () => hd.model([square()]),
-    () => hd.shape("sphere"),
   ]) {
     assert.throws(use, withCode("DISPOSED"));
   }
   await assert.rejects(hd.distance(model, model), withCode("DISPOSED"));
-  // The model outlives it.
+  // Models outlive it, and need none.
   assert.equal(model.faceCount, 1);
+  assert.equal(hd.model([square()]).faceCount, 1);
+  assert.equal(hd.shape("sphere").faceCount, model.faceCount);
 });
 
 test("Symbol.dispose, which `using` calls, disposes", async () => {

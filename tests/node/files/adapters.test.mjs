@@ -156,7 +156,9 @@ const builds = [
 for (const [name, start, makeBox] of builds) {
   test(`a shape of ${name}`, async () => {
     const oc = await start();
-    const [small, large] = [1, 1.5].map((x) => hd.model(fromOcct(oc, makeBox(oc, x))));
+    const [small, large] = await Promise.all(
+      [1, 1.5].map((x) => hd.readCad(fromOcct(oc, makeBox(oc, x)))),
+    );
     assert.equal(small.faceCount, 6);
     const { faces, trims, exact, unit, skipped } = small.report;
     assert.deepEqual([faces, trims, exact, unit, skipped], [6, 24, 24, 0.001, []]);
@@ -175,7 +177,7 @@ const solids = [
 for (const [name, faces, trims, make] of solids) {
   test(`a ${name} of OpenCASCADE`, async () => {
     const oc = await startOcct();
-    const { report } = hd.model(fromOcct(oc, make(oc).Shape()));
+    const { report } = await hd.readCad(fromOcct(oc, make(oc).Shape()));
     assert.deepEqual(report.skipped, []);
     assert.deepEqual([report.faces, report.trims, report.exact], [faces, trims, trims]);
   });

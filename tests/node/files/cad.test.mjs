@@ -16,12 +16,12 @@ import { ChunkReader } from "../../../dist/cad/rhino/chunks.js";
 import { create, interchangeSquare, near, withCode } from "../support.mjs";
 import { bytesOf, missing, sharedFile, sharedGzip, zip } from "./files.mjs";
 
-test("nothing is read before the module is loaded", async () => {
-  await assert.rejects(readCad(bytesOf("{}")), withCode("MODULE_NOT_LOADED"));
+test("a file is read without an engine", async () => {
+  const model = await readCad(bytesOf(JSON.stringify(interchangeSquare())));
+  assert.equal(model.faceCount, 1);
 });
 
 let hd;
-/** Loads the module, which the first test must find unloaded. */
 const loaded = async () => {
   hd ??= await create({ backend: "cpu" });
   return hd;
@@ -41,7 +41,8 @@ const files = [
   ["iges", "bearing.iges", 213, 941],
   ["step", "featuretype.STEP", 96, 486],
   ["step", "base_interface_AP203.STEP", 30, 168],
-  ["step", "axom_revolved_sphere.step", 1, 4],
+  // A whole sphere, without a curve.
+  ["step", "axom_revolved_sphere.step", 1, 0],
   ["step", "axom_sliced_cylinder.step", 5, 18],
   ["step", "axom_tet.step", 4, 12],
 ];
@@ -54,6 +55,7 @@ for (const [kind, name, faces, trims] of files) {
     context.diagnostic(`${name}: ${JSON.stringify(report)}`);
     assert.deepEqual(report.skipped, []);
     assert.equal(report.kind, kind);
+    assert.equal(report.reader, kind === "step" ? "built-in" : "occt");
     assert.equal(report.faces, faces);
     assert.equal(report.trims, trims);
     assert.equal(report.exact + report.fitted, trims);
@@ -86,8 +88,8 @@ for (const [name, faces, loops, trims, curves, pieces, unit] of rhinoFiles) {
     const { report } = model;
     context.diagnostic(`${name}: ${JSON.stringify(report)}`);
     assert.deepEqual(report.skipped, []);
-    const { kind, faces: read, exact, fitted } = report;
-    assert.deepEqual([kind, read, exact, fitted], ["3dm", faces, pieces, 0]);
+    const { kind, reader, faces: read, exact, fitted } = report;
+    assert.deepEqual([kind, reader, read, exact, fitted], ["3dm", "rhino3dm", faces, pieces, 0]);
     assert.equal(report.unit, unit);
     assert.equal(model.faceCount, faces);
     model.dispose();
@@ -155,14 +157,17 @@ test("IGES in inches is scaled to millimetres", { skip: missing }, async () => {
 test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   await loaded();
   const occt = () => import("replicad-opencascadejs");
-  const model = await readCad(sharedFile("step/screw.step"), { occt });
-  assert.equal(model.report.faces, 10);
+  const model = await readCad(sharedFile("step/screw.step"), { occt, reader: "occt" });
+  assert.deepEqual([model.report.faces, model.report.reader], [10, "occt"]);
+  const never = () => assert.fail("OpenCASCADE was not asked for");
+  const { report } = await readCad(sharedFile("step/screw.step"), { occt: never });
+  assert.deepEqual([report.faces, report.reader], [10, "built-in"]);
   await assert.rejects(
     readCad(sharedFile("iges/hammer.iges"), { occt }),
     withCode("PEER_MISSING", /reads no IGES.*npm install @bitbybit-dev\/occt/),
   );
   await assert.rejects(
-    readCad(sharedFile("step/screw.step"), { occt: () => 3 }),
+    readCad(sharedFile("step/screw.step"), { occt: () => 3, reader: "occt" }),
     withCode("OPTION_INVALID", /occt loads number/),
   );
 });
@@ -176,7 +181,7 @@ test("an OpenCASCADE that is started anew leaves no listeners on the process", {
   const before = counts();
   for (const _ of [1, 2]) {
     // Each function is a host's own, and starts a module.
-    await readCad(sharedFile("step/screw.step"), { occt: () => startOcct });
+    await readCad(sharedFile("step/screw.step"), { occt: () => startOcct, reader: "occt" });
   }
   assert.deepEqual(counts(), before);
 });
@@ -193,7 +198,7 @@ test("BREP text, and its unit as the caller states it", async () => {
   const bytes = bytesOf(await boxText(1));
   const { report } = await readCad(bytes);
   assert.deepEqual(report, {
-    kind: "brep",
+    ...{ kind: "brep", reader: "built-in" },
     ...{ faces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap },
     ...{ unit: null, skipped: [], notes: [] },
   });
@@ -325,8 +330,8 @@ const refused = [
   ["FORMAT_UNSUPPORTED", "hello", /an unknown format; read are STEP, IGES/],
   ["JSON_SHAPE", "{", /not interchange JSON/],
   ["BREP_SYNTAX", "DBRep_DrawableShape\nCASCADE Topology V3\nLocations x", /./],
-  ["CAD_UNREADABLE", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=(broken;\nENDSEC;", /STEP file/],
-  ["CAD_UNREADABLE", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;", /STEP/],
+  ["STEP_SYNTAX", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=(broken;\nENDSEC;", /line 5/],
+  ["EMPTY_MODEL", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;", /./],
   ["CAD_UNREADABLE", `${"x".repeat(72)}S      1\n${"x".repeat(72)}G      1\n`, /IGES file/],
   ["CAD_UNREADABLE", "3D Geometry File Format        4", /rhino3dm/],
   ["CAD_UNREADABLE", "PK\x03\x04", /zip archive is damaged/],
@@ -351,6 +356,38 @@ test("archives of other kinds are refused", async () => {
   }
   const empty = zip(documentXml([{ name: "Sketch" }]));
   await assert.rejects(readCad(empty), withCode("EMPTY_MODEL"));
+});
+
+test("a STEP file that is refused is read by OpenCASCADE, and the report says so", {
+  skip: missing,
+}, async () => {
+  const step = Buffer.from(sharedFile("step/screw.step")).toString("latin1");
+  // A character that ISO 10303-21 does not know outside of text; OpenCASCADE passes over it.
+  const damaged = bytesOf(step.replace("ENDSEC;\nEND-ISO", "#999999=X(@);\nENDSEC;\nEND-ISO"));
+  const { reader, faces, notes } = (await readCad(damaged)).report;
+  assert.deepEqual([reader, faces, notes[0].face], ["occt", 10, "the file"]);
+  assert.match(notes[0].why, /the package's reader refused it: line \d+: found/);
+  // Without OpenCASCADE the reader's own reason is the error.
+  await assert.rejects(
+    readCad(damaged, { occt: "no-such-package" }),
+    withCode("STEP_SYNTAX", /line \d+/),
+  );
+});
+
+test("a shape in memory, and its unit", async () => {
+  const brep = await boxText(1);
+  assert.equal((await readCad({ brep, unit: 0.01 })).unit, 0.01);
+  assert.equal((await readCad({ brep }, { unit: 0.02, name: "box" })).unit, 0.02);
+  await assert.rejects(readCad({ brep: 1 }), withCode("ARGUMENT_INVALID", /brep is number/));
+  await assert.rejects(readCad({ brep, units: 1 }), withCode("OPTION_INVALID", /"unit"/));
+});
+
+test("a face left out has its number in the file", { skip: missing }, async () => {
+  const step = Buffer.from(sharedFile("step/screw.step")).toString("latin1");
+  const [, number] = step.match(/#(\d+)\s*=\s*ADVANCED_FACE/);
+  const without = step.replace(new RegExp(`#${number}\\s*=\\s*ADVANCED_FACE[^;]*;`), "");
+  const { faces, skipped } = (await readCad(bytesOf(without))).report;
+  assert.deepEqual([faces, skipped.length, skipped[0].entity], [9, 1, Number(number)]);
 });
 
 test("what is no file is refused", async () => {
@@ -411,9 +448,10 @@ test("a missing package is named, with the command that installs it", { skip: mi
     });
     writeFileSync(join(folder, "package.json"), '{"type": "module", "version": "0.0.0"}');
     writeFileSync(join(folder, "part.stp"), sharedFile("step/screw.step"));
+    writeFileSync(join(folder, "part.igs"), sharedFile("iges/hammer.iges"));
     writeFileSync(join(folder, "part.3dm"), sharedFile("3dm/v4_MechPartB.3dm"));
     for (const [file, name] of [
-      ["part.stp", "@bitbybit-dev/occt"],
+      ["part.igs", "@bitbybit-dev/occt"],
       ["part.3dm", "rhino3dm"],
     ]) {
       const run = () =>

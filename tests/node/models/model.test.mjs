@@ -99,6 +99,45 @@ for (const [code, change, message] of refusals) {
   });
 }
 
+const misspelt = [
+  [{ homogenous: true }, /surface 0: found "homogenous", did you mean "homogeneous"\?/],
+  [{ knots_u: [0, 0, 1, 1] }, /surface 0: found "knots_u", did you mean "knotsU"\?/],
+  [{ ctrl: [] }, /surface 0: found "ctrl", expected one of degree, knotsU/],
+  [{ trim: [[{ degre: 1 }]] }, /surface 0, loop 0, curve 0: found "degre", did you mean "degree"/],
+];
+
+for (const [change, message] of misspelt) {
+  test(`arrays with ${Object.keys(change)} are refused`, () => {
+    const input = [{ ...square(), ...change }];
+    assert.throws(() => hd.model(input), withCode("ARGUMENT_INVALID", message));
+  });
+}
+
+test("unknown keys of a model and of its instances are refused", () => {
+  const model = { surfaces: [square()], units: 0.001 };
+  assert.throws(() => hd.model(model), withCode("ARGUMENT_INVALID", /"units", did you mean "unit"/));
+  const instances = [{ surface: [0], transform: Array(12).fill(0) }];
+  assert.throws(
+    () => hd.model({ surfaces: [square()], instances }),
+    withCode("ARGUMENT_INVALID", /instance 0: found "surface", did you mean "surfaces"/),
+  );
+});
+
+test("keys of plain arrays in interchange JSON are refused, as each format has one spelling", () => {
+  for (const change of [{ homogeneous: true }, { knotsU: [0, 0, 1, 1] }, { counts: [2, 2] }]) {
+    const model = changed(change);
+    assert.throws(() => hd.model(model), withCode("ARGUMENT_INVALID", /in interchange JSON/));
+  }
+});
+
+test("files are for readCad", () => {
+  const texts = ["ISO-10303-21;\nHEADER;", "DBRep_DrawableShape\n", `${"x".repeat(72)}S      1\n`];
+  const inputs = [...texts, new Uint8Array(8), new ArrayBuffer(8), { brep: texts[1] }];
+  for (const input of inputs) {
+    assert.throws(() => hd.model(input), withCode("ARGUMENT_INVALID", /hd\.readCad/));
+  }
+});
+
 test("errors name the surface", () => {
   assert.throws(
     () => hd.model([square(), square(), { ...square(), degree: [1, 99] }]),
@@ -150,7 +189,7 @@ test("the place in the JSON is named", () => {
     () => hd.model(changed({ ctrl })),
     withCode(
       "JSON_SHAPE",
-      /surfaces\[0\]\.ctrl\[1\]\[0\]\[3\]: invalid type: string "1", expected f64/,
+      /surfaces\[0\]\.ctrl\[1\]\[0\]\[3\]: invalid type: string "1", expected a number/,
     ),
   );
 });
@@ -168,7 +207,7 @@ test("numbers of JSON are checked by the module", () => {
   // JSON has no NaN: as in a text it is null.
   assert.throws(
     () => hd.model(changed({ knots_u: [0, 0, Number.NaN, 1] })),
-    withCode("JSON_SHAPE", /surfaces\[0\]\.knots_u\[2\]: invalid type: null, expected f64/),
+    withCode("JSON_SHAPE", /surfaces\[0\]\.knots_u\[2\]: invalid type: null, expected a number/),
   );
   assert.throws(() => hd.model(changed({ knots_u: [0, 1, 0, 1] })), withCode("KNOTS_DECREASING"));
   assert.throws(() => hd.model({ surfaces: [] }), withCode("EMPTY_MODEL"));

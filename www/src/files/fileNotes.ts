@@ -1,6 +1,6 @@
 // Below each model, a line about its file: format, unit, faces, and everything
 // that reading it left out or approximated, which unfolds to the details.
-import type { CadReport } from "nurbs-hausdorff/cad";
+import type { CadReport, SkippedFace } from "nurbs-hausdorff/cad";
 import { element } from "../common/elements.ts";
 import { grouped, upperText } from "../common/numbers.ts";
 import { unitName } from "../common/units.ts";
@@ -55,11 +55,12 @@ export function commonUnit(): string | undefined {
 }
 
 function note(report: CadReport): HTMLElement {
-  const { kind, faces: read, unit, skipped, fitted } = report;
+  const { kind, reader, faces: read, unit, skipped, fitted } = report;
+  const format = reader === "occt" ? `${FORMATS[kind]} by OpenCASCADE` : FORMATS[kind];
   const summary = document.createElement("summary");
   const faces = `${grouped(read)} ${read === 1 ? "face" : "faces"}`;
   summary.append(
-    [FORMATS[kind], faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "),
+    [format, faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "),
   );
   if (skipped.length > 0) summary.append(" · ", strong(`${grouped(skipped.length)} skipped`));
   if (fitted > 0) summary.append(" · ", strong(`${grouped(fitted)} curves fitted`));
@@ -73,7 +74,7 @@ function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): H
   const lines = [
     `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
     `edges and faces of the file are up to ${upperText(gap)}${suffix} apart`,
-    ...skipped.slice(0, MAX_SKIPPED).map(({ face, why }) => `${face} skipped: ${why}`),
+    ...skipped.slice(0, MAX_SKIPPED).map(skippedLine),
   ];
   const more = skipped.length - MAX_SKIPPED;
   if (more > 0) lines.push(`and ${grouped(more)} more skipped`);
@@ -87,6 +88,10 @@ function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): H
     }),
   );
   return node;
+}
+
+function skippedLine({ face, entity, why }: SkippedFace): string {
+  return `${face}${entity === undefined ? "" : ` (#${entity})`} skipped: ${why}`;
 }
 
 function strong(text: string): HTMLElement {

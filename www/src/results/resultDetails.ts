@@ -17,7 +17,6 @@ const STOPS = {
   cells: "limit on cells",
   time: "time limit",
   precision: "precision of float64",
-  cancelled: "cancelled",
 };
 
 export function detailsOf(result: DistanceResult): Detail[] {

@@ -1,5 +1,5 @@
 // The tasks that compare both models beside the measurement: face by face, and the best fit.
-import { bestFit, type Hausdorff, type NurbsModel } from "nurbs-hausdorff";
+import type { Hausdorff, NurbsModel } from "nurbs-hausdorff";
 import { Latest } from "./latest.ts";
 import type { DiffState, FitState, PlainDiffOptions, PlainFitOptions, Reply } from "./protocol.ts";
 
@@ -33,7 +33,7 @@ export class Comparisons {
   fit({ a, b }: Pair, options: PlainFitOptions): Promise<void> {
     return this.#fit.run(async (signal, report) => {
       const onProgress = (step: number, rms: number) => report({ state: "working", step, rms });
-      const fit = await bestFit(this.#engine, a, b, { ...options, signal, onProgress });
+      const fit = await this.#engine.bestFit(a, b, { ...options, signal, onProgress });
       return { state: "done", fit };
     });
   }

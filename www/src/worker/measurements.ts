@@ -14,8 +14,9 @@ import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
 /**
  * Milliseconds for which a measurement continues although a newer request waits.
  * If it were cancelled at once, no measurement would finish while a slider is
- * dragged. A cancelled certified search still returns the interval reached; the
- * other methods return nothing, so they are given time to finish.
+ * dragged. Requests that follow each other have that time as a budget by method
+ * certified, which returns the interval reached; the other methods return
+ * nothing, so they are given time to finish.
  */
 const GRACE = { certified: 120, others: 4000 };
 
@@ -30,6 +31,8 @@ const COARSE_FACTOR = 5;
 const MIN_COARSE = 5;
 
 interface Requested {
+  /** Whether it was made while another was measured, so that more may follow. */
+  hurried: boolean;
   run: number;
   options: PlainOptions;
   abort: AbortController;
@@ -74,7 +77,8 @@ export class Measurements {
   }
 
   request(run: number, options: PlainOptions): void {
-    this.#waiting = { run, options, abort: new AbortController() };
+    const hurried = this.#running !== undefined && isHurriable(options);
+    this.#waiting = { hurried, run, options, abort: new AbortController() };
     if (this.#running === undefined) void this.#runAll();
   }
 
@@ -105,13 +109,17 @@ export class Measurements {
     try {
       const result = await this.#engine.distance(a, b, {
         ...options,
+        ...(requested.hurried && { maxSeconds: GRACE.certified / 1000 }),
         field: options.field === true && !colours,
         signal: abort.signal,
-        onProgress: this.#progress(requested, graceOf(options), { begin: 0, part }),
+        onProgress: this.#progress(requested, graceOf(requested), { begin: 0, part }),
       });
-      const pending = colours && !abort.signal.aborted;
+      const again = requested.hurried && this.#waiting === undefined && isUnfinished(result);
+      // The last of a row has its time.
+      if (again) this.#waiting = { ...requested, hurried: false };
+      const pending = again || (colours && !abort.signal.aborted);
       this.#show(requested, result, (result.forward ?? result).field, pending);
-      if (pending) await this.#colour(requested, result);
+      if (pending && !again) await this.#colour(requested, result);
     } catch (error) {
       if (isCancelled(error)) this.#reply({ kind: "cancelled", run });
       else this.#fail(error, run);
@@ -164,8 +172,7 @@ export class Measurements {
       const done = begin + part * fraction;
       this.#reply({ kind: "progress", run, fraction: done, interval, stalled });
       if (this.#waiting === undefined || performance.now() - started <= grace) return;
-      // A certified search that is cancelled returns its interval, once it has one.
-      if (grace !== GRACE.certified || interval !== undefined) abort.abort();
+      abort.abort();
     };
   }
 
@@ -188,6 +195,16 @@ export class Measurements {
   }
 }
 
+/** Whether a budget of time may end the method early, with an interval. */
+const isHurriable = ({ method, maxSeconds }: PlainOptions): boolean =>
+  (method ?? "certified") === "certified" && maxSeconds === undefined;
+
+/** Whether a budget of time ended the search. */
+const isUnfinished = (result: DistanceResult): boolean =>
+  [result, result.forward, result.reverse].some(
+    (part) => part?.method === "certified" && part.stop === "time",
+  );
+
 /** Returns a result with statistics of the samples of A. */
 function withStatistics(result: DistanceResult, statistics?: Statistics): DistanceResult {
   if (statistics === undefined) return result;
@@ -206,8 +223,11 @@ function withoutField<Result extends DistanceResult>(result: Result): Result {
   } as Result;
 }
 
-const graceOf = ({ method }: PlainOptions): number =>
-  method === "certified" ? GRACE.certified : GRACE.others;
+/** The time that a measurement has beside a newer request; a budget ends a hurried one. */
+const graceOf = ({ hurried, options }: Requested): number => {
+  if (hurried) return Number.POSITIVE_INFINITY;
+  return options.method === "certified" ? GRACE.certified : GRACE.others;
+};
 
 /** The state of the engine, which changes when it loses its device. */
 export function engineState({ backend, adapter, notice }: Hausdorff): EngineState {

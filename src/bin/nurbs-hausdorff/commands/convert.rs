@@ -20,7 +20,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     print(&text)
 }
 
-fn lines(out: &mut String, CadReport { kind, read }: &CadReport) -> std::fmt::Result {
+fn lines(out: &mut String, CadReport { kind, read, .. }: &CadReport) -> std::fmt::Result {
     writeln!(out, "kind      {kind}")?;
     writeln!(out, "faces     {}, {} left out", read.faces, read.skipped.len())?;
     writeln!(out, "trims     {}, {} exact, {} fitted", read.trims, read.exact, read.fitted)?;

@@ -62,10 +62,14 @@ impl<'a, R> OfFiles<'a, R> {
     }
 }
 
-/// A report, with the kind of the file.
+/// The reader of all files, by the name that the command of the npm package gives it.
+const READER: &str = "built-in";
+
+/// A report, with the kind of the file and its reader.
 #[derive(Serialize)]
 pub(crate) struct CadReport {
     pub(crate) kind: &'static str,
+    reader: &'static str,
     #[serde(flatten)]
     pub(crate) read: ReadReport,
 }
@@ -96,14 +100,14 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     }
     let model = Model::from_json(&text)?;
     let prepared = PreparedModel::new(&model)?;
-    let report = CadReport { kind: "json", read: ReadReport::of_exact(&model) };
+    let report = CadReport { kind: "json", reader: READER, read: ReadReport::of_exact(&model) };
     Ok(Input { model, prepared, report })
 }
 
 /// Prepares a model of a CAD file without the faces that cannot be cut into patches.
 fn of_cad(model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
     let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
-    Ok(Input { model, prepared, report: CadReport { kind, read } })
+    Ok(Input { model, prepared, report: CadReport { kind, reader: READER, read } })
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>> {

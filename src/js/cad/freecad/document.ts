@@ -1,7 +1,8 @@
 import { HausdorffError, translating } from "../../error.js";
 import type { InterchangeModel } from "../../model/surface.js";
-import { brepInterchange } from "../prepare/brep.js";
 import type { FacesFile } from "../prepare/faces.js";
+import { readInterchange } from "../prepare/read.js";
+import { readFaces } from "../readers.js";
 import type { CadReport, FaceNote, SkippedFace } from "../report.js";
 import type { DocumentShape, DocumentShapes } from "./fcstd.js";
 import { joined } from "./join.js";
@@ -15,25 +16,25 @@ const FREECAD_UNIT = 0.001;
  *
  * @throws {HausdorffError} `EMPTY_MODEL`.
  */
-export function documentModel(
+export async function documentModel(
   { shapes, skipped }: DocumentShapes,
   name: string | undefined,
-): FacesFile {
+): Promise<FacesFile> {
   const models: InterchangeModel[] = [];
   const reports: CadReport[] = [];
   const lost: SkippedFace[] = [...skipped];
   const notes: FaceNote[] = [];
   for (const shape of shapes) {
     try {
-      const { model, report } = shapeModel(shape);
+      const { model, report } = await shapeModel(shape);
       models.push(model);
       reports.push(report);
-      const named = ({ face, why }: SkippedFace) => ({ face: `${shape.name} ${face}`, why });
+      const named = (one: SkippedFace) => ({ ...one, face: `${shape.name} ${one.face}` });
       lost.push(...report.skipped.map(named));
       notes.push(...report.notes.map(named));
     } catch (error) {
       if (!(error instanceof HausdorffError)) throw error;
-      const hasNoFace = error.code === "EMPTY_MODEL" || shape.brep.trim() === "";
+      const hasNoFace = error.code === "EMPTY_MODEL" || isBlank(shape.brep);
       if (!hasNoFace) lost.push({ face: shape.name, why: error.message });
     }
   }
@@ -47,6 +48,7 @@ export function documentModel(
     model: { ...(name === undefined ? {} : { name }), unit: FREECAD_UNIT, ...joined(models) },
     report: {
       kind: "fcstd",
+      reader: "built-in",
       faces: sum(({ faces }) => faces),
       trims: sum(({ trims }) => trims),
       exact: sum(({ exact }) => exact),
@@ -59,8 +61,17 @@ export function documentModel(
   };
 }
 
-function shapeModel({ name, brep }: DocumentShape): { model: InterchangeModel; report: CadReport } {
-  const file = { kind: "fcstd", brep, unit: FREECAD_UNIT, declared: 0 } as const;
-  const { json, report } = translating(() => brepInterchange(file, name));
+async function shapeModel({
+  name,
+  brep,
+}: DocumentShape): Promise<{ model: InterchangeModel; report: CadReport }> {
+  const read = await readFaces(brep, "brep");
+  const file = { kind: "fcstd", reader: "built-in", read, unit: FREECAD_UNIT, declared: 0 } as const;
+  const { json, report } = translating(() => readInterchange(file, name));
   return { model: JSON.parse(json) as InterchangeModel, report };
+}
+
+/** Whether a text is empty, as that of a sketch may be. */
+function isBlank(text: Uint8Array): boolean {
+  return new TextDecoder().decode(text).trim() === "";
 }

@@ -9,7 +9,8 @@ const BINARY = "its shape is stored in binary: export the document as STEP";
 /** A shape of a FreeCAD document. */
 export interface DocumentShape {
   name: string;
-  brep: string;
+  /** Its BREP text. */
+  brep: Uint8Array;
 }
 
 /** The shapes of a document, and what of it is not read. */
@@ -36,10 +37,11 @@ const IDENTITY_PLACEMENT = /Q0="0(?:\.0+)?" Q1="0(?:\.0+)?" Q2="0(?:\.0+)?"/;
 export async function documentShapes(bytes: Uint8Array): Promise<DocumentShapes> {
   const entries = new Map(zipEntries(bytes).map((entry) => [entry.name, entry]));
   if (!entries.has("Document.xml")) throw otherArchive(entries);
-  const text = async (name: string) => {
+  const bytesOf = async (name: string) => {
     const entry = entries.get(name);
-    return entry ? new TextDecoder().decode(await entryBytes(entry)) : "";
+    return entry ? entryBytes(entry) : new Uint8Array();
   };
+  const text = async (name: string) => new TextDecoder().decode(await bytesOf(name));
   const objects = elements(await text("Document.xml"), "Object");
   const hidden = hiddenObjects(await text("GuiDocument.xml"));
   const members = new Set(objects.filter(isBody).flatMap(({ xml }) => links(xml)));
@@ -50,7 +52,7 @@ export async function documentShapes(bytes: Uint8Array): Promise<DocumentShapes>
     const file = /<Part\b[^>]*\bfile="([^"]+)"/.exec(xml)?.[1];
     const why = isContainer(xml) ? PLACED : file?.endsWith(".bin") ? BINARY : undefined;
     if (why !== undefined) skipped.push({ face: name, why });
-    else if (file !== undefined) shapes.push({ name, brep: await text(file) });
+    else if (file !== undefined) shapes.push({ name, brep: await bytesOf(file) });
   }
   if (shapes.length === 0) {
     const left = skipped.map(({ face, why }) => `; ${face}: ${why}`).join("");

@@ -5,11 +5,9 @@ import { type Peer, type PeerLoader, restart, start } from "./peers.js";
 
 const OCCT: Peer = {
   name: "@bitbybit-dev/occt",
-  purpose: "reading STEP and IGES",
+  purpose: "reading by OpenCASCADE",
   option: "occt",
   node: "@bitbybit-dev/occt/bitbybit-dev-occt/node.js",
-  // The entry that names the wasm file as an asset.
-  bundled: () => import("@bitbybit-dev/occt/bitbybit-dev-occt/nuxt.js"),
 };
 
 interface Reader {

@@ -1,10 +1,11 @@
 import { HausdorffError } from "../../error.js";
 
 /**
- * Loads a library: resolves to its started module, to the function that starts
- * it, or to the ES module whose default export is one of these.
+ * Loads a library: a function that resolves to its started module, to the function that
+ * starts it, or to the ES module whose default export is one of these; or the address
+ * of that ES module, which alone can be sent to a worker.
  */
-export type PeerLoader = () => unknown;
+export type PeerLoader = (() => unknown) | string | URL;
 
 /** A library that is loaded when a file needs it. */
 export interface Peer {
@@ -16,14 +17,12 @@ export interface Peer {
   option: string;
   /** The file imported in Node. */
   node: string;
-  /** Imports it where a bundler resolves it. */
-  bundled: PeerLoader;
 }
 
 /** Keeps a library's chatter off the standard output. */
 const QUIET = { print: () => {}, printErr: () => {} };
 
-const started = new Map<PeerLoader | Peer, Promise<object>>();
+const started = new Map<unknown, Promise<object>>();
 
 /**
  * The started module, started once; after a failure it can be started again.
@@ -31,7 +30,7 @@ const started = new Map<PeerLoader | Peer, Promise<object>>();
  * @throws {HausdorffError} `PEER_MISSING` with the command that installs it.
  */
 export function start(peer: Peer, loader: PeerLoader | undefined): Promise<object> {
-  const key = loader ?? peer;
+  const key = keyOf(peer, loader);
   let module = started.get(key);
   if (module === undefined) {
     module = load(peer, loader);
@@ -43,11 +42,17 @@ export function start(peer: Peer, loader: PeerLoader | undefined): Promise<objec
 
 /** Forgets a module that may be in an undefined state after an exception. */
 export function restart(peer: Peer, loader: PeerLoader | undefined): void {
-  started.delete(loader ?? peer);
+  started.delete(keyOf(peer, loader));
+}
+
+/** What stands for a module that is started once: equal addresses are one. */
+function keyOf(peer: Peer, loader: PeerLoader | undefined): unknown {
+  return loader instanceof URL ? loader.href : (loader ?? peer);
 }
 
 async function load(peer: Peer, loader: PeerLoader | undefined): Promise<object> {
-  const imported = loader ? await loader() : await importPeer(peer);
+  const imported =
+    typeof loader === "function" ? await loader() : await importPeer(peer, loader);
   let module = unwrapped(imported);
   // `module` is bitbybit's name for what others take themselves.
   if (typeof module === "function") {
@@ -98,18 +103,27 @@ function withoutListeners<T>(run: () => T): T {
   }
 }
 
-async function importPeer(peer: Peer): Promise<unknown> {
+/**
+ * Imports a library where no bundler looks: an optional package that a bundler resolved would
+ * have to be installed, and their ways to find their wasm files differ.
+ */
+async function importPeer(peer: Peer, address: string | URL | undefined): Promise<unknown> {
+  const from = address === undefined ? defaultAddress(peer) : `${address}`;
   try {
-    return await (isNode()
-      ? import(/* @vite-ignore */ /* webpackIgnore: true */ peer.node)
-      : peer.bundled());
+    return await import(/* @vite-ignore */ /* webpackIgnore: true */ from);
   } catch (cause) {
-    throw new HausdorffError(
-      "PEER_MISSING",
-      `${peer.purpose} needs ${peer.name}: npm install ${peer.name}, or pass the option ${peer.option}`,
-      { cause },
-    );
+    throw missing(peer, `npm install ${peer.name}, or pass the option ${peer.option}`, { cause });
   }
+}
+
+function defaultAddress(peer: Peer): string {
+  if (isNode()) return peer.node;
+  throw missing(peer, `pass the option ${peer.option}: the function that imports it, or its address`);
+}
+
+function missing(peer: Peer, remedy: string, options?: ErrorOptions): HausdorffError {
+  const message = `${peer.purpose} needs ${peer.name}: ${remedy}`;
+  return new HausdorffError("PEER_MISSING", message, options);
 }
 
 /** Whether this runs in Node, where packages are imported without a bundler. */

@@ -1,7 +1,7 @@
 import type { InterchangeModel } from "../../model/surface.js";
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { CadReport } from "../report.js";
-import type { ModuleReport } from "./brep.js";
+import type { ModuleReport } from "./read.js";
 
 /** A model that a reader here made, and its report. */
 export interface FacesFile {

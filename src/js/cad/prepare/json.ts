@@ -1,6 +1,6 @@
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { CadReport } from "../report.js";
-import type { ModuleReport } from "./brep.js";
+import type { ModuleReport } from "./read.js";
 
 /**
  * The model of interchange JSON, which is read without a change or not at all.
@@ -18,5 +18,5 @@ export function rewritten(text: string): { json: string; report: CadReport } {
 }
 
 function exact(report: ModuleReport): CadReport {
-  return { ...report, kind: "json", unit: report.unit ?? null, skipped: [], notes: [] };
+  return { ...report, kind: "json", reader: "built-in", unit: report.unit ?? null, skipped: [], notes: [] };
 }

@@ -80,6 +80,7 @@ export function rhinoModel(
     model,
     report: {
       kind: "3dm",
+      reader: "rhino3dm",
       faces: faces.length,
       trims,
       exact: trims - fitted,

@@ -9,8 +9,6 @@ const RHINO: Peer = {
   purpose: "reading 3DM",
   option: "rhino",
   node: "rhino3dm",
-  // The ES module finds its wasm file by `import.meta.url`.
-  bundled: () => import("rhino3dm/rhino3dm.module.js"),
 };
 
 /**

@@ -14,7 +14,6 @@ const STOPS: Readonly<Record<CertifiedResult["stop"], string>> = {
   cells: "ended by the budget of cells",
   time: "ended by the budget of time",
   precision: "ended by the precision of float64",
-  cancelled: "cancelled",
 };
 
 /** A result as lines for people, the same as the native command's. */

@@ -1,5 +1,5 @@
 import type { Reply, Request } from "../messages.js";
-import { type ReadCad, serve } from "../serve.js";
+import { serve } from "../serve.js";
 
 /** The worker's own scope, of which the DOM's types know only the window's. */
 const scope = globalThis as unknown as {
@@ -8,7 +8,7 @@ const scope = globalThis as unknown as {
 };
 
 /** Answers the calls of the page in this worker. */
-export function serveBrowser(readCad?: ReadCad): void {
-  const take = serve((reply, transfer) => scope.postMessage(reply, transfer), readCad);
+export function serveBrowser(): void {
+  const take = serve((reply, transfer) => scope.postMessage(reply, transfer));
   scope.onmessage = ({ data }) => take(data);
 }

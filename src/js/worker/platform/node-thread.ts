@@ -1,9 +1,9 @@
 /// <reference types="node" />
 import { parentPort } from "node:worker_threads";
-import { type ReadCad, serve } from "../serve.js";
+import { serve } from "../serve.js";
 
 /** Answers the calls of the thread that started this worker. */
-export function serveNode(readCad?: ReadCad): void {
-  const take = serve((reply, transfer) => parentPort?.postMessage(reply, transfer), readCad);
+export function serveNode(): void {
+  const take = serve((reply, transfer) => parentPort?.postMessage(reply, transfer));
   parentPort?.on("message", take);
 }

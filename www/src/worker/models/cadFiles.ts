@@ -1,6 +1,6 @@
-// CAD files. The libraries that translate them are fetched when the first such file comes.
-import { HausdorffError, type NurbsModel } from "nurbs-hausdorff";
-import { readCad } from "nurbs-hausdorff/cad";
+// CAD files. The package's own readers, and the libraries of others, are fetched when the first
+// such file comes.
+import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
 
 /** Reads a model from a file's bytes; the name is for errors. */
 export type FileReader = (bytes: ArrayBuffer, name: string) => Promise<NurbsModel>;
@@ -22,11 +22,11 @@ const rhino = () => {
 };
 
 /** Returns the reader of files, which announces the library that it fetches. */
-export function reader(onLibrary: (text: string) => void): FileReader {
+export function reader(engine: Hausdorff, onLibrary: (text: string) => void): FileReader {
   return async (bytes, name) => {
     note = onLibrary;
     try {
-      return await readCad(bytes, { name, occt, rhino });
+      return await engine.readCad(bytes, { name, occt, rhino });
     } catch (error) {
       if (!(error instanceof TypeError)) throw error;
       // The browser could not fetch the library, for example without a network.

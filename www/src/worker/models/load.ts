@@ -21,7 +21,7 @@ export async function load(
   sources: Sides<Source>,
   onLibrary: (text: string) => void,
 ): Promise<Loaded> {
-  const readFile = reader(onLibrary);
+  const readFile = reader(engine, onLibrary);
   const models: Sides<NurbsModel> = {};
   const display: Sides<DisplayModel> = {};
   try {

@@ -1,6 +1,6 @@
 //! Faces that the model refuses become skipped ones.
 
-use super::assembly::Assembled;
+use super::assembled::Assembled;
 use super::report::{ReadReport, Skipped};
 use crate::error::Result;
 use crate::model::{Model, ModelArrays};
@@ -11,7 +11,7 @@ use crate::parallel;
 ///
 /// # Errors
 /// Those of [`Model::from_faces`] that concern no face, or every one.
-pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
+pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
     let refused = match Model::from_faces(read.model.clone()) {
         Ok(model) => return Ok((model, read.report())),
         Err(error) if read.model.faces.len() == 1 => return Err(error),
@@ -35,7 +35,7 @@ pub(super) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
         });
     }
     for instance in &mut kept.model.instances {
-        instance.surfaces = instance.surfaces.iter().filter_map(|&index| indices[index]).collect();
+        instance.surfaces = instance.surfaces.iter().filter_map(|&index| *indices.get(index)?).collect();
     }
     kept.skipped.sort_by_key(|skipped| skipped.face);
     kept.notes.retain(|note| kept.skipped.iter().all(|skipped| skipped.face != note.face));

@@ -1,3 +1,3 @@
-// What is used of an optional peer's types.
+// The part that is used of the types of OpenCASCADE's and rhino3dm's packages.
 declare const start: (options: object) => Promise<object>;
 export default start;

@@ -1,0 +1,54 @@
+//! The result of a reader, before the model validates it.
+
+use super::report::{FaceCounts, Note, ReadReport, Skipped};
+use crate::model::ModelArrays;
+use crate::model::trim::FaceArrays;
+
+/// The faces that a reader made of a file, not validated, with the account of each.
+pub(crate) struct Assembled {
+    pub(crate) model: ModelArrays,
+    /// One entry a face of the model.
+    pub(crate) counts: Vec<FaceCounts>,
+    pub(crate) skipped: Vec<Skipped>,
+    pub(crate) notes: Vec<Note>,
+}
+
+impl Assembled {
+    /// Returns the faces of a reader in JavaScript, whose curves are all exact, numbered in order.
+    #[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+    pub(crate) fn of_exact(model: ModelArrays) -> Self {
+        let curves = |face: &FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
+        let count = |(number, face)| FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
+        let counts = model.faces.iter().enumerate().map(count).collect();
+        Self { model, counts, skipped: Vec::new(), notes: Vec::new() }
+    }
+
+    /// Returns the report on these faces.
+    pub(super) fn report(&self) -> ReadReport {
+        let curves = || self.model.faces.iter().filter_map(|face| face.trim.as_ref()).flatten().flatten();
+        let gap = |face: &FaceArrays| {
+            let curves = face.trim.iter().flatten().flatten();
+            face.gap + curves.map(|curve| curve.gap).fold(0.0, f64::max)
+        };
+        ReadReport {
+            faces: self.counts.len(),
+            trims: curves().count(),
+            exact: self.counts.iter().map(|face| face.exact).sum(),
+            fitted: self.counts.iter().map(|face| face.fitted).sum(),
+            gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
+            unit: self.model.unit,
+            skipped: self.skipped.clone(),
+            notes: self.notes.clone(),
+            sources: self.sources(),
+        }
+    }
+
+    /// Returns the counts of the model's faces, which are those of each instance in order.
+    fn sources(&self) -> Vec<FaceCounts> {
+        if self.model.instances.is_empty() {
+            return self.counts.clone();
+        }
+        let placed = self.model.instances.iter().flat_map(|instance| &instance.surfaces);
+        placed.filter_map(|&index| self.counts.get(index).copied()).collect()
+    }
+}

@@ -1,0 +1,111 @@
+//! The account of what was read, which accompanies the model.
+
+use crate::error::Error;
+use crate::model::Model;
+use serde::{Deserialize, Serialize};
+
+/// The result of reading a CAD file, face by face.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ReadReport {
+    /// The number of faces read.
+    pub faces: usize,
+    /// The number of trimming curves of those faces.
+    pub trims: usize,
+    /// The number of trimming curves that are exact images of the file's.
+    pub exact: usize,
+    /// The number of trimming curves fitted to the file's, with the deviation in their gaps,
+    /// and of those on surfaces that are approximated.
+    pub fitted: usize,
+    /// The largest gap of a face, in model units: an upper bound on the distance between a
+    /// trimming curve on its surface and the edge of the file, plus the deviation of an
+    /// approximated surface. Plane sections of ruled surfaces, and curves and surfaces that
+    /// are offsets but not rational, are measured at points instead.
+    pub gap: f64,
+    /// Metres per model unit; `None` where the file does not state it, as in BREP.
+    pub unit: Option<f64>,
+    /// The faces that could not be read, or not be cut into patches.
+    pub skipped: Vec<Skipped>,
+    /// The faces that the file leaves ambiguous, with what was decided.
+    pub notes: Vec<Note>,
+    /// The file's faces of the model's, one entry a face of the model: with instances a face
+    /// of the file has several.
+    #[serde(skip)]
+    pub(crate) sources: Vec<FaceCounts>,
+}
+
+/// The number of a face among those of the file, and those of its curves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FaceCounts {
+    pub(crate) number: usize,
+    /// The number by which the file calls the face.
+    pub(crate) entity: Option<u64>,
+    pub(crate) exact: usize,
+    pub(crate) fitted: usize,
+}
+
+impl ReadReport {
+    /// Returns the report on a model that was read without a change, as interchange JSON is.
+    #[must_use]
+    pub fn of_exact(model: &Model) -> Self {
+        let loops = model.faces().filter_map(|face| face.to_arrays().trim).flatten();
+        let trims = loops.map(|curves| curves.len()).sum();
+        Self {
+            faces: model.surfaces().len(),
+            trims,
+            exact: trims,
+            fitted: 0,
+            gap: model.gap(),
+            unit: model.unit(),
+            skipped: Vec::new(),
+            notes: Vec::new(),
+            sources: Vec::new(),
+        }
+    }
+
+    /// Moves faces of the model, by their indices, from those that were read to those skipped.
+    pub(crate) fn leave_out(&mut self, refused: &[(usize, Error)]) {
+        for (face, error) in refused {
+            let unknown = FaceCounts { number: *face, entity: None, exact: 0, fitted: 0 };
+            let FaceCounts { number, entity, exact, fitted } =
+                self.sources.get(*face).copied().unwrap_or(unknown);
+            // Other instances of the face are refused with it.
+            if self.skipped.iter().any(|skipped| skipped.face == number) {
+                continue;
+            }
+            self.faces -= 1;
+            self.trims -= exact + fitted;
+            self.exact -= exact;
+            self.fitted -= fitted;
+            self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
+        }
+        self.skipped.sort_by_key(|skipped| skipped.face);
+        self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
+    }
+}
+
+/// A face that could not be read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Skipped {
+    /// The number of the face in the file, from 0, in the order of OpenCASCADE's
+    /// `TopExp_Explorer`, each face once at its place.
+    pub face: usize,
+    /// The number by which the file calls the face, if it has one, as `#` in STEP.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entity: Option<u64>,
+    /// The stable code of the reason.
+    pub code: &'static str,
+    /// The reason.
+    pub why: String,
+}
+
+/// What the file leaves open of a face that was read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Note {
+    /// The number of the face in the file, as of [`Skipped`].
+    pub face: usize,
+    /// The stable code of the remark.
+    pub code: &'static str,
+    /// The decision, and the reason for it.
+    pub why: String,
+}
