@@ -12,6 +12,7 @@ mod assemblies;
 mod damage;
 mod elementary;
 mod left_out;
+mod p_curves;
 mod polygons;
 mod real_files;
 mod splines;

@@ -17,7 +17,12 @@ pub(super) struct Boundary {
 
 impl Shapes<'_> {
     /// Returns the wire of a curve on a surface, type 142.
-    pub(super) fn curve_on_surface(&mut self, number: u64, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+    pub(super) fn curve_on_surface(
+        &mut self,
+        number: u64,
+        sheet: &Sheet,
+        above: &DAffine3,
+    ) -> Found<Boundary> {
         let entity = self.file.entity(number)?;
         if entity.entry.kind != 142 {
             return Err(entity.unknown("a curve on a surface, type 142"));
@@ -29,7 +34,12 @@ impl Shapes<'_> {
     }
 
     /// Returns the wire of a boundary, type 141.
-    pub(super) fn listed_boundary(&mut self, number: u64, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+    pub(super) fn listed_boundary(
+        &mut self,
+        number: u64,
+        sheet: &Sheet,
+        above: &DAffine3,
+    ) -> Found<Boundary> {
         let entity = self.file.entity(number)?;
         if entity.entry.kind != 141 {
             return Err(entity.unknown("a boundary, type 141"));
@@ -53,7 +63,12 @@ impl Shapes<'_> {
     }
 
     /// Returns the wire of the rectangle of a whole surface.
-    pub(super) fn whole_boundary(&mut self, entity: &Entity, sheet: &Sheet, above: &DAffine3) -> Found<Boundary> {
+    pub(super) fn whole_boundary(
+        &mut self,
+        entity: &Entity,
+        sheet: &Sheet,
+        above: &DAffine3,
+    ) -> Found<Boundary> {
         let [Some([u0, u1]), Some([v0, v1])] = self.topology.surfaces[sheet.surface].natural_ranges() else {
             return Err(entity.fault(3, "the number of holes of a surface with an end"));
         };

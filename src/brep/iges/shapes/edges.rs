@@ -72,7 +72,10 @@ impl Shapes<'_> {
         let entity = self.listed(list, index, 504, 5, "a list of edges, type 504")?;
         let first = 2 + 5 * (index - 1);
         let ends = [1, 3].map(|at| -> Found<Vertex> {
-            self.listed_vertex(entity.reference(first + at)?, entity.count(first + at + 1, u32::MAX as usize)?)
+            self.listed_vertex(
+                entity.reference(first + at)?,
+                entity.count(first + at + 1, u32::MAX as usize)?,
+            )
         });
         let [start, end] = ends;
         let ends = [start?, end?];
@@ -85,7 +88,8 @@ impl Shapes<'_> {
             let shape = self.push_edge(curve, [Some(ends[0].shape), Some(ends[1].shape)])?;
             return Ok(vec![Segment { shape, forward: !turned }]);
         }
-        let point = |leaf: &Leaf, end: usize| leaf.location.transform_point3(leaf.curve.point(leaf.range[end]));
+        let point =
+            |leaf: &Leaf, end: usize| leaf.location.transform_point3(leaf.curve.point(leaf.range[end]));
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
             return Err(fault("its curve has no parts"));
         };
@@ -122,7 +126,9 @@ impl Shapes<'_> {
         let points = ends.map(|end| to_curve.transform_point3(end.point));
         let allowed = |curve: &Curve, range| (NEAR * curve.size(range)).max(TOLERANCES * self.tolerance);
         let distances = |curve: &Curve, range: [f64; 2], turned: bool| {
-            [0, 1].map(|end: usize| curve.point(range[end]).distance(points[if turned { 1 - end } else { end }]))
+            [0, 1].map(|end: usize| {
+                curve.point(range[end]).distance(points[if turned { 1 - end } else { end }])
+            })
         };
         let whole = [false, true].into_iter().find(|&turned| {
             distances(curve, *range, turned).iter().all(|&distance| distance <= allowed(curve, *range))
@@ -131,7 +137,9 @@ impl Shapes<'_> {
             Some(turned) => (curve.clone(), *range, turned),
             None => {
                 let parameters = points.map(|point| nearest_parameter(curve, point));
-                let [Some(from), Some(to)] = parameters else { return Err("its curve has no range".to_owned()) };
+                let [Some(from), Some(to)] = parameters else {
+                    return Err("its curve has no range".to_owned());
+                };
                 let closed = ends[0].shape == ends[1].shape;
                 let Part { curve, range, turned } = Part::between(curve.clone(), [from, to], closed)?;
                 (curve, range, turned)

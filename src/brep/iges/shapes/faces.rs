@@ -1,7 +1,7 @@
 //! Faces of trimmed, bounded and whole surfaces.
 
-use super::boundaries::directed;
 use super::Shapes;
+use super::boundaries::directed;
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::iges::geometry::placed;
 use glam::DAffine3;

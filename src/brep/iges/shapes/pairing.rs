@@ -45,7 +45,10 @@ impl Ground<'_> {
             })
             .collect();
         if space.is_empty() {
-            return parameters.into_iter().map(|(curve, is_point)| Piece::Parameters(curve, is_point)).collect();
+            return parameters
+                .into_iter()
+                .map(|(curve, is_point)| Piece::Parameters(curve, is_point))
+                .collect();
         }
         match self.pairs(&parameters, &space) {
             Some(pairs) => {

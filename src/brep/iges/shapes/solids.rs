@@ -64,7 +64,8 @@ impl Shapes<'_> {
             let (is_vertex, list) = (entity.count(at, 1)? == 1, entity.reference(at + 1)?);
             let (index, forward) = (entity.count(at + 2, u32::MAX as usize)?, entity.count(at + 3, 1)? == 1);
             let count = entity.items(at + 4, 2)?;
-            let curves = (0..count).map(|curve| entity.reference(at + 6 + 2 * curve)).collect::<Found<Vec<u64>>>()?;
+            let curves =
+                (0..count).map(|curve| entity.reference(at + 6 + 2 * curve)).collect::<Found<Vec<u64>>>()?;
             at += 5 + 2 * count;
             if is_vertex {
                 continue;
@@ -97,7 +98,8 @@ impl Shapes<'_> {
     fn attach(&mut self, uses: &[LoopUse], sheet: &Sheet) -> Found<()> {
         let mut curves: HashMap<usize, Vec<(bool, Option<Spline>)>> = HashMap::new();
         for one in uses {
-            let curve = one.curve.as_ref().and_then(|curve| self.in_direction(one.segment.shape, curve, sheet));
+            let curve =
+                one.curve.as_ref().and_then(|curve| self.in_direction(one.segment.shape, curve, sheet));
             curves.entry(one.segment.shape).or_default().push((one.along, curve));
         }
         for (shape, mut found) in curves {

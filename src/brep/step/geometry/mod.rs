@@ -11,6 +11,7 @@ pub(super) use surfaces::{plane_through, surface};
 
 use super::exchange::{Exchange, number};
 use super::units::Units;
+use crate::brep::nurbs::Surface;
 use crate::brep::report::FaceFault;
 use glam::DVec3;
 
@@ -31,6 +32,13 @@ impl Scale {
     /// The scale of geometry in space.
     pub(super) fn of_space(units: &Units) -> Self {
         Self { coordinates: DVec3::splat(units.millimetres()), angle: units.angle }
+    }
+
+    /// The scale of geometry in the parameter plane of a surface.
+    pub(super) fn of_parameters(surface: &Surface, units: &Units) -> Self {
+        let in_space = Self::of_space(units);
+        let [u, v] = surfaces::parameter_factors(surface, &in_space);
+        Self { coordinates: DVec3::new(u, v, 1.0), ..in_space }
     }
 
     /// The factor of lengths in space.

@@ -97,17 +97,12 @@ fn elementary(file: &Exchange<'_>, entity: &Entity<'_>, scale: &Scale) -> Result
 /// Reads the bounds of a trimmed surface. The parameters of one traversed backwards in u or v
 /// are those of its basis.
 fn rectangle(entity: &Entity<'_>, basis: Surface, scale: &Scale) -> Result<Surface, FaceFault> {
-    let kinds = parameter_units(&basis);
+    let factors = parameter_factors(&basis, scale);
     let mut bounds = [[0.0; 2]; 2];
     for axis in [0, 1] {
-        let factor = match kinds[axis] {
-            Parameter::Angle => scale.angle,
-            Parameter::Length => scale.length(),
-            Parameter::Number => 1.0,
-        };
         for end in [0, 1] {
             let attribute = 2 + 2 * axis + end;
-            let value = number(entity.value(attribute)).map(|value| value * factor);
+            let value = number(entity.value(attribute)).map(|value| value * factors[axis]);
             bounds[axis][end] = value.ok_or_else(|| entity.fault(attribute, "a parameter"))?;
         }
         let [start, end] = &mut bounds[axis];
@@ -129,14 +124,23 @@ fn rectangle(entity: &Entity<'_>, basis: Surface, scale: &Scale) -> Result<Surfa
 
 /// The unit of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Parameter {
+enum Parameter {
     Angle,
     Length,
     Number,
 }
 
+/// Returns the factors of u and v from the units of the file, those of `scale` in space.
+pub(super) fn parameter_factors(surface: &Surface, scale: &Scale) -> [f64; 2] {
+    parameter_units(surface).map(|unit| match unit {
+        Parameter::Angle => scale.angle,
+        Parameter::Length => scale.length(),
+        Parameter::Number => 1.0,
+    })
+}
+
 /// Returns the units of u and v.
-pub(super) fn parameter_units(surface: &Surface) -> [Parameter; 2] {
+fn parameter_units(surface: &Surface) -> [Parameter; 2] {
     let of_curve = |curve: &Curve| match curve {
         Curve::Conic { conic: Conic::Elliptic, .. } => Parameter::Angle,
         _ => Parameter::Number,

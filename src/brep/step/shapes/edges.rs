@@ -4,7 +4,7 @@ use super::{Shapes, used};
 use crate::brep::nurbs::{Curve, Part, nearest_parameter};
 use crate::brep::report::FaceFault;
 use crate::brep::step::geometry::{curve, point, trimmed};
-use crate::brep::topology::{Edge, ShapeKind, SpaceCurve, Use};
+use crate::brep::topology::{Edge, PCurve, ShapeKind, SpaceCurve, Use};
 use glam::{DAffine3, DVec3};
 
 /// The shape of an edge, and whether the edge of the file runs along its curve.
@@ -74,14 +74,20 @@ impl Shapes<'_> {
         let curve = self.topology.curves.len() - 1;
         let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range };
         let children = vec![used(ends[0].shape, true), used(ends[1].shape, false)];
-        let shape = self.push_edge(space, children)?;
+        let p_curves = self.p_curves(entity.reference(3)?, &space);
+        let shape = self.push_edge(space, p_curves, children)?;
         Ok(vec![Segment { shape, forward: forward != turned }])
     }
 
     /// Appends an edge of this curve.
-    pub(super) fn push_edge(&mut self, curve: SpaceCurve, vertices: Vec<Use>) -> Result<usize, FaceFault> {
+    pub(super) fn push_edge(
+        &mut self,
+        curve: SpaceCurve,
+        p_curves: Vec<PCurve>,
+        vertices: Vec<Use>,
+    ) -> Result<usize, FaceFault> {
         let tolerance = self.units.uncertainty.max(TOLERANCE);
-        let edge = Edge { tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
+        let edge = Edge { tolerance, degenerate: false, curve: Some(curve), p_curves };
         self.push(ShapeKind::Edge(edge), vertices)
     }
 
@@ -95,7 +101,8 @@ impl Shapes<'_> {
         self.topology.curves.push(Curve::Line { point: start.point, direction: end.point - start.point });
         let curve = self.topology.curves.len() - 1;
         let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range: [0.0, 1.0] };
-        let shape = self.push_edge(space, vec![used(start.shape, true), used(end.shape, false)])?;
+        let shape =
+            self.push_edge(space, Vec::new(), vec![used(start.shape, true), used(end.shape, false)])?;
         Ok(Some(Segment { shape, forward: true }))
     }
 

@@ -70,7 +70,7 @@ impl Shapes<'_> {
             self.topology.curves.push(geometry);
             let curve = self.topology.curves.len() - 1;
             let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range };
-            let edge = self.push_edge(space, Vec::new())?;
+            let edge = self.push_edge(space, Vec::new(), Vec::new())?;
             edges.push(used(edge, *sense != "F"));
         }
         if edges.is_empty() {

@@ -5,6 +5,7 @@ mod edges;
 mod faces;
 mod loops;
 mod loose;
+mod p_curves;
 mod spheres;
 
 use super::exchange::Exchange;

@@ -1,0 +1,72 @@
+//! Curves in the parameters that the file states.
+
+use crate::support::step::{Id, StepText};
+use crate::{areas, assert_near, face};
+use nurbs_hausdorff::{Model, ReadReport};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The square [0, 4]² as a B-spline of degree 1, u = x / 4 and v = y / 4, with a round hole whose edge has
+/// these curves in the parameters.
+fn plate(p_curves: impl FnOnce(&mut StepText) -> Vec<Id>) -> (Model, ReadReport) {
+    let mut text = StepText::new();
+    let rows = [0.0, 4.0].map(|x| {
+        let row = [0.0, 4.0].map(|y| format!("#{}", text.point([x, y, 0.0])));
+        format!("({})", row.join(","))
+    });
+    let surface = text.add(format!(
+        "B_SPLINE_SURFACE_WITH_KNOTS('',1,1,({}),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)",
+        rows.join(",")
+    ));
+    let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+    let vertices = corners.map(|corner| text.vertex(corner));
+    let sides: Vec<(Id, bool)> = (0..4)
+        .map(|k| {
+            let next = (k + 1) % 4;
+            let line = text.line(corners[k], [0, 1, 2].map(|axis| corners[next][axis] - corners[k][axis]));
+            (text.edge(line, [vertices[k], vertices[next]], true), true)
+        })
+        .collect();
+    let placement = text.placement([2.0, 2.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let circle = text.circle(placement, 1.5);
+    let stated: Vec<String> = p_curves(&mut text)
+        .into_iter()
+        .map(|curve| {
+            let drawing = text.add(format!("DEFINITIONAL_REPRESENTATION('',(#{curve}),$)"));
+            format!("#{}", text.add(format!("PCURVE('',#{surface},#{drawing})")))
+        })
+        .collect();
+    let curve = text.add(format!("SURFACE_CURVE('',#{circle},({}),.CURVE_3D.)", stated.join(",")));
+    let vertex = text.vertex([3.5, 2.0, 0.0]);
+    let hole = text.edge(curve, [vertex, vertex], true);
+    let loops = [text.edge_loop(&sides), text.edge_loop(&[(hole, false)])];
+    let plate = text.face(&loops, surface, true);
+    face(text, plate)
+}
+
+/// A circle about the middle of the parameters.
+fn circle(text: &mut StepText, radius: f64, start: f64) -> Id {
+    let center = text.add("CARTESIAN_POINT('',(0.5,0.5))");
+    let x = text.add(format!("DIRECTION('',({:?},{:?}))", start.cos(), start.sin()));
+    let placement = text.add(format!("AXIS2_PLACEMENT_2D('',#{center},#{x})"));
+    text.add(format!("CIRCLE('',#{placement},{radius:?})"))
+}
+
+const AREA: f64 = 16.0 - PI * 2.25;
+
+#[test]
+fn a_stated_curve_is_used_where_it_runs_along_the_edge() {
+    let (model, report) = plate(|text| vec![circle(text, 0.375, 0.0)]);
+    assert_near(areas(&model)[0], AREA, 1e-12);
+    assert_eq!((report.exact, report.fitted), (5, 0));
+    assert!(report.gap < 1e-10, "{}", report.gap);
+}
+
+/// Of another size, or of another start.
+#[test]
+fn a_stated_curve_beside_the_edge_is_made_anew() {
+    let moved = |radius: f64, start: f64| plate(|text| vec![circle(text, radius, start)]);
+    for (model, report) in [moved(0.37, 0.0), moved(0.375, FRAC_PI_2), plate(|_| Vec::new())] {
+        assert_near(areas(&model)[0], AREA, 1e-7);
+        assert_eq!((report.exact, report.fitted), (4, 1));
+    }
+}
