@@ -42,9 +42,10 @@ impl Series {
         let mut square = vec![0.0; counts[0] * counts[1]];
         for (first, &a) in self.numerator.iter().enumerate() {
             let (i, j) = (first / columns, first % columns);
-            for (second, &b) in self.numerator.iter().enumerate() {
+            for (second, &b) in self.numerator.iter().enumerate().skip(first) {
                 let (k, l) = (second / columns, second % columns);
-                let product = 0.25 * a.dot(b);
+                // Both orders of two factors.
+                let product = if second == first { 0.25 } else { 0.5 } * a.dot(b);
                 for row in [i + k, i.abs_diff(k)] {
                     square[row * counts[1] + j + l] += product;
                     square[row * counts[1] + j.abs_diff(l)] += product;
@@ -92,6 +93,12 @@ impl<'a> Density<'a> {
             weight_rounding: if patch.rational { e_w } else { 0.0 },
             least_weight,
         }
+    }
+
+    /// Returns about the number of products that [`Series::square`] takes.
+    pub(super) fn work(&self) -> usize {
+        let coefficients: usize = counts(self.patch).iter().product();
+        coefficients * coefficients / 2
     }
 
     /// Returns an upper bound on the density where |N| is at most `numerator`.

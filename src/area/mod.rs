@@ -34,6 +34,10 @@ const OPEN_SHARE: f64 = 0.5;
 const MAX_CELLS: usize = 1024;
 const MAX_CELLS_PER_PATCH: usize = 256;
 
+/// The largest number of products that the parts of a face take beyond its patches: about a second, for
+/// surfaces of high degrees that fold.
+const MAX_WORK: usize = 1 << 29;
+
 /// An interval that contains an area, in squares of the model unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Area {
@@ -59,7 +63,7 @@ impl Add for Area {
 /// Returns the area of the patches of a face, within [`MAX_RELATIVE_WIDTH`] of it unless that
 /// takes too many parts or float64 does not resolve it.
 ///
-/// O(patches degree³) where all patches are regular, and as much for each further part.
+/// O(patches degree⁴) where all patches are regular, and as much for each further part.
 pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
     let patches: Vec<Patch<'a>> = patches.collect();
     let densities: Vec<Density<'_>> = patches.iter().map(Density::new).collect();
@@ -68,14 +72,16 @@ pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
         parts.add(density, Cell::new(density, ParamBox::UNIT));
     }
     let max_cells = MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len();
-    let mut count = patches.len();
+    let (mut count, mut work) = (patches.len(), 0);
     while count < max_cells
+        && work < MAX_WORK
         && parts.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * parts.closed.lower
         && let Some(Open { density, cell, axis }) = parts.take()
     {
         for half in cell.part.halves(axis) {
             parts.add(density, Cell::new(density, half));
             count += 1;
+            work += density.work();
         }
     }
     parts.sum()
