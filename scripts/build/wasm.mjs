@@ -58,7 +58,16 @@ async function compile({ name, feature }) {
     // package.json, because the package has its own.
     [
       ...["build", "--mode", "no-install", "--no-pack", "--profile", "wasm", "--target", "web"],
-      ...["--out-dir", out, "--out-name", name, "--", "--no-default-features", "--features", feature],
+      ...[
+        "--out-dir",
+        out,
+        "--out-name",
+        name,
+        "--",
+        "--no-default-features",
+        "--features",
+        feature,
+      ],
     ],
     { env: toolsEnvironment({ CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: rustFlags }) },
   );

@@ -14,7 +14,7 @@ import { Failure } from "../process.mjs";
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1520, gzipped: 615 },
-  nurbs_hausdorff_readers: { plain: 830, gzipped: 340 },
+  nurbs_hausdorff_readers: { plain: 870, gzipped: 365 },
 };
 
 /** Compares one module with its budget. */

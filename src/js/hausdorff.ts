@@ -16,10 +16,10 @@ import type { Results } from "./measure/result.js";
 import { NurbsModel } from "./model/model.js";
 import {
   type BrepText,
+  coordinatesOf,
   type InterchangeModel,
   type ModelArrays,
   type Numbers,
-  coordinatesOf,
   prepare,
   type SurfaceArrays,
 } from "./model/surface.js";

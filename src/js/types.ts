@@ -1,9 +1,10 @@
 // The types and the error class that the package's entries share.
-export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
+
 export type { CadKind } from "./cad/kind.js";
 export type { CadOptions } from "./cad/options.js";
 export type { PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";
+export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
 export type { BestFit, BestFitOptions } from "./fit/best-fit.js";
 export type { Rigid } from "./fit/rigid.js";
 export type { ModuleSource } from "./load.js";

@@ -20,3 +20,9 @@ pub fn read_brep(bytes: &[u8]) -> Result<Vec<u8>> {
 pub fn read_step(bytes: &[u8]) -> Result<Vec<u8>> {
     brep::read_step(bytes)?.to_bytes()
 }
+
+/// Reads an IGES file.
+#[wasm_bindgen(js_name = readIges)]
+pub fn read_iges(bytes: &[u8]) -> Result<Vec<u8>> {
+    brep::read_iges(bytes)?.to_bytes()
+}

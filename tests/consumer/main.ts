@@ -149,7 +149,10 @@ export async function readFiles(hd: Hausdorff, bytes: Uint8Array): Promise<CadRe
   await readCad(bytes, { units: 0.001 });
   // @ts-expect-error files are read by `readCad`
   hd.model(bytes);
-  using same = await hd.readCad(bytes, { reader: "occt", occt: new URL("https://example.org/occt.js") });
+  using same = await hd.readCad(bytes, {
+    reader: "occt",
+    occt: new URL("https://example.org/occt.js"),
+  });
   const numbers: (number | undefined)[] = same.report?.skipped.map(({ entity }) => entity) ?? [];
   console.log(same.report?.reader, numbers);
   return report.kind === "step" ? report : part.report;

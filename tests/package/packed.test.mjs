@@ -89,7 +89,9 @@ async function bundleAndRun(place, { bundle, parts = [], inline, copy }, names) 
   await bundle({ source, out, names: [...names, ...parts], installed: packed.installed });
   if (copy) copyModules(packed.installed, out);
   for (const page of names) {
-    await outcome(`${place}/out/${page}.html`).then(isRight, (error) => assert.fail(`${page}: ${error}`));
+    await outcome(`${place}/out/${page}.html`).then(isRight, (error) =>
+      assert.fail(`${page}: ${error}`),
+    );
   }
 }
 
@@ -190,7 +192,14 @@ test("the types are found by every resolution of ES modules", () => {
   const { status, stdout } = spawnSync(
     "attw",
     // The wasm module is a file to fetch, without types; CommonJS imports the package by import().
-    [packed.tarball, "--profile", "esm-only", "--exclude-entrypoints", "nurbs_hausdorff_bg.wasm", "nurbs_hausdorff_readers_bg.wasm"],
+    [
+      packed.tarball,
+      "--profile",
+      "esm-only",
+      "--exclude-entrypoints",
+      "nurbs_hausdorff_bg.wasm",
+      "nurbs_hausdorff_readers_bg.wasm",
+    ],
     { env: environment(), encoding: "utf8" },
   );
   assert.equal(status, 0, stdout);

@@ -232,6 +232,9 @@ function onReply(reply: Reply): void {
     case "cancelled":
       if (!client.isNewest(reply.run)) break;
       resultPanel.clearResult("cancelled");
+      if (reply.interval !== undefined) {
+        resultPanel.showReached(reply.interval, view.models.diagonal);
+      }
       hideResult();
       break;
     case "failed":

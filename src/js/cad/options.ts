@@ -7,12 +7,12 @@ export interface CadOptions {
   /** Metres per unit of the file's coordinates, where the file does not state it. */
   unit?: number;
   /**
-   * The reader of STEP: the package's own (default), with OpenCASCADE for a file that
+   * The reader of STEP and IGES: the package's own (default), with OpenCASCADE for a file that
    * it refuses; or OpenCASCADE at once.
    */
   reader?: "built-in" | "occt";
   /**
-   * Loads OpenCASCADE, for IGES and as `reader` says. Default in Node: the package
+   * Loads OpenCASCADE, for what `reader` says. Default in Node: the package
    * `@bitbybit-dev/occt`; elsewhere there is none.
    */
   occt?: PeerLoader;

@@ -1,9 +1,9 @@
 import { HausdorffError, translating } from "../error.js";
+import { checkKeys } from "../keys.js";
 import { load } from "../load.js";
 import { NurbsModel } from "../model/model.js";
 import { type BrepText, isBrepText } from "../model/surface.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
-import { checkKeys } from "../keys.js";
 import { inflate } from "./archive/inflate.js";
 import { isGzip, kindByContent } from "./kind.js";
 import type { CadOptions } from "./options.js";

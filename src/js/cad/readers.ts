@@ -1,21 +1,17 @@
 import { HausdorffError, translating } from "../error.js";
 import { loadModule } from "../load.js";
-import init, { readBrep, readStep } from "../wasm/nurbs_hausdorff_readers.js";
+import init, { readBrep, readIges, readStep } from "../wasm/nurbs_hausdorff_readers.js";
 import type { CadKind } from "./kind.js";
 
-/** The package's readers, by the kind of file: each gives what `PreparedModel.fromRead` takes. */
-const READERS = {
+/** The kinds of file that a reader of the package's takes. */
+export type ReadableKind = Extract<CadKind, "brep" | "step" | "iges">;
+
+/** Those readers: each gives what the core takes. */
+const READERS: Readonly<Record<ReadableKind, (bytes: Uint8Array) => Uint8Array>> = {
   brep: readBrep,
   step: readStep,
-} as const satisfies Partial<Record<CadKind, (bytes: Uint8Array) => Uint8Array>>;
-
-/** The kinds of file that a reader of the package's takes. */
-type ReadableKind = keyof typeof READERS;
-
-/** Whether a reader of the package's takes this kind of file. */
-export function isReadable(kind: CadKind): kind is ReadableKind {
-  return kind in READERS;
-}
+  iges: readIges,
+};
 
 /**
  * Reads a file by the package's reader, whose module is loaded with the first.

@@ -6,7 +6,7 @@ import type { CadOptions } from "./options.js";
 import { declaredFaces, translated } from "./peers/occt.js";
 import type { FacesFile } from "./prepare/faces.js";
 import type { ReadFile } from "./prepare/read.js";
-import { isReadable, readFaces } from "./readers.js";
+import { type ReadableKind, readFaces } from "./readers.js";
 import { readRhino } from "./rhino/index.js";
 
 /** A file as the readers' module gave it, as the faces of a reader here, or as interchange JSON. */
@@ -26,9 +26,9 @@ export async function translation(
   switch (kind) {
     case "step":
     case "iges":
-      return isReadable(kind) && options.reader !== "occt"
-        ? ownElseOcct(bytes, kind, options)
-        : byOcct(bytes, kind, options);
+      return options.reader === "occt"
+        ? byOcct(bytes, kind, options)
+        : ownElseOcct(bytes, kind, options);
     case "brep":
       return own(bytes, kind, unit);
     case "3dm": {
@@ -45,9 +45,7 @@ export async function translation(
   }
 }
 
-type Readable = Parameters<typeof readFaces>[1];
-
-async function own(bytes: Uint8Array, kind: Readable, unit?: number): Promise<ReadFile> {
+async function own(bytes: Uint8Array, kind: ReadableKind, unit?: number): Promise<ReadFile> {
   const read = await readFaces(bytes, kind);
   return { kind, reader: "built-in", read, ...(unit === undefined ? {} : { unit }), declared: 0 };
 }
@@ -55,7 +53,7 @@ async function own(bytes: Uint8Array, kind: Readable, unit?: number): Promise<Re
 /** A file by the package's reader, or by OpenCASCADE where that refuses it and this is at hand. */
 async function ownElseOcct(
   bytes: Uint8Array,
-  kind: Readable & ("step" | "iges"),
+  kind: "step" | "iges",
   options: CadOptions,
 ): Promise<ReadFile> {
   try {

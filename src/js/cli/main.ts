@@ -2,8 +2,8 @@
 // The command line in Node: as the native one, for CAD files too.
 import { readFileSync } from "node:fs";
 import { HausdorffError } from "../error.js";
-import { Hausdorff } from "../hausdorff.js";
-import type { Backend } from "../measure/options.js";
+// Finds the wasm modules beside the package's own files.
+import "../node.js";
 import { type Invocation, parseArguments } from "./arguments/arguments.js";
 import { help } from "./arguments/help.js";
 import { table } from "./arguments/table.js";
@@ -18,19 +18,13 @@ const FAILED = 2;
 
 const here = (path: string) => new URL(path, import.meta.url);
 
-function create(backend: Backend): Promise<Hausdorff> {
-  const module = readFileSync(here("../wasm/nurbs_hausdorff_bg.wasm"));
-  return Hausdorff.create({ backend, module });
-}
-
 async function run({ command, values }: Invocation): Promise<number> {
-  if (command.name === "distance") return distance(values, create);
-  if (command.name === "diff") return diff(values, create);
+  if (command.name === "distance") return distance(values);
+  if (command.name === "diff") return diff(values);
   if (command.name === "completions") {
     const native = "completions are printed by the native command, cargo install nurbs-hausdorff";
     throw new HausdorffError("OPTION_INVALID", native);
   }
-  using _hd = await create("cpu");
   await (command.name === "convert" ? convert(values) : info(values));
   return 0;
 }

@@ -1,4 +1,5 @@
 import { HausdorffError } from "../error.js";
+import { checkKeys } from "../keys.js";
 import type { DistanceEngine } from "../measure/engine.js";
 import type { Transform } from "../measure/options.js";
 import { dampedStep, type LeastSquares, leastSquares } from "./least-squares.js";
@@ -43,6 +44,12 @@ export interface BestFit {
   converged: boolean;
 }
 
+/** The names of the options. */
+const OPTIONS: readonly (keyof BestFitOptions)[] = [
+  ...(["samples", "sampling", "transform", "tolerance", "relativeTolerance"] as const),
+  ...(["maxSteps", "scaleUnits", "signal", "onProgress"] as const),
+];
+
 /** The damping of the first step, relative to unit weights, and how it changes. */
 const FIRST_DAMPING = 1e-3;
 const DAMPING_FACTOR = 10;
@@ -66,16 +73,11 @@ export async function bestFit<Model>(
   engine: Pick<DistanceEngine<Model>, "field">,
   a: Model,
   b: Model,
-  {
-    onProgress,
-    tolerance,
-    relativeTolerance,
-    maxSteps,
-    transform,
-    samples,
-    ...others
-  }: BestFitOptions = {},
+  fitOptions: BestFitOptions = {},
 ): Promise<BestFit> {
+  checkKeys("options", fitOptions, OPTIONS);
+  const { onProgress, tolerance, relativeTolerance, maxSteps, transform, samples, ...others } =
+    fitOptions;
   const smallest = smallestStep(tolerance, relativeTolerance);
   const most = positive("maxSteps", maxSteps ?? DEFAULTS.maxSteps);
   const options = { ...others, samples: samples ?? DEFAULTS.samples };

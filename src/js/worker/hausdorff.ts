@@ -14,10 +14,10 @@ import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
 import {
   type BrepText,
+  coordinatesOf,
   type InterchangeModel,
   type ModelArrays,
   type Numbers,
-  coordinatesOf,
   type SurfaceArrays,
 } from "../model/surface.js";
 import { Channel } from "./channel.js";
@@ -84,7 +84,9 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     const { worker, module, readers, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
-      await channel.call("create", [{ ...rest, module: sendable(module), readers: sendable(readers) }]);
+      await channel.call("create", [
+        { ...rest, module: sendable(module), readers: sendable(readers) },
+      ]);
     } catch (error) {
       channel.close();
       throw error;

@@ -100,11 +100,7 @@ export class NurbsModel {
   }
 
   /** As the plain model's; what is called afterwards uses the new control points. */
-  async update(
-    face: number,
-    points: Numbers,
-    options: UpdateOptions = {},
-  ): Promise<void> {
+  async update(face: number, points: Numbers, options: UpdateOptions = {}): Promise<void> {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [facts] = await this.#channel.call("update", [id, face, points, options]);
     this.#facts = facts as ModelFacts;

@@ -65,6 +65,23 @@ for (const [code, options, message] of refusals) {
   });
 }
 
+test("unknown options of every method are refused, and the nearest named", async () => {
+  const points = new Float64Array(3);
+  for (const [run, options, nearest] of [
+    [(options) => create(options), { backnd: "cpu" }, "backend"],
+    [(options) => hd.field(a, a, options), { sample: 8 }, "samples"],
+    [(options) => hd.diff(a, a, options), { limits: 1 }, "limit"],
+    [(options) => hd.closestPoints(a, points, options), { toleranc: 1 }, "tolerance"],
+    [(options) => hd.bestFit(a, a, options), { maxStep: 1 }, "maxSteps"],
+    [async (options) => a.tessellate(options), { relativetolerance: 1 }, "relativeTolerance"],
+    [async (options) => a.update(0, points, options), { homogenous: true }, "homogeneous"],
+    [(options) => hd.readCad(new Uint8Array(1), options), { units: 1 }, "unit"],
+  ]) {
+    const message = new RegExp(`did you mean "${nearest}"`);
+    await assert.rejects(run(options), withCode("OPTION_INVALID", message));
+  }
+});
+
 test("options that are no object are refused", async () => {
   for (const options of [null, 1, "fast"]) {
     await assert.rejects(hd.distance(a, a, options), withCode("OPTION_INVALID"));

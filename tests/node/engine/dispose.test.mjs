@@ -25,11 +25,7 @@ test("an engine that was disposed of says so", async () => {
   const model = hd.model([square()]);
   hd.dispose();
   hd.dispose();
-  for (const use of [
-    () => hd.backend,
-    () => hd.adapter,
-    () => hd.notice,
-  ]) {
+  for (const use of [() => hd.backend, () => hd.adapter, () => hd.notice]) {
     assert.throws(use, withCode("DISPOSED"));
   }
   await assert.rejects(hd.distance(model, model), withCode("DISPOSED"));

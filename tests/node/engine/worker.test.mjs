@@ -76,6 +76,32 @@ test("models of arrays, JSON and text, faces and triangles", async () => {
   assert.deepEqual(shapes, plain.Hausdorff.shapes());
 });
 
+test("a best fit is that of the main entry, with its progress", async () => {
+  const [far, near] = [await hd.shape("wavy-sheet"), direct.shape("wavy-sheet")];
+  const options = { samples: 8, transform: { translation: [0.01, 0, 0.02] } };
+  const steps = [];
+  const onProgress = (step, rms) => steps.push([step, rms]);
+  const found = await hd.bestFit(far, far, { ...options, onProgress });
+  assert.deepEqual(found, await direct.bestFit(near, near, options));
+  assert.ok(steps.length > 0 && steps.every(([step, rms]) => step >= 1 && rms >= 0));
+});
+
+test("a cancelled search rejects with the interval that it reached", async () => {
+  const [a, b] = await Promise.all(
+    ["wigley-hull", "wigley-hull-wider"].map((name) => hd.shape(name)),
+  );
+  const { lower, upper } = await hd.distance(a, b, { relativeTolerance: 1e-4 });
+  const controller = new AbortController();
+  const work = hd.distance(a, b, {
+    ...{ relativeTolerance: 1e-13, signal: controller.signal },
+    onProgress: (fraction) => fraction > 0 && controller.abort(),
+  });
+  await assert.rejects(work, (error) => {
+    assert.ok(error.interval[0] <= upper && lower <= error.interval[1]);
+    return withCode("CANCELLED")(error);
+  });
+});
+
 test("points are copied, or transferred on request", async () => {
   const model = await hd.model([square(0)]);
   const points = new Float64Array([0.5, 0.5, 3]);

@@ -47,6 +47,12 @@ const files = [
   ["step", "axom_tet.step", 4, 12],
 ];
 
+/**
+ * Limits on gaps, in mm. The largest known in STEP are NIST's 0.007; hammer.iges, a part of 50 m
+ * by its unit, has 2.63, of which OpenCASCADE's translation keeps 1.03.
+ */
+const MAX_GAPS = { step: 0.01, iges: 2.7 };
+
 for (const [kind, name, faces, trims] of files) {
   test(`every face of ${name}`, { skip: missing }, async (context) => {
     await loaded();
@@ -55,13 +61,12 @@ for (const [kind, name, faces, trims] of files) {
     context.diagnostic(`${name}: ${JSON.stringify(report)}`);
     assert.deepEqual(report.skipped, []);
     assert.equal(report.kind, kind);
-    assert.equal(report.reader, kind === "step" ? "built-in" : "occt");
+    assert.equal(report.reader, "built-in");
     assert.equal(report.faces, faces);
     assert.equal(report.trims, trims);
     assert.equal(report.exact + report.fitted, trims);
     assert.equal(report.unit, 0.001);
-    // The largest gap known is the 0.91 to 1.03 mm of hammer.iges, a part of 50 m by its unit.
-    assert.ok(report.gap >= 0 && report.gap < 1.1);
+    assert.ok(report.gap >= 0 && report.gap < MAX_GAPS[kind]);
     assert.equal(model.faceCount, faces);
     assert.equal(model.name, name);
     model.dispose();
@@ -163,7 +168,7 @@ test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   const { report } = await readCad(sharedFile("step/screw.step"), { occt: never });
   assert.deepEqual([report.faces, report.reader], [10, "built-in"]);
   await assert.rejects(
-    readCad(sharedFile("iges/hammer.iges"), { occt }),
+    readCad(sharedFile("iges/hammer.iges"), { occt, reader: "occt" }),
     withCode("PEER_MISSING", /reads no IGES.*npm install @bitbybit-dev\/occt/),
   );
   await assert.rejects(
@@ -332,7 +337,7 @@ const refused = [
   ["BREP_SYNTAX", "DBRep_DrawableShape\nCASCADE Topology V3\nLocations x", /./],
   ["STEP_SYNTAX", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=(broken;\nENDSEC;", /line 5/],
   ["EMPTY_MODEL", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;", /./],
-  ["CAD_UNREADABLE", `${"x".repeat(72)}S      1\n${"x".repeat(72)}G      1\n`, /IGES file/],
+  ["IGES_SYNTAX", `${"x".repeat(72)}S      1\n${"x".repeat(72)}G      1\n`, /./],
   ["CAD_UNREADABLE", "3D Geometry File Format        4", /rhino3dm/],
   ["CAD_UNREADABLE", "PK\x03\x04", /zip archive is damaged/],
   ["CAD_UNREADABLE", "\x1f\x8b\x08 broken", /compressed content is damaged/],
@@ -440,31 +445,30 @@ test("a damaged ON_Brep is refused, whatever bytes it has", { skip: missing }, a
   assert.ok(refused > 100);
 });
 
-test("a missing package is named, with the command that installs it", { skip: missing }, () => {
+test("without any other package STEP and IGES are read, and for 3DM the missing one is named", {
+  skip: missing,
+}, () => {
   const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
   try {
     cpSync(fileURLToPath(new URL("../../../dist", import.meta.url)), join(folder, "dist"), {
       recursive: true,
     });
     writeFileSync(join(folder, "package.json"), '{"type": "module", "version": "0.0.0"}');
-    writeFileSync(join(folder, "part.stp"), sharedFile("step/screw.step"));
-    writeFileSync(join(folder, "part.igs"), sharedFile("iges/hammer.iges"));
-    writeFileSync(join(folder, "part.3dm"), sharedFile("3dm/v4_MechPartB.3dm"));
-    for (const [file, name] of [
-      ["part.igs", "@bitbybit-dev/occt"],
-      ["part.3dm", "rhino3dm"],
-    ]) {
-      const run = () =>
-        execFileSync(process.execPath, ["dist/cli/main.js", "info", file], {
-          cwd: folder,
-          stdio: "pipe",
-        });
-      assert.throws(run, ({ status, stderr }) => {
+    const info = (name, path) => {
+      writeFileSync(join(folder, name), sharedFile(path));
+      const args = ["dist/cli/main.js", "info", name];
+      return `${execFileSync(process.execPath, args, { cwd: folder, stdio: "pipe" })}`;
+    };
+    assert.match(info("part.stp", "step/screw.step"), /faces {5}10,/);
+    assert.match(info("part.igs", "iges/hammer.iges"), /faces {5}45,/);
+    assert.throws(
+      () => info("part.3dm", "3dm/v4_MechPartB.3dm"),
+      ({ status, stderr }) => {
         assert.equal(status, 2);
-        assert.match(`${stderr}`, new RegExp(`error\\[PEER_MISSING\\].*npm install ${name}`));
+        assert.match(`${stderr}`, /error\[PEER_MISSING\].*npm install rhino3dm/);
         return true;
-      });
-    }
+      },
+    );
   } finally {
     rmSync(folder, { recursive: true });
   }

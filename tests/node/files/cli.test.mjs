@@ -273,35 +273,37 @@ test("completions are the native command's", () => {
   assert.match(stderr, /native command/);
 });
 
-test("CAD files are read in Node, and STEP files natively to the same part", {
-  skip: missing,
-}, () => {
+for (const [name, from, faces] of [
+  ["screw.step", "step/screw.step", 10],
+  ["bearing.iges", "iges/bearing.iges", 213],
+]) {
+  test(`both commands read ${name} to the same model`, { skip: missing }, () => {
+    const part = file(name, sharedFile(from));
+    const infos = both("info", part, "--json").map(({ stdout }) => JSON.parse(stdout));
+    // The native command names no model by its file.
+    for (const info of infos) info.name = null;
+    // Pieces of trimmed faces follow sines and cosines, whose last bits are the platform's.
+    alike(...infos, 1e-9);
+    assert.deepEqual([infos[0].faces.length, infos[0].unit], [faces, 0.001]);
+    const outputs = [path("ours.json"), path("theirs.json")];
+    const reports = [
+      node("convert", part, outputs[0], "--json"),
+      outcome(native, ["convert", part, outputs[1], "--json"]),
+    ].map(({ stdout }) => Object.fromEntries(Object.entries(JSON.parse(stdout)).sort()));
+    alike(...reports, 1e-9);
+    assert.equal(reports[0].reader, "built-in");
+  });
+}
+
+test("a STEP file is measured in Node", { skip: missing }, () => {
   const part = file("screw.step", sharedFile("step/screw.step"));
   const distance = node("distance", part, part, "--tolerance", "1e-3", "--json");
   assert.equal(distance.status, 0, distance.stderr);
   assert.ok(JSON.parse(distance.stdout).upper < 0.1);
-  const theirs = outcome(native, ["info", part, "--json"]);
-  assert.equal(theirs.status, 0, theirs.stderr);
-  const converted = node("convert", part, path("screw.json"), "--json");
-  assert.deepEqual(JSON.parse(converted.stdout).faces, 10);
-  const infos = both("info", path("screw.json"), "--json").map(({ stdout }) => JSON.parse(stdout));
-  // Pieces of trimmed faces follow sines and cosines, whose last bits are the platform's.
-  alike(...infos, 1e-9);
-  assert.equal(infos[0].faces.length, 10);
-  assert.equal(infos[0].unit, 0.001);
-  const own = JSON.parse(theirs.stdout);
-  assert.equal(own.faces.length, 10);
-  assert.equal(own.unit, 0.001);
-  // Both readings lie within their gaps of the file, a millionth of the part's size.
-  const middle = ({ area }) => (area.lower + area.upper) / 2;
-  assert.ok(Math.abs(middle(own) / middle(infos[0]) - 1) < 1e-4);
 });
 
 test("the native command recognises the files that it does not read", { skip: missing }, () => {
-  for (const [name, from, found] of [
-    ["part.igs", "iges/hammer.iges", /an IGES file/],
-    ["part.3dm", "3dm/v4_MechPartB.3dm", /a Rhino 3DM file/],
-  ]) {
+  for (const [name, from, found] of [["part.3dm", "3dm/v4_MechPartB.3dm", /a Rhino 3DM file/]]) {
     const { status, stderr } = outcome(native, ["info", file(name, sharedFile(from))]);
     assert.equal(status, 2);
     assert.match(stderr, found);

@@ -115,7 +115,10 @@ for (const [change, message] of misspelt) {
 
 test("unknown keys of a model and of its instances are refused", () => {
   const model = { surfaces: [square()], units: 0.001 };
-  assert.throws(() => hd.model(model), withCode("ARGUMENT_INVALID", /"units", did you mean "unit"/));
+  assert.throws(
+    () => hd.model(model),
+    withCode("ARGUMENT_INVALID", /"units", did you mean "unit"/),
+  );
   const instances = [{ surface: [0], transform: Array(12).fill(0) }];
   assert.throws(
     () => hd.model({ surfaces: [square()], instances }),

@@ -59,9 +59,7 @@ function note(report: CadReport): HTMLElement {
   const format = reader === "occt" ? `${FORMATS[kind]} by OpenCASCADE` : FORMATS[kind];
   const summary = document.createElement("summary");
   const faces = `${grouped(read)} ${read === 1 ? "face" : "faces"}`;
-  summary.append(
-    [format, faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "),
-  );
+  summary.append([format, faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "));
   if (skipped.length > 0) summary.append(" · ", strong(`${grouped(skipped.length)} skipped`));
   if (fitted > 0) summary.append(" · ", strong(`${grouped(fitted)} curves fitted`));
   const details = document.createElement("details");

@@ -10,8 +10,11 @@ import { showVerdict } from "./verdict.ts";
 
 /** The meaning of the interval shown. */
 const SO_FAR = "certified so far";
-/** The two directions are computed in turn, each with an interval of its own. */
 const STALLED = " · narrows slowly, may take long";
+/** The note on the interval of a cancelled measurement. */
+const REACHED = "cancelled; contains the distance";
+
+/** The two directions are computed in turn, each with an interval of its own. */
 const ONE_DIRECTION = "one direction so far";
 
 const section = element("result");
@@ -92,6 +95,12 @@ export function clearResult(state: "cancelled" | "failed" | "working"): void {
     delete section.dataset[name];
   }
   section.dataset.state = state;
+}
+
+/** Shows the interval that a cancelled measurement had reached. */
+export function showReached([lower, upper]: readonly [number, number], diagonal: number): void {
+  showInterval(lower, upper, diagonal, REACHED);
+  Object.assign(section.dataset, { lower, upper });
 }
 
 export function showError(code: string, message: string): void {

@@ -8,4 +8,5 @@ export const codeOf = (error: unknown): Code =>
 export const messageOf = (error: unknown): string =>
   error instanceof Error ? error.message : `${error}`;
 
-export const isCancelled = (error: unknown): boolean => codeOf(error) === "CANCELLED";
+export const isCancelled = (error: unknown): error is HausdorffError =>
+  codeOf(error) === "CANCELLED";

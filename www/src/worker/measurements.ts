@@ -121,8 +121,9 @@ export class Measurements {
       this.#show(requested, result, (result.forward ?? result).field, pending);
       if (pending && !again) await this.#colour(requested, result);
     } catch (error) {
-      if (isCancelled(error)) this.#reply({ kind: "cancelled", run });
-      else this.#fail(error, run);
+      if (isCancelled(error)) {
+        this.#reply({ kind: "cancelled", run, interval: error.interval });
+      } else this.#fail(error, run);
     }
   }
 

@@ -141,5 +141,6 @@ export type Reply =
     }
   | { kind: "probed"; id: number; probe: Probe | undefined }
   | { kind: "csv"; table: Blob }
-  | { kind: "cancelled"; run: number }
+  /** `interval` is what the search had reached, if it had. */
+  | { kind: "cancelled"; run: number; interval: readonly [number, number] | undefined }
   | { kind: "failed"; run?: number; code: Code; message: string };

@@ -66,7 +66,13 @@ async function shapeModel({
   brep,
 }: DocumentShape): Promise<{ model: InterchangeModel; report: CadReport }> {
   const read = await readFaces(brep, "brep");
-  const file = { kind: "fcstd", reader: "built-in", read, unit: FREECAD_UNIT, declared: 0 } as const;
+  const file = {
+    kind: "fcstd",
+    reader: "built-in",
+    read,
+    unit: FREECAD_UNIT,
+    declared: 0,
+  } as const;
   const { json, report } = translating(() => readInterchange(file, name));
   return { model: JSON.parse(json) as InterchangeModel, report };
 }

@@ -51,8 +51,7 @@ function keyOf(peer: Peer, loader: PeerLoader | undefined): unknown {
 }
 
 async function load(peer: Peer, loader: PeerLoader | undefined): Promise<object> {
-  const imported =
-    typeof loader === "function" ? await loader() : await importPeer(peer, loader);
+  const imported = typeof loader === "function" ? await loader() : await importPeer(peer, loader);
   let module = unwrapped(imported);
   // `module` is bitbybit's name for what others take themselves.
   if (typeof module === "function") {
@@ -118,7 +117,10 @@ async function importPeer(peer: Peer, address: string | URL | undefined): Promis
 
 function defaultAddress(peer: Peer): string {
   if (isNode()) return peer.node;
-  throw missing(peer, `pass the option ${peer.option}: the function that imports it, or its address`);
+  throw missing(
+    peer,
+    `pass the option ${peer.option}: the function that imports it, or its address`,
+  );
 }
 
 function missing(peer: Peer, remedy: string, options?: ErrorOptions): HausdorffError {

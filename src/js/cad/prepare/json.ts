@@ -18,5 +18,12 @@ export function rewritten(text: string): { json: string; report: CadReport } {
 }
 
 function exact(report: ModuleReport): CadReport {
-  return { ...report, kind: "json", reader: "built-in", unit: report.unit ?? null, skipped: [], notes: [] };
+  return {
+    ...report,
+    kind: "json",
+    reader: "built-in",
+    unit: report.unit ?? null,
+    skipped: [],
+    notes: [],
+  };
 }

@@ -8,7 +8,7 @@ export interface ReadFile {
   kind: CadKind;
   /** The reader that took the file itself. */
   reader: CadReader;
-  /** The faces and the account of them, as `PreparedModel.fromRead` takes them. */
+  /** The faces and the account of them, as the core takes them. */
   read: Uint8Array;
   /** Metres per unit of the coordinates, where the file does not state it. */
   unit?: number;

@@ -1,6 +1,5 @@
-import type { Hausdorff } from "../../hausdorff.js";
 import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
-import type { Backend } from "../../measure/options.js";
+import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
 import { ofFiles, readModel } from "../files.js";
 import { full } from "../output/numbers.js";
@@ -14,11 +13,8 @@ const MAX_LISTED = 100;
 const STATUSES: Readonly<Record<FaceState, number>> = { unchanged: 0, changed: 1, undecided: 3 };
 
 /** Compares the models face by face, prints the differences and returns the exit status. */
-export async function diff(
-  values: Invocation["values"],
-  create: (backend: Backend) => Promise<Hausdorff>,
-): Promise<number> {
-  using hd = await create("cpu");
+export async function diff(values: Invocation["values"]): Promise<number> {
+  using hd = await Hausdorff.create({ backend: "cpu" });
   using a = await readModel(String(values.get("a")));
   using b = await readModel(String(values.get("b")));
   const progress = new Progress();

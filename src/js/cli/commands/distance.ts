@@ -1,6 +1,6 @@
-import type { Hausdorff } from "../../hausdorff.js";
-import type { Backend, DistanceOptions } from "../../measure/options.js";
+import type { DistanceOptions } from "../../measure/options.js";
 import type { DistanceResult } from "../../measure/result.js";
+import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
 import { ofFiles, readModel } from "../files.js";
 import { print, printJson } from "../output/output.js";
@@ -16,15 +16,12 @@ const UNDECIDED = 3;
 type Values = Invocation["values"];
 
 /** Computes and prints the distance, and returns the exit status. */
-export async function distance(
-  values: Values,
-  create: (backend: Backend) => Promise<Hausdorff>,
-): Promise<number> {
+export async function distance(values: Values): Promise<number> {
   const options: DistanceOptions = libraryOptions(values);
   // Method certified usually ends in float64 before a GPU could be initialised.
   const staged = (options.method ?? "certified") !== "certified" || options.field === true;
   const backend = options.backend ?? "auto";
-  using hd = await create(staged || backend === "gpu" ? backend : "cpu");
+  using hd = await Hausdorff.create({ backend: staged || backend === "gpu" ? backend : "cpu" });
   using a = await readModel(String(values.get("a")));
   using b = await readModel(String(values.get("b")));
   const progress = new Progress();
