@@ -1,8 +1,8 @@
 //! An entity and its parameters.
 
+use super::Found;
 use super::directory::Entry;
 use super::values::Value;
-use super::Found;
 use crate::brep::report::FaceFault;
 use glam::DVec3;
 

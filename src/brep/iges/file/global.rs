@@ -65,7 +65,8 @@ fn unit(flag: &Value, name: &Value) -> Option<f64> {
     };
     if flag == BY_NAME {
         let Value::Text(name) = name else { return None };
-        let known = UNITS.iter().find(|(_, names, _)| names.contains(&name.trim().to_ascii_uppercase().as_str()));
+        let known =
+            UNITS.iter().find(|(_, names, _)| names.contains(&name.trim().to_ascii_uppercase().as_str()));
         return known.map(|&(_, _, millimetres)| millimetres);
     }
     UNITS.iter().find(|&&(one, _, _)| one == flag).map(|&(_, _, millimetres)| millimetres)

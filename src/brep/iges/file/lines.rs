@@ -124,7 +124,8 @@ fn is_total(content: &[u8], counts: &[usize; SECTIONS.len()]) -> bool {
     (0..4).all(|index| {
         let field = content.get(index * MARK_COLUMNS..(index + 1) * MARK_COLUMNS);
         field.is_some_and(|field| {
-            field[0] == SECTIONS[index] && integer(&field[1..]).and_then(|n| n.try_into().ok()) == Some(counts[index])
+            field[0] == SECTIONS[index]
+                && integer(&field[1..]).and_then(|n| n.try_into().ok()) == Some(counts[index])
         })
     })
 }

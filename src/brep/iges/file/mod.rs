@@ -55,7 +55,10 @@ impl<'a> File<'a> {
     pub(super) fn entry(&self, number: u64) -> Found<&Entry> {
         let index = usize::try_from(number / 2).ok().filter(|_| number % 2 == 1);
         index.and_then(|index| self.entries.get(index)).ok_or_else(|| {
-            FaceFault::new("IGES_REFERENCE", format!("entity {number} is referred to, and not in the directory"))
+            FaceFault::new(
+                "IGES_REFERENCE",
+                format!("entity {number} is referred to, and not in the directory"),
+            )
         })
     }
 

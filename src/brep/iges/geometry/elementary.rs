@@ -20,7 +20,10 @@ pub(super) fn surface(file: &File<'_>, entity: &Entity, scale: Scale) -> Found<(
         190 => (Surface::Plane(frame([1, 2, 3])?), of_scales(scale.0, scale.0)),
         192 => {
             let profile = line(length(entity, 3, scale)?, 0.0);
-            (Surface::Revolution { frame: frame([1, 2, 4])?, profile, kind: "cylinder" }, of_scales(DEGREE, scale.0))
+            (
+                Surface::Revolution { frame: frame([1, 2, 4])?, profile, kind: "cylinder" },
+                of_scales(DEGREE, scale.0),
+            )
         }
         194 => {
             let (radius, angle) = (scale.0 * entity.real(3)?, entity.real(4)?);
@@ -28,11 +31,17 @@ pub(super) fn surface(file: &File<'_>, entity: &Entity, scale: Scale) -> Found<(
                 return Err(entity.fault(4, "the half angle of a cone, below 90 degrees"));
             }
             let profile = line(radius, (angle * DEGREE).tan());
-            (Surface::Revolution { frame: frame([1, 2, 5])?, profile, kind: "cone" }, of_scales(DEGREE, scale.0))
+            (
+                Surface::Revolution { frame: frame([1, 2, 5])?, profile, kind: "cone" },
+                of_scales(DEGREE, scale.0),
+            )
         }
         196 => {
             let profile = circle(0.0, length(entity, 2, scale)?);
-            (Surface::Revolution { frame: frame([1, 3, 4])?, profile, kind: "sphere" }, of_scales(DEGREE, DEGREE))
+            (
+                Surface::Revolution { frame: frame([1, 3, 4])?, profile, kind: "sphere" },
+                of_scales(DEGREE, DEGREE),
+            )
         }
         198 => {
             let profile = circle(length(entity, 3, scale)?, length(entity, 4, scale)?);

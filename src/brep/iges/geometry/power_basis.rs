@@ -42,7 +42,8 @@ pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
         for j in 0..counts[1] {
             let numbers = entity.reals(at(i, j), 48)?;
             // X, Y and Z have 16 coefficients each, with the powers of u fastest.
-            let power = |s: usize, t: usize| DVec3::from([0, 1, 2].map(|axis| numbers[16 * axis + s + 4 * t]));
+            let power =
+                |s: usize, t: usize| DVec3::from([0, 1, 2].map(|axis| numbers[16 * axis + s + 4 * t]));
             let lengths = [breaks[0][i + 1] - breaks[0][i], breaks[1][j + 1] - breaks[1][j]];
             let along_u = [0, 1, 2, 3].map(|t| bezier([0, 1, 2, 3].map(|s| power(s, t)), lengths[0]));
             for (s, row) in rows.iter_mut().enumerate() {

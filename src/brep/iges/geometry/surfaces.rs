@@ -51,7 +51,11 @@ fn nested(file: &File<'_>, number: u64, scale: Scale, nesting: usize) -> Found<C
         140 => {
             let basis = nested(file, entity.reference(5)?, scale, nesting + 1)?;
             let surface = offset(&entity, &basis, scale)?;
-            return Ok(Carrier { surface, location: location * basis.location, parameters: basis.parameters });
+            return Ok(Carrier {
+                surface,
+                location: location * basis.location,
+                parameters: basis.parameters,
+            });
         }
         _ => elementary::surface(file, &entity, scale)?,
     };
@@ -158,7 +162,9 @@ fn ruled(file: &File<'_>, entity: &Entity, scale: Scale) -> Found<Surface> {
         sides.push(leaf.clone());
     }
     let angle = |curve: &Curve, range: [f64; 2]| match curve {
-        Curve::Conic { conic: Conic::Elliptic, x, y, .. } if x.length() == y.length() => Some(range[1] - range[0]),
+        Curve::Conic { conic: Conic::Elliptic, x, y, .. } if x.length() == y.length() => {
+            Some(range[1] - range[0])
+        }
         _ => None,
     };
     let angles = [0, 1].map(|side: usize| angle(&sides[side].curve, sides[side].range));
@@ -195,10 +201,7 @@ fn between([first, second]: [Spline; 2]) -> Found<Surface> {
     let [first, second] = [first, second].map(|side| side.with_knots(&knots));
     let poles: Vec<DVec4> = first.controls.iter().zip(&second.controls).flat_map(|(&a, &b)| [a, b]).collect();
     let count = first.controls.len();
-    let bases = [
-        Basis::with_knots(degree, knots, count),
-        Basis::with_knots(1, vec![0.0, 0.0, 1.0, 1.0], 2),
-    ];
+    let bases = [Basis::with_knots(degree, knots, count), Basis::with_knots(1, vec![0.0, 0.0, 1.0, 1.0], 2)];
     Ok(Surface::Spline(SplineSurface::new(bases, poles)))
 }
 

@@ -87,7 +87,9 @@ impl Shapes<'_> {
                     shells.extend(entity.reference(1));
                     shells
                 }),
-                184 => entity.items(1, 2).and_then(|count| (2..2 + count).map(|at| entity.reference(at)).collect()),
+                184 => entity
+                    .items(1, 2)
+                    .and_then(|count| (2..2 + count).map(|at| entity.reference(at)).collect()),
                 308 => entity.references(3),
                 514 => pairs(&entity, 1, 2),
                 _ => entity.references(1),

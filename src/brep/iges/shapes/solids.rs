@@ -48,7 +48,7 @@ impl Shapes<'_> {
         for index in 0..entity.items(2, 1)? {
             wires.extend(self.loop_of(entity.reference(4 + index)?, &sheet)?);
         }
-        self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, wires)
+        self.push_face_of(&entity.entry, &sheet, &DAffine3::IDENTITY, wires, Vec::new())
     }
 
     /// Returns the wire of a loop, type 508, with the material on its left seen along the normal
@@ -64,7 +64,8 @@ impl Shapes<'_> {
             let (is_vertex, list) = (entity.count(at, 1)? == 1, entity.reference(at + 1)?);
             let (index, forward) = (entity.count(at + 2, u32::MAX as usize)?, entity.count(at + 3, 1)? == 1);
             let count = entity.items(at + 4, 2)?;
-            let curves = (0..count).map(|curve| entity.reference(at + 6 + 2 * curve)).collect::<Found<Vec<u64>>>()?;
+            let curves =
+                (0..count).map(|curve| entity.reference(at + 6 + 2 * curve)).collect::<Found<Vec<u64>>>()?;
             at += 5 + 2 * count;
             if is_vertex {
                 continue;
@@ -97,7 +98,8 @@ impl Shapes<'_> {
     fn attach(&mut self, uses: &[LoopUse], sheet: &Sheet) -> Found<()> {
         let mut curves: HashMap<usize, Vec<(bool, Option<Spline>)>> = HashMap::new();
         for one in uses {
-            let curve = one.curve.as_ref().and_then(|curve| self.in_direction(one.segment.shape, curve, sheet));
+            let curve =
+                one.curve.as_ref().and_then(|curve| self.in_direction(one.segment.shape, curve, sheet));
             curves.entry(one.segment.shape).or_default().push((one.along, curve));
         }
         for (shape, mut found) in curves {
@@ -132,7 +134,7 @@ impl Shapes<'_> {
         };
         let surface = &self.topology.surfaces[sheet.surface];
         let ground = Ground { surface, location: sheet.location, tolerance: self.tolerance };
-        let along = ground.direction(curve, &leaf)?;
-        Some(if along { curve.clone() } else { curve.clone().reversed() })
+        let pair = ground.pair_of_edge(curve, &leaf)?;
+        Some(if pair.along { curve.clone() } else { curve.clone().reversed() })
     }
 }
