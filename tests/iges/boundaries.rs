@@ -174,6 +174,23 @@ fn a_cylinder_is_whole_with_its_seam() {
     assert!(report.gap < 1e-9, "{}", report.gap);
 }
 
+/// A whole torus within its two seams: nothing is left open about its side.
+#[test]
+fn a_torus_is_whole_with_its_seams() {
+    let mut text = IgesText::new();
+    let tube = text.arc(0.0, [[1.0, 0.0]; 2]);
+    let beside = text.matrix([[1.0, 0.0, 0.0, 4.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]]);
+    text.place(tube, beside);
+    let surface = text.revolution(tube, [0.0, TAU]);
+    let parameters = text.polygon(&rectangle([0.0, 0.0], [TAU, TAU], 0.0));
+    let ring = text.arc(0.0, [[5.0, 0.0]; 2]);
+    let space = text.composite(&[tube, ring, tube, ring]);
+    text.trimmed(surface, Some((parameters, space)), &[]);
+    let (model, report) = read(&text);
+    assert_near(areas(&model)[0], TAU * TAU * 4.0, 1e-9);
+    assert_eq!(report.notes, []);
+}
+
 /// OpenCASCADE leaves out the curves that are points, at the poles of a sphere.
 #[test]
 fn poles_without_curves_are_closed() {

@@ -151,8 +151,15 @@ impl Shapes<'_> {
             return Err(FaceFault::new("IGES_BOUNDARY", why));
         }
         let area = area(&pieces);
-        let edges = pieces.into_iter().map(|piece| self.piece(piece, sheet, location));
-        let edges = edges.collect::<Found<Vec<Use>>>()?;
+        let seams = ground.seams(&pieces);
+        let mut edges: Vec<Use> = Vec::with_capacity(pieces.len());
+        for (piece, seam) in pieces.into_iter().zip(seams) {
+            let edge = match seam {
+                Some((first, same)) => self.other_side(edges[first], piece, same)?,
+                None => self.piece(piece, sheet, location)?,
+            };
+            edges.push(edge);
+        }
         boundaries.wires.push(Wire { shape: self.push(ShapeKind::Wire, edges)?, area });
         Ok(())
     }

@@ -55,6 +55,25 @@ impl Shapes<'_> {
         Ok(used(self.push(ShapeKind::Edge(edge), Vec::new())?, along))
     }
 
+    /// Adds to the edge of a seam the curve in the parameters of its other side. `same` is whether
+    /// the curves in space of both sides have one direction.
+    pub(super) fn other_side(&mut self, edge: Use, piece: Piece, same: bool) -> Found<Use> {
+        let Piece::Both { curve, pair, .. } = piece else { return Ok(edge) };
+        let curve = if same { curve } else { curve.reversed() };
+        let along = pair.along == same;
+        self.spend(curve.controls.len())?;
+        self.topology.p_curves.push(Curve::Spline(curve.into()));
+        let index = self.topology.p_curves.len() - 1;
+        if let ShapeKind::Edge(Edge { tolerance, p_curves, .. }) = &mut self.topology.shapes[edge.shape].kind
+        {
+            *tolerance = tolerance.max(pair.distance);
+            for p_curve in p_curves {
+                p_curve.curves[usize::from(!along)] = index;
+            }
+        }
+        Ok(used(edge.shape, along))
+    }
+
     /// Returns the tolerance of the file, or that of the digits of a curve's coordinates.
     fn tolerance_of(&self, curve: Option<&SpaceCurve>) -> f64 {
         let coordinates = curve.map_or(0.0, |SpaceCurve { curve, location, range }| {

@@ -171,6 +171,40 @@ impl Ground<'_> {
         lifted.measured()
     }
 
+    /// Returns for each part of a boundary the earlier part that is the other side of the same
+    /// seam, and whether both curves in space have one direction: these are one curve, which the
+    /// boundary runs along once each way.
+    pub(super) fn seams(&self, pieces: &[Piece]) -> Vec<Option<(usize, bool)>> {
+        let is_closed = self.surface.closures().iter().any(Option::is_some) && pieces.len() <= MAX_COMPARED;
+        let mut seams: Vec<Option<(usize, bool)>> = vec![None; pieces.len()];
+        for index in (0..pieces.len()).filter(|_| is_closed) {
+            let Piece::Both { leaf, pair, .. } = &pieces[index] else { continue };
+            let found = (0..index).find_map(|other| {
+                let Piece::Both { leaf: first, pair: of_first, .. } = &pieces[other] else { return None };
+                let same = self.is_same(first, leaf)?;
+                let is_free = !seams.iter().flatten().any(|&(taken, _)| taken == other);
+                ((pair.along == same) != of_first.along && is_free).then_some((other, same))
+            });
+            seams[index] = found;
+        }
+        seams
+    }
+
+    /// Returns whether two curves in space that are the same have one direction.
+    fn is_same(&self, first: &Leaf, second: &Leaf) -> Option<bool> {
+        let points = |leaf: &Leaf| {
+            let [start, end] = leaf.range;
+            [start, 0.5 * (start + end), end].map(|t| leaf.location.transform_point3(leaf.curve.point(t)))
+        };
+        let (a, mut b) = (points(first), points(second));
+        [true, false].into_iter().find(|&same| {
+            if !same {
+                b.reverse();
+            }
+            a.iter().zip(&b).all(|(a, b)| a.distance(*b) <= self.tolerance)
+        })
+    }
+
     fn lifted(&self, at: DVec3) -> DVec3 {
         self.location.transform_point3(self.surface.point(at.x, at.y))
     }
