@@ -1,15 +1,13 @@
 """Reads IGES files by the native command and by OpenCASCADE, and compares both readings.
 
-    python3 iges.py write PARTS FOLDER    parts of the generator as IGES, in both modes of OpenCASCADE
-    python3 iges.py compare COMMAND FOLDER
+    python iges.py write FOLDER      a part of each kind as IGES, in both modes of OpenCASCADE
+    python iges.py compare COMMAND FOLDER
 
-Requires `cadquery-ocp` before version 8; PARTS is the folder of the generator `parts.py`, COMMAND the
-native command. `compare` writes a line of JSON a file: faces, areas by OpenCASCADE's quadrature and by
+COMMAND is the `nurbs-hausdorff` executable. `compare` writes a line of JSON a file: faces, areas by OpenCASCADE's quadrature and by
 the command (of the file, and of OpenCASCADE's translation as BREP text), gaps, CPU seconds, and whether
 each reading is within the sum of the gaps of the other.
 """
 
-import importlib
 import json
 import os
 import resource
@@ -23,37 +21,34 @@ from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
 from OCP.GProp import GProp_GProps
 from OCP.IGESControl import IGESControl_Reader, IGESControl_Writer
+from OCP.Message import Message
 from OCP.TopAbs import TopAbs_FACE
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
+from parts import KINDS, make
 
 # Relative to the faces' areas: both quadratures' accuracy.
 AREA_TOLERANCE = 2e-6
 # OpenCASCADE's precision of points, which its translation may add, in millimetres.
 CONFUSION = 1e-7
 SEARCH_SECONDS = 4
-GENERATORS = ("parts", "weird", "weird2")
+PART_SECONDS = 60
 
 
-def write(generator, folder):
-    """Writes one part of each kind as trimmed surfaces (mode 0) and as solids (mode 1)."""
-    sys.path.insert(0, str(generator))
+def write(folder):
+    """Writes a part of each kind as trimmed surfaces (mode 0) and as a solid (mode 1)."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name in GENERATORS:
-        importlib.import_module(name)
-        parts = sys.modules["parts"]
-        for kind in list(parts.KINDS):
-            seed = 1 if name == "parts" and len(kind) % 2 else 2
-            if os.fork() == 0:  # the kernel may crash or hang
-                signal.alarm(60)
-                shape, _ = parts.make(kind, seed)
-                for mode in (0, 1):
-                    writer = IGESControl_Writer("INCH" if seed == 1 else "MM", mode)
-                    writer.AddShape(shape)
-                    writer.ComputeModel()
-                    writer.Write(str(folder / f"{kind}_{mode}.igs"))
-                os._exit(0)
-            os.wait()
+    for seed, kind in enumerate(KINDS):
+        if os.fork() == 0:  # the kernel may crash or hang
+            signal.alarm(PART_SECONDS)
+            shape = make(kind, seed)
+            for mode in (0, 1):
+                writer = IGESControl_Writer("INCH" if seed % 3 == 1 else "MM", mode)
+                writer.AddShape(shape)
+                writer.ComputeModel()
+                writer.Write(str(folder / f"{kind}_{mode}.igs"))
+            os._exit(0)
+        os.wait()
 
 
 def areas(shape):
@@ -119,7 +114,8 @@ def compare(command, path):
 
 if __name__ == "__main__":
     if sys.argv[1] == "write":
-        write(Path(sys.argv[2]), Path(sys.argv[3]))
+        write(Path(sys.argv[2]))
     else:
+        Message.DefaultMessenger_s().ChangePrinters().Clear()
         for file in sorted(Path(sys.argv[3]).glob("*.ig*s")):
             print(json.dumps(compare(sys.argv[2], file)), flush=True)
