@@ -1,7 +1,7 @@
 //! The plain description of a boundary representation that every reader of a format makes.
 
 use super::nurbs::{Curve, Surface};
-use super::report::FaceFault;
+use super::report::{FaceFault, Remark};
 use glam::DAffine3;
 
 /// Faces, their edges and what they stand in. Indices are from 0.
@@ -100,12 +100,19 @@ pub(crate) struct Face {
     pub(crate) surface: Result<usize, FaceFault>,
     pub(crate) location: DAffine3,
     pub(crate) label: FaceLabel,
+    /// What the report says of the face.
+    pub(crate) remarks: Vec<Remark>,
 }
 
 impl Face {
     /// The face of a surface where it is, without a label.
     pub(crate) fn on(surface: usize) -> Self {
-        Self { surface: Ok(surface), location: DAffine3::IDENTITY, label: FaceLabel::default() }
+        Self {
+            surface: Ok(surface),
+            location: DAffine3::IDENTITY,
+            label: FaceLabel::default(),
+            remarks: Vec::new(),
+        }
     }
 }
 

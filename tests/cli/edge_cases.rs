@@ -1,6 +1,7 @@
 //! The command line where users and machines are not as hoped.
 
 use crate::support::fixtures::peaked_sheet;
+use crate::support::iges::IgesText;
 use crate::support::step::{StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
@@ -98,6 +99,22 @@ fn a_step_file_is_read_by_its_content() {
     assert!(run.stderr.contains(&format!("face 1 (#{broken}) is left out: #9999")), "{}", run.stderr);
     let cut = file("cut", b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=POINT(");
     assert_refused(&self::run(&["info", &cut]), "STEP_SYNTAX", &[&cut, "line 5"]);
+}
+
+/// A rectangle in inches, and a face without a surface, which is named by its number.
+#[test]
+fn an_iges_file_is_read_by_its_content() {
+    let mut text = IgesText { unit: (1, "INCH"), ..IgesText::new() };
+    text.bilinear([[0.0; 3], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0], [3.0, 4.0, 0.0]]);
+    let broken = text.add(144, 0, "999,0,0,0");
+    let path = file("rectangle", text.text().as_bytes());
+    let run = run(&["info", "--json", &path]);
+    let json: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((json["unit"].as_f64(), json["diagonal"].as_f64()), (Some(1e-3), Some(127.0)));
+    assert!(run.stderr.contains(&format!("face 1 (#{broken}) is left out: entity 999")), "{}", run.stderr);
+    let end = text.text().find("P      1").unwrap();
+    let cut = file("cut-iges", &text.text().as_bytes()[..end + 9]);
+    assert_refused(&self::run(&["info", &cut]), "IGES_SYNTAX", &[&cut, "section T"]);
 }
 
 #[test]

@@ -13,6 +13,7 @@ pub mod cpu;
 pub mod evaluator;
 pub mod fixtures;
 pub mod gpu;
+pub mod iges;
 pub mod models;
 pub mod quadrature;
 pub mod step;

@@ -53,6 +53,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     };
     let surface = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
     let Loops { loops, remarks, complement_fits } = loops::of_face(file, shape, surface)?;
+    let remarks = face.remarks.iter().cloned().chain(remarks).collect();
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim| FaceArrays {
         gap: scale * net.error,
@@ -67,6 +68,8 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
             return Err(FaceFault::new("BREP_UNBOUNDED", "the face has no loops and its surface no bounds"));
         };
         let net = net(surface, [u, v])?;
+        // A B-spline keeps its domain, of which the surface may be a part.
+        let net = if matches!(surface.elementary(), Surface::Spline(_)) { net.within([u, v]) } else { net };
         return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0, remarks, complement_fits });
     }
     let net = net(surface, ranges(surface, &loops)?)?;

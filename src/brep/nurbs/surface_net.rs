@@ -177,6 +177,25 @@ impl SurfaceNet {
         })
     }
 
+    /// Returns the part of the surface over ranges inside of its domain.
+    pub(crate) fn within(mut self, ranges: [[f64; 2]; 2]) -> Self {
+        for (axis, [low, high]) in ranges.into_iter().enumerate() {
+            let [start, end] = self.domain()[axis];
+            if low <= start && high >= end {
+                continue;
+            }
+            let counts = [0, 1].map(|axis| self.knots[axis].len() - self.degrees[axis] - 1);
+            let (degree, knots) = (self.degrees[axis], &self.knots[axis]);
+            let margin = DOMAIN_MARGIN * (end - start);
+            let inside = knots.iter().filter(|&&knot| knot > low + margin && knot < high - margin);
+            let ends = [low, high].map(|end| vec![end; degree + 1]);
+            let clamped: Vec<f64> = ends[0].iter().chain(inside).chain(&ends[1]).copied().collect();
+            self.controls = reknotted(&self.controls, counts, axis, degree, knots, &clamped);
+            self.knots[axis] = clamped;
+        }
+        self
+    }
+
     /// Returns the point at parameters of this net.
     pub(crate) fn point(&self, u: f64, v: f64) -> DVec3 {
         let columns = self.knots[1].len() - self.degrees[1] - 1;

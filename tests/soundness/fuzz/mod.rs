@@ -8,6 +8,7 @@ pub mod arrays;
 pub mod brep_text;
 pub mod closest_point;
 pub mod extraction;
+pub mod iges_text;
 pub mod json_text;
 pub mod options;
 pub mod search;
@@ -19,11 +20,12 @@ pub mod trims;
 pub type Check = fn(&[u8]);
 
 /// The targets by name.
-pub const TARGETS: [(&str, Check); 9] = [
+pub const TARGETS: [(&str, Check); 10] = [
     ("arrays", arrays::check),
     ("brep_text", brep_text::check),
     ("closest_point", closest_point::check),
     ("extraction", extraction::check),
+    ("iges_text", iges_text::check),
     ("json_text", json_text::check),
     ("options", options::check),
     ("search", search::check),

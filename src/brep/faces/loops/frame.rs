@@ -110,7 +110,9 @@ impl<'a> Frame<'a> {
         // Both ends lie in the ball of a common vertex.
         let joined = last.vertices[1].is_some() && last.vertices[1] == next.vertices[0];
         let at_vertex = if joined { 2.0 * last.end_tolerance } else { 0.0 };
-        tolerance.max(at_vertex).max(RELATIVE_TOLERANCE * self.size)
+        // A curve made from an edge ends as far from the edge's end as the gap.
+        let made = [last, next].map(|one| if one.is_placed { 0.0 } else { one.gap });
+        tolerance.max(at_vertex).max(RELATIVE_TOLERANCE * self.size) + made[0] + made[1]
     }
 }
 

@@ -15,9 +15,12 @@ const FIT_TOLERANCE: f64 = 1e-8;
 const PART_OF_DISTANCE: f64 = 0.1;
 
 /// The distance from an edge to its surface, relative to the size of the edge, beyond which
-/// the nearest point is searched globally. An edge must lie within as much, or within its
-/// tolerance if that is more, to be one of the surface.
+/// the nearest point is searched globally.
 const NEAR: f64 = 1e-3;
+
+/// The largest distance, relative to the size, of an edge of the surface; its tolerance counts if
+/// that is more. Systems write edges of half as much, and `gap` states it.
+const FARTHEST: f64 = 1e-2;
 
 /// The pieces at the start, and the deepest bisection of a piece.
 const FIRST_PIECES: usize = 8;
@@ -144,7 +147,7 @@ impl<'a> Traced<'a> {
         let found = projector
             .project(self.point(t), near, NEAR * self.size)
             .ok_or_else(|| fault("no curve in the parameters, and no points to make one of".to_owned()))?;
-        if found.distance.is_nan() || found.distance > (NEAR * self.size).max(self.tolerance) {
+        if found.distance.is_nan() || found.distance > (FARTHEST * self.size).max(self.tolerance) {
             return Err(fault(format!("the edge is {:e} from the surface", found.distance)));
         }
         Ok(found)

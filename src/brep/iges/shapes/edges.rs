@@ -1,6 +1,6 @@
 //! Edges: curves of boundaries, and those of edge lists between their vertices.
 
-use super::pairing::Piece;
+use super::pairing::{Pair, Piece};
 use super::{Shapes, Sheet, used};
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::iges::geometry::{Leaf, leaves};
@@ -17,9 +17,13 @@ pub(super) struct Segment {
 }
 
 /// The largest distance of a vertex from the curve of its edge, relative to the edge's size, or
-/// in tolerances if that is more.
-const NEAR: f64 = 1e-3;
+/// in tolerances if that is more. The file states no tolerance of edges, and some are known to
+/// half of this part only.
+const NEAR: f64 = 1e-2;
 const TOLERANCES: f64 = 10.0;
+
+/// The precision of coordinates relative to their size: OpenCASCADE writes ten digits.
+const DIGITS: f64 = 1e-9;
 
 /// A vertex: its shape and its point.
 #[derive(Debug, Clone, Copy)]
@@ -31,10 +35,11 @@ struct Vertex {
 impl Shapes<'_> {
     /// Appends the edge of a part of a face's boundary.
     pub(super) fn piece(&mut self, piece: Piece, sheet: &Sheet, location: DAffine3) -> Found<Use> {
-        let (leaf, curve, degenerate, along) = match piece {
-            Piece::Both(leaf, curve, along) => (Some(leaf), Some(curve), false, along),
-            Piece::Space(leaf) => (Some(leaf), None, false, true),
-            Piece::Parameters(curve, is_point) => (None, Some(curve), is_point, true),
+        let alone = Pair { along: true, distance: 0.0 };
+        let (leaf, curve, degenerate, Pair { along, distance }) = match piece {
+            Piece::Both { leaf, curve, pair } => (Some(leaf), Some(curve), false, pair),
+            Piece::Space(leaf) => (Some(leaf), None, false, alone),
+            Piece::Parameters(curve, is_point) => (None, Some(curve), is_point, alone),
         };
         let mut p_curves = Vec::new();
         if let Some(curve) = curve {
@@ -44,8 +49,38 @@ impl Shapes<'_> {
             p_curves.push(PCurve { curves: [index; 2], surface: sheet.surface, location, range: [0.0, 1.0] });
         }
         let curve = leaf.map(|leaf| self.space_curve(leaf)).transpose()?;
-        let edge = Edge { tolerance: self.tolerance, degenerate, curve, p_curves };
+        // The file states no tolerance: its curves are known to within their distance.
+        let tolerance = self.tolerance_of(curve.as_ref()).max(distance);
+        let edge = Edge { tolerance, degenerate, curve, p_curves };
         Ok(used(self.push(ShapeKind::Edge(edge), Vec::new())?, along))
+    }
+
+    /// Adds to the edge of a seam the curve in the parameters of its other side. `same` is whether
+    /// the curves in space of both sides have one direction.
+    pub(super) fn other_side(&mut self, edge: Use, piece: Piece, same: bool) -> Found<Use> {
+        let Piece::Both { curve, pair, .. } = piece else { return Ok(edge) };
+        let curve = if same { curve } else { curve.reversed() };
+        let along = pair.along == same;
+        self.spend(curve.controls.len())?;
+        self.topology.p_curves.push(Curve::Spline(curve.into()));
+        let index = self.topology.p_curves.len() - 1;
+        if let ShapeKind::Edge(Edge { tolerance, p_curves, .. }) = &mut self.topology.shapes[edge.shape].kind
+        {
+            *tolerance = tolerance.max(pair.distance);
+            for p_curve in p_curves {
+                p_curve.curves[usize::from(!along)] = index;
+            }
+        }
+        Ok(used(edge.shape, along))
+    }
+
+    /// Returns the tolerance of the file, or that of the digits of a curve's coordinates.
+    fn tolerance_of(&self, curve: Option<&SpaceCurve>) -> f64 {
+        let coordinates = curve.map_or(0.0, |SpaceCurve { curve, location, range }| {
+            let ends = range.map(|t| location.transform_point3(self.topology.curves[*curve].point(t)));
+            ends[0].abs().max(ends[1].abs()).max_element()
+        });
+        self.tolerance.max(DIGITS * coordinates)
     }
 
     fn space_curve(&mut self, leaf: Leaf) -> Found<SpaceCurve> {
@@ -82,10 +117,10 @@ impl Shapes<'_> {
         let mut parts = leaves(self.file, entity.reference(first)?, self.scale)?;
         let fault = |why: &str| FaceFault::new("IGES_EDGE", format!("edge {index} of {list}: {why}"));
         if let [leaf] = parts.as_slice() {
-            let (leaf, turned) = self.between(leaf, ends).map_err(|why| fault(&why))?;
+            let (leaf, turned, distance) = self.between(leaf, ends).map_err(|why| fault(&why))?;
             let curve = self.space_curve(leaf)?;
             let ends = if turned { [ends[1], ends[0]] } else { ends };
-            let shape = self.push_edge(curve, [Some(ends[0].shape), Some(ends[1].shape)])?;
+            let shape = self.push_edge(curve, [Some(ends[0].shape), Some(ends[1].shape)], distance)?;
             return Ok(vec![Segment { shape, forward: !turned }]);
         }
         let point =
@@ -102,7 +137,7 @@ impl Shapes<'_> {
             let vertices =
                 [(place == 0).then_some(outer[0].shape), (place + 1 == count).then_some(outer[1].shape)];
             let curve = self.space_curve(leaf)?;
-            segments.push(Segment { shape: self.push_edge(curve, vertices)?, forward });
+            segments.push(Segment { shape: self.push_edge(curve, vertices, 0.0)?, forward });
         }
         if !forward {
             segments.reverse();
@@ -110,17 +145,18 @@ impl Shapes<'_> {
         Ok(segments)
     }
 
-    fn push_edge(&mut self, curve: SpaceCurve, vertices: [Option<usize>; 2]) -> Found<usize> {
-        let edge =
-            Edge { tolerance: self.tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
+    /// Appends an edge whose curve ends at some distance from its vertices.
+    fn push_edge(&mut self, curve: SpaceCurve, vertices: [Option<usize>; 2], distance: f64) -> Found<usize> {
+        let tolerance = self.tolerance_of(Some(&curve)).max(distance);
+        let edge = Edge { tolerance, degenerate: false, curve: Some(curve), p_curves: Vec::new() };
         let children = vertices.into_iter().zip([true, false]);
         let children = children.filter_map(|(vertex, start)| Some(used(vertex?, start))).collect();
         self.push(ShapeKind::Edge(edge), children)
     }
 
-    /// Returns the part of a curve between two vertices, and whether it runs from the second to
-    /// the first: the whole curve if they are its ends.
-    fn between(&mut self, leaf: &Leaf, ends: [Vertex; 2]) -> Result<(Leaf, bool), String> {
+    /// Returns the part of a curve between two vertices, whether it runs from the second to the
+    /// first, and the distance of its ends from them: the whole curve if they are its ends.
+    fn between(&mut self, leaf: &Leaf, ends: [Vertex; 2]) -> Result<(Leaf, bool, f64), String> {
         let Leaf { curve, range, location } = leaf;
         let to_curve = location.inverse();
         let points = ends.map(|end| to_curve.transform_point3(end.point));
@@ -146,7 +182,8 @@ impl Shapes<'_> {
             }
         };
         let allowed = allowed(&curve, range);
-        for (end, distance) in distances(&curve, range, turned).into_iter().enumerate() {
+        let found = distances(&curve, range, turned);
+        for (end, distance) in found.into_iter().enumerate() {
             if !(distance <= allowed) {
                 return Err(format!("its curve ends {distance:e} from its vertex"));
             }
@@ -155,7 +192,7 @@ impl Shapes<'_> {
                 *tolerance = tolerance.max(distance);
             }
         }
-        Ok((Leaf { curve, range, location: *location }, turned))
+        Ok((Leaf { curve, range, location: *location }, turned, found[0].max(found[1])))
     }
 
     /// Returns the vertex of a list, type 502.

@@ -1,8 +1,8 @@
 //! Faces of trimmed, bounded and whole surfaces.
 
-use super::Shapes;
-use super::boundaries::directed;
-use crate::brep::iges::file::{Entity, Found};
+use super::boundaries::Boundaries;
+use super::{Shapes, Sheet};
+use crate::brep::iges::file::{Entity, Entry, Found};
 use crate::brep::iges::geometry::placed;
 use glam::DAffine3;
 
@@ -23,7 +23,7 @@ impl Shapes<'_> {
             108 if entity.entry.form != 0 => self.plane(entity),
             _ => {
                 let sheet = self.sheet(entity.number())?;
-                self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, Vec::new())
+                self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, Boundaries::default())
             }
         }
     }
@@ -33,29 +33,27 @@ impl Shapes<'_> {
         let sheet = self.sheet(entity.reference(1)?)?;
         let above = placed(self.file, &entity.entry, self.scale)?;
         let holes = entity.items(3, 1)?;
-        let mut boundaries = Vec::new();
+        let mut found = Boundaries::default();
         if entity.count(2, 1)? == 1 {
-            boundaries.push(self.curve_on_surface(entity.reference(4)?, &sheet, &above)?);
+            self.curve_on_surface(entity.reference(4)?, &sheet, &above, &mut found)?;
         } else if holes > 0 {
-            boundaries.push(self.whole_boundary(entity, &sheet, &above)?);
+            self.whole_boundary(entity, &sheet, &above, &mut found)?;
         }
         for hole in 0..holes {
-            boundaries.push(self.curve_on_surface(entity.reference(5 + hole)?, &sheet, &above)?);
+            self.curve_on_surface(entity.reference(5 + hole)?, &sheet, &above, &mut found)?;
         }
-        let wires = directed(&boundaries, Some(0));
-        self.push_face(&entity.entry, &sheet, &above, wires)
+        self.push_face(&entity.entry, &sheet, &above, found)
     }
 
-    /// Appends a bounded surface, type 143, whose boundaries may stand in any order.
+    /// Appends a bounded surface, type 143.
     fn bounded(&mut self, entity: &Entity) -> Found<usize> {
         let sheet = self.sheet(entity.reference(2)?)?;
         let above = placed(self.file, &entity.entry, self.scale)?;
-        let mut boundaries = Vec::new();
+        let mut found = Boundaries::default();
         for boundary in entity.references(3)? {
-            boundaries.push(self.listed_boundary(boundary, &sheet, &above)?);
+            self.listed_boundary(boundary, &sheet, &above, &mut found)?;
         }
-        let wires = directed(&boundaries, None);
-        self.push_face(&entity.entry, &sheet, &above, wires)
+        self.push_face(&entity.entry, &sheet, &above, found)
     }
 
     /// Appends a plane within a curve, type 108 of form 1.
@@ -64,7 +62,20 @@ impl Shapes<'_> {
             return Err(entity.unknown("a plane of form 0 or 1: the hole of form -1 is part of another one"));
         }
         let sheet = self.sheet(entity.number())?;
-        let boundary = self.curve_in_plane(entity, entity.reference(5)?, &sheet)?;
-        self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, directed(&[boundary], None))
+        let mut found = Boundaries::default();
+        self.curve_in_plane(entity, entity.reference(5)?, &sheet, &mut found)?;
+        self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, found)
+    }
+
+    /// Appends a face within boundaries.
+    fn push_face(
+        &mut self,
+        entry: &Entry,
+        sheet: &Sheet,
+        above: &DAffine3,
+        boundaries: Boundaries,
+    ) -> Found<usize> {
+        let wires = boundaries.directed();
+        self.push_face_of(entry, sheet, above, wires, boundaries.remarks)
     }
 }

@@ -11,7 +11,7 @@ pub(super) use assembly::read;
 
 use super::file::{Entry, File, Found};
 use super::geometry::{Carrier, Scale, carrier};
-use crate::brep::report::FaceFault;
+use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::{Face, FaceLabel, Orientation, Shape, ShapeKind, Topology, Use};
 use edges::Segment;
 use glam::{DAffine2, DAffine3};
@@ -91,10 +91,17 @@ impl<'a> Shapes<'a> {
     }
 
     /// Appends a face of an entity.
-    fn push_face(&mut self, entry: &Entry, sheet: &Sheet, above: &DAffine3, wires: Vec<Use>) -> Found<usize> {
+    fn push_face_of(
+        &mut self,
+        entry: &Entry,
+        sheet: &Sheet,
+        above: &DAffine3,
+        wires: Vec<Use>,
+        remarks: Vec<Remark>,
+    ) -> Found<usize> {
         let label = FaceLabel { entity: Some(entry.number), name: entry.name() };
         let location = *above * sheet.location;
-        self.push(ShapeKind::Face(Face { surface: Ok(sheet.surface), location, label }), wires)
+        self.push(ShapeKind::Face(Face { surface: Ok(sheet.surface), location, label, remarks }), wires)
     }
 
     /// Appends a face that cannot be read.

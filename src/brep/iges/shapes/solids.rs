@@ -48,7 +48,7 @@ impl Shapes<'_> {
         for index in 0..entity.items(2, 1)? {
             wires.extend(self.loop_of(entity.reference(4 + index)?, &sheet)?);
         }
-        self.push_face(&entity.entry, &sheet, &DAffine3::IDENTITY, wires)
+        self.push_face_of(&entity.entry, &sheet, &DAffine3::IDENTITY, wires, Vec::new())
     }
 
     /// Returns the wire of a loop, type 508, with the material on its left seen along the normal
@@ -134,7 +134,7 @@ impl Shapes<'_> {
         };
         let surface = &self.topology.surfaces[sheet.surface];
         let ground = Ground { surface, location: sheet.location, tolerance: self.tolerance };
-        let along = ground.direction(curve, &leaf)?;
-        Some(if along { curve.clone() } else { curve.clone().reversed() })
+        let pair = ground.pair_of_edge(curve, &leaf)?;
+        Some(if pair.along { curve.clone() } else { curve.clone().reversed() })
     }
 }

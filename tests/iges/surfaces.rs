@@ -1,0 +1,177 @@
+//! Whole surfaces of each type against their areas.
+
+use crate::support::iges::{Id, IgesText, numbers};
+use crate::{areas, assert_near, read};
+use std::f64::consts::{PI, TAU};
+
+/// The area of the one face of a file.
+#[track_caller]
+fn area(text: &IgesText) -> f64 {
+    areas(&read(text).0)[0]
+}
+
+#[test]
+fn surfaces_of_revolution_are_whole() {
+    // A cone's side of slope 3/4 from radius 2 to 5, by half a turn.
+    let mut text = IgesText::new();
+    let side = text.line([2.0, 0.0, 1.0], [5.0, 0.0, 5.0]);
+    text.revolution(side, [0.5, 0.5 + PI]);
+    assert_near(area(&text), PI * (2.0 + 5.0) / 2.0 * 5.0, 1e-12);
+    // A circle of radius 1 about the axis at a distance of 4: a torus.
+    let mut text = IgesText::new();
+    let circle = text.arc(0.0, [[1.0, 0.0]; 2]);
+    let beside = text.matrix([[1.0, 0.0, 0.0, 4.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]]);
+    text.place(circle, beside);
+    text.revolution(circle, [0.0, TAU]);
+    assert_near(area(&text), TAU * TAU * 4.0, 1e-9);
+}
+
+/// The angle is counter-clockwise about the axis.
+#[test]
+fn the_angle_of_a_revolution_has_its_direction() {
+    let mut text = IgesText::new();
+    let side = text.line([2.0, 0.0, 0.0], [2.0, 0.0, 1.0]);
+    text.revolution(side, [0.0, PI / 2.0]);
+    let bounds = read(&text).0.bounding_box();
+    assert_near(bounds.min[0], 0.0, 1e-9);
+    assert_near(bounds.min[1], 0.0, 1e-9);
+    assert_near(bounds.max[1], 2.0, 1e-9);
+}
+
+#[test]
+fn a_tabulated_cylinder_ends_at_its_point() {
+    let mut text = IgesText::new();
+    let quarter = text.arc(1.0, [[3.0, 0.0], [0.0, 3.0]]);
+    text.add(122, 0, format!("{quarter},3.,0.,8."));
+    assert_near(area(&text), PI / 2.0 * 3.0 * 7.0, 1e-12);
+}
+
+#[test]
+fn a_composite_directrix_is_one_curve() {
+    let mut text = IgesText::new();
+    let line = text.line([0.0, -3.0, 0.0], [3.0, -3.0, 0.0]);
+    let moved = text.matrix([[1.0, 0.0, 0.0, 3.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+    let arc = text.arc(0.0, [[0.0, -3.0], [3.0, 0.0]]);
+    text.place(arc, moved);
+    let directrix = text.composite(&[line, arc]);
+    text.add(122, 0, format!("{directrix},0.,-3.,2."));
+    assert_near(area(&text), (3.0 + PI / 2.0 * 3.0) * 2.0, 1e-12);
+}
+
+/// The lines of a ruled surface join points of equal parameters; turned round they cross.
+#[test]
+fn a_ruled_surface_joins_its_curves() {
+    let of = |turned: usize| {
+        let mut text = IgesText::new();
+        let first = text.line([0.0, 0.0, 0.0], [4.0, 0.0, 0.0]);
+        let ends = [[0.0, 3.0, 0.0], [4.0, 3.0, 0.0]];
+        let second = text.line(ends[turned], ends[1 - turned]);
+        text.add(118, 1, format!("{first},{second},{turned},0"));
+        area(&text)
+    };
+    assert_near(of(0), 12.0, 1e-12);
+    assert_near(of(1), 12.0, 1e-12);
+    // Two arcs of equal angles: a part of a cone's side of length √(4 + 9).
+    let mut text = IgesText::new();
+    let first = text.arc(0.0, [[4.0, 0.0], [0.0, 4.0]]);
+    let second = text.arc(3.0, [[2.0, 0.0], [0.0, 2.0]]);
+    text.add(118, 0, format!("{first},{second},0,1"));
+    assert_near(area(&text), PI / 2.0 * 3.0 * 13.0_f64.sqrt(), 1e-9);
+}
+
+/// An arc and a line, joined at equal angles, are not rational.
+#[test]
+fn a_ruled_surface_that_is_not_rational_is_skipped() {
+    let mut text = IgesText::new();
+    let arc = text.arc(0.0, [[4.0, 0.0], [0.0, 4.0]]);
+    let line = text.line([2.0, 0.0, 3.0], [0.0, 2.0, 3.0]);
+    let ruled = text.add(118, 1, format!("{arc},{line},0,0"));
+    text.bilinear([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]);
+    let (_, report) = nurbs_hausdorff::Model::from_iges(text.text().as_bytes()).unwrap();
+    assert_eq!((report.faces, report.skipped[0].code), (1, "IGES_RULED"));
+    assert_eq!(report.skipped[0].entity, Some(ruled as u64));
+}
+
+/// The height of u² over [0, 2] x [0, 3], in two pieces along v by coefficients of powers.
+#[test]
+fn a_power_basis_surface_is_exact() {
+    let mut text = IgesText::new();
+    let piece = |start: f64, length: f64| {
+        let mut values = vec![0.0; 48];
+        // X = 2 s; Y = start + length t; Z = 4 s².
+        values[1] = 2.0;
+        (values[16], values[20]) = (start, length);
+        values[34] = 4.0;
+        values
+    };
+    let mut values = vec![0.0, 1.0, 0.0, 1.0, 2.0];
+    for part in [piece(0.0, 1.0), piece(1.0, 2.0), vec![0.0; 48], vec![0.0; 144]] {
+        values.extend(part);
+    }
+    text.add(114, 0, format!("3,1,1,2,{}", numbers(&values)));
+    // The length of z = x² from 0 to 2.
+    let length = 17.0_f64.sqrt() + 0.25 * 4.0_f64.asinh();
+    assert_near(area(&text), 3.0 * length, 1e-9);
+}
+
+/// The vector of an offset points to its side.
+#[test]
+fn an_offset_is_on_the_side_stated() {
+    for side in [1.0, -1.0] {
+        let mut text = IgesText::new();
+        let line = text.line([5.0, 0.0, 0.0], [5.0, 0.0, 2.0]);
+        let surface = text.revolution(line, [0.0, PI]);
+        // At the middle of the half turn the cylinder's normal is along y.
+        text.add(140, 0, format!("0.,{side:?},0.,1.,{surface}"));
+        assert_near(area(&text), PI * (5.0 + side) * 2.0, 1e-9);
+    }
+}
+
+/// Elementary surfaces of solids, with parameters and without.
+#[test]
+fn whole_spheres_and_tori_are_read() {
+    let mut text = IgesText::new();
+    let centre = text.point([1.0, 2.0, 3.0]);
+    let axis = text.direction([0.0, 0.6, 0.8]);
+    text.add(196, 0, format!("{centre},3."));
+    assert_near(area(&text), 2.0 * TAU * 9.0, 1e-9);
+    let mut text = IgesText::new();
+    let (centre, _) = (text.point([1.0, 2.0, 3.0]), axis);
+    let axis = text.direction([0.0, 0.6, 0.8]);
+    text.add(198, 0, format!("{centre},{axis},5.,2."));
+    assert_near(area(&text), TAU * TAU * 10.0, 1e-9);
+}
+
+/// A quarter of a cylinder as a rational B-spline over a part of its knots.
+#[test]
+fn a_rational_surface_keeps_its_range() {
+    let root = 0.5_f64.sqrt();
+    let mut values = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 2.0, 2.0];
+    values.extend([1.0, root, 1.0, 1.0, root, 1.0]);
+    for height in [0.0, 6.0] {
+        values.extend([2.0, 0.0, height, 2.0, 2.0, height, 0.0, 2.0, height]);
+    }
+    let of = |ranges: [f64; 4]| {
+        let mut text = IgesText::new();
+        let values = [values.clone(), ranges.to_vec()].concat();
+        text.add(128, 0, format!("2,1,2,1,0,0,0,0,0,{}", numbers(&values)));
+        area(&text)
+    };
+    assert_near(of([0.0, 1.0, 0.0, 2.0]), PI * 6.0, 1e-9);
+    // Half of the angle, and two thirds of the height.
+    assert_near(of([0.0, 0.5, 0.0, 2.0 * 2.0 / 3.0]), PI / 2.0 * 4.0, 1e-9);
+}
+
+/// A matrix places a surface, and the matrix of that one both.
+#[test]
+fn matrices_are_chained() {
+    let mut text = IgesText::new();
+    let surface: Id = text.bilinear([[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [2.0, 3.0, 0.0]]);
+    // A quarter turn about z, then a move along x.
+    let turn = text.matrix([[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+    let shift = text.matrix([[1.0, 0.0, 0.0, 10.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+    text.place(turn, shift);
+    text.place(surface, turn);
+    let bounds = read(&text).0.bounding_box();
+    assert_eq!((bounds.min.to_array(), bounds.max.to_array()), ([7.0, 0.0, 0.0], [10.0, 2.0, 0.0]));
+}

@@ -1,0 +1,16 @@
+//! Any bytes are either refused or a model whose JSON gives the same JSON again, and whose
+//! report counts its faces.
+
+use nurbs_hausdorff::Model;
+
+pub fn check(bytes: &[u8]) {
+    match Model::from_iges(bytes) {
+        Ok((model, report)) => {
+            assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
+            assert!(report.gap.is_finite());
+            let json = model.to_json().unwrap();
+            assert_eq!(Model::from_json(&json).unwrap().to_json().unwrap(), json);
+        }
+        Err(error) => assert!(!error.to_string().is_empty() && !error.code().is_empty()),
+    }
+}
