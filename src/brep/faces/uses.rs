@@ -128,8 +128,22 @@ impl TrimUse {
 /// a 64th of what those of the whole do.
 const BOX_PARTS: usize = 8;
 
+/// The origin of curves in the parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// The file, or the edge in space where the file has none.
+    Stated,
+    /// The edge in space wherever there is one.
+    Made,
+}
+
 /// Returns the curves of a wire in the order of the file, each along the loop.
-pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<Vec<TrimUse>, FaceFault> {
+pub(super) fn of_wire(
+    file: &Topology,
+    face_shape: usize,
+    wire: &Use,
+    origin: Origin,
+) -> Result<Vec<TrimUse>, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[face_shape].kind else { return Ok(Vec::new()) };
     let mut uses = Vec::new();
     for child in &file.shapes[wire.shape].children {
@@ -141,8 +155,10 @@ pub(super) fn of_wire(file: &Topology, face_shape: usize, wire: &Use) -> Result<
             Orientation::Internal | Orientation::External => continue,
         };
         let location = wire.location * child.location;
-        let found = of_edge(file, face, edge, &location, reversed).map_err(|FaceFault { code, why }| {
-            FaceFault { code, why: format!("edge {}: {why}", child.shape) }
+        let found = of_edge(file, face, edge, &location, (origin, reversed));
+        let found = found.map_err(|FaceFault { code, why }| FaceFault {
+            code,
+            why: format!("edge {}: {why}", child.shape),
         })?;
         let Some(FoundCurve { curve, gap, fitted, section, deviation, is_placed }) = found else { continue };
         let mut vertices = vertices(file, child.shape);
@@ -188,11 +204,12 @@ fn of_edge(
     face: &Face,
     edge: &Edge,
     location: &DAffine3,
-    reversed: bool,
+    (origin, reversed): (Origin, bool),
 ) -> Result<Option<FoundCurve>, FaceFault> {
     let Ok(index) = face.surface else { return Ok(None) };
     let surface = &file.surfaces[index];
-    let Some(p_curve) = p_curve(edge, index, location, &face.location) else {
+    let stated = p_curve(edge, index, location, &face.location);
+    let Some(p_curve) = stated.filter(|_| origin == Origin::Stated || edge.curve.is_none()) else {
         if edge.degenerate {
             return Ok(None);
         }

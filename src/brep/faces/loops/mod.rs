@@ -14,7 +14,7 @@ mod nesting;
 mod order;
 mod rings;
 
-use super::uses::{self, TrimUse};
+use super::uses::{self, Origin, TrimUse};
 use crate::brep::nurbs::Surface;
 use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::{Orientation, ShapeKind, Topology};
@@ -33,16 +33,28 @@ pub(super) struct Loops {
 /// Returns the loops of a face in the parameters of the file, closed and directed with the
 /// material on the left.
 ///
+/// Where the curves that the file states in the parameters bound no region, those made of the edges in
+/// space take their place, which is remarked.
+///
 /// # Errors
 /// The reason for which the wires bound no region of the surface.
 pub(super) fn of_face(file: &Topology, shape: usize, surface: &Surface) -> Result<Loops, FaceFault> {
+    of_curves(file, shape, surface, Origin::Stated).or_else(|fault| {
+        let Ok(mut made) = of_curves(file, shape, surface, Origin::Made) else { return Err(fault) };
+        let why = format!("the curves in the parameters are made anew of the edges: {}", fault.why);
+        made.remarks.push(Remark::new("BREP_CURVES_MADE", why));
+        Ok(made)
+    })
+}
+
+fn of_curves(file: &Topology, shape: usize, surface: &Surface, origin: Origin) -> Result<Loops, FaceFault> {
     let mut chains: Vec<Chain> = Vec::new();
     for wire in &file.shapes[shape].children {
         let bounds = matches!(wire.orientation, Orientation::Forward | Orientation::Reversed);
         if !bounds || !matches!(file.shapes[wire.shape].kind, ShapeKind::Wire) {
             continue;
         }
-        let uses = uses::of_wire(file, shape, wire)?;
+        let uses = uses::of_wire(file, shape, wire, origin)?;
         if !uses.is_empty() {
             chains.push(turned_about_seam(chain::chain(uses, surface)?, surface));
         }
