@@ -5,7 +5,7 @@
 
 COMMAND is the `nurbs-hausdorff` executable. `compare` writes a line of JSON a file: faces, areas by OpenCASCADE's quadrature and by
 the command (of the file, and of OpenCASCADE's translation as BREP text), gaps, CPU seconds, and whether
-each reading is within the sum of the gaps of the other.
+each reading is within the sum of the gaps of the other, or within 1e-5 of the diagonal.
 """
 
 import json
@@ -29,9 +29,9 @@ from parts import KINDS, make
 
 # Relative to the faces' areas: both quadratures' accuracy.
 AREA_TOLERANCE = 2e-6
-# OpenCASCADE's precision of points, which its translation may add, in millimetres.
-CONFUSION = 1e-7
-SEARCH_SECONDS = 4
+# Relative to the diagonal: a distance below it is not decided in a few seconds.
+LEAST_LIMIT = 1e-5
+SEARCH_SECONDS = 2
 PART_SECONDS = 60
 
 
@@ -106,9 +106,10 @@ def compare(command, path):
     if row["brepFaces"] == row["faces"]:
         middle = [0.5 * (face["area"]["lower"] + face["area"]["upper"]) for face in translated["faces"]]
         row["brepAreas"] = differing(own["faces"], middle)
-        limit = own["gap"] + translated["gap"] + CONFUSION
+        limit = max(own["gap"] + translated["gap"], LEAST_LIMIT * own["diagonal"])
         arguments = ["--limit", limit, "--max-seconds", SEARCH_SECONDS]
-        row["within"] = [run(command, "distance", *pair, *arguments)[0].returncode for pair in ((path, text), (text, path))]
+        pairs = ((path, text), (text, path))
+        row["within"] = [run(command, "distance", *pair, *arguments)[0].returncode for pair in pairs]
     return row
 
 

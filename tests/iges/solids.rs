@@ -123,6 +123,21 @@ fn a_cylinder_has_its_seam() {
     }
 }
 
+/// Half of the cylinder by curves in the parameters alone, in degrees and lengths.
+#[test]
+fn the_parameters_of_a_cylinder_are_degrees() {
+    let mut text = IgesText { unit: (1, "INCH"), ..IgesText::new() };
+    let (origin, up) = (text.point([0.0; 3]), text.direction([0.0, 0.0, 1.0]));
+    let x = text.direction([1.0, 0.0, 0.0]);
+    let surface = text.add(192, 1, format!("{origin},{up},2.,{x}"));
+    let corners = [[0.0, 1.0, 0.0], [180.0, 1.0, 0.0], [180.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+    let parameters = text.polygon(&corners);
+    text.trimmed(surface, Some((parameters, 0)), &[]);
+    let (model, _) = read(&text);
+    assert_near(areas(&model)[0] / (25.4 * 25.4), PI * 2.0 * 3.0, 1e-9);
+    assert_near(model.bounding_box().min[1], 0.0, 1e-9);
+}
+
 /// A plane's normal may be against the face's: the loop is directed by the surface.
 #[test]
 fn a_face_with_a_hole_has_two_loops() {

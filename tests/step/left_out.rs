@@ -143,6 +143,48 @@ fn the_surfaces_of_a_set_are_faces() {
     assert_eq!(model.faces().next().unwrap().name(), Some("part / disc"));
 }
 
+/// A hole in a whole surface: a B-spline of the square [0, 4]², and a zone of a sphere up to its
+/// pole, each without the disc that a circle bounds.
+#[test]
+fn a_whole_surface_of_a_set_has_its_hole() {
+    let mut text = StepText::new();
+    let rows: Vec<String> = [0.0, 4.0]
+        .iter()
+        .map(|&x| {
+            let row = [0.0, 4.0].map(|y| format!("#{}", text.point([x, y, 0.0])));
+            format!("({})", row.join(","))
+        })
+        .collect();
+    let square = text.add(format!(
+        "B_SPLINE_SURFACE_WITH_KNOTS('',1,1,({}),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)",
+        rows.join(",")
+    ));
+    let origin = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
+    let sphere = text.add(format!("SPHERICAL_SURFACE('',#{origin},5.)"));
+    let zone =
+        text.add(format!("RECTANGULAR_TRIMMED_SURFACE('',#{sphere},0.,3.,0.,1.5707963267948966,.T.,.T.)"));
+    let mut faces = Vec::new();
+    // The circle on the sphere is 4.9 from its centre.
+    for (surface, at, axis, radius) in [
+        (square, [2.0, 2.0, 0.0], [0.0, 0.0, 1.0], 1.5),
+        (zone, [0.0, 3.92, 2.94], [0.0, 0.8, 0.6], 0.99_f64.sqrt()),
+    ] {
+        let placement = text.axis(at, axis);
+        let circle = text.circle(placement, radius);
+        let segment = text.add(format!("COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#{circle})"));
+        let boundary = text.add(format!("BOUNDARY_CURVE('',(#{segment}),.F.)"));
+        faces.push(text.add(format!("CURVE_BOUNDED_SURFACE('',#{surface},(#{boundary}),.T.)")));
+    }
+    let set = text.add(format!("GEOMETRIC_SET('',(#{},#{}))", faces[0], faces[1]));
+    let (model, report) = Model::from_step(text.of(&[set], UnitsOf::Millimetres).as_bytes()).unwrap();
+    assert_eq!(report.skipped, []);
+    let found: Vec<f64> = model.faces().map(|face| crate::area::area(&face)).collect();
+    let pi = std::f64::consts::PI;
+    crate::assert_near(found[0], 16.0 - pi * 2.25, 1e-7);
+    // The zone has 3 radians of the half sphere; the cap has the height 0.1.
+    crate::assert_near(found[1], 3.0 * 25.0 - 2.0 * pi * 5.0 * 0.1, 1e-6);
+}
+
 /// Faces share a surface of 40,000 control points, of which each face of the model has a copy.
 #[test]
 fn faces_that_share_a_large_surface_are_limited() {

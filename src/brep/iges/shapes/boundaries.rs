@@ -133,7 +133,10 @@ impl Shapes<'_> {
         let location = *above * sheet.location;
         let surface = &self.topology.surfaces[sheet.surface];
         let ground = Ground { surface, location, tolerance: self.tolerance };
-        let Curves { parameters, space, prefers_space } = curves;
+        let Curves { mut parameters, space, prefers_space } = curves;
+        if self.is_elementary(sheet) && !space.is_empty() {
+            parameters.clear();
+        }
         let found = (!parameters.is_empty()).then(|| ground.pieces(&parameters, &space, prefers_space));
         let pieces = found.flatten().unwrap_or_else(|| {
             if !parameters.is_empty() {

@@ -11,6 +11,7 @@ pub(super) use assembly::read;
 
 use super::file::{Entry, File, Found};
 use super::geometry::{Carrier, Scale, carrier};
+use crate::brep::nurbs::Surface;
 use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::{Face, FaceLabel, Orientation, Shape, ShapeKind, Topology, Use};
 use edges::Segment;
@@ -123,6 +124,12 @@ impl<'a> Shapes<'a> {
         });
         self.surfaces.insert(number, found.clone());
         found
+    }
+
+    /// Returns whether a surface is a plane, cylinder, cone, sphere or torus, on which curves in the
+    /// parameters follow from those in space by formula, and writers differ in the parameters.
+    fn is_elementary(&self, sheet: &Sheet) -> bool {
+        matches!(self.topology.surfaces[sheet.surface], Surface::Plane(_) | Surface::Revolution { .. })
     }
 
     /// Counts control points of curves.

@@ -6,6 +6,7 @@ use super::{Shapes, Sheet, used};
 use crate::brep::iges::file::Found;
 use crate::brep::iges::geometry::Leaf;
 use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::report::Remark;
 use crate::brep::topology::{PCurve, ShapeKind, Use};
 use glam::DAffine3;
 use std::collections::HashMap;
@@ -43,17 +44,17 @@ impl Shapes<'_> {
     pub(super) fn face_of_loops(&mut self, number: u64) -> Found<usize> {
         let entity = self.file.entity(number)?;
         let sheet = self.sheet(entity.reference(1)?)?;
-        let mut wires = Vec::new();
+        let (mut wires, mut remarks) = (Vec::new(), Vec::new());
         // The flag of the outer loop stands between the count and the loops.
         for index in 0..entity.items(2, 1)? {
-            wires.extend(self.loop_of(entity.reference(4 + index)?, &sheet)?);
+            wires.extend(self.loop_of(entity.reference(4 + index)?, &sheet, &mut remarks)?);
         }
-        self.push_face_of(&entity.entry, &sheet, &DAffine3::IDENTITY, wires, Vec::new())
+        self.push_face_of(&entity.entry, &sheet, &DAffine3::IDENTITY, wires, remarks)
     }
 
     /// Returns the wire of a loop, type 508, with the material on its left seen along the normal
     /// of the surface; none for a vertex.
-    fn loop_of(&mut self, number: u64, sheet: &Sheet) -> Found<Option<Use>> {
+    fn loop_of(&mut self, number: u64, sheet: &Sheet, remarks: &mut Vec<Remark>) -> Found<Option<Use>> {
         let entity = self.file.entity(number)?;
         if entity.entry.kind != 508 {
             return Err(entity.unknown("a loop, type 508"));
@@ -88,29 +89,36 @@ impl Shapes<'_> {
         if uses.is_empty() {
             return Ok(None);
         }
-        self.attach(&uses, sheet)?;
+        let has_curves = uses.iter().any(|one| one.curve.is_some());
+        if has_curves && !self.is_elementary(sheet) && !self.attach(&uses, sheet)? {
+            let why = format!(
+                "the curves in the parameters of the loop {number} are not those of its edges, and are made \
+                 anew from these"
+            );
+            remarks.push(Remark::new("IGES_P_CURVES", why));
+        }
         let edges = uses.iter().map(|one| used(one.segment.shape, one.along)).collect();
         Ok(Some(used(self.push(ShapeKind::Wire, edges)?, true)))
     }
 
-    /// Gives edges their curves in the parameters where these lie on them: to a seam, which the
-    /// loop uses once each way, both or none.
-    fn attach(&mut self, uses: &[LoopUse], sheet: &Sheet) -> Found<()> {
-        let mut curves: HashMap<usize, Vec<(bool, Option<Spline>)>> = HashMap::new();
+    /// Gives the edges of a loop their curves in the parameters if all of these lie on them.
+    fn attach(&mut self, uses: &[LoopUse], sheet: &Sheet) -> Found<bool> {
+        let mut found: HashMap<usize, [Option<Spline>; 2]> = HashMap::new();
         for one in uses {
             let curve =
                 one.curve.as_ref().and_then(|curve| self.in_direction(one.segment.shape, curve, sheet));
-            curves.entry(one.segment.shape).or_default().push((one.along, curve));
+            let Some(curve) = curve else { return Ok(false) };
+            found.entry(one.segment.shape).or_default()[usize::from(!one.along)] = Some(curve);
         }
-        for (shape, mut found) in curves {
-            found.sort_by_key(|&(along, _)| !along);
-            let both = match found.as_slice() {
-                [(_, Some(one))] => [one, one],
-                [(true, Some(forward)), (false, Some(reversed))] => [forward, reversed],
-                _ => continue,
+        for (shape, curves) in found {
+            // A seam has a curve for each of its two uses, another edge one for both.
+            let (Some(forward), Some(reversed)) =
+                (curves[0].as_ref().or(curves[1].as_ref()), curves[1].as_ref().or(curves[0].as_ref()))
+            else {
+                continue;
             };
             let mut indices = [0; 2];
-            for (index, curve) in indices.iter_mut().zip(both) {
+            for (index, curve) in indices.iter_mut().zip([forward, reversed]) {
                 self.spend(curve.controls.len())?;
                 self.topology.p_curves.push(Curve::Spline(curve.clone().into()));
                 *index = self.topology.p_curves.len() - 1;
@@ -120,7 +128,7 @@ impl Shapes<'_> {
                 edge.p_curves.push(PCurve { curves: indices, surface, location, range: [0.0, 1.0] });
             }
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Returns a curve in the parameters in the direction of an edge, if it stands for it.

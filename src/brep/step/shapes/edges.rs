@@ -15,7 +15,7 @@ pub(super) struct Segment {
 }
 
 /// The least tolerance of edges and vertices in millimetres: that of OpenCASCADE.
-const TOLERANCE: f64 = 1e-7;
+pub(super) const TOLERANCE: f64 = 1e-7;
 
 /// The largest distance of a vertex from the curve of its edge, relative to the edge's size, or
 /// in uncertainties of the file if that is more.

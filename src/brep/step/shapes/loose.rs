@@ -1,11 +1,13 @@
 //! Surfaces of sets, which no topology bounds.
 
+use super::edges::TOLERANCE;
 use super::{Shapes, used};
+use crate::brep::nurbs::{Curve, Spline};
 use crate::brep::report::FaceFault;
-use crate::brep::step::exchange::{Value, reference};
+use crate::brep::step::exchange::{Entity, Value, reference};
 use crate::brep::step::geometry::curve;
-use crate::brep::topology::{Face, FaceLabel, ShapeKind, SpaceCurve, Use};
-use glam::DAffine3;
+use crate::brep::topology::{Edge, Face, FaceLabel, PCurve, ShapeKind, SpaceCurve, Use};
+use glam::{DAffine3, DVec3};
 
 impl Shapes<'_> {
     /// Returns the face that a surface of a set is, whole or within boundary curves; `None` for
@@ -38,14 +40,41 @@ impl Shapes<'_> {
         }
         let surface = self.surface(entity.reference(1)?)?;
         let boundaries = entity.references(2)?;
+        let mut wires = Vec::with_capacity(boundaries.len() + 1);
         if entity.flag(3)? && !boundaries.is_empty() {
-            return Err(entity.fault(3, ".F.: holes in a whole surface are not read"));
+            wires.push(self.whole_boundary(&entity, surface)?);
         }
-        let mut wires = Vec::with_capacity(boundaries.len());
         for boundary in boundaries {
             wires.push(self.boundary(boundary)?);
         }
         Ok((surface, wires))
+    }
+
+    /// Returns the wire around the whole of a surface, of its four sides.
+    fn whole_boundary(&mut self, entity: &Entity<'_>, surface: usize) -> Result<Use, FaceFault> {
+        let geometry = &self.topology.surfaces[surface];
+        let [Some([u0, u1]), Some([v0, v1])] = geometry.natural_ranges() else {
+            return Err(entity.fault(3, ".F.: the surface has no end"));
+        };
+        let corners = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| DVec3::new(u, v, 0.0));
+        let sides =
+            [0, 1, 2, 3].map(|side| Spline::segment([0.0, 1.0], corners[side], corners[(side + 1) % 4]));
+        // A side may be a point in space, as a pole is.
+        let degenerate = sides.each_ref().map(|side| {
+            let points =
+                [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| side.point(t)).map(|at| geometry.point(at.x, at.y));
+            points.iter().all(|point| point.distance(points[0]) <= TOLERANCE)
+        });
+        let mut edges = Vec::with_capacity(sides.len());
+        for (side, degenerate) in sides.into_iter().zip(degenerate) {
+            self.topology.p_curves.push(Curve::Spline(side.into()));
+            let curves = [self.topology.p_curves.len() - 1; 2];
+            let p_curve = PCurve { curves, surface, location: DAffine3::IDENTITY, range: [0.0, 1.0] };
+            let edge = Edge { tolerance: TOLERANCE, degenerate, curve: None, p_curves: vec![p_curve] };
+            edges.push(used(self.push(ShapeKind::Edge(edge), Vec::new())?, true));
+        }
+        let wire = self.push(ShapeKind::Wire, edges)?;
+        Ok(used(wire, true))
     }
 
     /// Returns the wire of a boundary, of an edge for each segment.
