@@ -126,10 +126,15 @@ impl<'a> Shapes<'a> {
         found
     }
 
-    /// Returns whether a surface is a plane, cylinder, cone, sphere or torus, on which curves in the
-    /// parameters follow from those in space by formula, and writers differ in the parameters.
+    /// Returns whether a surface is a plane, cylinder, cone or torus, on which curves in the
+    /// parameters follow from those in space by formula, and writers differ in the parameters. On a
+    /// sphere these say how a curve passes a pole.
     fn is_elementary(&self, sheet: &Sheet) -> bool {
-        matches!(self.topology.surfaces[sheet.surface], Surface::Plane(_) | Surface::Revolution { .. })
+        match self.topology.surfaces[sheet.surface] {
+            Surface::Plane(_) => true,
+            Surface::Revolution { kind, .. } => kind != "sphere",
+            _ => false,
+        }
     }
 
     /// Counts control points of curves.
