@@ -128,4 +128,14 @@ fn faces_left_out_are_named_and_the_others_measured() {
     assert_eq!(result["skipped"]["b"], json!([]));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(errors.contains("face 0") && errors.contains("open by"), "{errors}");
+    // No verdict holds for a file of which a face was left out, unless that is allowed.
+    for (arguments, statuses) in
+        [(["distance", "3"], [3, 0]), (["distance", "1"], [3, 1]), (["diff", "1"], [3, 1])]
+    {
+        let [command, limit] = arguments;
+        let judged = run(&[command, &a, &b, "--limit", limit]);
+        assert!(String::from_utf8_lossy(&judged.stderr).contains("undecided: 1 faces were left out"));
+        let allowed = run(&[command, &a, &b, "--limit", limit, "--allow-skipped"]);
+        assert_eq!([status(&judged), status(&allowed)], statuses, "{command} {limit}");
+    }
 }

@@ -39,6 +39,19 @@ export function ofFiles<R extends object>(result: R, a: NurbsModel, b: NurbsMode
   return none ? result : { ...result, skipped: { a: leftOfA, b: leftOfB } };
 }
 
+/**
+ * Whether a verdict holds for the files: no faces were left out of their models, or that is
+ * allowed. Says on standard error why it does not.
+ */
+export function isJudged(a: NurbsModel, b: NurbsModel, allowSkipped: boolean): boolean {
+  const skipped = [a, b].reduce((sum, { report }) => sum + (report?.skipped.length ?? 0), 0);
+  if (allowSkipped || skipped === 0) return true;
+  process.stderr.write(
+    `undecided: ${skipped} faces were left out; --allow-skipped judges the others\n`,
+  );
+  return false;
+}
+
 /** Writes a text to a file. */
 export async function writeText(path: string, text: string): Promise<void> {
   await writeFile(path, text).catch((cause: unknown) => {

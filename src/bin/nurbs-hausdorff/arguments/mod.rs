@@ -25,12 +25,14 @@ pub(crate) enum Command {
     /// Computes the Hausdorff distance from A to B.
     ///
     /// Exit status: 0 if the distance was computed or is within --limit, 1 if it
-    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided.
+    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided or faces
+    /// were left out.
     Distance(Box<DistanceArguments>),
     /// Compares two models face by face.
     ///
     /// Exit status: 0 if no face changed by more than --limit, 1 if one did,
-    /// 2 for bad input, 3 if a face could not be decided and none changed.
+    /// 2 for bad input, 3 if a face could not be decided and none changed, or
+    /// if faces were left out.
     Diff(DiffArguments),
     /// Prints the faces, patches and bounding box of a model.
     Info(InfoArguments),
@@ -61,6 +63,9 @@ pub(crate) struct DistanceArguments {
     /// Decides whether the distance is at most LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
     #[arg(long, value_name = "LIMIT")]
     pub(crate) limit: Option<f64>,
+    /// Judges by --limit the faces that were read where others were left out; else that is undecided.
+    #[arg(long)]
+    pub(crate) allow_skipped: bool,
     /// certified: seconds per direction after which the interval reached is the result.
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
@@ -143,6 +148,9 @@ pub(crate) struct DiffArguments {
     /// Distance, in model units, up to which a face counts as unchanged.
     #[arg(long, default_value_t = 1e-3)]
     limit: f64,
+    /// Judges by --limit the faces that were read where others were left out; else that is undecided.
+    #[arg(long)]
+    pub(crate) allow_skipped: bool,
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,

@@ -2,7 +2,7 @@
 
 use crate::arguments::DiffArguments;
 use crate::failure::Failure;
-use crate::input::{OfFiles, read};
+use crate::input::{OfFiles, is_judged, read};
 use crate::output::progress::Bar;
 use crate::output::{print, print_json};
 use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState};
@@ -10,6 +10,9 @@ use std::fmt::{Result, Write};
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.
 const MAX_LISTED: usize = 100;
+
+/// The exit status where no face is known to have changed and not all are known to be unchanged.
+const UNDECIDED: u8 = 3;
 
 /// Compares the models face by face, prints the differences and returns the exit status.
 pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure> {
@@ -28,10 +31,13 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
         let _ = lines(&mut text, &result);
         print(&text)?;
     }
+    if !is_judged(&a, &b, arguments.allow_skipped) {
+        return Ok(UNDECIDED);
+    }
     Ok(match result.state {
         FaceState::Unchanged => 0,
         FaceState::Changed => 1,
-        FaceState::Undecided => 3,
+        FaceState::Undecided => UNDECIDED,
     })
 }
 

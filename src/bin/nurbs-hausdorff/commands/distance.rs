@@ -2,7 +2,7 @@
 
 use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
-use crate::input::{OfFiles, read};
+use crate::input::{OfFiles, is_judged, read};
 use crate::output::progress::Bar;
 use crate::output::report;
 use crate::output::{print, print_json};
@@ -31,7 +31,9 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     } else {
         print(&report::text(&result))?;
     }
-    Ok(arguments.limit.map_or(WITHIN, |limit| verdict(&result, limit)))
+    let Some(limit) = arguments.limit else { return Ok(WITHIN) };
+    let is_judged = is_judged(&a, &b, arguments.allow_skipped);
+    Ok(if is_judged { verdict(&result, limit) } else { UNDECIDED })
 }
 
 /// The exit status that follows from the interval and the limit, for all methods.

@@ -62,6 +62,17 @@ impl<'a, R> OfFiles<'a, R> {
     }
 }
 
+/// Returns whether a verdict holds for the files: no faces were left out of their models, or that is
+/// allowed. Says on standard error why it does not.
+pub(crate) fn is_judged(a: &Input, b: &Input, allow_skipped: bool) -> bool {
+    let skipped: usize = [a, b].map(|input| input.report.read.skipped.len()).iter().sum();
+    let is_judged = allow_skipped || skipped == 0;
+    if !is_judged {
+        eprintln!("undecided: {skipped} faces were left out; --allow-skipped judges the others");
+    }
+    is_judged
+}
+
 /// The reader of all files, by the name that the command of the npm package gives it.
 const READER: &str = "built-in";
 

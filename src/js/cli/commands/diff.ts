@@ -1,7 +1,7 @@
 import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { ofFiles, readModel } from "../files.js";
+import { isJudged, ofFiles, readModel } from "../files.js";
 import { full } from "../output/numbers.js";
 import { print, printJson } from "../output/output.js";
 import { Progress } from "../output/progress.js";
@@ -22,7 +22,8 @@ export async function diff(values: Invocation["values"]): Promise<number> {
   const result = await hd.diff(a, b, options).finally(() => progress.end());
   if (values.has("json")) printJson(ofFiles(result, a, b));
   else print(text(result));
-  return STATUSES[result.state];
+  const state = isJudged(a, b, values.has("allow-skipped")) ? result.state : "undecided";
+  return STATUSES[state];
 }
 
 function text(result: DiffResult): string {

@@ -2,7 +2,7 @@ import type { DistanceOptions } from "../../measure/options.js";
 import type { DistanceResult } from "../../measure/result.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { ofFiles, readModel } from "../files.js";
+import { isJudged, ofFiles, readModel } from "../files.js";
 import { print, printJson } from "../output/output.js";
 import { Progress } from "../output/progress.js";
 import { text } from "../output/report.js";
@@ -30,7 +30,8 @@ export async function distance(values: Values): Promise<number> {
   if (values.has("json")) printJson(ofFiles(withoutField(result), a, b));
   else print(text(result));
   const { limit } = options;
-  return limit === undefined ? WITHIN : verdict(result, limit);
+  if (limit === undefined) return WITHIN;
+  return isJudged(a, b, values.has("allow-skipped")) ? verdict(result, limit) : UNDECIDED;
 }
 
 /** The result without its samples, which the native command does not print either. */
