@@ -3,7 +3,7 @@
 use crate::support::step::{Id, StepText};
 use crate::{areas, assert_near, face};
 use nurbs_hausdorff::{Model, ReadReport};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The square [0, 4]² as a B-spline of degree 1, u = x / 4 and v = y / 4, with a round hole whose edge has
 /// these curves in the parameters.
@@ -68,5 +68,43 @@ fn a_stated_curve_beside_the_edge_is_made_anew() {
     for (model, report) in [moved(0.37, 0.0), moved(0.375, FRAC_PI_2), plate(|_| Vec::new())] {
         assert_near(areas(&model)[0], AREA, 1e-7);
         assert_eq!((report.exact, report.fitted), (4, 1));
+    }
+}
+
+/// A cone from its apex to a ring, whose loop passes the seam twice, and the apex, where its angle is free.
+/// The lines of the seam have length 1 in the parameters and in space, which are different speeds, and come in
+/// either order.
+#[test]
+fn the_sides_of_a_seam_come_in_either_order() {
+    let (radius, half_angle) = (2.0_f64, 0.5_f64);
+    let height = radius / half_angle.tan();
+    let slant = radius / half_angle.sin();
+    for sides in [[TAU, 0.0], [0.0, TAU]] {
+        let mut text = StepText::new();
+        let placement = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+        let surface = text.add(format!("CONICAL_SURFACE('',#{placement},{radius:?},{half_angle:?})"));
+        let [apex, foot] = [[0.0, 0.0, -height], [radius, 0.0, 0.0]].map(|point| text.vertex(point));
+        let along = [-half_angle.sin(), 0.0, -half_angle.cos()];
+        let line = text.line([radius, 0.0, 0.0], along);
+        let mut p_curve = |text: &mut StepText, from: [f64; 2], along: [f64; 2]| {
+            let from = text.add(format!("CARTESIAN_POINT('',({:?},{:?}))", from[0], from[1]));
+            let along = text.add(format!("DIRECTION('',({:?},{:?}))", along[0], along[1]));
+            let vector = text.add(format!("VECTOR('',#{along},1.)"));
+            let line = text.add(format!("LINE('',#{from},#{vector})"));
+            let drawing = text.add(format!("DEFINITIONAL_REPRESENTATION('',(#{line}),$)"));
+            text.add(format!("PCURVE('',#{surface},#{drawing})"))
+        };
+        let [first, second] = sides.map(|u| p_curve(&mut text, [u, 0.0], [0.0, -1.0]));
+        let seam = text.add(format!("SEAM_CURVE('',#{line},(#{first},#{second}),.CURVE_3D.)"));
+        let seam = text.edge(seam, [foot, apex], true);
+        let circle = text.circle(placement, radius);
+        let ring = p_curve(&mut text, [0.0, 0.0], [1.0, 0.0]);
+        let ring = text.add(format!("SURFACE_CURVE('',#{circle},(#{ring}),.CURVE_3D.)"));
+        let ring = text.edge(ring, [foot, foot], true);
+        let path = text.edge_loop(&[(seam, true), (seam, false), (ring, false)]);
+        let cone = text.face(&[path], surface, false);
+        let (model, report) = face(text, cone);
+        assert_near(areas(&model)[0], PI * radius * slant, 1e-9);
+        assert_eq!((report.fitted, report.notes.len()), (0, 0), "{:?}", report.notes);
     }
 }

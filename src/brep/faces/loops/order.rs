@@ -44,6 +44,7 @@ enum Meeting {
 /// # Errors
 /// `BREP_LOOP_OPEN` for too many curves out of order, `BREP_LOOP_NO_ORDER` if no circuit fits.
 pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, FaceFault> {
+    let uses = with_sides(uses, frame);
     let search = Search { uses: &uses, frame, whole: frame.whole() };
     let in_file: Vec<usize> = (0..uses.len()).collect();
     // Curves that were made from edges are where they are but for periods, which follow from
@@ -83,6 +84,25 @@ pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, 
         let why = "no order of the loop's curves bounds a part of the closed surface";
         FaceFault::new("BREP_LOOP_NO_ORDER", why)
     })
+}
+
+/// Returns the curves with the two sides of every seam exchanged if that alone makes them a circuit where
+/// the file places them: formats do not say which of both curves belongs to which direction.
+fn with_sides(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Vec<TrimUse> {
+    let in_file: Vec<usize> = (0..uses.len()).collect();
+    let is_circuit =
+        |uses: &[TrimUse]| Search { uses, frame, whole: frame.whole() }.is_circuit(&in_file, Meeting::Placed);
+    if !uses.iter().all(|one| one.is_placed) || is_circuit(&uses) {
+        return uses;
+    }
+    let mut exchanged = uses.clone();
+    for (index, one) in uses.iter().enumerate() {
+        let is_other_side = |other: &&TrimUse| other.edge == one.edge && other.reversed != one.reversed;
+        if let Some(other) = uses.iter().find(is_other_side).filter(|_| one.edge.is_some()) {
+            exchanged[index].curve = other.curve.clone().reversed();
+        }
+    }
+    if is_circuit(&exchanged) { exchanged } else { uses }
 }
 
 /// The curves of a wire whose order is sought.

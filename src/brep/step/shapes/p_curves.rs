@@ -29,15 +29,22 @@ impl Shapes<'_> {
             }
             let scale = Scale::of_parameters(&self.topology.surfaces[surface], &self.units);
             let Ok(curve) = curve(self.file, drawing, &scale) else { continue };
-            let Some(range) = self.range_along(&curve, surface, space) else { continue };
+            let side = found.iter().position(|known| known.surface == surface);
+            let range = match side {
+                // The other side of a seam.
+                Some(known) => {
+                    let range = found[known].range;
+                    self.is_along(&curve, range, surface, space).then_some(range)
+                }
+                None => self.range_along(&curve, surface, space),
+            };
+            let Some(range) = range else { continue };
             self.topology.p_curves.push(curve);
             let index = self.topology.p_curves.len() - 1;
-            match found.iter_mut().find(|known| known.surface == surface) {
-                // The other side of a seam.
-                Some(known) if known.range == range => known.curves[1] = index,
-                Some(_) => {}
+            match side {
+                Some(known) => found[known].curves[1] = index,
                 None => {
-                    found.push(PCurve { curves: [index; 2], surface, location: DAffine3::IDENTITY, range })
+                    found.push(PCurve { curves: [index; 2], surface, location: DAffine3::IDENTITY, range });
                 }
             }
         }
@@ -68,13 +75,25 @@ impl Shapes<'_> {
         Ok(entity.references(2)?.iter().filter_map(|instance| of_p_curve(instance).ok()).collect())
     }
 
-    /// Returns the range over which a curve on a surface runs along a curve in space, that of the latter or a
-    /// period from it; `None` if it does not.
+    /// Returns the range over which a curve on a surface runs along a curve in space: that of the latter, a
+    /// period from it or, for straight lines, that of another speed; `None` if it does not.
     fn range_along(&self, p_curve: &Curve, surface: usize, space: &SpaceCurve) -> Option<[f64; 2]> {
         let period = self.topology.curves[space.curve].period().unwrap_or(0.0);
         let shifts: &[f64] = if period > 0.0 { &[0.0, 1.0, -1.0] } else { &[0.0] };
-        let ranges = shifts.iter().map(|turns| space.range.map(|t| t + turns * period));
-        ranges.into_iter().find(|&range| self.is_along(p_curve, range, surface, space))
+        let shifted = shifts.iter().map(|turns| space.range.map(|t| t + turns * period));
+        let mut ranges = shifted.chain(self.range_of_line(p_curve, surface, space));
+        ranges.find(|&range| self.is_along(p_curve, range, surface, space))
+    }
+
+    /// Returns the range between the ends of a straight edge on a line of parameters that is straight in space,
+    /// as a generatrix: cones are written with lines of length 1 in either.
+    fn range_of_line(&self, p_curve: &Curve, surface: usize, space: &SpaceCurve) -> Option<[f64; 2]> {
+        let (surface, edge) = (&self.topology.surfaces[surface], &self.topology.curves[space.curve]);
+        let (Curve::Line { .. }, Curve::Line { .. }) = (p_curve, edge) else { return None };
+        let origin = lifted(surface, p_curve, 0.0);
+        let step = lifted(surface, p_curve, 1.0) - origin;
+        let [start, end] = space.range.map(|t| (edge.point(t) - origin).dot(step) / step.length_squared());
+        (start < end).then_some([start, end])
     }
 
     fn is_along(&self, p_curve: &Curve, range: [f64; 2], surface: usize, space: &SpaceCurve) -> bool {
