@@ -268,3 +268,38 @@ impl Search<'_> {
         None
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::brep::nurbs::{Curve, Frame as Placement, Surface};
+    use std::f64::consts::TAU;
+
+    /// A band of a cylinder between two rings and its seam: the seam's sides are where they close the loop,
+    /// whichever of both the file gives to which direction.
+    #[test]
+    fn the_sides_of_a_seam_are_those_that_close_the_loop() {
+        let placement = Placement { origin: DVec3::ZERO, x: DVec3::X, y: DVec3::Y, z: DVec3::Z };
+        let profile = Curve::Line { point: DVec3::X, direction: DVec3::Z };
+        let surface = Surface::Revolution { frame: placement, profile, kind: "cylinder" };
+        let side = |edge: u32, reversed: bool, [from, to]: [[f64; 2]; 2]| TrimUse {
+            edge: Some(edge),
+            reversed,
+            ..TrimUse::segment(DVec3::new(from[0], from[1], 0.0), DVec3::new(to[0], to[1], 0.0))
+        };
+        for seam in [[TAU, 0.0], [0.0, TAU]] {
+            let uses = vec![
+                side(1, false, [[0.0, 0.0], [TAU, 0.0]]),
+                side(2, false, [[seam[0], 0.0], [seam[0], 1.0]]),
+                side(3, true, [[TAU, 1.0], [0.0, 1.0]]),
+                side(2, true, [[seam[1], 1.0], [seam[1], 0.0]]),
+            ];
+            let frame = Frame::of(&uses, &surface);
+            let found = circuit(uses, &frame).ok().unwrap();
+            assert!(found.is_placed);
+            let starts: Vec<f64> = found.uses.iter().map(|one| one.curve.start().x).collect();
+            assert_eq!(starts, [0.0, TAU, TAU, 0.0]);
+        }
+    }
+}
