@@ -137,5 +137,9 @@ fn faces_left_out_are_named_and_the_others_measured() {
         assert!(String::from_utf8_lossy(&judged.stderr).contains("undecided: 1 faces were left out"));
         let allowed = run(&[command, &a, &b, "--limit", limit, "--allow-skipped"]);
         assert_eq!([status(&judged), status(&allowed)], statuses, "{command} {limit}");
+        let json = run(&[command, &a, &b, "--limit", limit, "--json"]).stdout;
+        let printed: Value = serde_json::from_slice(&json).unwrap();
+        let verdict = if command == "diff" { &printed["state"] } else { &printed["within"] };
+        assert_eq!(verdict, &if command == "diff" { json!("undecided") } else { json!(null) });
     }
 }

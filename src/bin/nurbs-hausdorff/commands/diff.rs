@@ -11,9 +11,6 @@ use std::fmt::{Result, Write};
 /// The largest number of faces of one model and state that the table lists; JSON has all.
 const MAX_LISTED: usize = 100;
 
-/// The exit status where no face is known to have changed and not all are known to be unchanged.
-const UNDECIDED: u8 = 3;
-
 /// Compares the models face by face, prints the differences and returns the exit status.
 pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
@@ -21,8 +18,11 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
     let mut bar = Bar::new();
-    let result = pollster::block_on(engine.diff(&a.prepared, &b.prepared, &options, &mut bar))?;
+    let mut result = pollster::block_on(engine.diff(&a.prepared, &b.prepared, &options, &mut bar))?;
     drop(bar);
+    if !is_judged(&a, &b, arguments.allow_skipped) {
+        result.state = FaceState::Undecided;
+    }
     if arguments.json {
         print_json(&OfFiles::new(&result, &a, &b))?;
     } else {
@@ -31,13 +31,10 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
         let _ = lines(&mut text, &result);
         print(&text)?;
     }
-    if !is_judged(&a, &b, arguments.allow_skipped) {
-        return Ok(UNDECIDED);
-    }
     Ok(match result.state {
         FaceState::Unchanged => 0,
         FaceState::Changed => 1,
-        FaceState::Undecided => UNDECIDED,
+        FaceState::Undecided => 3,
     })
 }
 

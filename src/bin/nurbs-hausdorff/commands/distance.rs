@@ -6,7 +6,7 @@ use crate::input::{OfFiles, is_judged, read};
 use crate::output::progress::Bar;
 use crate::output::report;
 use crate::output::{print, print_json};
-use nurbs_hausdorff::{Backend, DistanceResult, Engine, Method};
+use nurbs_hausdorff::{Backend, Details, DistanceResult, Engine, Method};
 
 /// Exit statuses with `--limit`.
 const WITHIN: u8 = 0;
@@ -24,16 +24,29 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
     let engine = pollster::block_on(Engine::new(backend))?;
     let mut bar = Bar::new();
-    let result = pollster::block_on(engine.distance(&a.prepared, &b.prepared, &options, &mut bar))?;
+    let mut result = pollster::block_on(engine.distance(&a.prepared, &b.prepared, &options, &mut bar))?;
     drop(bar);
+    let is_judged = arguments.limit.is_none() || is_judged(&a, &b, arguments.allow_skipped);
+    if !is_judged {
+        forget_verdict(&mut result);
+    }
     if arguments.json {
         print_json(&OfFiles::new(&result, &a, &b))?;
     } else {
         print(&report::text(&result))?;
     }
     let Some(limit) = arguments.limit else { return Ok(WITHIN) };
-    let is_judged = is_judged(&a, &b, arguments.allow_skipped);
     Ok(if is_judged { verdict(&result, limit) } else { UNDECIDED })
+}
+
+/// Takes the verdict out of a result, and out of those of both directions.
+fn forget_verdict(result: &mut DistanceResult) {
+    if let Details::Certified(details) = &mut result.details {
+        details.within = None;
+    }
+    for direction in [&mut result.forward, &mut result.reverse].into_iter().flatten() {
+        forget_verdict(direction);
+    }
 }
 
 /// The exit status that follows from the interval and the limit, for all methods.

@@ -20,9 +20,10 @@ export async function diff(values: Invocation["values"]): Promise<number> {
   const progress = new Progress();
   const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
   const result = await hd.diff(a, b, options).finally(() => progress.end());
-  if (values.has("json")) printJson(ofFiles(result, a, b));
-  else print(text(result));
   const state = isJudged(a, b, values.has("allow-skipped")) ? result.state : "undecided";
+  const shown = { ...result, state };
+  if (values.has("json")) printJson(ofFiles(shown, a, b));
+  else print(text(shown));
   return STATUSES[state];
 }
 

@@ -27,11 +27,13 @@ export async function distance(values: Values): Promise<number> {
   const progress = new Progress();
   const onProgress = progress.report;
   const result = await hd.distance(a, b, { ...options, onProgress }).finally(() => progress.end());
+  const { limit } = options;
+  const judged = limit === undefined || isJudged(a, b, values.has("allow-skipped"));
+  if (!judged) forgetVerdict(result);
   if (values.has("json")) printJson(ofFiles(withoutField(result), a, b));
   else print(text(result));
-  const { limit } = options;
   if (limit === undefined) return WITHIN;
-  return isJudged(a, b, values.has("allow-skipped")) ? verdict(result, limit) : UNDECIDED;
+  return judged ? verdict(result, limit) : UNDECIDED;
 }
 
 /** The result without its samples, which the native command does not print either. */
@@ -41,6 +43,14 @@ function withoutField({ field: _, forward, reverse, ...rest }: DistanceResult): 
     ...(forward ? { forward: withoutField(forward) } : {}),
     ...(reverse ? { reverse: withoutField(reverse) } : {}),
   };
+}
+
+/** Takes the verdict out of a result, and out of those of both directions. */
+function forgetVerdict(result: DistanceResult): void {
+  if (result.method === "certified") delete result.within;
+  for (const direction of [result.forward, result.reverse]) {
+    if (direction !== undefined) forgetVerdict(direction);
+  }
 }
 
 /** The exit status that follows from the interval and the limit, for all methods. */
