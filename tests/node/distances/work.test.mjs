@@ -20,18 +20,22 @@ after(() => {
 /** A second's work at least, on the CPU or on lavapipe. */
 const long = { method: "iteration", samples: 512, culling: "none" };
 
-test("a search that gains nothing says so", async () => {
-  // A large weight makes the bounds of derivatives useless on large cells.
+/**
+ * A bicubic sheet with a weight of its own: a large one makes the bounds of derivatives useless on
+ * large cells, so that a search takes seconds.
+ */
+function sheet(weight) {
   const knots = [0, 0, 0, 0, 1, 1, 1, 1];
-  const sheet = (weight) => {
-    const controlPoints = Array.from({ length: 16 }, (_, index) => {
-      const [x, y] = [Math.floor(index / 4) / 3, (index % 4) / 3];
-      return [x, y, 0.3 * Math.sin(5 * x) * Math.cos(4 * y), index === 5 ? weight : 1];
-    }).flat();
-    return hd.model([
-      { degree: [3, 3], knotsU: knots, knotsV: knots, counts: [4, 4], controlPoints },
-    ]);
-  };
+  const controlPoints = Array.from({ length: 16 }, (_, index) => {
+    const [x, y] = [Math.floor(index / 4) / 3, (index % 4) / 3];
+    return [x, y, 0.3 * Math.sin(5 * x) * Math.cos(4 * y), index === 5 ? weight : 1];
+  }).flat();
+  return hd.model([
+    { degree: [3, 3], knotsU: knots, knotsV: knots, counts: [4, 4], controlPoints },
+  ]);
+}
+
+test("a search that gains nothing says so", async () => {
   const seen = [];
   await hd.distance(sheet(1e8), sheet(1), {
     backend: "cpu",
@@ -131,7 +135,7 @@ test("certified work that is cancelled rejects with the interval so far", async 
 test("cancelled work by method hierarchy, and by diff, rejects", async () => {
   for (const run of [
     (options) => hd.distance(a, b, { ...options, method: "hierarchy", grid: 256 }),
-    (options) => hd.diff(a, b, options),
+    (options) => hd.diff(sheet(1e8), sheet(1), options),
     (options) => hd.field(a, b, { ...options, samples: 256 }),
     (options) => hd.closestPoints(a, new Float64Array(300_000), options),
     (options) => hd.bestFit(a, b, { ...options, samples: 128, onProgress: undefined }),
