@@ -52,6 +52,30 @@ fn a_loop_that_is_open_beyond_the_tolerance_is_skipped_and_reported() {
     assert_eq!(error.code(), "BREP_UNREADABLE");
 }
 
+/// A ring between two circles, each one rational piece of degree 5, and thinner than an octagon in either
+/// is off it: the inner one is a hole whichever way it runs.
+#[test]
+fn a_thin_ring_between_single_curves_has_its_hole() {
+    // J. J. Chou, Higher order Bézier circles, Computer-Aided Design 27(4) (1995).
+    let circle = |radius: f64, turn: f64| {
+        let points = [[1.0, 0.0], [1.0, 4.0], [-3.0, 2.0], [-3.0, -2.0], [1.0, -4.0], [1.0, 0.0]];
+        let poles: String = points
+            .iter()
+            .enumerate()
+            .map(|(k, [x, y])| {
+                let weight = if k % 5 == 0 { 1.0 } else { 0.2 };
+                format!("{:?} {:?} {weight:?} ", radius * x, turn * radius * y)
+            })
+            .collect();
+        vec![(format!("7 1 0 5 6 2 {poles} 0 6 1 6"), [0.0, 1.0])]
+    };
+    for turn in [1.0, -1.0] {
+        let (model, report) = region(PLANE, &[circle(10.0, 1.0), circle(9.6, turn)]);
+        assert_near(area_of(&model), PI * (100.0 - 9.6 * 9.6), 1e-6);
+        assert_eq!(report.skipped, []);
+    }
+}
+
 /// The gap of a curve that lies 0.01 or 0.25 beside its edge.
 #[test]
 fn gaps_are_those_of_the_edges_in_space() {

@@ -7,8 +7,9 @@ use crate::brep::nurbs::Surface;
 use crate::brep::report::FaceFault;
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
-/// The points of a piece of a curve in the polygon that stands for it.
-const POLYGON_POINTS: usize = 8;
+/// The points of a piece of a curve, for each degree, in the polygon that stands for it: one piece of a
+/// high degree may be a whole loop.
+const POINTS_PER_DEGREE: usize = 8;
 
 /// The most periods that a loop's box is searched for places of a hole.
 const MAX_PLACES: f64 = 64.0;
@@ -67,7 +68,7 @@ fn points(trim_use: &TrimUse) -> Vec<DVec2> {
     let pieces = trim_use.curve.pieces();
     let at = |piece: &crate::brep::nurbs::Spline| -> Vec<DVec2> {
         let [start, end] = piece.domain();
-        let count = if piece.degree == 1 { 1 } else { POLYGON_POINTS };
+        let count = if piece.degree == 1 { 1 } else { POINTS_PER_DEGREE * piece.degree };
         let point = |index: usize| piece.point(start + (end - start) * index as f64 / count as f64).xy();
         (0..count).map(point).collect()
     };

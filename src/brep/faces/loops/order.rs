@@ -90,8 +90,10 @@ pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, 
 /// the file places them: formats do not say which of both curves belongs to which direction.
 fn with_sides(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Vec<TrimUse> {
     let in_file: Vec<usize> = (0..uses.len()).collect();
-    let is_circuit =
-        |uses: &[TrimUse]| Search { uses, frame, whole: frame.whole() }.is_circuit(&in_file, Meeting::Placed);
+    let is_circuit = |uses: &[TrimUse]| {
+        let search = Search { uses, frame, whole: frame.whole() };
+        search.is_circuit(&in_file, Meeting::Placed) && search.fits(uses)
+    };
     if !uses.iter().all(|one| one.is_placed) || is_circuit(&uses) {
         return uses;
     }
