@@ -1,0 +1,102 @@
+"""Damages files of CAD systems at random and has the command read them.
+
+    python3 benches/trimmed/damage.py COMMAND COUNT SEED FILE...
+
+Each damaged file has bytes, digits or lines changed, exchanged, repeated or left out, or ends early.
+The command must end within MAX_SECONDS, in MAX_BYTES of address space, with a model or a coded
+error; every other end is printed, and its file kept beside the working folder. The exit status is 1
+if there is one.
+"""
+
+import collections
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+MAX_SECONDS = 10
+MAX_BYTES = 1 << 30
+# Exit statuses of a model that is read, and of a coded error.
+EXPECTED = (0, 2)
+
+
+def bytes_changed(rng: random.Random, content: bytearray) -> bytearray:
+    for _ in range(rng.randrange(1, 20)):
+        content[rng.randrange(len(content))] = rng.randrange(256)
+    return content
+
+
+def digits_changed(rng: random.Random, content: bytearray) -> bytearray:
+    digits = [index for index, byte in enumerate(content) if 48 <= byte <= 57]
+    for _ in range(rng.randrange(1, 30)):
+        content[rng.choice(digits)] = rng.randrange(48, 58)
+    return content
+
+
+def ended_early(rng: random.Random, content: bytearray) -> bytearray:
+    return content[: rng.randrange(1, len(content))]
+
+
+def lines_left_out(rng: random.Random, content: bytearray) -> bytearray:
+    lines = content.split(b"\n")
+    for _ in range(rng.randrange(1, 6)):
+        del lines[rng.randrange(len(lines))]
+    return bytearray(b"\n".join(lines))
+
+
+def lines_exchanged(rng: random.Random, content: bytearray) -> bytearray:
+    lines = content.split(b"\n")
+    for _ in range(rng.randrange(1, 6)):
+        first, second = rng.randrange(len(lines)), rng.randrange(len(lines))
+        lines[first], lines[second] = lines[second], lines[first]
+    return bytearray(b"\n".join(lines))
+
+
+def repeated(rng: random.Random, content: bytearray) -> bytearray:
+    start = rng.randrange(len(content))
+    at = rng.randrange(len(content))
+    content[at:at] = content[start : start + rng.randrange(1, 2000)]
+    return content
+
+
+DAMAGES = (bytes_changed, digits_changed, ended_early, lines_left_out, lines_exchanged, repeated)
+
+
+def limit_memory() -> None:
+    resource.setrlimit(resource.RLIMIT_AS, (MAX_BYTES, MAX_BYTES))
+
+
+def main() -> int:
+    command, count, seed = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    files = [(Path(name).suffix, Path(name).read_bytes()) for name in sys.argv[4:]]
+    rng = random.Random(seed)
+    ends, slowest, unexpected = collections.Counter(), 0.0, 0
+    with tempfile.TemporaryDirectory() as folder:
+        for number in range(count):
+            suffix, content = rng.choice(files)
+            damage = rng.choice(DAMAGES)
+            damaged = Path(folder) / f"damaged{suffix}"
+            damaged.write_bytes(damage(rng, bytearray(content)))
+            started = time.monotonic()
+            words = [command, "convert", str(damaged), str(Path(folder) / "model.json")]
+            try:
+                run = subprocess.run(words, capture_output=True, timeout=MAX_SECONDS, preexec_fn=limit_memory)
+                end = run.returncode
+            except subprocess.TimeoutExpired:
+                end = None
+            slowest = max(slowest, time.monotonic() - started)
+            ends[end] += 1
+            if end not in EXPECTED:
+                unexpected += 1
+                kept = Path(f"damaged-{seed}-{number}{suffix}")
+                kept.write_bytes(damaged.read_bytes())
+                print(f"{kept}: ended with {end} after {damage.__name__}", flush=True)
+    print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.1f} s")
+    return 1 if unexpected else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
