@@ -86,7 +86,7 @@ fn the_sides_of_a_seam_come_in_either_order() {
         let [apex, foot] = [[0.0, 0.0, -height], [radius, 0.0, 0.0]].map(|point| text.vertex(point));
         let along = [-half_angle.sin(), 0.0, -half_angle.cos()];
         let line = text.line([radius, 0.0, 0.0], along);
-        let mut p_curve = |text: &mut StepText, from: [f64; 2], along: [f64; 2]| {
+        let p_curve = |text: &mut StepText, from: [f64; 2], along: [f64; 2]| {
             let from = text.add(format!("CARTESIAN_POINT('',({:?},{:?}))", from[0], from[1]));
             let along = text.add(format!("DIRECTION('',({:?},{:?}))", along[0], along[1]));
             let vector = text.add(format!("VECTOR('',#{along},1.)"));
