@@ -222,7 +222,8 @@ impl Monitor for StallWatch {
 #[test]
 fn a_search_that_gains_nothing_says_so() {
     let even = peaked_sheet(1.0);
-    let options = Options { max_cells: Some(40_000), ..Options::default() };
+    // Reports come by time: many cells, so that some come after the last halving.
+    let options = Options { max_cells: Some(200_000), ..Options::default() };
     let stalled = |a: &Model, b: &Model, tolerance: f64| {
         let mut watch = StallWatch::default();
         measure(a, b, &Options { relative_tolerance: Some(tolerance), ..options }, &mut watch);
@@ -230,7 +231,7 @@ fn a_search_that_gains_nothing_says_so() {
     };
     let seen = stalled(&peaked_sheet(1e8), &even, 1e-6);
     // The last call is at the end, where nothing is stalled any more.
-    assert!(!seen[0] && seen[seen.len() - 2] && !seen[seen.len() - 1], "{seen:?}");
+    assert!(!seen[0] && seen.contains(&true) && !seen[seen.len() - 1], "{seen:?}");
     let [one, other] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
     assert!(stalled(&one, &other, 1e-6).iter().all(|stalled| !stalled));
 }
