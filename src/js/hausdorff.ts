@@ -164,7 +164,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   }
 
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
-    return bestFit(this, a, b, options);
+    return requireWhole(await bestFit(this, a, b, options), options.signal);
   }
 
   /** Runs a method of the engine when no other is running. */
@@ -180,7 +180,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     const result = run(engine, call) as Promise<Result>;
     this.#turn = Promise.allSettled([this.#turn, result]).then(() => undefined);
     try {
-      return requireWhole(await result, signal?.reason);
+      return requireWhole(await result, signal);
     } catch (thrown) {
       throw translated(thrown, { cause: signal?.reason, interval: reached.interval });
     }

@@ -26,20 +26,25 @@ export class Reached {
 /** The part of a result, or of one direction of it, that states why a search ended. */
 interface Ended {
   stop?: string;
-  lower: number;
-  upper: number;
+  lower?: number;
+  upper?: number;
   forward?: Ended;
   reverse?: Ended;
 }
 
 /**
- * Returns the result, unless the signal ended its search.
+ * Returns the result, unless the signal ended its search or has been aborted since: a call
+ * whose signal is aborted before its promise is settled rejects, however near its end it was.
  *
- * @throws {HausdorffError} `CANCELLED`, with the interval.
+ * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause, and with the
+ * result's interval if it has one.
  * @internal
  */
-export function requireWhole<Result>(result: Result, cause: unknown): Result {
-  const { stop, lower, upper, forward, reverse } = result as Ended;
-  if (![stop, forward?.stop, reverse?.stop].includes("cancelled")) return result;
-  throw new HausdorffError("CANCELLED", "cancelled", { cause, interval: [lower, upper] });
+export function requireWhole<Result>(result: Result, signal: AbortSignal | undefined): Result {
+  const { stop, lower, upper, forward, reverse } = (result ?? {}) as Ended;
+  const ended = [stop, forward?.stop, reverse?.stop].includes("cancelled");
+  if (!ended && signal?.aborted !== true) return result;
+  const interval: Interval | undefined =
+    lower === undefined || upper === undefined ? undefined : [lower, upper];
+  throw new HausdorffError("CANCELLED", "cancelled", { cause: signal?.reason, interval });
 }

@@ -1,4 +1,5 @@
 import { HausdorffError } from "../error.js";
+import { requireWhole } from "../measure/cancelled.js";
 import type { EngineFacts, Failure, Listener, Port, Reply } from "./messages.js";
 
 /** What a call passes on besides its arguments. */
@@ -55,7 +56,7 @@ export class Channel {
       this.#port.post({ id, method, args, progress: onProgress !== undefined }, transfer);
       this.#port.hold(true);
       signal?.addEventListener("abort", cancel);
-      return [await answer, id];
+      return [requireWhole(await answer, signal), id];
     } catch (error) {
       if (error instanceof DOMException && error.name === "DataCloneError") {
         throw new HausdorffError("ARGUMENT_INVALID", `${method}: ${error.message}`, {

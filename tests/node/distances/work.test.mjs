@@ -138,14 +138,26 @@ test("cancelled work by method hierarchy, and by diff, rejects", async () => {
     (options) => hd.diff(sheet(1e8), sheet(1), options),
     (options) => hd.field(a, b, { ...options, samples: 256 }),
     (options) => hd.closestPoints(a, new Float64Array(300_000), options),
-    (options) => hd.bestFit(a, b, { ...options, samples: 128, onProgress: undefined }),
+    (options) => hd.bestFit(a, b, { ...options, samples: 128 }),
   ]) {
     const controller = new AbortController();
-    setTimeout(() => controller.abort(), 5);
-    const options = { signal: controller.signal, onProgress: () => {} };
+    const options = { signal: controller.signal, onProgress: () => controller.abort() };
     await assert.rejects(run(options), withCode("CANCELLED"));
     await assert.rejects(run(options), withCode("CANCELLED"), "before it begins");
   }
+});
+
+test("a signal aborted by the last report still rejects, with the interval", async () => {
+  const controller = new AbortController();
+  const onProgress = (fraction) => fraction === 1 && controller.abort();
+  const [plane, above] = [hd.model([square(0)]), hd.model([square(1)])];
+  await assert.rejects(
+    hd.distance(plane, above, { signal: controller.signal, onProgress }),
+    (error) => {
+      assert.ok(error.interval[0] <= 1 && 1 <= error.interval[1]);
+      return withCode("CANCELLED")(error);
+    },
+  );
 });
 
 test("what onProgress throws ends the work and is thrown on", async () => {
