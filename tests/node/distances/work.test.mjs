@@ -51,7 +51,7 @@ for (const backend of ["gpu", "cpu"]) {
     const seen = [];
     await hd.distance(a, b, {
       method: "iteration",
-      samples: 100,
+      samples: 300,
       symmetric: true,
       backend,
       onProgress: (fraction) => seen.push(fraction),
