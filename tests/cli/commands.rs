@@ -60,6 +60,10 @@ fn iteration_prints_one_object_with_every_key() {
     let output = run(&["distance", &a, &b, "--method", "iteration", "--backend", "cpu", "--json"]);
     let result = printed(&output);
     let mut expected = vec![
+        "schemaVersion",
+        "version",
+        "files",
+        "skipped",
         "method",
         "backend",
         "adapter",

@@ -24,7 +24,7 @@ fn a_trimmed_face_is_measured_as_it_is() {
     let interval = |a: &str, b: &str| {
         let result = printed(&run(&["distance", a, b, "--json"]));
         assert_eq!(result["gap"], 0.0);
-        assert!(result.get("skipped").is_none(), "{result}");
+        assert_eq!(result["skipped"], json!({"a": [], "b": []}));
         [&result["lower"], &result["upper"]].map(|end| end.as_f64().unwrap())
     };
     let [lower, upper] = interval(&a, &b);
@@ -52,7 +52,9 @@ fn the_gaps_that_files_state_stand_beside_the_interval() {
 fn a_converted_trimmed_model_is_the_model() {
     let a = file("convert-a.json", &triangle(0.0, 0.0).to_string());
     let out = file("convert-out.json", "");
-    let report = printed(&run(&["convert", &a, &out, "--json"]));
+    let refused = run(&["convert", &a, &out]);
+    assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OUTPUT_EXISTS]"));
+    let report = printed(&run(&["convert", &a, &out, "--overwrite", "--json"]));
     assert_eq!((&report["faces"], &report["trims"], &report["skipped"]), (&json!(1), &json!(3), &json!([])));
     let result = printed(&run(&["distance", &a, &out, "--symmetric", "--json"]));
     assert!(result["upper"].as_f64().unwrap() < 1e-8, "{result}");

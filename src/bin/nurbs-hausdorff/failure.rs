@@ -18,14 +18,24 @@ pub(crate) enum Failure {
     },
     /// Standard output could not be written.
     Output(std::io::Error),
+    /// A file could not be written.
+    File {
+        /// The path as given.
+        path: PathBuf,
+        /// The reason.
+        error: std::io::Error,
+    },
+    /// A file to be written is there already.
+    Exists(PathBuf),
 }
 
 impl Failure {
-    /// The library's code, or the one code that only the command line has.
+    /// The library's code, or one that only the command line has.
     pub(crate) fn code(&self) -> &'static str {
         match self {
             Self::Plain(error) | Self::Model { error, .. } => error.code(),
-            Self::Output(_) => "OUTPUT_FAILED",
+            Self::Output(_) | Self::File { .. } => "OUTPUT_FAILED",
+            Self::Exists(_) => "OUTPUT_EXISTS",
         }
     }
 }
@@ -39,6 +49,10 @@ impl Display for Failure {
             }
             Self::Model { path, error } => write!(formatter, "{}: {error}", path.display()),
             Self::Output(error) => write!(formatter, "standard output: {error}"),
+            Self::File { path, error } => write!(formatter, "{}: {error}", path.display()),
+            Self::Exists(path) => {
+                write!(formatter, "{} is there already; --overwrite replaces it", path.display())
+            }
         }
     }
 }

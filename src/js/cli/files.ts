@@ -1,4 +1,6 @@
+import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
+import { buffer } from "node:stream/consumers";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
@@ -14,37 +16,55 @@ export class FileError extends Error {
   }
 }
 
+/** The path that stands for standard input, and for standard output. */
+export const STANDARD_STREAM = "-";
+
+/** A model's file, by which a result can be traced to it. */
+export interface Source {
+  /** The path as given. */
+  path: string;
+  /** SHA-256 of the file's bytes, in hexadecimal digits. */
+  sha256: string;
+}
+
+/** A model that was read, and its file. */
+export interface Input extends Disposable {
+  model: NurbsModel;
+  source: Source;
+}
+
 /** The model in a file; the faces left out are listed on standard error. */
-export async function readModel(path: string): Promise<NurbsModel> {
+export async function readModel(path: string): Promise<Input> {
   return naming(path, async () => {
-    const model = await readCad(await bytesOf(path), { name: path });
+    const bytes = await bytesOf(path);
+    const model = await readCad(bytes, { name: path });
     warn(path, model.report);
-    return model;
+    return { model, source: sourceOf(path, bytes), [Symbol.dispose]: () => model.dispose() };
   });
 }
 
 /** The interchange JSON of the model in a file, and the report on reading it. */
-export async function convertFile(path: string): Promise<{ json: string; report: CadReport }> {
+export async function convertFile(
+  path: string,
+): Promise<{ json: string; report: CadReport; source: Source }> {
   return naming(path, async () => {
-    const converted = await convertCad(await bytesOf(path), { name: path });
+    const bytes = await bytesOf(path);
+    const converted = await convertCad(bytes, { name: path });
     warn(path, converted.report);
-    return converted;
+    return { ...converted, source: sourceOf(path, bytes) };
   });
 }
 
-/** A result with the faces that were left out of the files' models, if any. */
-export function ofFiles<R extends object>(result: R, a: NurbsModel, b: NurbsModel): object {
-  const [leftOfA, leftOfB] = [a, b].map(({ report }) => report?.skipped ?? []);
-  const none = !leftOfA?.length && !leftOfB?.length;
-  return none ? result : { ...result, skipped: { a: leftOfA, b: leftOfB } };
+function sourceOf(path: string, bytes: Uint8Array): Source {
+  return { path, sha256: createHash("sha256").update(bytes).digest("hex") };
 }
 
 /**
  * Whether a verdict holds for the files: no faces were left out of their models, or that is
  * allowed. Says on standard error why it does not.
  */
-export function isJudged(a: NurbsModel, b: NurbsModel, allowSkipped: boolean): boolean {
-  const skipped = [a, b].reduce((sum, { report }) => sum + (report?.skipped.length ?? 0), 0);
+export function isJudged(a: Input, b: Input, allowSkipped: boolean): boolean {
+  const skipped = [a, b].reduce((sum, { model }) => sum + (model.report?.skipped.length ?? 0), 0);
   if (allowSkipped || skipped === 0) return true;
   process.stderr.write(
     `undecided: ${skipped} faces were left out; --allow-skipped judges the others\n`,
@@ -52,10 +72,14 @@ export function isJudged(a: NurbsModel, b: NurbsModel, allowSkipped: boolean): b
   return false;
 }
 
-/** Writes a text to a file. */
-export async function writeText(path: string, text: string): Promise<void> {
-  await writeFile(path, text).catch((cause: unknown) => {
-    throw unreadable(path, cause, "OUTPUT_FAILED");
+/** Writes a text to a file that is not there yet, or is to be replaced. */
+export async function writeText(path: string, text: string, overwrite: boolean): Promise<void> {
+  await writeFile(path, text, { flag: overwrite ? "w" : "wx" }).catch((cause: unknown) => {
+    if ((cause as NodeJS.ErrnoException).code === "EEXIST") {
+      const why = "is there already; --overwrite replaces it";
+      throw new SystemError("OUTPUT_EXISTS", `${path} ${why}`, cause);
+    }
+    throw failed("OUTPUT_FAILED", path, cause);
   });
 }
 
@@ -69,23 +93,24 @@ async function naming<T>(path: string, run: () => Promise<T>): Promise<T> {
 }
 
 async function bytesOf(path: string): Promise<Uint8Array> {
-  return readFile(path).catch((cause: unknown) => {
-    throw unreadable(path, cause, "FILE_UNREADABLE");
+  const reading = path === STANDARD_STREAM ? buffer(process.stdin) : readFile(path);
+  return reading.catch((cause: unknown) => {
+    throw failed("FILE_UNREADABLE", path, cause);
   });
 }
 
-/** An error of the operating system, which names the path itself. */
+/** An error of the operating system, whose message names the path. */
 class SystemError extends Error {
   readonly code: string;
 
-  constructor(code: string, path: string, cause: unknown) {
-    super(`${path}: ${cause instanceof Error ? cause.message : String(cause)}`, { cause });
+  constructor(code: string, message: string, cause: unknown) {
+    super(message, { cause });
     this.code = code;
   }
 }
 
-function unreadable(path: string, cause: unknown, code: string): SystemError {
-  return new SystemError(code, path, cause);
+function failed(code: string, path: string, cause: unknown): SystemError {
+  return new SystemError(code, `${path}: ${cause instanceof Error ? cause.message : cause}`, cause);
 }
 
 function warn(path: string, report: CadReport | null): void {

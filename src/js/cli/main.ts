@@ -1,6 +1,5 @@
 #!/usr/bin/env node
 // The command line in Node: as the native one, for CAD files too.
-import { readFileSync } from "node:fs";
 import { HausdorffError } from "../error.js";
 // Finds the wasm modules beside the package's own files.
 import "../node.js";
@@ -11,12 +10,11 @@ import { convert } from "./commands/convert.js";
 import { diff } from "./commands/diff.js";
 import { distance } from "./commands/distance.js";
 import { info } from "./commands/info.js";
+import { version } from "./output/json.js";
 import { print } from "./output/output.js";
 
 /** Exit status of bad arguments, bad input or a failed machine. */
 const FAILED = 2;
-
-const here = (path: string) => new URL(path, import.meta.url);
 
 async function run({ command, values }: Invocation): Promise<number> {
   if (command.name === "distance") return distance(values);
@@ -36,10 +34,6 @@ async function main(args: readonly string[]): Promise<number> {
   else if ("version" in request) print(`nurbs-hausdorff ${version()}\n`);
   else return run(request);
   return 0;
-}
-
-function version(): string {
-  return JSON.parse(readFileSync(here("../../package.json"), "utf8")).version;
 }
 
 process.exitCode = await main(process.argv.slice(2)).catch((error: unknown) => {

@@ -1,6 +1,7 @@
 // The package's command line against the native one, and on CAD files.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -22,8 +23,8 @@ const file = (name, content) => {
   return path(name);
 };
 
-function outcome(command, args) {
-  const options = { cwd: folder, encoding: "utf8", env: environment() };
+function outcome(command, args, input = "") {
+  const options = { cwd: folder, encoding: "utf8", env: environment(), input };
   const { status, stdout, stderr } = spawnSync(command, args, options);
   return { status, stdout, stderr };
 }
@@ -31,8 +32,12 @@ function outcome(command, args) {
 const node = (...args) => outcome(process.execPath, [main, ...args]);
 
 /** Runs both command lines, which must end with the same status. */
-function both(...args) {
-  const [ours, theirs] = [node(...args), outcome(native, args)];
+const both = (...args) => bothWith("", ...args);
+
+/** As `both`, with this standard input. */
+function bothWith(input, ...args) {
+  const ours = outcome(process.execPath, [main, ...args], input);
+  const theirs = outcome(native, args, input);
   assert.equal(ours.status, theirs.status, `${args}\n${ours.stderr}\n${theirs.stderr}`);
   return [ours, theirs];
 }
@@ -196,10 +201,57 @@ test("both convert, and report", () => {
   const models = outputs.map((output) => JSON.parse(readFileSync(output, "utf8")));
   assert.deepEqual(models[0], models[1]);
   const [ours, theirs] = [
-    node("convert", squares[0], outputs[0]),
-    outcome(native, ["convert", squares[0], outputs[1]]),
+    node("convert", squares[0], outputs[0], "--overwrite"),
+    outcome(native, ["convert", squares[0], outputs[1], "--overwrite"]),
   ];
   assert.equal(ours.stdout, theirs.stdout);
+  for (const refused of both("convert", squares[0], outputs[0])) {
+    assert.equal(refused.status, 2);
+    assert.match(refused.stderr, /^error\[OUTPUT_EXISTS\]: .*ours\.json is there already/);
+  }
+  for (const refused of both("convert", squares[0], path("no-such-folder/out.json"))) {
+    assert.equal(refused.status, 2);
+    assert.match(refused.stderr, /^error\[OUTPUT_FAILED\]: .*no-such-folder/);
+  }
+});
+
+test("both state the version, the files and their hashes in JSON", () => {
+  const sha256 = (path) => createHash("sha256").update(readFileSync(path)).digest("hex");
+  const source = (path) => ({ path, sha256: sha256(path) });
+  const { version } = JSON.parse(readFileSync(new URL("../../../package.json", import.meta.url)));
+  const [a, b] = [squares[0], squares[3]];
+  for (const command of ["distance", "diff"]) {
+    for (const { stdout } of both(command, a, b, "--json")) {
+      const printed = JSON.parse(stdout);
+      assert.deepEqual([printed.schemaVersion, printed.version], [1, version]);
+      assert.deepEqual(printed.files, { a: source(a), b: source(b) });
+      assert.deepEqual(printed.skipped, { a: [], b: [] });
+    }
+  }
+  for (const { stdout } of both("info", a, "--json")) {
+    const printed = JSON.parse(stdout);
+    assert.deepEqual([printed.schemaVersion, printed.version], [1, version]);
+    assert.deepEqual([printed.file, printed.skipped], [source(a), []]);
+  }
+});
+
+test("both read standard input and write standard output", () => {
+  const input = readFileSync(squares[0]);
+  const results = both("info", squares[0]).map(({ stdout }) => stdout);
+  assert.deepEqual(
+    bothWith(input, "info", "-").map(({ stdout }) => stdout),
+    results,
+  );
+  const model = JSON.parse(readFileSync(path("ours.json"), "utf8"));
+  for (const { status, stdout, stderr } of bothWith(input, "convert", "-", "-")) {
+    assert.equal(status, 0, stderr);
+    assert.deepEqual(JSON.parse(stdout), model);
+    assert.match(stderr, /^kind +json\nfaces +1, 0 left out\n/);
+  }
+  for (const { status, stdout } of bothWith(input, "distance", "-", squares[3], "--json")) {
+    assert.equal(status, 0);
+    assert.equal(JSON.parse(stdout).files.a.path, "-");
+  }
 });
 
 /** Arguments that both refuse with status 2, and the code of the error. */
@@ -286,7 +338,7 @@ for (const [name, from, faces] of [
     // Pieces of trimmed faces follow sines and cosines, whose last bits are the platform's.
     alike(...infos, 1e-9);
     assert.deepEqual([infos[0].faces.length, infos[0].unit], [faces, 0.001]);
-    const outputs = [path("ours.json"), path("theirs.json")];
+    const outputs = [path(`ours-${name}.json`), path(`theirs-${name}.json`)];
     const reports = [
       node("convert", part, outputs[0], "--json"),
       outcome(native, ["convert", part, outputs[1], "--json"]),

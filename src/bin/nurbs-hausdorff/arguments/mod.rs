@@ -47,9 +47,9 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct DistanceArguments {
-    /// The model whose points are measured.
+    /// The model whose points are measured; - is standard input.
     pub(crate) a: PathBuf,
-    /// The model to which the distances are measured.
+    /// The model to which the distances are measured; - is standard input.
     pub(crate) b: PathBuf,
     /// The method that computes the distance.
     #[arg(long, value_enum, default_value_t = MethodName::Certified)]
@@ -141,9 +141,9 @@ impl Placement {
 
 #[derive(Debug, Args)]
 pub(crate) struct DiffArguments {
-    /// The one model.
+    /// The one model; - is standard input.
     pub(crate) a: PathBuf,
-    /// The other model.
+    /// The other model; - is standard input.
     pub(crate) b: PathBuf,
     /// Distance, in model units, up to which a face counts as unchanged.
     #[arg(long, default_value_t = 1e-3)]
@@ -178,7 +178,7 @@ impl DiffArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct InfoArguments {
-    /// The model.
+    /// The model; - is standard input.
     pub(crate) model: PathBuf,
     /// Prints the result as one JSON object.
     #[arg(long)]
@@ -187,10 +187,13 @@ pub(crate) struct InfoArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArguments {
-    /// The model.
+    /// The model; - is standard input.
     pub(crate) input: PathBuf,
-    /// The file to write.
+    /// The file to write; - is standard output.
     pub(crate) output: PathBuf,
+    /// Replaces the output if it is there already.
+    #[arg(long)]
+    pub(crate) overwrite: bool,
     /// Prints the report as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,

@@ -2,9 +2,10 @@
 
 use crate::arguments::DiffArguments;
 use crate::failure::Failure;
-use crate::input::{OfFiles, is_judged, read};
+use crate::input::{is_judged, read};
+use crate::output::json::{OfFiles, print_json};
+use crate::output::print;
 use crate::output::progress::Bar;
-use crate::output::{print, print_json};
 use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState};
 use std::fmt::{Result, Write};
 

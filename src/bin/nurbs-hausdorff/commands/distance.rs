@@ -2,10 +2,11 @@
 
 use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
-use crate::input::{OfFiles, is_judged, read};
+use crate::input::{is_judged, read};
+use crate::output::json::{OfFiles, print_json};
+use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report;
-use crate::output::{print, print_json};
 use nurbs_hausdorff::{Backend, Details, DistanceResult, Engine, Method};
 
 /// Exit statuses with `--limit`.

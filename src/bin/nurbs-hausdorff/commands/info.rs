@@ -3,22 +3,33 @@
 use crate::arguments::InfoArguments;
 use crate::failure::Failure;
 use crate::input::{Input, read};
+use crate::output::json::{OfFile, print_json};
+use crate::output::print;
 use crate::output::report::short;
-use crate::output::{print, print_json};
-use nurbs_hausdorff::ModelInfo;
+use nurbs_hausdorff::{ModelInfo, Skipped};
+use serde::Serialize;
 use std::fmt::Write;
 
 /// Prints the faces, patches, areas and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
-    let Input { model, prepared, .. } = read(&arguments.model)?;
+    let Input { model, prepared, report, source } = read(&arguments.model)?;
     let info = ModelInfo::of_prepared(&model, &prepared);
     if arguments.json {
-        return print_json(&info);
+        let info = Info { info: &info, skipped: &report.read.skipped };
+        return print_json(&OfFile::new(&info, &source));
     }
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = lines(&mut text, &info);
     print(&text)
+}
+
+/// A model in numbers, with the faces that were left out of it.
+#[derive(Serialize)]
+struct Info<'a> {
+    #[serde(flatten)]
+    info: &'a ModelInfo,
+    skipped: &'a [Skipped],
 }
 
 fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {

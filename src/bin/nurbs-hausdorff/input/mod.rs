@@ -1,15 +1,15 @@
 //! Reads models.
 
+mod bytes;
 mod format;
 
 use crate::failure::Failure;
-use nurbs_hausdorff::{Error, Model, PreparedModel, ReadReport, Result, Skipped};
+pub(crate) use bytes::{STANDARD_STREAM, Source};
+use nurbs_hausdorff::{Error, Model, PreparedModel, ReadReport, Result};
 use serde::Serialize;
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-/// Reads the model in a file of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
+/// Reads the model in a file, or in standard input for `-`, of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
 /// content, and prints the faces left out and the notes on others.
 ///
 /// # Errors
@@ -17,7 +17,7 @@ use std::path::Path;
 /// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`],
 /// [`Model::from_step`], [`Model::from_iges`], [`Model::from_brep`] and [`PreparedModel`]; all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
-    let input = bytes(path).and_then(|bytes| parse(path, bytes));
+    let input = bytes::bytes(path).and_then(|bytes| parse(path, bytes));
     let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
     for skipped in &input.report.read.skipped {
         let (path, face, why) = (path.display(), skipped.face, &skipped.why);
@@ -36,30 +36,7 @@ pub(crate) struct Input {
     pub(crate) model: Model,
     pub(crate) prepared: PreparedModel,
     pub(crate) report: CadReport,
-}
-
-/// A result with the faces that were left out of the files' models, if any.
-#[derive(Serialize)]
-pub(crate) struct OfFiles<'a, R> {
-    #[serde(flatten)]
-    result: &'a R,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    skipped: Option<LeftOut<'a>>,
-}
-
-/// The faces left out of A and of B.
-#[derive(Serialize)]
-struct LeftOut<'a> {
-    a: &'a [Skipped],
-    b: &'a [Skipped],
-}
-
-impl<'a, R> OfFiles<'a, R> {
-    pub(crate) fn new(result: &'a R, a: &'a Input, b: &'a Input) -> Self {
-        let [a, b] = [a, b].map(|input| input.report.read.skipped.as_slice());
-        let skipped = (!a.is_empty() || !b.is_empty()).then_some(LeftOut { a, b });
-        Self { result, skipped }
-    }
+    pub(crate) source: Source,
 }
 
 /// Returns whether a verdict holds for the files: no faces were left out of their models, or that is
@@ -86,6 +63,7 @@ pub(crate) struct CadReport {
 }
 
 fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
+    let source = Source::new(path, &bytes);
     if let Some(found) = format::unsupported(&bytes) {
         return Err(Error::FormatUnsupported { found, path: path.display().to_string() });
     }
@@ -98,45 +76,25 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     }
     if format::is_step(&bytes) {
         let (model, read) = Model::from_step(&bytes)?;
-        return of_cad(model, read, "step");
+        return of_cad(source, model, read, "step");
     }
     if format::is_iges(&bytes) {
         let (model, read) = Model::from_iges(&bytes)?;
-        return of_cad(model, read, "iges");
+        return of_cad(source, model, read, "iges");
     }
     let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
     if format::is_brep(&text) {
         let (model, read) = Model::from_brep(&text)?;
-        return of_cad(model, read, "brep");
+        return of_cad(source, model, read, "brep");
     }
     let model = Model::from_json(&text)?;
     let prepared = PreparedModel::new(&model)?;
     let report = CadReport { kind: "json", reader: READER, read: ReadReport::of_exact(&model) };
-    Ok(Input { model, prepared, report })
+    Ok(Input { model, prepared, report, source })
 }
 
 /// Prepares a model of a CAD file without the faces that cannot be cut into patches.
-fn of_cad(model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
+fn of_cad(source: Source, model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
     let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
-    Ok(Input { model, prepared, report: CadReport { kind, reader: READER, read } })
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>> {
-    let unreadable = |error: std::io::Error| Error::FileUnreadable {
-        path: path.display().to_string(),
-        found: error.to_string(),
-    };
-    let too_large = |found| Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES };
-    let file = File::open(path).map_err(unreadable)?;
-    let length = file.metadata().map_err(unreadable)?.len();
-    if length > Model::MAX_JSON_BYTES {
-        return Err(too_large(length));
-    }
-    // A pipe or a device has no length, and a file may grow.
-    let mut bytes = Vec::new();
-    file.take(Model::MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > Model::MAX_JSON_BYTES {
-        return Err(too_large(bytes.len() as u64));
-    }
-    Ok(bytes)
+    Ok(Input { model, prepared, report: CadReport { kind, reader: READER, read }, source })
 }

@@ -1,11 +1,10 @@
 //! Writes the result.
 
+pub(crate) mod json;
 pub(crate) mod progress;
 pub(crate) mod report;
 
 use crate::failure::Failure;
-use nurbs_hausdorff::Error;
-use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
 /// Writes text to standard output.
@@ -18,13 +17,4 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(()),
     }
-}
-
-/// Writes one JSON object on one line.
-///
-/// # Errors
-/// As [`print`].
-pub(crate) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
-    let json = serde_json::to_string(value).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-    print(&format!("{json}\n"))
 }

@@ -1,9 +1,10 @@
 import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { isJudged, ofFiles, readModel } from "../files.js";
+import { isJudged, readModel } from "../files.js";
+import { ofFiles, printJson } from "../output/json.js";
 import { full } from "../output/numbers.js";
-import { print, printJson } from "../output/output.js";
+import { print } from "../output/output.js";
 import { Progress } from "../output/progress.js";
 import { libraryOptions } from "./library-options.js";
 
@@ -19,7 +20,7 @@ export async function diff(values: Invocation["values"]): Promise<number> {
   using b = await readModel(String(values.get("b")));
   const progress = new Progress();
   const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
-  const result = await hd.diff(a, b, options).finally(() => progress.end());
+  const result = await hd.diff(a.model, b.model, options).finally(() => progress.end());
   const state = isJudged(a, b, values.has("allow-skipped")) ? result.state : "undecided";
   const shown = { ...result, state };
   if (values.has("json")) printJson(ofFiles(shown, a, b));

@@ -2,8 +2,9 @@ import type { DistanceOptions } from "../../measure/options.js";
 import type { DistanceResult } from "../../measure/result.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { isJudged, ofFiles, readModel } from "../files.js";
-import { print, printJson } from "../output/output.js";
+import { isJudged, readModel } from "../files.js";
+import { ofFiles, printJson } from "../output/json.js";
+import { print } from "../output/output.js";
 import { Progress } from "../output/progress.js";
 import { text } from "../output/report.js";
 import { libraryOptions } from "./library-options.js";
@@ -26,7 +27,9 @@ export async function distance(values: Values): Promise<number> {
   using b = await readModel(String(values.get("b")));
   const progress = new Progress();
   const onProgress = progress.report;
-  const result = await hd.distance(a, b, { ...options, onProgress }).finally(() => progress.end());
+  const result = await hd
+    .distance(a.model, b.model, { ...options, onProgress })
+    .finally(() => progress.end());
   const { limit } = options;
   const judged = limit === undefined || isJudged(a, b, values.has("allow-skipped"));
   if (!judged) forgetVerdict(result);

@@ -3,8 +3,9 @@ import type { Area } from "../../model/area.js";
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { Invocation } from "../arguments/arguments.js";
 import { convertFile } from "../files.js";
+import { ofFile, printJson } from "../output/json.js";
 import { full, short } from "../output/numbers.js";
-import { print, printJson } from "../output/output.js";
+import { print } from "../output/output.js";
 
 /** A model in numbers, as the native command prints it. */
 interface ModelInfo {
@@ -38,9 +39,9 @@ interface FaceInfo {
 
 /** Prints the faces, patches, areas and bounding box of a model. */
 export async function info(values: Invocation["values"]): Promise<void> {
-  const { json } = await convertFile(String(values.get("model")));
+  const { json, report, source } = await convertFile(String(values.get("model")));
   const info = translating(() => PreparedModel.info(json) as ModelInfo);
-  if (values.has("json")) printJson(info);
+  if (values.has("json")) printJson(ofFile({ ...info, skipped: report.skipped }, source));
   else print(text(info));
 }
 

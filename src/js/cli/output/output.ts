@@ -16,8 +16,3 @@ export function print(text: string): void {
     }
   }
 }
-
-/** Writes one JSON object on one line. */
-export function printJson(value: unknown): void {
-  print(`${JSON.stringify(value)}\n`);
-}

@@ -1,0 +1,67 @@
+//! The bytes of a model, from a file or from standard input.
+
+use nurbs_hausdorff::{Error, Model, Result};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// The path that stands for standard input, and for standard output.
+pub(crate) const STANDARD_STREAM: &str = "-";
+
+/// A model's file, by which a result can be traced to it.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Source {
+    /// The path as given.
+    path: String,
+    /// SHA-256 of the file's bytes, in hexadecimal digits.
+    sha256: String,
+}
+
+impl Source {
+    pub(super) fn new(path: &Path, bytes: &[u8]) -> Self {
+        let mut sha256 = String::new();
+        for byte in Sha256::digest(bytes) {
+            // Writing to a string does not fail.
+            let _ = write!(sha256, "{byte:02x}");
+        }
+        Self { path: path.display().to_string(), sha256 }
+    }
+}
+
+/// Returns the bytes of a file, or of standard input for [`STANDARD_STREAM`].
+///
+/// # Errors
+/// [`Error::FileUnreadable`]; [`Error::FileTooLarge`] before more than
+/// [`Model::MAX_JSON_BYTES`] are read.
+pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
+    let unreadable = |error: std::io::Error| Error::FileUnreadable {
+        path: path.display().to_string(),
+        found: error.to_string(),
+    };
+    if path.as_os_str() == STANDARD_STREAM {
+        return bounded(std::io::stdin().lock(), unreadable);
+    }
+    let file = File::open(path).map_err(unreadable)?;
+    let length = file.metadata().map_err(unreadable)?.len();
+    if length > Model::MAX_JSON_BYTES {
+        return Err(too_large(length));
+    }
+    bounded(file, unreadable)
+}
+
+/// Reads to the end: a pipe or a device states no length, and a file may grow.
+fn bounded(reader: impl Read, unreadable: impl Fn(std::io::Error) -> Error) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(Model::MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    match bytes.len() as u64 {
+        length if length > Model::MAX_JSON_BYTES => Err(too_large(length)),
+        _ => Ok(bytes),
+    }
+}
+
+fn too_large(found: u64) -> Error {
+    Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES }
+}
