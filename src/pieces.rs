@@ -272,6 +272,7 @@ mod tests {
             face_name: Some(format!("face {number}")),
             kind: None,
             gap: 0.0,
+            gap_measured: false,
         };
         Model::from_faces(ModelArrays { faces: (0..count).map(face).collect(), ..ModelArrays::default() })
             .unwrap()

@@ -33,6 +33,7 @@ pub struct PreparedModel {
     /// The model in another unit, the last one.
     scaled: RefCell<Option<Rc<PreparedModel>>>,
     gap: f64,
+    is_gap_proven: bool,
     pieces: FacePieces,
     trimmed_faces: Option<TrimmedFaces>,
     bezier: BezierModel,
@@ -170,6 +171,7 @@ impl PreparedModel {
             source: model.unit().map(|_| model.clone()),
             scaled: RefCell::default(),
             gap: model.gap(),
+            is_gap_proven: model.is_gap_proven(),
             trimmed_faces: model.is_trimmed().then(|| pieces.trimmed_faces(model)),
             pieces,
             revolutions: revolutions(&bezier),
@@ -255,6 +257,12 @@ impl PreparedModel {
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.gap
+    }
+
+    /// Returns whether [`Self::gap`] is an upper bound: see [`Model::is_gap_proven`].
+    #[must_use]
+    pub fn is_gap_proven(&self) -> bool {
+        self.is_gap_proven
     }
 
     /// Returns an upper bound on the Hausdorff distance between the trimmed faces and the

@@ -15,6 +15,7 @@ pub(super) struct FaceData {
     pub(super) kind: Option<String>,
     /// The gap of the surface alone.
     pub(super) gap: f64,
+    pub(super) gap_measured: bool,
 }
 
 /// One face of a model, borrowed.
@@ -66,6 +67,12 @@ impl<'a> Face<'a> {
         self.data.gap + self.trim().map_or(0.0, Trim::gap)
     }
 
+    /// Returns whether [`Self::gap`] is an upper bound, as far as the reader knows.
+    #[must_use]
+    pub fn is_gap_proven(&self) -> bool {
+        !self.data.gap_measured
+    }
+
     /// Returns the face as plain arrays; its loops are those that it was made of. O(size).
     #[must_use]
     pub fn to_arrays(&self) -> FaceArrays {
@@ -76,6 +83,7 @@ impl<'a> Face<'a> {
             face_name: self.data.name.clone(),
             kind: self.data.kind.clone(),
             gap: self.data.gap,
+            gap_measured: self.data.gap_measured,
         }
     }
 }
@@ -88,12 +96,12 @@ pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
 /// # Errors
 /// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
 pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
-    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap } = arrays;
+    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured } = arrays;
     let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
         return Err(Error::GapInvalid { surface: index, found: gap });
     }
-    Ok((surface, FaceData { trim: None, reversed, name, kind, gap }, trim))
+    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured }, trim))
 }
 
 /// Validates the loops of surface number `index`. A surface whose trimming curves leave its
@@ -132,6 +140,7 @@ impl FaceData {
             name,
             kind: self.kind.clone(),
             gap: factor * self.gap,
+            gap_measured: self.gap_measured,
         }
     }
 }

@@ -32,6 +32,8 @@ struct InterchangeSurface {
     kind: Option<String>,
     #[serde(default, skip_serializing_if = "is_zero")]
     gap: f64,
+    #[serde(default, skip_serializing_if = "is_false")]
+    gap_measured: bool,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -82,11 +84,12 @@ impl InterchangeSurface {
             face_name: self.part,
             kind: self.kind,
             gap: self.gap,
+            gap_measured: self.gap_measured,
         })
     }
 
     fn from_face(face: &Face<'_>) -> Self {
-        let FaceArrays { surface, trim, reversed, face_name, kind, gap } = face.to_arrays();
+        let FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured } = face.to_arrays();
         let [knots_u, knots_v] = surface.knots;
         let curves =
             |curves: Vec<TrimCurveArrays>| curves.into_iter().map(InterchangeCurve::from_arrays).collect();
@@ -100,6 +103,7 @@ impl InterchangeSurface {
             part: face_name,
             kind,
             gap,
+            gap_measured,
         }
     }
 }
@@ -134,7 +138,7 @@ impl Model {
 
     /// Parses interchange JSON, version 1 or 2: `{"name"?, "unit"?, "surfaces": [{"degree":
     /// [pu, pv], "knots_u", "knots_v", "ctrl": [[[x, y, z, w], …], …], "trim"?, "reversed"?,
-    /// "part"?, "kind"?, "gap"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
+    /// "part"?, "kind"?, "gap"?, "gap_measured"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
     /// not multiplied by w; docs/interchange.md describes every key. Other keys, among
     /// them `source`, are ignored. O(size), and the validation of trims.
     ///

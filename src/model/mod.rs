@@ -174,6 +174,13 @@ impl Model {
         self.faces().map(|face| face.gap()).fold(0.0, f64::max)
     }
 
+    /// Returns whether [`Self::gap`] is an upper bound, as far as the reader knows: no face's
+    /// was measured at points.
+    #[must_use]
+    pub fn is_gap_proven(&self) -> bool {
+        self.faces().all(|face| face.is_gap_proven())
+    }
+
     /// Returns the model with its surfaces, in order, replaced by images under a map that
     /// lengthens no distance by more than `stretch` and keeps their parameters.
     pub(crate) fn with_images(&self, images: Vec<NurbsSurface>, stretch: f64, unit: Option<f64>) -> Self {

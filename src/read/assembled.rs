@@ -36,6 +36,7 @@ impl Assembled {
             exact: self.counts.iter().map(|face| face.exact).sum(),
             fitted: self.counts.iter().map(|face| face.fitted).sum(),
             gap: self.model.faces.iter().map(gap).fold(0.0, f64::max),
+            gap_proven: !self.model.faces.iter().any(|face| face.gap_measured),
             unit: self.model.unit,
             skipped: self.skipped.clone(),
             notes: self.notes.clone(),

@@ -17,11 +17,13 @@ pub struct ReadReport {
     /// The number of trimming curves fitted to the file's, with the deviation in their gaps,
     /// and of those on surfaces that are approximated.
     pub fitted: usize,
-    /// The largest gap of a face, in model units: an upper bound on the distance between a
-    /// trimming curve on its surface and the edge of the file, plus the deviation of an
-    /// approximated surface. Plane sections of ruled surfaces, and curves and surfaces that
-    /// are offsets but not rational, are measured at points instead.
+    /// The largest gap of a face, in model units: the distance between a trimming curve on its
+    /// surface and the edge of the file, plus the deviation of an approximated surface.
     pub gap: f64,
+    /// Whether the gap is an upper bound. Curves and surfaces that are offsets but not
+    /// rational, curves that were moved far at a pole, and segments that close a loop where no
+    /// edge of the file does are measured at points instead.
+    pub gap_proven: bool,
     /// Metres per model unit; `None` where the file does not state it, as in BREP.
     pub unit: Option<f64>,
     /// The faces that could not be read, or not be cut into patches.
@@ -56,6 +58,7 @@ impl ReadReport {
             exact: trims,
             fitted: 0,
             gap: model.gap(),
+            gap_proven: model.is_gap_proven(),
             unit: model.unit(),
             skipped: Vec::new(),
             notes: Vec::new(),

@@ -136,6 +136,7 @@ mod tests {
             face_name: Some("Fläche".to_owned()),
             kind: None,
             gap: -0.0,
+            gap_measured: true,
         };
         let instance =
             InstanceArrays { surfaces: vec![0, 0], transform: [0.1; 12], name: Some("part".to_owned()) };

@@ -114,6 +114,12 @@ impl PreparedModel {
         self.prepared.gap()
     }
 
+    /// Whether the gap is an upper bound.
+    #[wasm_bindgen(getter, js_name = gapProven)]
+    pub fn is_gap_proven(&self) -> bool {
+        self.prepared.is_gap_proven()
+    }
+
     /// The name of a face, of which there are [`Self::face_count`].
     #[wasm_bindgen(js_name = faceName)]
     pub fn face_name(&self, face: usize) -> Option<String> {

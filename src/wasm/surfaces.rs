@@ -42,13 +42,22 @@ impl Surfaces {
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         };
         let (trim, reversed, face_name, kind, gap) = (None, false, None, None, 0.0);
-        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap });
+        let gap_measured = false;
+        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured });
     }
 
     /// States what else is known of the surface pushed last.
-    pub fn describe(&mut self, reversed: bool, face_name: Option<String>, kind: Option<String>, gap: f64) {
+    pub fn describe(
+        &mut self,
+        reversed: bool,
+        face_name: Option<String>,
+        kind: Option<String>,
+        gap: f64,
+        gap_measured: bool,
+    ) {
         if let Some(face) = self.0.faces.last_mut() {
-            (face.reversed, face.face_name, face.kind, face.gap) = (reversed, face_name, kind, gap);
+            (face.reversed, face.face_name, face.kind) = (reversed, face_name, kind);
+            (face.gap, face.gap_measured) = (gap, gap_measured);
         }
     }
 

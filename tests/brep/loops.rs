@@ -29,6 +29,41 @@ fn joints_meet_in_equal_floats_and_lines_stay_parameter_lines() {
     }
 }
 
+/// Parameter lines that are nearly one are made one, and the gap says by how much they were moved.
+#[test]
+fn what_alignment_moves_is_in_the_gap() {
+    let off = 5e-10;
+    let loops = [vec![
+        line([0.0, 0.0], [0.5, 0.0]),
+        line([0.5, off], [1.0, off]),
+        line([1.0, off], [1.0, 1.0]),
+        line([1.0, 1.0], [0.0, 1.0]),
+        line([0.0, 1.0], [0.0, 0.0]),
+    ]];
+    let (model, report) = region(PLANE, &loops);
+    let curves = model.faces().next().unwrap().to_arrays().trim.unwrap().remove(0);
+    assert_eq!(curves[0].control_points[0][1], curves[1].control_points[0][1]);
+    assert!(report.gap_proven && report.gap >= off && report.gap < 1.01 * off, "{:e}", report.gap);
+}
+
+/// The end of an edge on a sphere lies 0.1 beside that of the next at the pole: the segment between them,
+/// which no edge of the file is, stands for one point.
+#[test]
+fn a_segment_along_a_pole_has_a_proven_gap() {
+    let sphere = "4 0 0 0 0 0 1 1 0 0 0 1 0 2";
+    let (_, report) = region(
+        sphere,
+        &[vec![
+            line([0.0, 0.0], [1.0, 0.0]),
+            line([1.0, 0.0], [1.1, FRAC_PI_2]),
+            line([1.0, FRAC_PI_2], [0.0, FRAC_PI_2]),
+            line([0.0, FRAC_PI_2], [0.0, 0.0]),
+        ]],
+    );
+    assert_eq!(report.trims, 5);
+    assert!(report.gap_proven && report.gap < 1e-8, "{report:?}");
+}
+
 #[test]
 fn a_loop_that_is_open_beyond_the_tolerance_is_skipped_and_reported() {
     let mut text = BrepText::new();

@@ -32,6 +32,9 @@ fn the_offset_of_a_hyperbolic_paraboloid_has_steiners_area() {
     let (model, report) = region(&surface, &[rectangle([0.0, 0.0], [1.0, 1.0])]);
     assert_eq!((report.trims, report.exact, report.fitted), (4, 0, 4));
     assert_fitted(report.gap, 2.0);
+    // A surface that no NURBS equals is compared at points.
+    assert!(!report.gap_proven);
+    assert!(!model.faces().any(|face| face.is_gap_proven()));
     let rule = gauss(20);
     let plain: f64 = rule
         .iter()

@@ -1,8 +1,8 @@
 //! Curves made from edges in space where the file has none in the parameters.
 
+use super::gap::Gap;
 use super::projection::{Projector, Traced};
-use super::section::Section;
-use super::uses::{FoundCurve, gap};
+use super::uses::{FoundCurve, lifted};
 use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Topology};
@@ -40,10 +40,11 @@ pub(super) fn invert(
         let (spline, _, error) = curve.spline(space.range)?;
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
         // The error is one of the edge's own coordinates.
-        let gap = gap + scale * to_face.matrix3.determinant().abs().cbrt() * error;
+        let error = scale * to_face.matrix3.determinant().abs().cbrt() * error;
+        let approximation = if error > 0.0 { Gap::measured(error) } else { Gap::default() };
         return Ok(FoundCurve {
             curve,
-            gap,
+            gap: Gap::proven(gap).plus(approximation),
             fitted: error > 0.0,
             section: None,
             deviation: 0.0,
@@ -70,14 +71,20 @@ pub(super) fn invert(
     if let Some(ends) = line {
         let [start, end] = on_side(surface, ends, reversed);
         let line = Curve::Line { point: start, direction: end - start };
-        let gap = gap(file, face, edge, location, (&line, [0.0, 1.0]));
+        let gap = lifted(file, face, edge, location, (&line, [0.0, 1.0]));
+        let gap = gap.as_ref().map_or_else(Gap::default, Gap::of);
         let curve = Spline::segment([0.0, 1.0], start, end);
         return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0, is_placed: false });
     }
     let fit = traced.fit(surface, &mut projector)?;
-    let gap = gap(file, face, edge, location, (&Curve::Spline(fit.clone().into()), space.range));
+    let on_surface = Curve::Spline(fit.clone().into());
+    let lifted = lifted(file, face, edge, location, (&on_surface, space.range));
+    let gap = lifted.as_ref().map_or_else(Gap::default, Gap::of);
     let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0, is_placed: false };
-    Ok(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale))
+    Ok(match &lifted {
+        Some(lifted) => found.with_section(&to_face, lifted),
+        None => found,
+    })
 }
 
 /// Moves a parameter line along a seam of a surface that is closed but not periodic to the

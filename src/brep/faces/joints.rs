@@ -1,6 +1,8 @@
 //! Loops whose curves meet in equal floats, inside the domain.
 
+use super::gap::Gap;
 use super::mapping::Mapped;
+use super::metric::Metric;
 use crate::brep::nurbs::{Spline, SurfaceNet, project};
 use glam::DVec3;
 
@@ -11,12 +13,12 @@ const SAME_PARAMETER: f64 = 1e-9;
 /// Makes every curve begin in the floats in which the one before it ends, keeps parameter
 /// lines constant, and adds to the gaps what the ends are moved by.
 ///
-/// Moving an end control point moves a clamped curve by at most as much in the parameters;
-/// the length of the move in space is measured there.
-pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet) {
+/// Moving an end control point moves a clamped curve by at most as much in the parameters, and
+/// the metric bounds the length of that in space.
+pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet, metric: &Metric) {
     let domain = net.domain();
     for axis in [0, 1] {
-        align(loops, axis, domain[axis]);
+        align(loops, axis, domain[axis], metric);
     }
     for curves in loops.iter_mut() {
         let count = curves.len();
@@ -34,17 +36,17 @@ pub(super) fn join(loops: &mut [Vec<Mapped>], net: &SurfaceNet) {
                 }
             }
             joint = clamped(joint, domain);
-            move_end(&mut curves[index], true, joint, net);
-            move_end(&mut curves[next], false, joint, net);
+            move_end(&mut curves[index], true, joint, (net, metric));
+            move_end(&mut curves[next], false, joint, (net, metric));
         }
         for mapped in curves {
-            keep_inside(mapped, net);
+            keep_inside(mapped, (net, metric));
         }
     }
 }
 
 /// Makes nearly equal constants of parameter lines equal.
-fn align(loops: &mut [Vec<Mapped>], axis: usize, [start, end]: [f64; 2]) {
+fn align(loops: &mut [Vec<Mapped>], axis: usize, [start, end]: [f64; 2], metric: &Metric) {
     let lines = || loops.iter().flatten().filter(|mapped| mapped.constant[axis]);
     let mut values: Vec<f64> = lines().map(|mapped| mapped.curve.start()[axis]).collect();
     values.sort_by(f64::total_cmp);
@@ -68,6 +70,9 @@ fn align(loops: &mut [Vec<Mapped>], axis: usize, [start, end]: [f64; 2]) {
         let value = mapped.curve.start()[axis];
         let index = aligned.partition_point(|&(other, _)| other < value);
         if let Some(&(_, representative)) = aligned.get(index) {
+            let mut moved = DVec3::ZERO;
+            moved[axis] = representative - value;
+            mapped.gap = mapped.gap.plus(Gap::proven(metric.length(moved)));
             for control in &mut mapped.curve.controls {
                 control[axis] = representative * control.w;
             }
@@ -85,20 +90,21 @@ fn moved_by(net: &SurfaceNet, from: DVec3, to: DVec3) -> f64 {
 }
 
 /// Moves the start or end of a curve.
-fn move_end(mapped: &mut Mapped, at_end: bool, to: DVec3, net: &SurfaceNet) {
+fn move_end(mapped: &mut Mapped, at_end: bool, to: DVec3, (net, metric): (&SurfaceNet, &Metric)) {
     let controls = &mut mapped.curve.controls;
     let index = if at_end { controls.len() - 1 } else { 0 };
     let from = project(controls[index]);
     if from != to {
-        mapped.gap += moved_by(net, from, to);
+        let moved = Gap::bounded(metric.length(to - from), moved_by(net, from, to), metric);
+        mapped.gap = mapped.gap.plus(moved);
         controls[index] = (controls[index].w * to).extend(controls[index].w);
     }
 }
 
 /// Moves control points that rounding or a fit placed outside of the domain into it.
-fn keep_inside(mapped: &mut Mapped, net: &SurfaceNet) {
+fn keep_inside(mapped: &mut Mapped, (net, metric): (&SurfaceNet, &Metric)) {
     let domain = net.domain();
-    let mut moved = 0.0_f64;
+    let (mut bound, mut found) = (0.0_f64, 0.0_f64);
     let Spline { controls, .. } = &mut mapped.curve;
     let last = controls.len() - 1;
     for control in &mut controls[1..last.max(1)] {
@@ -112,9 +118,10 @@ fn keep_inside(mapped: &mut Mapped, net: &SurfaceNet) {
             continue;
         }
         if from.x != to.x || from.y != to.y {
-            moved = moved.max(moved_by(net, from, to));
+            bound = bound.max(metric.length(to - from));
+            found = found.max(moved_by(net, from, to));
             *control = (control.w * to).extend(control.w);
         }
     }
-    mapped.gap += moved;
+    mapped.gap = mapped.gap.plus(Gap::bounded(bound, found, metric));
 }

@@ -1,6 +1,7 @@
 //! Curves taken from the parameters of the file to those of the exact NURBS.
 
 use super::fit::fit;
+use super::gap::Gap;
 use super::metric::Metric;
 use super::uses::TrimUse;
 use crate::brep::nurbs::{ParameterMap, Spline, SurfaceNet};
@@ -24,7 +25,7 @@ const LARGEST_SLOPE: f64 = 2.0;
 pub(super) struct Mapped {
     pub(super) curve: Spline,
     pub(super) edge: Option<u32>,
-    pub(super) gap: f64,
+    pub(super) gap: Gap,
     pub(super) fitted: bool,
     /// Whether u and v are constant.
     pub(super) constant: [bool; 2],
@@ -33,7 +34,9 @@ pub(super) struct Mapped {
 /// Maps a curve. None for a curve of no length.
 pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Option<Mapped> {
     let TrimUse { curve, edge, gap, fitted, section, deviation, .. } = trim_use;
-    let gap = gap + metric.length(DVec3::splat(LARGEST_SLOPE * deviation));
+    // A curve that is an offset is approximated, and compared at points.
+    let approximation = metric.length(DVec3::splat(LARGEST_SLOPE * deviation));
+    let gap = if deviation > 0.0 { gap.plus(Gap::measured(approximation)) } else { gap };
     let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
     let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
     let domain = net.domain();
@@ -56,10 +59,14 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
         let mut moved = DVec3::ZERO;
         moved[axis] = (map(high[axis]) - map(value)).max(map(value) - map(low[axis]));
         let moved = metric.length(moved);
+        // A segment at a pole, which no edge of the file is, stands for one point.
+        let is_closing = edge.is_none() && gap.is_measured;
+        let gap =
+            if is_closing { Gap::bounded(metric.across(axis, map(value)), gap.length, metric) } else { gap };
         let mut constant = [false; 2];
         constant[axis] = true;
         let curve = Spline::segment(curve.domain(), end(curve.start()), end(curve.end()));
-        return Some(Mapped { curve, edge, gap: gap + moved, fitted: false, constant });
+        return Some(Mapped { curve, edge, gap: gap.plus(Gap::proven(moved)), fitted: false, constant });
     }
     let constant = [false; 2];
     if let Some((section, gap)) = section {
@@ -73,7 +80,7 @@ pub(super) fn map(trim_use: TrimUse, net: &SurfaceNet, metric: &Metric) -> Optio
         return Some(Mapped { curve, edge, gap, fitted, constant });
     }
     let fit = fit(&curve, &net.maps, metric, FIT_TOLERANCE * metric.size);
-    Some(Mapped { curve: fit.curve, edge, gap: gap + fit.error, fitted: true, constant })
+    Some(Mapped { curve: fit.curve, edge, gap: gap.plus(Gap::proven(fit.error)), fitted: true, constant })
 }
 
 /// Returns whether a coordinate of the control points increases or decreases throughout,

@@ -7,6 +7,7 @@
 //! the loops meet in equal floats.
 
 mod fit;
+mod gap;
 mod inversion;
 mod joints;
 mod loops;
@@ -55,8 +56,10 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     let Loops { loops, remarks, complement_fits } = loops::of_face(file, shape, surface)?;
     let remarks = face.remarks.iter().cloned().chain(remarks).collect();
     let scale = face.location.matrix3.determinant().abs().cbrt();
-    let arrays = |net: SurfaceNet, trim| FaceArrays {
+    let arrays = |net: SurfaceNet, trim, is_measured: bool| FaceArrays {
         gap: scale * net.error,
+        // An approximated surface is compared with the file's at points.
+        gap_measured: is_measured || net.error > 0.0,
         surface: net.into_arrays(&face.location),
         trim,
         reversed: false,
@@ -70,7 +73,13 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         let net = net(surface, [u, v])?;
         // A B-spline keeps its domain, of which the surface may be a part.
         let net = if matches!(surface.elementary(), Surface::Spline(_)) { net.within([u, v]) } else { net };
-        return Ok(Converted { face: arrays(net, None), exact: 0, fitted: 0, remarks, complement_fits });
+        return Ok(Converted {
+            face: arrays(net, None, false),
+            exact: 0,
+            fitted: 0,
+            remarks,
+            complement_fits,
+        });
     }
     let net = net(surface, ranges(surface, &loops)?)?;
     let metric = Metric::of(&net)?;
@@ -78,13 +87,14 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         .into_iter()
         .map(|uses| uses.into_iter().flat_map(|trim_use| mapping::map(trim_use, &net, &metric)).collect())
         .collect();
-    joints::join(&mut mapped, &net);
+    joints::join(&mut mapped, &net, &metric);
     let curves = || mapped.iter().flatten();
     // On a surface that is approximated every curve is.
     let fitted = curves().filter(|curve| curve.fitted || net.error > 0.0).count();
     let exact = curves().count() - fitted;
+    let is_measured = curves().any(|curve| curve.gap.is_measured);
     let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
-    Ok(Converted { face: arrays(net, Some(trim)), exact, fitted, remarks, complement_fits })
+    Ok(Converted { face: arrays(net, Some(trim), is_measured), exact, fitted, remarks, complement_fits })
 }
 
 /// Returns the ranges of u and v that loops cover.
@@ -133,7 +143,7 @@ fn curve_arrays(mapped: &Mapped) -> TrimCurveArrays {
         degree: mapped.curve.degree,
         knots: mapped.curve.knots.clone(),
         control_points: mapped.curve.controls.iter().map(control).collect(),
-        gap: mapped.gap,
+        gap: mapped.gap.length,
         edge: mapped.edge,
     }
 }

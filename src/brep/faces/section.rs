@@ -1,6 +1,8 @@
 //! Plane sections of ruled surfaces, exact in the parameters of the NURBS.
 
-use crate::brep::nurbs::{Curve, Spline, Surface, SurfaceNet};
+use super::gap::Gap;
+use crate::brep::gap::Lifted;
+use crate::brep::nurbs::{Basis, Curve, Spline, SplineSurface, Surface, SurfaceNet};
 use crate::model::MAX_DEGREE;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -37,12 +39,27 @@ impl Section {
         Some(Self { normal, distance: normal.dot(to_face.transform_point3(*center)) })
     }
 
-    /// Returns the point of the section on the line u = const; `None` if the line is parallel
-    /// to the plane.
-    pub(super) fn point(&self, surface: &Surface, u: f64) -> Option<DVec3> {
-        let (origin, unit) = (surface.point(u, 0.0), surface.point(u, 1.0));
-        let v = (self.distance - self.normal.dot(origin)) / self.normal.dot(unit - origin);
-        v.is_finite().then(|| surface.point(u, v))
+    /// Returns the distance between the edge and the section over the u of a curve beside it,
+    /// which is proven for the exact NURBS of both. `None` if there is no section there, or it
+    /// is farther than `most` at points.
+    pub(super) fn gap(&self, curve: &Spline, lifted: &Lifted<'_>, most: f64) -> Option<Gap> {
+        let low = curve.points().fold(DVec3::INFINITY, DVec3::min);
+        let high = curve.points().fold(DVec3::NEG_INFINITY, DVec3::max);
+        // The lines are straight, so that any part of them has the same continuation.
+        let net = lifted.surface.net([[low.x, high.x], [low.y - 1.0, high.y + 1.0]]).ok()?;
+        let section = self.on_net(&net, [curve.start(), curve.end()].map(|end| net.maps[0].apply(end.x)))?;
+        let range = section.domain();
+        let counts = [0, 1].map(|axis| net.knots[axis].len() - net.degrees[axis] - 1);
+        let [u, v] = net.knots;
+        let bases = [
+            Basis::with_knots(net.degrees[0], u, counts[0]),
+            Basis::with_knots(net.degrees[1], v, counts[1]),
+        ];
+        let surface = Surface::Spline(SplineSurface::new(bases, net.controls));
+        let curve = Curve::Spline(section.into());
+        let section = Lifted { surface: &surface, curve: &curve, range, ..*lifted };
+        let measured = section.measured();
+        (measured <= most).then(|| section.gap_of_exact().map_or(Gap::measured(measured), Gap::proven))
     }
 
     /// Returns the section between two values of u of the net, exact.

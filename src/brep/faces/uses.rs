@@ -1,10 +1,10 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
-use super::inversion::{invert, samples};
-use super::projection::{Projector, Traced};
+use super::gap::Gap;
+use super::inversion::invert;
 use super::section::Section;
 use crate::brep::gap::Lifted;
-use crate::brep::nurbs::{Curve, Spline, Surface};
+use crate::brep::nurbs::{Curve, Spline};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
 use glam::{DAffine3, DVec3};
@@ -23,15 +23,15 @@ pub(super) struct TrimUse {
     /// The tolerance of the edge, and that of the vertex at its end.
     pub(super) tolerance: f64,
     pub(super) end_tolerance: f64,
-    /// An upper bound on the distance between the curve on the surface and the edge.
-    pub(super) gap: f64,
+    /// The distance between the curve on the surface and the edge.
+    pub(super) gap: Gap,
     /// Whether the curve is a fit, and not the file's or exact.
     pub(super) fitted: bool,
     /// Whether the edge is a point in space, as at a pole.
     pub(super) degenerate: bool,
     /// The plane whose section with the surface the edge is, between the curve's ends, and the
     /// distance between both.
-    pub(super) section: Option<(Section, f64)>,
+    pub(super) section: Option<(Section, Gap)>,
     /// The distance in the parameters by which the curve deviates from the file's.
     pub(super) deviation: f64,
     /// Whether the file places the curve; one made from the edge may lie periods away.
@@ -41,37 +41,24 @@ pub(super) struct TrimUse {
 /// The curve of an edge, in its direction, with the fields of [`TrimUse`].
 pub(super) struct FoundCurve {
     pub(super) curve: Spline,
-    pub(super) gap: f64,
+    pub(super) gap: Gap,
     pub(super) fitted: bool,
-    pub(super) section: Option<(Section, f64)>,
+    pub(super) section: Option<(Section, Gap)>,
     pub(super) deviation: f64,
     pub(super) is_placed: bool,
 }
 
 impl FoundCurve {
-    /// Adds the section if it is nearer to the edge than the curve, of which it then takes the
-    /// ends. Distances of the face's coordinates are multiplied by `scale`.
-    pub(super) fn with_section(
-        self,
-        section: Option<Section>,
-        surface: &Surface,
-        traced: &Traced<'_>,
-        scale: f64,
-    ) -> Self {
-        let Some(section) = section else { return self };
-        let distance = |t: f64| {
-            let point = traced.point(t);
-            let u = section_parameter(surface, point);
-            u.and_then(|u| section.point(surface, u)).map_or(f64::INFINITY, |found| point.distance(found))
-        };
-        let gap = samples(traced.range).map(distance).fold(0.0, f64::max) * scale;
-        if gap > self.gap { self } else { Self { section: Some((section, gap)), ..self } }
+    /// Adds the plane section of the surface that the edge is if it is nearer to the edge than
+    /// the curve, of which it then takes the ends. The edge's curve goes to the coordinates of
+    /// the surface by `to_face`.
+    pub(super) fn with_section(self, to_face: &DAffine3, lifted: &Lifted<'_>) -> Self {
+        let Some(section) = Section::new(lifted.edge, to_face, lifted.surface) else { return self };
+        match section.gap(&self.curve, lifted, self.gap.length) {
+            Some(gap) => Self { section: Some((section, gap)), ..self },
+            None => self,
+        }
     }
-}
-
-/// Returns the parameter u of the straight line on which a point of a ruled surface lies.
-fn section_parameter(surface: &Surface, point: DVec3) -> Option<f64> {
-    Projector::new(surface, 1.0).global(point).map(|found| found.x)
 }
 
 impl TrimUse {
@@ -85,7 +72,7 @@ impl TrimUse {
             vertices: [None; 2],
             tolerance: 0.0,
             end_tolerance: 0.0,
-            gap: 0.0,
+            gap: Gap::default(),
             fitted: false,
             degenerate: false,
             section: None,
@@ -224,19 +211,17 @@ fn of_edge(
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
-    let gap = gap(file, face, edge, location, (curve, p_curve.range));
+    let lifted = lifted(file, face, edge, location, (curve, p_curve.range));
+    let gap = lifted.as_ref().map_or_else(Gap::default, Gap::of);
     let found =
         FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation, is_placed: true };
-    let Some(space) = edge.curve.as_ref().filter(|_| surface.is_ruled_by_angles()) else {
-        return Ok(Some(found));
-    };
-    let to_face = face.location.inverse() * *location * space.location;
-    let curve = &file.curves[space.curve];
-    let scale = face.location.matrix3.determinant().abs().cbrt();
-    let Ok(traced) = Traced::new(curve, space, to_face, edge, 1.0 / scale) else {
-        return Ok(Some(found));
-    };
-    Ok(Some(found.with_section(Section::new(curve, &to_face, surface), surface, &traced, scale)))
+    Ok(Some(match lifted.filter(|_| surface.is_ruled_by_angles()) {
+        Some(lifted) => {
+            let to_face = face.location.inverse() * lifted.edge_location;
+            found.with_section(&to_face, &lifted)
+        }
+        None => found,
+    }))
 }
 
 /// Returns the curve of an edge on a surface. An edge moved by `location` lies on the
@@ -256,18 +241,16 @@ fn p_curve<'a>(
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
 
-/// Returns an upper bound on the distance between a curve on the surface, over a range, and
-/// the edge; the largest distance measured where no bound is found, as on offsets that are
-/// not rational.
-pub(super) fn gap(
-    file: &Topology,
+/// Returns a curve on the surface, over a range, beside the edge; `None` if either is missing.
+pub(super) fn lifted<'a>(
+    file: &'a Topology,
     face: &Face,
-    edge: &Edge,
+    edge: &'a Edge,
     location: &DAffine3,
-    (curve, range): (&Curve, [f64; 2]),
-) -> f64 {
-    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return 0.0 };
-    let lifted = Lifted {
+    (curve, range): (&'a Curve, [f64; 2]),
+) -> Option<Lifted<'a>> {
+    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return None };
+    Some(Lifted {
         surface: &file.surfaces[surface],
         surface_location: face.location,
         curve,
@@ -275,6 +258,5 @@ pub(super) fn gap(
         edge: &file.curves[space.curve],
         edge_location: *location * space.location,
         edge_range: space.range,
-    };
-    lifted.gap().unwrap_or_else(|| lifted.measured())
+    })
 }

@@ -20,11 +20,14 @@ use part::Part;
 use std::collections::BinaryHeap;
 
 /// The bound is at most this factor above the largest distance found, unless it is below
-/// [`RESOLUTION`] or the parts run out.
+/// the resolution or the parts run out.
 const TIGHTNESS: f64 = 1.1;
 
 /// The accuracy of the bound relative to the size of the edge, below that of any fit.
 const RESOLUTION: f64 = 1e-10;
+
+/// That of the bound for a curve that is exact, near the rounding that every bound contains.
+const RESOLUTION_OF_EXACT: f64 = 1e-13;
 
 /// The most parts that are bounded. Curves of real files need from one to a few dozen and
 /// one for each knot that they cross.
@@ -48,14 +51,20 @@ impl Lifted<'_> {
     /// Returns an upper bound on the distance from every point of either curve to the other,
     /// with rounding; `None` if none is found.
     pub(super) fn gap(&self) -> Option<f64> {
-        Some(self.bound()).filter(|bound| bound.is_finite())
+        Some(self.bound(RESOLUTION)).filter(|bound| bound.is_finite())
     }
 
-    /// As [`Self::gap`], but infinite if none is found.
-    fn bound(&self) -> f64 {
+    /// As [`Self::gap`], for curves that are equal but for rounding.
+    pub(super) fn gap_of_exact(&self) -> Option<f64> {
+        Some(self.bound(RESOLUTION_OF_EXACT)).filter(|bound| bound.is_finite())
+    }
+
+    /// As [`Self::gap`], but infinite if none is found, and accurate to this part of the
+    /// edge's size.
+    fn bound(&self, resolution: f64) -> f64 {
         let whole = [(self.range[0], self.edge_range[0]), (self.range[1], self.edge_range[1])];
         let mut lower = self.measured();
-        let floor = RESOLUTION * self.size();
+        let floor = resolution * self.size();
         let first = Part::new(self, whole, floor.max(lower));
         lower = lower.max(first.lower);
         let mut parts = BinaryHeap::from([first]);

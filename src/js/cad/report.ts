@@ -33,14 +33,15 @@ export interface CadReport {
   trims: number;
   /** Number of trimming curves converted without approximation. */
   exact: number;
-  /** Number of trimming curves approximated; `gap` bounds their deviation too. */
+  /** Number of trimming curves approximated; `gap` contains their deviation too. */
   fitted: number;
   /**
-   * An upper bound on the distance between a trimming curve on its surface and the
-   * edge that it stands for, in model units: an ambiguity of the file itself. The
-   * few parts that are measured are listed in docs/cad.md.
+   * The distance between a trimming curve on its surface and the edge that it stands for, in
+   * model units: an ambiguity of the file itself.
    */
   gap: number;
+  /** Whether the gap is an upper bound; docs/cad.md lists what is measured at points instead. */
+  gapProven: boolean;
   /** Metres per model unit; null where neither the file nor the caller states it. */
   unit: number | null;
   /** The faces left out. */

@@ -61,9 +61,14 @@ export class NurbsModel {
     return this.prepared.unit ?? null;
   }
 
-  /** An upper bound on the model's distance from its source, in model units, as its reader states it. */
+  /** The model's distance from its source, in model units, as its reader states it. */
   get gap(): number {
     return this.prepared.gap;
+  }
+
+  /** Whether the gap is an upper bound, as far as the reader knows, and not measured at points. */
+  get gapProven(): boolean {
+    return this.prepared.gapProven;
   }
 
   /** The name of a face in its source, or null. */

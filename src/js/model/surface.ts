@@ -34,6 +34,8 @@ export interface SurfaceArrays {
   kind?: string;
   /** An upper bound on the surface's distance from its source, in model units; default 0. */
   gap?: number;
+  /** Whether this gap, or one of a curve's, was measured at points and is no upper bound. */
+  gapMeasured?: boolean;
 }
 
 /** A rational B-spline curve in the parameter plane of its surface, as plain arrays. */
@@ -86,6 +88,7 @@ export interface InterchangeSurface {
   part?: string;
   kind?: string;
   gap?: number;
+  gap_measured?: boolean;
 }
 
 /** A trimming curve of the interchange JSON. */
@@ -126,14 +129,14 @@ export interface BrepText {
 const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
 const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
   ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
-  ...(["trim", "reversed", "faceName", "kind", "gap"] as const),
+  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured"] as const),
 ];
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
 ];
 const INSTANCE_KEYS: readonly (keyof InstanceArrays)[] = ["surfaces", "transform", "name"];
 const INTERCHANGE_KEYS: readonly string[] = [
-  ...(["degree", "knots_u", "knots_v", "ctrl", "trim", "reversed", "part", "kind", "gap"] as const),
+  ...(["degree", "knots_u", "knots_v", "ctrl", "trim", "reversed", "part", "kind", "gap", "gap_measured"] as const),
 ] satisfies (keyof InterchangeSurface)[];
 
 /**
@@ -231,6 +234,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     optional(surface.faceName, "string", `${where}: faceName`),
     optional(surface.kind, "string", `${where}: kind`),
     optional(surface.gap, "number", `${where}: gap`) ?? 0,
+    optional(surface.gapMeasured, "boolean", `${where}: gapMeasured`) ?? false,
   );
   if (surface.trim === undefined) return;
   surfaces.beginTrim();

@@ -7,6 +7,7 @@ export interface ModelFacts {
   unit: number | null;
   report: CadReport | null;
   gap: number;
+  gapProven: boolean;
   faceCount: number;
   /** The faces' names. */
   faceNames: (string | null)[];

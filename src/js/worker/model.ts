@@ -65,9 +65,14 @@ export class NurbsModel {
     return this.#facts.unit;
   }
 
-  /** Bound on the model's distance from its source, in model units, by what the source states. */
+  /** The model's distance from its source, in model units, as its reader states it. */
   get gap(): number {
     return this.#facts.gap;
+  }
+
+  /** Whether the gap is an upper bound, as far as the reader knows, and not measured at points. */
+  get gapProven(): boolean {
+    return this.#facts.gapProven;
   }
 
   /** The name of a face in its source, or null. */

@@ -122,9 +122,9 @@ class Server {
 }
 
 function facts(model: NurbsModel): ModelFacts {
-  const { name, unit, report, gap, faceCount, boundingBox } = model;
+  const { name, unit, report, gap, gapProven, faceCount, boundingBox } = model;
   const faceNames = Array.from({ length: faceCount }, (_, face) => model.faceName(face));
-  return { name, unit, report, gap, faceCount, faceNames, boundingBox };
+  return { name, unit, report, gap, gapProven, faceCount, faceNames, boundingBox };
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */

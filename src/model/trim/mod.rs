@@ -57,6 +57,8 @@ pub struct FaceArrays {
     pub kind: Option<String>,
     /// An upper bound, in model units, on the deviation of the surface itself from the source.
     pub gap: f64,
+    /// Whether this gap, or one of a curve's, was measured at points and is no upper bound.
+    pub gap_measured: bool,
 }
 
 /// The largest distance between the end of a curve and the start of the next, as a

@@ -62,6 +62,7 @@ pub fn check(bytes: &[u8]) {
         face_name: None,
         kind: None,
         gap: 0.0,
+        gap_measured: false,
     };
     let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
     let text = model.to_json().unwrap();

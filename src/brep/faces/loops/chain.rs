@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::order::{self, Circuit};
+use crate::brep::faces::gap::Gap;
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::Surface;
 use crate::brep::report::{FaceFault, Remark};
@@ -77,6 +78,7 @@ impl Chain {
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }
         if !is_near {
+            let gap = Gap::measured(gap);
             self.uses.push(TrimUse { gap, ..TrimUse::segment(from, to) });
         }
         Ok(())

@@ -111,7 +111,7 @@ impl<'a> Frame<'a> {
         let joined = last.vertices[1].is_some() && last.vertices[1] == next.vertices[0];
         let at_vertex = if joined { 2.0 * last.end_tolerance } else { 0.0 };
         // A curve made from an edge ends as far from the edge's end as the gap.
-        let made = [last, next].map(|one| if one.is_placed { 0.0 } else { one.gap });
+        let made = [last, next].map(|one| if one.is_placed { 0.0 } else { one.gap.length });
         tolerance.max(at_vertex).max(RELATIVE_TOLERANCE * self.size) + made[0] + made[1]
     }
 }

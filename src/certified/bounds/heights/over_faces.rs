@@ -32,6 +32,7 @@ fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
         face_name: None,
         kind: None,
         gap: 0.0,
+        gap_measured: false,
     };
     let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
     let (pieces, untrimmed) = FacePieces::new(&model).unwrap();

@@ -54,6 +54,7 @@ export async function documentModel(
       exact: sum(({ exact }) => exact),
       fitted: sum(({ fitted }) => fitted),
       gap: reports.reduce((largest, { gap }) => Math.max(largest, gap), 0),
+      gapProven: reports.every(({ gapProven }) => gapProven),
       unit: FREECAD_UNIT,
       skipped: lost,
       notes,

@@ -94,11 +94,13 @@ function faceOf(
     );
   const curves = loops.flat();
   const trim = loops.map((loop) => loop.map(({ curve }) => curve));
+  const gap = curves.reduce((largest, { curve }) => Math.max(largest, curve.gap ?? 0), 0);
+  const measured = gap > 0 ? { gap_measured: true } : {};
   return {
-    face: { ...on.form, trim, reversed: face.reversed, part },
+    face: { ...on.form, trim, reversed: face.reversed, part, ...measured },
     trims: curves.length,
     fitted: curves.filter(({ fitted }) => fitted).length,
-    gap: curves.reduce((largest, { curve }) => Math.max(largest, curve.gap ?? 0), 0),
+    gap,
   };
 }
 

@@ -86,6 +86,8 @@ export function rhinoModel(
       exact: trims - fitted,
       fitted,
       gap,
+      // The gaps are the tolerances of the file, and deviations at points.
+      gapProven: gap === 0,
       unit,
       skipped,
       notes: [],

@@ -14,6 +14,7 @@ fn assembly() -> ModelArrays {
     named.trim.as_mut().unwrap()[1][0].edge = Some(17);
     named.kind = Some("plane".to_owned());
     named.gap = 1e-6;
+    named.gap_measured = true;
     let mut transform = IDENTITY;
     transform[3] = 10.0;
     let instance = |surfaces: Vec<usize>, transform| InstanceArrays {
