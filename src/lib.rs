@@ -202,7 +202,7 @@ pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
         Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor, Seconds,
-        Stop,
+        Stop, WithGaps,
     };
     pub use crate::iteration::StatusCounts;
 }

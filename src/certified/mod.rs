@@ -33,7 +33,7 @@ pub(crate) use faces::TrimmedFaces;
 pub(crate) use generatrix::Generatrix;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, Limit, SearchNode};
 
 pub(crate) use sheets::{SheetCache, Sheets};
 

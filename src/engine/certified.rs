@@ -2,7 +2,7 @@
 
 use super::result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
-use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Pair};
+use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Limit, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified};
 use crate::pieces::FacePieces;
@@ -12,13 +12,14 @@ use web_time::Instant;
 
 /// Searches until the interval is as narrow as requested or a budget ends the
 /// search, and returns a notice if the GPU failed; `None` for a model without
-/// patches, which validation rules out.
+/// patches, which validation rules out. The lengths are the larger diagonal and the sum of
+/// the gaps.
 ///
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
     mut pair: Pair<'_>,
     [from_pieces, to_pieces]: [&FacePieces; 2],
-    diagonal: f64,
+    [diagonal, gap]: [f64; 2],
     options: &Options,
     gpu: Option<&Rc<Gpu>>,
     progress: &mut Progress<'_>,
@@ -30,7 +31,8 @@ pub(super) async fn certified(
     if let Some(generatrix) = &generatrix {
         pair.a = generatrix.operand();
     }
-    let mut search = BranchAndBound::new(pair, tolerance, options.limit, slack);
+    let limit = options.limit.map(|at| Limit { at, gap });
+    let mut search = BranchAndBound::new(pair, tolerance, limit, slack);
     progress.section(0.0, 1.0);
     let first = search.interval();
     let mut gains = Gains::new(first);

@@ -3,9 +3,10 @@
 use super::certified::certified;
 use super::result::DirectedResult;
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, Witness,
+    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, WithGaps,
+    Witness,
 };
-use crate::certified::Pair;
+use crate::certified::{Interval, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::model::RigidTransform;
@@ -38,6 +39,8 @@ pub(super) struct DirectedRun {
     pub(super) unit: Option<f64>,
     /// The sum of the models' gaps.
     pub(super) gap: f64,
+    pub(super) is_gap_proven: bool,
+    pub(super) limit: Option<f64>,
     /// The number of patches of `from`.
     pub(super) from_patches: usize,
     /// The number of patches of `to`.
@@ -64,7 +67,7 @@ impl Direction<'_> {
         let diagonal = self.diagonal();
         let pair = Pair { a, b, transform: self.transform };
         let pieces = [self.from.pieces(), self.to.pieces()];
-        let result = certified(pair, pieces, diagonal, options, gpu, progress).await?;
+        let result = certified(pair, pieces, [diagonal, self.gap()], options, gpu, progress).await?;
         let (result, notice) = result.ok_or(Error::EmptyModel)?;
         let on_gpu = result.details.certified().is_some_and(|details| details.cpu_cells < details.cells);
         Ok(DirectedRun {
@@ -75,6 +78,8 @@ impl Direction<'_> {
             diagonal,
             unit: self.unit(),
             gap: self.gap(),
+            is_gap_proven: self.is_gap_proven(),
+            limit: options.limit,
             from_patches: from.target.patches.len(),
             to_patches: to.target.patches.len(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
@@ -89,6 +94,11 @@ impl Direction<'_> {
     /// Returns the sum of both models' gaps.
     pub(super) fn gap(&self) -> f64 {
         self.from.gap() + self.to.gap()
+    }
+
+    /// Returns whether the gaps of both are upper bounds.
+    pub(super) fn is_gap_proven(&self) -> bool {
+        self.from.is_gap_proven() && self.to.is_gap_proven()
     }
 
     /// Returns whether float32 holds the lengths of both models in units of either one's size.
@@ -154,6 +164,8 @@ impl DirectedRun {
             diagonal: self.diagonal,
             unit: self.unit,
             gap: self.gap,
+            gap_proven: self.is_gap_proven,
+            with_gaps: WithGaps::new(Interval { lower, upper }, self.gap, self.limit),
             computed,
             lower,
             upper,

@@ -23,7 +23,7 @@ pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
 pub use result::{
     Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
-    PatchCounts, Processor, Seconds, Stop, SurfacePoint, Witness,
+    PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
 };
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

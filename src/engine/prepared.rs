@@ -33,6 +33,7 @@ pub struct PreparedModel {
     /// The model in another unit, the last one.
     scaled: RefCell<Option<Rc<PreparedModel>>>,
     gap: f64,
+    face_gaps: Vec<f64>,
     is_gap_proven: bool,
     pieces: FacePieces,
     trimmed_faces: Option<TrimmedFaces>,
@@ -171,6 +172,7 @@ impl PreparedModel {
             source: model.unit().map(|_| model.clone()),
             scaled: RefCell::default(),
             gap: model.gap(),
+            face_gaps: model.faces().map(|face| face.gap()).collect(),
             is_gap_proven: model.is_gap_proven(),
             trimmed_faces: model.is_trimmed().then(|| pieces.trimmed_faces(model)),
             pieces,
@@ -257,6 +259,11 @@ impl PreparedModel {
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.gap
+    }
+
+    /// Returns the gap of each face.
+    pub(crate) fn face_gaps(&self) -> &[f64] {
+        &self.face_gaps
     }
 
     /// Returns whether [`Self::gap`] is an upper bound: see [`Model::is_gap_proven`].

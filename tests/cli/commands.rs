@@ -73,6 +73,8 @@ fn iteration_prints_one_object_with_every_key() {
         "upper",
         "converged",
         "gap",
+        "gapProven",
+        "withGaps",
         "bounds",
         "witness",
         "samples",

@@ -7,4 +7,5 @@ mod support;
 
 mod commands;
 mod edge_cases;
+mod gaps;
 mod trimmed;

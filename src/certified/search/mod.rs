@@ -6,6 +6,7 @@ mod evaluation;
 mod frontier;
 mod gains;
 mod incumbent;
+mod limit;
 mod node;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
@@ -13,6 +14,7 @@ mod tests;
 
 pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;
+pub(crate) use limit::Limit;
 pub(crate) use node::{Domain, SearchNode};
 
 use super::bounds;
@@ -67,7 +69,7 @@ struct Goal {
     /// The width that upper and lower bounds may differ by.
     tolerance: f64,
     /// A limit on the distance that is to be decided, instead of a width.
-    limit: Option<f64>,
+    limit: Option<Limit>,
     /// What rounding may add to an upper bound or take off a lower bound.
     rounding: f64,
     /// How much farther a point of A may be than the points that are searched.
@@ -119,9 +121,10 @@ pub(crate) struct BatchResult {
 
 impl<'a> BranchAndBound<'a> {
     /// Searches all of A for an interval of width `tolerance`, or with a
-    /// `limit` until the distance is known to exceed it or not. Points of A
+    /// `limit` until the distance is known to exceed it or not, with the gap
+    /// and without it. Points of A
     /// may be farther by `slack` than those that the operand represents.
-    pub(crate) fn new(pair: Pair<'a>, tolerance: f64, limit: Option<f64>, slack: f64) -> Self {
+    pub(crate) fn new(pair: Pair<'a>, tolerance: f64, limit: Option<Limit>, slack: f64) -> Self {
         let rounding = point_error(&pair);
         // Both ends of the interval are rounded, and so is a certified distance.
         let lost = slack + 2.0 * rounding + closest_point_error(&pair);
@@ -194,14 +197,7 @@ impl<'a> BranchAndBound<'a> {
 
     /// Whether the distance is at most the limit, once that is known.
     pub(crate) fn within(&self) -> Option<bool> {
-        let (limit, interval) = (self.goal.limit?, self.interval());
-        if interval.upper <= limit {
-            Some(true)
-        } else if interval.lower > limit {
-            Some(false)
-        } else {
-            None
-        }
+        self.goal.limit?.keeps(self.interval())
     }
 
     /// Whether the rounding of these coordinates decides the width that a search without a limit can reach, and it is
@@ -216,8 +212,10 @@ impl<'a> BranchAndBound<'a> {
     /// searched further.
     pub(crate) fn prune_threshold(&self) -> f64 {
         let Goal { tolerance, limit, rounding, slack, .. } = self.goal;
-        let within = self.incumbent.lower_bound() + tolerance;
-        limit.map_or(within, |limit| within.max(before_rounding_up(limit - rounding - slack)))
+        let lower = self.incumbent.lower_bound();
+        let within = lower + tolerance;
+        let level = limit.and_then(|limit| limit.next_level(lower));
+        level.map_or(within, |level| within.max(before_rounding_up(level - rounding - slack)))
     }
 
     /// Takes the next cells out, at most `count`. They must come back by
@@ -270,7 +268,8 @@ impl<'a> BranchAndBound<'a> {
 
     /// Bounds the waiting nodes, at most a chunk and at most `max_cells` > 0.
     pub(crate) fn advance_once(&mut self, max_cells: usize) -> Option<Stop> {
-        if self.goal.limit.is_some_and(|limit| self.incumbent.lower_bound() > limit) {
+        let lower = self.incumbent.lower_bound();
+        if self.goal.limit.is_some_and(|limit| limit.next_level(lower).is_none()) {
             return Some(Stop::Converged);
         }
         if self.frontier.is_empty() {

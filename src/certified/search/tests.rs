@@ -82,11 +82,11 @@ fn a_limit_is_decided_by_the_interval() {
     with_squares(|pair| {
         for slack in [0.0, 0.125] {
             for (limit, within) in [(1.5, Some(true)), (0.5, Some(false))] {
-                let mut search = BranchAndBound::new(pair, 1e-3, Some(limit), slack);
+                let mut search = BranchAndBound::new(pair, 1e-3, Some(Limit::exact(limit)), slack);
                 run(&mut search);
                 assert_eq!(search.within(), within, "{limit}");
             }
-            let search = BranchAndBound::new(pair, 1e-3, Some(1.5), slack);
+            let search = BranchAndBound::new(pair, 1e-3, Some(Limit::exact(1.5)), slack);
             // No node is pruned whose bound does not keep the limit with rounding and slack.
             let threshold = search.prune_threshold();
             assert!(rounded_up(threshold) + slack + search.goal.rounding <= 1.5);
@@ -94,10 +94,33 @@ fn a_limit_is_decided_by_the_interval() {
         }
         let between = BranchAndBound {
             frontier: Frontier::new(SearchNode::root(2.0)),
-            ..BranchAndBound::new(pair, 1e-3, Some(1.5), 0.0)
+            ..BranchAndBound::new(pair, 1e-3, Some(Limit::exact(1.5)), 0.0)
         };
         assert_eq!(between.within(), None);
         assert_eq!(BranchAndBound::new(pair, 1e-3, None, 0.0).within(), None);
+    });
+}
+
+/// With a gap the search also tells whether every source keeps the limit: the distance is 1, so that the
+/// sources' is from 0.75 to 1.25.
+#[test]
+fn a_limit_with_a_gap_is_decided_on_both_sides_of_it() {
+    with_squares(|pair| {
+        for (at, keeps, sources_keep) in [
+            (0.74, Some(false), Some(false)),
+            (0.76, Some(false), None),
+            (1.24, Some(true), None),
+            (1.26, Some(true), Some(true)),
+        ] {
+            let limit = Limit { at, gap: 0.25 };
+            let mut search = BranchAndBound::new(pair, 1e-3, Some(limit), 0.0);
+            assert_eq!(run(&mut search), Stop::Converged);
+            assert_eq!(
+                (search.within(), limit.sources_keep(search.interval())),
+                (keeps, sources_keep),
+                "{at}"
+            );
+        }
     });
 }
 
@@ -108,7 +131,7 @@ fn a_search_below_rounding_stops_where_the_interval_is_narrow() {
     with_squares(|pair| {
         let lost = BranchAndBound::new(pair, 1.0, None, 0.0).goal.lost;
         for (above, limit, stop) in
-            [(0.25, None, Some(Stop::Precision)), (1.5, None, None), (0.25, Some(1.0), None)]
+            [(0.25, None, Some(Stop::Precision)), (1.5, None, None), (0.25, Some(Limit::exact(1.0)), None)]
         {
             let search = BranchAndBound::new(pair, 0.1 * lost, limit, 0.0);
             let upper = search.incumbent.lower_bound() + above * lost + 0.5 * search.min_tolerance();

@@ -91,6 +91,11 @@ pub struct FaceDifference {
     pub lower: f64,
     /// An upper bound on the distance from the face to the other model.
     pub upper: f64,
+    /// The face's own gap and the largest of the other model: see [`super::DistanceResult::gap`].
+    pub gap: f64,
+    /// The state that holds for the sources of the face and of the other model, which differ
+    /// from them by up to their gaps.
+    pub with_gaps: FaceState,
     /// The farthest point found on the face, and its nearest point on the other model.
     pub witness: Witness,
     /// The number of cells bounded.
@@ -112,6 +117,10 @@ pub struct DiffResult {
     pub unit: Option<f64>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
+    /// Whether the gaps are upper bounds, as far as both models' readers know.
+    pub gap_proven: bool,
+    /// The state of both models' sources together.
+    pub with_gaps: FaceState,
     /// Every face of A, in order, compared with B.
     pub faces_of_a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.

@@ -2,7 +2,7 @@
 
 use super::face::Face;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
-use crate::certified::{BranchAndBound, Interval, Operand, Pair};
+use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
 use crate::engine::{Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
@@ -69,6 +69,7 @@ impl Engine {
             other: whole_b,
             others: &faces_b,
             pieces: [a.pieces(), b.pieces()],
+            gaps: (a.face_gaps(), b.gap()),
             transform,
         };
         let of_a = forward.differences(options, &mut progress).await?;
@@ -80,16 +81,22 @@ impl Engine {
             other: whole_a,
             others: &faces_a,
             pieces: [b.pieces(), a.pieces()],
+            gaps: (b.face_gaps(), a.gap()),
             transform: inverse,
         };
         let of_b = reverse.differences(options, &mut progress).await?;
         progress.finish();
         let of_b: Vec<_> = of_b.into_iter().map(|found| found.reversed(&transform)).collect();
+        let largest = |state: fn(&FaceDifference) -> FaceState| {
+            of_a.iter().chain(&of_b).map(state).max().unwrap_or(FaceState::Unchanged)
+        };
         Ok(DiffResult {
-            state: of_a.iter().chain(&of_b).map(|face| face.state).max().unwrap_or(FaceState::Unchanged),
+            state: largest(|face| face.state),
+            with_gaps: largest(|face| face.with_gaps),
             limit: options.limit,
             unit: a.unit().or(b.unit()),
             gap: a.gap() + b.gap(),
+            gap_proven: a.is_gap_proven() && b.is_gap_proven(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
             faces_of_a: of_a,
             faces_of_b: of_b,
@@ -106,6 +113,8 @@ struct Side<'a> {
     others: &'a [Face],
     /// The pieces of both models.
     pieces: [&'a FacePieces; 2],
+    /// The gaps of the faces, and the largest of the other model.
+    gaps: (&'a [f64], f64),
     transform: RigidTransform,
 }
 
@@ -131,7 +140,7 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let searches = map(count, |index| {
-                let mut search = self.decision(first + index, options.limit);
+                let mut search = self.decision(first + index, options);
                 advance(&mut search, FIRST_CELLS);
                 search
             });
@@ -152,8 +161,15 @@ impl<'a> Side<'a> {
     }
 
     /// The search that decides the state of a face.
-    fn decision(&self, face: usize, limit: f64) -> BranchAndBound<'a> {
-        BranchAndBound::new(self.pair(face), DECISION_PART * limit, Some(limit), 0.0)
+    fn decision(&self, face: usize, options: &DiffOptions) -> BranchAndBound<'a> {
+        let limit = self.limit(face, options);
+        BranchAndBound::new(self.pair(face), DECISION_PART * limit.at, Some(limit), 0.0)
+    }
+
+    /// The limit on the distance of a face, with the gaps between the sources.
+    fn limit(&self, face: usize, options: &DiffOptions) -> Limit {
+        let (gaps, of_other) = self.gaps;
+        Limit { at: options.limit, gap: gaps[face] + of_other }
     }
 
     /// Ends the search of a face, and narrows the interval of a changed one.
@@ -191,9 +207,11 @@ impl<'a> Side<'a> {
         options: &DiffOptions,
     ) -> Result<FaceDifference> {
         let Interval { lower, upper } = interval;
-        let state = state(interval, options.limit);
+        let limit = self.limit(face, options);
+        let [state, with_gaps] = [limit.keeps(interval), limit.sources_keep(interval)].map(state);
         let witness = witness(search, self.pieces).ok_or(Error::EmptyModel)?;
-        Ok(FaceDifference { face, state, lower, upper, witness, cells: search.work().cells })
+        let (gap, cells) = (limit.gap, search.work().cells);
+        Ok(FaceDifference { face, state, lower, upper, gap, with_gaps, witness, cells })
     }
 }
 
@@ -222,14 +240,12 @@ fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
     false
 }
 
-/// The state that follows from an interval.
-fn state(interval: Interval, limit: f64) -> FaceState {
-    if interval.upper <= limit {
-        FaceState::Unchanged
-    } else if interval.lower > limit {
-        FaceState::Changed
-    } else {
-        FaceState::Undecided
+/// The state that follows from whether a face keeps the limit.
+fn state(keeps: Option<bool>) -> FaceState {
+    match keeps {
+        Some(true) => FaceState::Unchanged,
+        Some(false) => FaceState::Changed,
+        None => FaceState::Undecided,
     }
 }
 

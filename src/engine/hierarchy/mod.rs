@@ -83,6 +83,8 @@ impl Direction<'_> {
             diagonal: pair.diagonal,
             unit: self.unit(),
             gap: self.gap(),
+            is_gap_proven: self.is_gap_proven(),
+            limit: options.limit,
             from_patches: self.from.bezier().patches.len(),
             to_patches: self.to.bezier().patches.len(),
             seconds: Seconds {

@@ -88,6 +88,8 @@ impl Direction<'_> {
             diagonal,
             unit: self.unit(),
             gap: self.gap(),
+            is_gap_proven: self.is_gap_proven(),
+            limit: options.limit,
             from_patches: self.from.bezier().patches.len(),
             to_patches: target.target.patches.len(),
             seconds: Seconds {

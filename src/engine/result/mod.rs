@@ -2,6 +2,7 @@
 
 mod directed_result;
 mod symmetric;
+mod with_gaps;
 
 use super::{Method, Statistics};
 pub use crate::certified::Stop;
@@ -9,6 +10,7 @@ use crate::iteration::StatusCounts;
 pub(super) use directed_result::DirectedResult;
 use serde::Serialize;
 use std::fmt::{Display, Formatter};
+pub use with_gaps::WithGaps;
 
 /// The processor that computed a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -54,6 +56,10 @@ pub struct DistanceResult {
     /// what they state and by ends of trimming curves that were moved together. It is not
     /// part of the interval, which is that of the models as they are.
     pub gap: f64,
+    /// Whether the gap is an upper bound, as far as both models' readers know.
+    pub gap_proven: bool,
+    /// The interval, and the verdict, that hold for the sources of the models.
+    pub with_gaps: WithGaps,
     /// The distance of the witness, which the method takes for the farthest point.
     pub computed: f64,
     /// A lower bound on the true distance.

@@ -9,7 +9,7 @@ impl DistanceResult {
     /// is their maximum, so its interval is that of the maxima.
     pub(in crate::engine) fn symmetric(forward: Self, reverse: Self) -> Self {
         let larger = if reverse.computed > forward.computed { &reverse } else { &forward };
-        let &Self { backend, diagonal, unit, gap, computed, patches, .. } = larger;
+        let &Self { backend, diagonal, unit, gap, gap_proven, computed, patches, .. } = larger;
         let witness = larger.witness.clone();
         let (adapter, notice) = (larger.adapter.clone(), larger.notice.clone());
         let mut seconds = forward.seconds;
@@ -21,6 +21,8 @@ impl DistanceResult {
             diagonal,
             unit,
             gap,
+            gap_proven,
+            with_gaps: forward.with_gaps.of_both(&reverse.with_gaps),
             computed,
             lower: forward.lower.max(reverse.lower),
             upper: forward.upper.max(reverse.upper),

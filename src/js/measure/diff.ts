@@ -33,6 +33,10 @@ export interface FaceDifference {
   state: FaceState;
   lower: number;
   upper: number;
+  /** The face's own gap and the largest of the other model. */
+  gap: number;
+  /** The state that holds for the sources, which differ from the models by up to their gaps. */
+  withGaps: FaceState;
   /** The farthest point found on the face and its nearest point on the other model; `a` after the transform. */
   witness: { a: SurfacePoint; b: SurfacePoint };
   /** Number of cells bounded. */
@@ -51,6 +55,10 @@ export interface DiffResult {
   unit?: number;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
+  /** Whether the gaps are upper bounds, as far as both models' readers know. */
+  gapProven: boolean;
+  /** The state of both models' sources together. */
+  withGaps: FaceState;
   /** Every face of A, in order, compared with B. */
   facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */

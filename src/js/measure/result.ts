@@ -45,6 +45,20 @@ export interface Statistics {
 }
 
 /**
+ * The interval that holds for every pair of sources within the gaps of both models. Where the
+ * gap is not proven it is an estimate.
+ */
+export interface WithGaps {
+  lower: number;
+  upper: number;
+  /**
+   * With a limit: whether the distance of the sources is at most the limit; absent where the
+   * gaps could change that or the search ended before it was known.
+   */
+  within?: boolean;
+}
+
+/**
  * The results of all methods. Guarantee: `lower <= true distance <= upper`,
  * whether the method converged or not.
  */
@@ -61,6 +75,10 @@ interface Common {
    * stands beside the interval and is not part of it.
    */
   gap: number;
+  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  gapProven: boolean;
+  /** The interval, and the verdict, that hold for the sources of the models. */
+  withGaps: WithGaps;
   /** The distance of the witness, which the method takes for the farthest point. */
   computed: number;
   lower: number;

@@ -136,7 +136,18 @@ const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
 ];
 const INSTANCE_KEYS: readonly (keyof InstanceArrays)[] = ["surfaces", "transform", "name"];
 const INTERCHANGE_KEYS: readonly string[] = [
-  ...(["degree", "knots_u", "knots_v", "ctrl", "trim", "reversed", "part", "kind", "gap", "gap_measured"] as const),
+  ...([
+    "degree",
+    "knots_u",
+    "knots_v",
+    "ctrl",
+    "trim",
+    "reversed",
+    "part",
+    "kind",
+    "gap",
+    "gap_measured",
+  ] as const),
 ] satisfies (keyof InterchangeSurface)[];
 
 /**

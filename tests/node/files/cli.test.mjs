@@ -81,6 +81,7 @@ const VALUES = {
   "relative-tolerance": ["1e-3"],
   limit: ["2.5"],
   "allow-skipped": ["--limit", "2.5"],
+  "strict-gaps": ["--limit", "2.5"],
   "max-seconds": ["60"],
   "max-cells": ["5"],
   samples: ["8", "--method", "iteration"],

@@ -66,6 +66,9 @@ pub(crate) struct DistanceArguments {
     /// Judges by --limit the faces that were read where others were left out; else that is undecided.
     #[arg(long)]
     pub(crate) allow_skipped: bool,
+    /// Takes for the verdict what holds for every reading of the files within their gaps.
+    #[arg(long)]
+    pub(crate) strict_gaps: bool,
     /// certified: seconds per direction after which the interval reached is the result.
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
@@ -151,6 +154,9 @@ pub(crate) struct DiffArguments {
     /// Judges by --limit the faces that were read where others were left out; else that is undecided.
     #[arg(long)]
     pub(crate) allow_skipped: bool,
+    /// Takes for the verdict what holds for every reading of the files within their gaps.
+    #[arg(long)]
+    pub(crate) strict_gaps: bool,
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,

@@ -6,6 +6,7 @@ use crate::input::{is_judged, read};
 use crate::output::json::{OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
+use crate::output::report::GAPS_DECIDE;
 use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState};
 use std::fmt::{Result, Write};
 
@@ -22,7 +23,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
     let mut result = pollster::block_on(engine.diff(&a.prepared, &b.prepared, &options, &mut bar))?;
     drop(bar);
     if !is_judged(&a, &b, arguments.allow_skipped) {
-        result.state = FaceState::Undecided;
+        (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);
     }
     if arguments.json {
         print_json(&OfFiles::new(&result, &a, &b))?;
@@ -32,7 +33,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
         let _ = lines(&mut text, &result);
         print(&text)?;
     }
-    Ok(match result.state {
+    Ok(match if arguments.strict_gaps { result.with_gaps } else { result.state } {
         FaceState::Unchanged => 0,
         FaceState::Changed => 1,
         FaceState::Undecided => 3,
@@ -45,7 +46,8 @@ fn lines(out: &mut String, result: &DiffResult) -> Result {
         FaceState::Undecided => "undecided",
         FaceState::Changed => "changed",
     };
-    writeln!(out, "models     {} at a limit of {:?}", state(result.state), result.limit)?;
+    let doubt = if result.with_gaps == result.state { "" } else { GAPS_DECIDE };
+    writeln!(out, "models     {} at a limit of {:?}{doubt}", state(result.state), result.limit)?;
     let listed = [FaceState::Changed, FaceState::Undecided];
     for (index, (name, faces)) in
         [("A", &result.faces_of_a), ("B", &result.faces_of_b)].into_iter().enumerate()

@@ -37,7 +37,13 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
         print(&report::text(&result))?;
     }
     let Some(limit) = arguments.limit else { return Ok(WITHIN) };
-    Ok(if is_judged { verdict(&result, limit) } else { UNDECIDED })
+    Ok(match result.with_gaps.within {
+        _ if !is_judged => UNDECIDED,
+        within if arguments.strict_gaps => {
+            within.map_or(UNDECIDED, |within| if within { WITHIN } else { BEYOND })
+        }
+        _ => verdict(&result, limit),
+    })
 }
 
 /// Takes the verdict out of a result, and out of those of both directions.
@@ -45,6 +51,7 @@ fn forget_verdict(result: &mut DistanceResult) {
     if let Details::Certified(details) = &mut result.details {
         details.within = None;
     }
+    result.with_gaps.within = None;
     for direction in [&mut result.forward, &mut result.reverse].into_iter().flatten() {
         forget_verdict(direction);
     }

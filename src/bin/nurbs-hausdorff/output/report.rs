@@ -17,7 +17,9 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "distance   {:?}", result.computed)?;
     interval(out, result)?;
     if result.gap > 0.0 {
-        writeln!(out, "gap        {:?}, by what the files state", result.gap)?;
+        let origin = if result.gap_proven { "by what the files state" } else { "measured, not proven" };
+        writeln!(out, "gap        {:?}, {origin}", result.gap)?;
+        writeln!(out, "with gaps  [{:?}, {:?}]", result.with_gaps.lower, result.with_gaps.upper)?;
     }
     if let Some(unit) = result.unit {
         writeln!(out, "unit       {unit:?} m")?;
@@ -31,7 +33,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
         }
     }
     match &result.details {
-        Details::Certified(details) => certified(out, details)?,
+        Details::Certified(details) => certified(out, details, result.with_gaps.within)?,
         Details::Iteration(details) => iteration(out, details)?,
         Details::Hierarchy(details) => hierarchy(out, details)?,
     }
@@ -40,6 +42,9 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
     machine(out, result)
 }
+
+/// The end of a line with a verdict that does not hold for every reading of the files.
+pub(crate) const GAPS_DECIDE: &str = ", but the gaps of the files could change that";
 
 fn interval(out: &mut String, result: &DistanceResult) -> Result {
     write!(out, "interval   [{:?}, {:?}]", result.lower, result.upper)?;
@@ -57,7 +62,7 @@ fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
     writeln!(out, "{name}       face {face}{face_name} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }
 
-fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
+fn certified(out: &mut String, details: &CertifiedDetails, with_gaps: Option<bool>) -> Result {
     let stop = match details.stop {
         Stop::Converged => "done",
         Stop::Cells => "ended by the budget of cells",
@@ -73,11 +78,10 @@ fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
             details.min_tolerance
         )?;
     }
-    match details.within {
-        Some(true) => writeln!(out, "limit      the distance is within it"),
-        Some(false) => writeln!(out, "limit      the distance is beyond it"),
-        None => Ok(()),
-    }
+    let Some(within) = details.within else { return Ok(()) };
+    let side = if within { "within" } else { "beyond" };
+    let doubt = if with_gaps == Some(within) { "" } else { GAPS_DECIDE };
+    writeln!(out, "limit      the distance is {side} it{doubt}")
 }
 
 fn iteration(out: &mut String, details: &IterationDetails) -> Result {

@@ -6,6 +6,7 @@ import { ofFiles, printJson } from "../output/json.js";
 import { full } from "../output/numbers.js";
 import { print } from "../output/output.js";
 import { Progress } from "../output/progress.js";
+import { GAPS_DECIDE } from "../output/report.js";
 import { libraryOptions } from "./library-options.js";
 
 /** The largest number of faces of one model and state that the table lists; JSON has all. */
@@ -22,10 +23,11 @@ export async function diff(values: Invocation["values"]): Promise<number> {
   const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
   const result = await hd.diff(a.model, b.model, options).finally(() => progress.end());
   const state = isJudged(a, b, values.has("allow-skipped")) ? result.state : "undecided";
-  const shown = { ...result, state };
+  const withGaps = state === result.state ? result.withGaps : state;
+  const shown = { ...result, state, withGaps };
   if (values.has("json")) printJson(ofFiles(shown, a, b));
   else print(text(shown));
-  return STATUSES[state];
+  return STATUSES[values.has("strict-gaps") ? withGaps : state];
 }
 
 function text(result: DiffResult): string {
@@ -33,7 +35,8 @@ function text(result: DiffResult): string {
     ["A", result.facesOfA, "a"],
     ["B", result.facesOfB, "b"],
   ] as const;
-  const lines = [`models     ${result.state} at a limit of ${full(result.limit)}`];
+  const doubt = result.withGaps === result.state ? "" : GAPS_DECIDE;
+  const lines = [`models     ${result.state} at a limit of ${full(result.limit)}${doubt}`];
   for (const [name, faces] of models) {
     const [unchanged, changed, undecided] = (["unchanged", "changed", "undecided"] as const).map(
       (state) => faces.filter((face) => face.state === state).length,

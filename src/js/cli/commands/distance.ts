@@ -36,7 +36,8 @@ export async function distance(values: Values): Promise<number> {
   if (values.has("json")) printJson(ofFiles(withoutField(result), a, b));
   else print(text(result));
   if (limit === undefined) return WITHIN;
-  return judged ? verdict(result, limit) : UNDECIDED;
+  if (!judged) return UNDECIDED;
+  return values.has("strict-gaps") ? strict(result.withGaps.within) : verdict(result, limit);
 }
 
 /** The result without its samples, which the native command does not print either. */
@@ -51,9 +52,16 @@ function withoutField({ field: _, forward, reverse, ...rest }: DistanceResult): 
 /** Takes the verdict out of a result, and out of those of both directions. */
 function forgetVerdict(result: DistanceResult): void {
   if (result.method === "certified") delete result.within;
+  delete result.withGaps.within;
   for (const direction of [result.forward, result.reverse]) {
     if (direction !== undefined) forgetVerdict(direction);
   }
+}
+
+/** The exit status of a verdict that holds for every reading of the files. */
+function strict(within: boolean | undefined): number {
+  if (within === undefined) return UNDECIDED;
+  return within ? WITHIN : BEYOND;
 }
 
 /** The exit status that follows from the interval and the limit, for all methods. */

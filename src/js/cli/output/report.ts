@@ -26,7 +26,7 @@ export function text(result: DistanceResult): string {
   const lines = [
     `distance   ${full(result.computed)}`,
     interval(result),
-    ...(result.gap > 0 ? [`gap        ${full(result.gap)}, by what the files state`] : []),
+    ...gaps(result),
     ...(typeof result.unit === "number" ? [`unit       ${full(result.unit)} m`] : []),
     point("on A", witness.a),
     point("on B", witness.b),
@@ -42,6 +42,18 @@ export function text(result: DistanceResult): string {
     ...machine(result),
   ];
   return `${lines.join("\n")}\n`;
+}
+
+/** The end of a line with a verdict that does not hold for every reading of the files. */
+export const GAPS_DECIDE = ", but the gaps of the files could change that";
+
+function gaps({ gap, gapProven, withGaps }: DistanceResult): string[] {
+  if (gap === 0) return [];
+  const origin = gapProven ? "by what the files state" : "measured, not proven";
+  return [
+    `gap        ${full(gap)}, ${origin}`,
+    `with gaps  [${full(withGaps.lower)}, ${full(withGaps.upper)}]`,
+  ];
 }
 
 function interval({ lower, upper, diagonal }: DistanceResult): string {
@@ -69,7 +81,9 @@ function details(result: DistanceResult): string[] {
   }
 }
 
-function certified({ cells, levels, stop, minTolerance, within }: CertifiedResult): string[] {
+function certified(result: CertifiedResult): string[] {
+  const { cells, levels, stop, minTolerance, within, withGaps } = result;
+  const doubt = withGaps.within === within ? "" : GAPS_DECIDE;
   return [
     `search     ${cells} cells, ${levels} levels, ${STOPS[stop]}`,
     ...(stop === "precision"
@@ -77,7 +91,7 @@ function certified({ cells, levels, stop, minTolerance, within }: CertifiedResul
       : []),
     // Absent or null if it was not decided.
     ...(typeof within === "boolean"
-      ? [`limit      the distance is ${within ? "within" : "beyond"} it`]
+      ? [`limit      the distance is ${within ? "within" : "beyond"} it${doubt}`]
       : []),
   ];
 }
