@@ -82,6 +82,7 @@ mod axis;
 mod lazy_table;
 mod param_box;
 pub mod shapes;
+mod shared;
 pub mod tessellate;
 
 mod chebyshev;

@@ -3,8 +3,22 @@
 use crate::error::{Error, Result};
 use web_time::{Duration, Instant};
 
-/// The caller's side of a running computation: it receives progress and may cancel.
-pub trait Monitor {
+/// `Send` natively, so that computations may move between threads; nothing on the web, where
+/// functions of JavaScript stay on theirs.
+#[cfg(not(target_arch = "wasm32"))]
+pub use Send as MaybeSend;
+
+/// `Send` natively, so that computations may move between threads; nothing on the web, where
+/// functions of JavaScript stay on theirs.
+#[cfg(target_arch = "wasm32")]
+pub trait MaybeSend {}
+
+#[cfg(target_arch = "wasm32")]
+impl<T> MaybeSend for T {}
+
+/// The caller's side of a running computation: it receives progress and may cancel. It must
+/// not wait for another computation of the same engine, which would wait for this one.
+pub trait Monitor: MaybeSend {
     /// Receives the fraction of the work done, from 0 to 1, never falling.
     fn progress(&mut self, fraction: f64);
 

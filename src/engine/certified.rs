@@ -4,10 +4,10 @@ use super::result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, Options, Stop};
 use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Limit, Pair};
 use crate::error::{Error, Result};
-use crate::gpu::{Gpu, GpuCertified};
+use crate::gpu::{Gpu, GpuCertified, Turn};
 use crate::pieces::FacePieces;
 use crate::progress::Progress;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// Searches until the interval is as narrow as requested or a budget ends the
@@ -21,7 +21,7 @@ pub(super) async fn certified(
     [from_pieces, to_pieces]: [&FacePieces; 2],
     [diagonal, gap]: [f64; 2],
     options: &Options,
-    gpu: Option<&Rc<Gpu>>,
+    gpu: Option<&Arc<Gpu>>,
     progress: &mut Progress<'_>,
 ) -> Result<Option<(DirectedResult, Option<String>)>> {
     let tolerance = options.width(diagonal);
@@ -120,10 +120,10 @@ const MIN_CELLS_FOR_SUBMISSION: usize = 512;
 
 /// The GPU's part in a search.
 struct Kernels<'a> {
-    gpu: Option<&'a Rc<Gpu>>,
+    gpu: Option<&'a Arc<Gpu>>,
     /// Whether an error of the GPU ends the search; else float64 does the rest.
     needed: bool,
-    driver: Option<GpuCertified>,
+    driver: Option<(GpuCertified, Turn)>,
     /// The failure that ended the GPU's part early.
     failure: Option<Error>,
     /// The largest time of a cell on the GPU, in seconds: a software adapter can be slower
@@ -163,11 +163,12 @@ impl Kernels<'_> {
         Ok(None)
     }
 
-    async fn step(&mut self, gpu: &Rc<Gpu>, search: &mut BranchAndBound<'_>) -> Result<bool> {
+    async fn step(&mut self, gpu: &Arc<Gpu>, search: &mut BranchAndBound<'_>) -> Result<bool> {
         if self.driver.is_none() {
-            self.driver = GpuCertified::new(gpu, search)?;
+            let turn = gpu.turn().await;
+            self.driver = GpuCertified::new(gpu, search)?.map(|driver| (driver, turn));
         }
-        let Some(driver) = &mut self.driver else { return Ok(false) };
+        let Some((driver, _)) = &mut self.driver else { return Ok(false) };
         driver.advance(search).await?;
         Ok(true)
     }

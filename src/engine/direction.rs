@@ -12,7 +12,7 @@ use crate::gpu::Gpu;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// The largest ratio of the reach of a pair, from the farther end of one model to that of the
@@ -53,7 +53,7 @@ impl Direction<'_> {
     /// if there is one.
     pub(super) async fn certified(
         &self,
-        gpu: Option<&Rc<Gpu>>,
+        gpu: Option<&Arc<Gpu>>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {

@@ -6,8 +6,9 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::progress::Monitor;
 use crate::progress::Progress;
-use std::cell::{Cell, RefCell};
-use std::rc::Rc;
+use crate::shared::locked;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 use web_time::Instant;
 
 /// The number of lost devices after which the CPU takes over; a second loss is
@@ -25,10 +26,12 @@ float32 holds; computed on the CPU";
 /// Computes distances on one GPU, or on the CPU.
 #[derive(Debug)]
 pub struct Engine {
-    gpu: RefCell<Option<Rc<Gpu>>>,
-    losses: Cell<u32>,
+    gpu: Mutex<Option<Arc<Gpu>>>,
+    losses: AtomicU32,
+    /// Held while a lost device is replaced, for which other threads wait.
+    replacing: async_lock::Mutex<()>,
     /// The reason for which there is no GPU although one was requested.
-    missing: RefCell<Option<Error>>,
+    missing: Mutex<Option<Error>>,
 }
 
 impl Engine {
@@ -37,12 +40,17 @@ impl Engine {
     /// # Errors
     /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is no adapter.
     pub async fn new(backend: Backend) -> Result<Self> {
-        let engine = Self { gpu: RefCell::default(), losses: Cell::default(), missing: RefCell::default() };
+        let engine = Self {
+            gpu: Mutex::default(),
+            losses: AtomicU32::new(0),
+            replacing: async_lock::Mutex::default(),
+            missing: Mutex::default(),
+        };
         if backend != Backend::Cpu {
             match Gpu::new().await {
-                Ok(gpu) => drop(engine.gpu.replace(Some(Rc::new(gpu)))),
+                Ok(gpu) => *locked(&engine.gpu) = Some(Arc::new(gpu)),
                 Err(error) if backend == Backend::Gpu => return Err(error),
-                Err(error) => drop(engine.missing.replace(Some(error))),
+                Err(error) => *locked(&engine.missing) = Some(error),
             }
         }
         Ok(engine)
@@ -51,19 +59,19 @@ impl Engine {
     /// Returns the name of the GPU, if there is a GPU and it has a name.
     #[must_use]
     pub fn adapter(&self) -> Option<String> {
-        self.gpu.borrow().as_ref().and_then(|gpu| gpu.adapter())
+        locked(&self.gpu).as_ref().and_then(|gpu| gpu.adapter())
     }
 
     /// Returns whether the engine has a GPU.
     #[must_use]
     pub fn has_gpu(&self) -> bool {
-        self.gpu.borrow().is_some()
+        locked(&self.gpu).is_some()
     }
 
     /// Returns the reason for which there is no GPU although one was requested.
     #[must_use]
     pub fn notice(&self) -> Option<String> {
-        self.missing.borrow().as_ref().map(|error| format!("{error}; computed on the CPU"))
+        locked(&self.missing).as_ref().map(|error| format!("{error}; computed on the CPU"))
     }
 
     /// Returns the directed Hausdorff distance from A, moved by the options'
@@ -121,10 +129,10 @@ impl Engine {
     }
 
     /// Returns the GPU for a requested backend, or `None` for the CPU.
-    fn gpu_for(&self, backend: Backend) -> Result<Option<Rc<Gpu>>> {
-        let gpu = self.gpu.borrow().clone().filter(|_| backend != Backend::Cpu);
+    fn gpu_for(&self, backend: Backend) -> Result<Option<Arc<Gpu>>> {
+        let gpu = locked(&self.gpu).clone().filter(|_| backend != Backend::Cpu);
         if gpu.is_none() && backend == Backend::Gpu {
-            return Err(match &*self.missing.borrow() {
+            return Err(match &*locked(&self.missing) {
                 Some(Error::DeviceLost { found }) => Error::DeviceLost { found: found.clone() },
                 Some(Error::NoAdapter { found }) => Error::NoAdapter { found: found.clone() },
                 _ => Error::NoAdapter { found: "the engine was made without one".to_owned() },
@@ -145,17 +153,26 @@ impl Engine {
         loop {
             let device = self.gpu_for(options.backend)?;
             let gpu = device.as_ref().filter(|_| in_range);
+            // Method certified asks for its turn when its cells are many enough.
+            let turn = match gpu.filter(|_| method != Method::Certified) {
+                Some(gpu) => Some(gpu.turn().await),
+                None => None,
+            };
             let run = match method {
                 Method::Certified => {
                     // A software adapter is about as fast as float64, which needs no set-up.
-                    let helps = |gpu: &&Rc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                    let helps = |gpu: &&Arc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
                     direction.certified(gpu.filter(helps), options, progress).await
                 }
                 Method::Iteration => direction.iteration(gpu, options, progress).await,
                 Method::Hierarchy => direction.hierarchy(gpu, options, progress).await,
             };
+            drop(turn);
             match run {
-                Err(Error::DeviceLost { found }) => self.replace(&found, options.backend).await?,
+                Err(Error::DeviceLost { found }) => match &device {
+                    Some(lost) => self.replace(lost, &found, options.backend).await?,
+                    None => return Err(Error::DeviceLost { found }),
+                },
                 Ok(mut run) => {
                     if method != Method::Certified && device.is_none() && options.backend != Backend::Cpu {
                         run.notice = self.notice();
@@ -174,14 +191,19 @@ impl Engine {
         }
     }
 
-    /// Replaces a lost device by a new one, or by the CPU if it was not the first.
-    async fn replace(&self, found: &str, backend: Backend) -> Result<()> {
-        self.gpu.replace(None);
-        self.losses.set(self.losses.get() + 1);
-        let error = if self.losses.get() < MAX_LOSSES {
+    /// Replaces a lost device by a new one, or by the CPU if it was not the first. Another
+    /// thread that lost it as well may have done so already.
+    async fn replace(&self, lost: &Arc<Gpu>, found: &str, backend: Backend) -> Result<()> {
+        let _turn = self.replacing.lock().await;
+        if !locked(&self.gpu).as_ref().is_some_and(|gpu| Arc::ptr_eq(gpu, lost)) {
+            return self.gpu_for(backend).map(drop);
+        }
+        *locked(&self.gpu) = None;
+        let losses = self.losses.fetch_add(1, Ordering::Relaxed) + 1;
+        let error = if losses < MAX_LOSSES {
             match Gpu::new().await {
                 Ok(gpu) => {
-                    self.gpu.replace(Some(Rc::new(gpu)));
+                    *locked(&self.gpu) = Some(Arc::new(gpu));
                     return Ok(());
                 }
                 Err(error) => error,
@@ -189,7 +211,7 @@ impl Engine {
         } else {
             Error::DeviceLost { found: format!("{MAX_LOSSES} times, the last time: {found}") }
         };
-        self.missing.replace(Some(error));
+        *locked(&self.missing) = Some(error);
         self.gpu_for(backend).map(drop)
     }
 }
@@ -223,7 +245,7 @@ mod tests {
             ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
         let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
         let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
-        let lose = || engine.gpu.borrow().as_ref().unwrap().destroy();
+        let lose = || locked(&engine.gpu).as_ref().unwrap().destroy();
         assert_eq!(run().backend, Processor::Gpu);
         lose();
         let second = run();
@@ -243,15 +265,15 @@ mod tests {
     fn with_auto_float64_goes_on_when_the_gpu_fails_and_says_so() {
         let Some(engine) = engine("with_auto_float64_goes_on_when_the_gpu_fails_and_says_so") else { return };
         // Pretends to be hardware, as `auto` does not use the kernels of a software adapter.
-        let gpu = Rc::into_inner(engine.gpu.take().unwrap()).unwrap().pretend_hardware();
-        engine.gpu.replace(Some(Rc::new(gpu)));
+        let gpu = Arc::into_inner(locked(&engine.gpu).take().unwrap()).unwrap().pretend_hardware();
+        *locked(&engine.gpu) = Some(Arc::new(gpu));
         // All of A is equally far from B, and no bound on whole patches shows it: many cells.
         let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model).unwrap());
         let run = |backend| {
             let options = Options { backend, ..Options::default() };
             pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
         };
-        let provoke_error = || engine.gpu.borrow().as_ref().unwrap().provoke_validation_error();
+        let provoke_error = || locked(&engine.gpu).as_ref().unwrap().provoke_validation_error();
         let sound = run(Backend::Gpu).unwrap();
         let details = sound.certified().unwrap();
         assert!(details.cpu_cells < details.cells, "nothing to fail at");

@@ -18,9 +18,9 @@ use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::read::ReadReport;
 use crate::rounding::gamma;
+use crate::shared::{computed, locked};
 use crate::symmetry::{Revolution, revolutions};
-use std::cell::{OnceCell, RefCell};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// A model ready for distance computations: its Bézier patches, and, computed at
 /// first use and kept, its flat patches, its samples and their copies on the GPU.
@@ -31,7 +31,7 @@ pub struct PreparedModel {
     /// The model itself, kept if it states its unit, to be scaled to another.
     source: Option<Model>,
     /// The model in another unit, the last one.
-    scaled: RefCell<Option<Rc<PreparedModel>>>,
+    scaled: Mutex<Option<Arc<PreparedModel>>>,
     gap: f64,
     face_gaps: Vec<f64>,
     is_gap_proven: bool,
@@ -41,10 +41,10 @@ pub struct PreparedModel {
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     control_box: Aabb,
-    targets: RefCell<Vec<(Flatness, Rc<PreparedTarget>)>>,
-    samplings: RefCell<Vec<(SamplingKey, Rc<PreparedSampling>)>>,
-    cells: RefCell<Option<Rc<PreparedCells>>>,
-    areas: OnceCell<Vec<Area>>,
+    targets: Mutex<Vec<(Flatness, Arc<PreparedTarget>)>>,
+    samplings: Mutex<Vec<(SamplingKey, Arc<PreparedSampling>)>>,
+    cells: Mutex<Option<Arc<PreparedCells>>>,
+    areas: OnceLock<Vec<Area>>,
     /// The number of updates since cuts and trees were chosen.
     refits: u32,
 }
@@ -72,7 +72,7 @@ pub(crate) struct PreparedTarget {
     places: Places,
     sheets: SheetCache,
     cuts: Cuts,
-    bounds: OnceCell<Vec<LocalDerivativeBounds>>,
+    bounds: OnceLock<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
 }
 
@@ -83,7 +83,7 @@ impl PreparedTarget {
             places: flat.places,
             sheets: SheetCache::default(),
             cuts: flat.cuts,
-            bounds: OnceCell::new(),
+            bounds: OnceLock::new(),
             resident: Resident::default(),
         }
     }
@@ -96,7 +96,8 @@ impl PreparedTarget {
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
-        Operand::new(&self.target, self.bounds.get_or_init(|| self.places.derivative_bounds()))
+        let bounds = computed(&self.bounds, || self.places.derivative_bounds());
+        Operand::new(&self.target, bounds)
             .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
             .with_revolutions(&model.revolutions)
             .with_faces(model.trimmed_faces.as_ref())
@@ -109,14 +110,14 @@ impl PreparedTarget {
 pub(crate) struct PreparedSampling {
     pub(crate) sampling: Sampling,
     /// The samples' covering radius, which only method `iteration` needs, computed at first use.
-    radius: OnceCell<CoveringRadius>,
+    radius: OnceLock<CoveringRadius>,
     pub(crate) resident: Resident<GpuSampling>,
 }
 
 impl PreparedSampling {
     /// Returns the covering radius over all surfaces of `model`, whose samples these are.
     pub(crate) fn radius(&self, model: &PreparedModel) -> CoveringRadius {
-        *self.radius.get_or_init(|| self.sampling.radius(&model.bezier))
+        *computed(&self.radius, || self.sampling.radius(&model.bezier))
     }
 }
 
@@ -170,7 +171,7 @@ impl PreparedModel {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             source: model.unit().map(|_| model.clone()),
-            scaled: RefCell::default(),
+            scaled: Mutex::default(),
             gap: model.gap(),
             face_gaps: model.faces().map(|face| face.gap()).collect(),
             is_gap_proven: model.is_gap_proven(),
@@ -180,10 +181,10 @@ impl PreparedModel {
             bezier,
             bounding_box: untrimmed.bounding_box(),
             control_box,
-            targets: RefCell::default(),
-            samplings: RefCell::default(),
-            cells: RefCell::default(),
-            areas: OnceCell::new(),
+            targets: Mutex::default(),
+            samplings: Mutex::default(),
+            cells: Mutex::default(),
+            areas: OnceLock::new(),
             refits: 0,
         }
     }
@@ -202,14 +203,14 @@ impl PreparedModel {
             return Ok(updated);
         }
         updated.refits = self.refits + 1;
-        for (flatness, kept) in &*self.targets.borrow() {
+        for (flatness, kept) in locked(&self.targets).clone() {
             let flat = recut(&updated.bezier.patches, &kept.cuts);
             let target = PreparedTarget::new(flat, |patches| kept.target.refitted(patches));
-            updated.targets.get_mut().push((*flatness, Rc::new(target)));
+            locked(&updated.targets).push((flatness, Arc::new(target)));
         }
-        if let Some(kept) = &*self.cells.borrow() {
+        if let Some(kept) = locked(&self.cells).clone() {
             let tree = kept.tree.refitted(&updated.bezier);
-            *updated.cells.get_mut() = Some(Rc::new(PreparedCells { tree, resident: Resident::default() }));
+            *locked(&updated.cells) = Some(Arc::new(PreparedCells { tree, resident: Resident::default() }));
         }
         Ok(updated)
     }
@@ -232,7 +233,7 @@ impl PreparedModel {
     /// # Errors
     /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
     /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
-    pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Rc<Self>>> {
+    pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Arc<Self>>> {
         let (Some(a), Some(b), Some(source)) = (other.unit, self.unit, &self.source) else { return Ok(None) };
         if a == b {
             return Ok(None);
@@ -240,18 +241,16 @@ impl PreparedModel {
         if !scale {
             return Err(Error::UnitsDiffer { a, b });
         }
-        let mut scaled = self.scaled.borrow_mut();
-        match &*scaled {
-            Some(kept) if kept.unit == Some(a) => Ok(Some(Rc::clone(kept))),
-            _ => {
-                let mut prepared = Self::new(&source.scaled_to_unit(a)?)?;
-                let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
-                prepared.bezier.point_error.include_deviation(rounding);
-                let prepared = Rc::new(prepared);
-                *scaled = Some(Rc::clone(&prepared));
-                Ok(Some(prepared))
-            }
+        let kept = locked(&self.scaled).clone();
+        if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
+            return Ok(Some(kept));
         }
+        let mut prepared = Self::new(&source.scaled_to_unit(a)?)?;
+        let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
+        prepared.bezier.point_error.include_deviation(rounding);
+        let prepared = Arc::new(prepared);
+        *locked(&self.scaled) = Some(Arc::clone(&prepared));
+        Ok(Some(prepared))
     }
 
     /// Returns the distance, in model units, between the model and its source as its reader states
@@ -299,7 +298,7 @@ impl PreparedModel {
     ///
     /// Computed at first use, in about 20 µs a patch, on all cores.
     pub fn face_areas(&self) -> &[Area] {
-        self.areas.get_or_init(|| {
+        let areas = computed(&self.areas, || {
             let (faces, bezier) = (self.pieces.faces(), &self.bezier);
             map(faces.len(), |face| {
                 let grids = bezier.grids[faces[face].clone()].iter();
@@ -309,7 +308,8 @@ impl PreparedModel {
                 });
                 area(patches)
             })
-        })
+        });
+        areas
     }
 
     /// Returns the sum of [`PreparedModel::face_areas`].
@@ -355,54 +355,65 @@ impl PreparedModel {
     }
 
     /// Returns the patches that method `certified` and closest points search.
-    pub(super) fn certified_target(&self) -> Rc<PreparedTarget> {
+    pub(super) fn certified_target(&self) -> Arc<PreparedTarget> {
         self.target(if self.is_left_uncut() { Flatness::None } else { Flatness::Loose })
     }
 
     /// Returns the flat patches, computed at first use.
-    pub(crate) fn target(&self, flatness: Flatness) -> Rc<PreparedTarget> {
-        let mut targets = self.targets.borrow_mut();
-        if let Some((_, target)) = targets.iter().find(|(known, _)| *known == flatness) {
-            return Rc::clone(target);
+    pub(crate) fn target(&self, flatness: Flatness) -> Arc<PreparedTarget> {
+        let known = |targets: &[(Flatness, Arc<PreparedTarget>)]| {
+            targets.iter().find(|(known, _)| *known == flatness).map(|(_, target)| Arc::clone(target))
+        };
+        if let Some(target) = known(&locked(&self.targets)) {
+            return target;
         }
         let flat = flatten(&self.bezier.patches, flatness);
-        let prepared = Rc::new(PreparedTarget::new(flat, Target::new));
-        targets.push((flatness, Rc::clone(&prepared)));
-        prepared
+        let prepared = Arc::new(PreparedTarget::new(flat, Target::new));
+        let mut targets = locked(&self.targets);
+        // Another thread may have been first, whose copy on the GPU is to be the only one.
+        known(&targets).unwrap_or_else(|| {
+            targets.push((flatness, Arc::clone(&prepared)));
+            prepared
+        })
     }
 
     /// Returns the tree over `grid` × `grid` cells per surface; the last one is kept.
     ///
     /// # Errors
     /// Those of [`GridTree::new`], [`crate::Error::Cancelled`].
-    pub(crate) async fn cells(&self, grid: usize, progress: &mut Progress<'_>) -> Result<Rc<PreparedCells>> {
-        if let Some(kept) = self.cells.borrow().as_ref()
-            && kept.tree.grid == grid
-        {
-            return Ok(Rc::clone(kept));
+    pub(crate) async fn cells(&self, grid: usize, progress: &mut Progress<'_>) -> Result<Arc<PreparedCells>> {
+        let kept = locked(&self.cells).clone();
+        if let Some(kept) = kept.filter(|kept| kept.tree.grid == grid) {
+            return Ok(kept);
         }
         let mut builder = GridTreeBuilder::new(&self.bezier, grid)?;
         while builder.advance() {
             progress.checkpoint(0.0).await?;
         }
-        let prepared = Rc::new(PreparedCells { tree: builder.finish(), resident: Resident::default() });
-        *self.cells.borrow_mut() = Some(Rc::clone(&prepared));
+        let prepared = Arc::new(PreparedCells { tree: builder.finish(), resident: Resident::default() });
+        *locked(&self.cells) = Some(Arc::clone(&prepared));
         Ok(prepared)
     }
 
     /// Returns the sampling, computed at first use; the last few are kept.
-    pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Rc<PreparedSampling> {
-        let mut samplings = self.samplings.borrow_mut();
-        if let Some((_, sampling)) = samplings.iter().find(|(key, _)| *key == (samples, rule)) {
-            return Rc::clone(sampling);
+    pub(crate) fn sampling(&self, samples: usize, rule: SamplingRule) -> Arc<PreparedSampling> {
+        let key = (samples, rule);
+        let known = |samplings: &[(SamplingKey, Arc<PreparedSampling>)]| {
+            samplings.iter().find(|(known, _)| *known == key).map(|(_, sampling)| Arc::clone(sampling))
+        };
+        if let Some(sampling) = known(&locked(&self.samplings)) {
+            return sampling;
         }
         let sampling = Sampling::new(&self.bezier, samples, rule);
         let prepared =
-            Rc::new(PreparedSampling { sampling, radius: OnceCell::new(), resident: Resident::default() });
-        if samplings.len() == MAX_SAMPLINGS {
-            samplings.remove(0);
-        }
-        samplings.push(((samples, rule), Rc::clone(&prepared)));
-        prepared
+            Arc::new(PreparedSampling { sampling, radius: OnceLock::new(), resident: Resident::default() });
+        let mut samplings = locked(&self.samplings);
+        known(&samplings).unwrap_or_else(|| {
+            if samplings.len() == MAX_SAMPLINGS {
+                samplings.remove(0);
+            }
+            samplings.push((key, Arc::clone(&prepared)));
+            prepared
+        })
     }
 }

@@ -19,7 +19,12 @@ pub struct Gpu {
     adapter: Option<String>,
     software: bool,
     errors: Arc<Mutex<DeviceErrors>>,
+    /// Held by the computation that uses the device.
+    turn: Arc<async_lock::Mutex<()>>,
 }
+
+/// The right to use a device until it is dropped.
+pub(crate) type Turn = async_lock::MutexGuardArc<()>;
 
 /// The errors that the device's callbacks reported.
 #[derive(Debug, Default)]
@@ -80,6 +85,7 @@ impl Gpu {
             adapter: (!name.is_empty()).then_some(name),
             software: info.device_type == wgpu::DeviceType::Cpu,
             errors,
+            turn: Arc::default(),
         })
     }
 
@@ -125,6 +131,12 @@ impl Gpu {
     pub(crate) fn fail(&self, found: String) {
         let mut errors = self.errors.lock().unwrap_or_else(PoisonError::into_inner);
         errors.uncaptured.get_or_insert(found);
+    }
+
+    /// Waits until no other computation uses the device: its errors are reported to whoever
+    /// asks first, so that computations must not mix.
+    pub(crate) async fn turn(&self) -> Turn {
+        self.turn.lock_arc().await
     }
 
     /// Fails if an error was reported since the last check.

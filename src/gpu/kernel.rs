@@ -2,9 +2,9 @@
 
 use super::constants::Constant;
 use super::patch_wgsl::patch_wgsl;
-use std::cell::RefCell;
+use crate::shared::locked;
 use std::num::NonZeroU64;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 /// Threads of a workgroup: a multiple of every vendor's subgroup size, and few
 /// enough that kernels with many registers still fit.
@@ -99,29 +99,32 @@ pub(crate) struct Pipeline {
 #[derive(Debug)]
 pub(crate) struct Pipelines {
     device: wgpu::Device,
-    made: RefCell<Vec<(Kernel, Rc<Pipeline>)>>,
+    made: Mutex<Vec<(Kernel, Arc<Pipeline>)>>,
 }
 
 impl Pipelines {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        Self { device: device.clone(), made: RefCell::default() }
+        Self { device: device.clone(), made: Mutex::default() }
     }
 
     /// Returns the kernel's pipeline, and whether this call made it.
-    pub(crate) fn get(&self, kernel: Kernel) -> (Rc<Pipeline>, bool) {
-        if let Some((_, pipeline)) = self.made.borrow().iter().find(|(made, _)| *made == kernel) {
-            return (Rc::clone(pipeline), false);
+    pub(crate) fn get(&self, kernel: Kernel) -> (Arc<Pipeline>, bool) {
+        let known = |made: &[(Kernel, Arc<Pipeline>)]| {
+            made.iter().find(|(made, _)| *made == kernel).map(|(_, pipeline)| Arc::clone(pipeline))
+        };
+        if let Some(pipeline) = known(&locked(&self.made)) {
+            return (pipeline, false);
         }
-        let pipeline = Rc::new(self.make(kernel, kernel.text()));
-        self.made.borrow_mut().push((kernel, Rc::clone(&pipeline)));
+        let pipeline = Arc::new(self.make(kernel, kernel.text()));
+        locked(&self.made).push((kernel, Arc::clone(&pipeline)));
         (pipeline, true)
     }
 
     /// Replaces the kernel's pipeline by one of another text, for benchmarks.
     #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
     pub(crate) fn replace(&self, kernel: Kernel, text: String) {
-        let pipeline = Rc::new(self.make(kernel, text));
-        let mut made = self.made.borrow_mut();
+        let pipeline = Arc::new(self.make(kernel, text));
+        let mut made = locked(&self.made);
         made.retain(|(other, _)| *other != kernel);
         made.push((kernel, pipeline));
     }

@@ -32,6 +32,7 @@ mod throughput;
 
 pub(crate) use certified::GpuCertified;
 pub use device::Gpu;
+pub(crate) use device::Turn;
 pub(crate) use hierarchy::{GpuGridTree, GpuHierarchy, Placement};
 pub(crate) use iteration::{GpuIteration, GpuSampling, GpuTarget};
 pub(crate) use residency::Resident;

@@ -2,19 +2,19 @@
 
 use super::Gpu;
 use crate::error::Result;
-use std::cell::RefCell;
-use std::rc::Rc;
+use crate::shared::locked;
+use std::sync::{Arc, Mutex};
 
 /// Holds the copy of a value on the device that used it last.
 #[derive(Debug)]
 pub(crate) struct Resident<T> {
     /// The device's id and the copy.
-    copy: RefCell<Option<(u64, Rc<T>)>>,
+    copy: Mutex<Option<(u64, Arc<T>)>>,
 }
 
 impl<T> Default for Resident<T> {
     fn default() -> Self {
-        Self { copy: RefCell::new(None) }
+        Self { copy: Mutex::new(None) }
     }
 }
 
@@ -24,16 +24,14 @@ impl<T> Resident<T> {
     /// # Errors
     /// [`crate::Error::GpuFailed`] if a buffer exceeds the limits,
     /// [`crate::Error::DeviceLost`].
-    pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> T) -> Result<Rc<T>> {
-        let mut copy = self.copy.borrow_mut();
-        if let Some((id, uploaded)) = copy.as_ref()
-            && *id == gpu.id
-        {
-            return Ok(Rc::clone(uploaded));
+    pub(crate) fn on(&self, gpu: &Gpu, upload: impl FnOnce(&Gpu) -> T) -> Result<Arc<T>> {
+        let kept = locked(&self.copy).clone();
+        if let Some((_, uploaded)) = kept.filter(|(id, _)| *id == gpu.id) {
+            return Ok(uploaded);
         }
-        let uploaded = Rc::new(upload(gpu));
+        let uploaded = Arc::new(upload(gpu));
         gpu.check()?;
-        *copy = Some((gpu.id, Rc::clone(&uploaded)));
+        *locked(&self.copy) = Some((gpu.id, Arc::clone(&uploaded)));
         Ok(uploaded)
     }
 }

@@ -4,7 +4,7 @@ use super::Gpu;
 use super::kernel::{Kernel, Pipeline};
 use super::throughput::MAX_SECONDS;
 use crate::error::Result;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// The most dispatches in one submission.
@@ -60,7 +60,7 @@ impl Gpu {
         pipeline: &Pipeline,
         params: &wgpu::Buffer,
         storage: &[&wgpu::Buffer],
-    ) -> Rc<wgpu::BindGroup> {
+    ) -> Arc<wgpu::BindGroup> {
         let params = wgpu::BufferBinding { buffer: params, offset: 0, size: Some(pipeline.params_size) };
         let mut entries =
             vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(params) }];
@@ -68,7 +68,7 @@ impl Gpu {
             binding: index as u32 + 1,
             resource: buffer.as_entire_binding(),
         }));
-        Rc::new(self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        Arc::new(self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &pipeline.layout,
             entries: &entries,

@@ -1,7 +1,8 @@
 //! The measured speed of kernels, from which the size of dispatches follows.
 
 use super::kernel::Kernel;
-use std::cell::RefCell;
+use crate::shared::locked;
+use std::sync::Mutex;
 
 /// Seconds that a submission may be expected to take: browsers kill work that
 /// lasts for seconds, and progress and cancelling are handled between submissions.
@@ -17,12 +18,12 @@ const MAX_THROUGHPUT_CHANGE: f64 = 8.0;
 
 /// Units of work a second of every kernel, as measured.
 #[derive(Debug, Default)]
-pub(crate) struct Throughput(RefCell<Vec<(Kernel, f64)>>);
+pub(crate) struct Throughput(Mutex<Vec<(Kernel, f64)>>);
 
 impl Throughput {
     /// The measured throughput, or the initial one.
     pub(crate) fn units_per_second(&self, kernel: Kernel) -> f64 {
-        let rates = self.0.borrow();
+        let rates = locked(&self.0);
         rates.iter().find(|(other, _)| *other == kernel).map_or(INITIAL_THROUGHPUT, |&(_, rate)| rate)
     }
 
@@ -35,7 +36,7 @@ impl Throughput {
     /// `expected` seconds and took `measured`.
     pub(crate) fn correct(&self, kernel: Kernel, expected: f64, measured: f64) {
         let factor = (expected / measured).clamp(1.0 / MAX_THROUGHPUT_CHANGE, MAX_THROUGHPUT_CHANGE);
-        let mut rates = self.0.borrow_mut();
+        let mut rates = locked(&self.0);
         match rates.iter_mut().find(|(other, _)| *other == kernel) {
             Some((_, rate)) => *rate *= factor,
             None => rates.push((kernel, INITIAL_THROUGHPUT * factor)),

@@ -9,4 +9,5 @@ mod certified;
 mod hierarchy;
 mod iteration;
 mod queries;
+mod threads;
 mod trimmed;

@@ -14,7 +14,7 @@ use crate::progress::Progress;
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use backend::HierarchyBackend;
 use cpu::level_boxes;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// The number of bytes of a pair: two indices.
@@ -35,7 +35,7 @@ impl Direction<'_> {
     /// without one on the CPU in float64.
     pub(super) async fn hierarchy(
         &self,
-        gpu: Option<&Rc<Gpu>>,
+        gpu: Option<&Arc<Gpu>>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {

@@ -21,7 +21,7 @@ use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
 use backend::IterationBackend;
 use cpu::CpuIteration;
 use glam::DVec3;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// The width of the certified interval of a sample's distance, relative to the
@@ -44,7 +44,7 @@ impl Direction<'_> {
     /// Runs method `iteration` on the GPU, or without one on the CPU.
     pub(super) async fn iteration(
         &self,
-        gpu: Option<&Rc<Gpu>>,
+        gpu: Option<&Arc<Gpu>>,
         options: &Options,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {

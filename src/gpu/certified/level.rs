@@ -11,7 +11,7 @@ use crate::gpu::kernel::{Kernel, Pipeline};
 use crate::gpu::submission::{Dispatch, Extent, Submission};
 use crate::iteration::Culling;
 use bytemuck::{Zeroable, bytes_of};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The most cells of a level.
 pub(crate) const CAPACITY: usize = 1 << 15;
@@ -53,8 +53,8 @@ impl Buffers {
 /// One dispatch of a level.
 pub(crate) struct LevelDispatch {
     pub(crate) kernel: Kernel,
-    pub(crate) pipeline: Rc<Pipeline>,
-    bind_group: Rc<wgpu::BindGroup>,
+    pub(crate) pipeline: Arc<Pipeline>,
+    bind_group: Arc<wgpu::BindGroup>,
     scope: Scope,
 }
 

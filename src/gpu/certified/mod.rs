@@ -34,7 +34,7 @@ use layouts::{
     Batch, CellState, DIFFERENCE_ROUNDINGS, FLOAT64_ONLY, LENGTH_ROUNDINGS, LEVELS, LevelParams, Tally,
 };
 use level::{Buffers, CAPACITY, LevelDispatch, dispatches};
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// Cells of the first batch. Batches double while a submission takes less than
@@ -65,7 +65,7 @@ const CENTER_UNITS: f64 = (1_u32 << 28) as f64;
 
 /// The subpatches of both models of a search on the GPU, with the buffers of its levels.
 pub(crate) struct GpuCertified {
-    gpu: Rc<Gpu>,
+    gpu: Arc<Gpu>,
     /// The subpatches of A and B.
     subpatches: [Subpatches; 2],
     uploaded: [GpuSubpatches; 2],
@@ -83,7 +83,7 @@ impl GpuCertified {
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
-    pub(crate) fn new(gpu: &Rc<Gpu>, search: &BranchAndBound<'_>) -> Result<Option<Self>> {
+    pub(crate) fn new(gpu: &Arc<Gpu>, search: &BranchAndBound<'_>) -> Result<Option<Self>> {
         gpu.check()?;
         let tolerance = search.tolerance();
         if DISTANCE_ROUNDINGS * search.interval().upper > MAX_LENGTH_ERROR * tolerance {
@@ -117,7 +117,7 @@ impl GpuCertified {
         let dispatches = dispatches(gpu, &buffers, &uploaded, &target);
         gpu.check()?;
         Ok(Some(Self {
-            gpu: Rc::clone(gpu),
+            gpu: Arc::clone(gpu),
             subpatches: [from, to],
             uploaded,
             frame,

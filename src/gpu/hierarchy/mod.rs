@@ -21,7 +21,7 @@ use grid_tree::PartGroup;
 use layouts::{
     Bound, Box, BoxesParams, Farthest, PHASE_CELL, PHASE_DISTANCE, PHASE_PARTNER, StageParams, Totals,
 };
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// Bytes of a pair of node indices.
@@ -41,9 +41,9 @@ pub(crate) struct Placement {
 
 /// One direction of method `hierarchy` on the GPU, at one level of the descent.
 pub(crate) struct GpuHierarchy {
-    gpu: Rc<Gpu>,
+    gpu: Arc<Gpu>,
     /// The trees of A and B, and the boxes of every level.
-    pub(crate) trees: [Rc<GpuGridTree>; 2],
+    pub(crate) trees: [Arc<GpuGridTree>; 2],
     pub(crate) boxes: [Vec<wgpu::Buffer>; 2],
     params: wgpu::Buffer,
     readable: wgpu::Buffer,
@@ -81,8 +81,8 @@ impl GpuHierarchy {
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`],
     /// [`crate::Error::Cancelled`].
     pub(crate) async fn new(
-        gpu: &Rc<Gpu>,
-        trees: [Rc<GpuGridTree>; 2],
+        gpu: &Arc<Gpu>,
+        trees: [Arc<GpuGridTree>; 2],
         placement: &Placement,
         progress: &mut Progress<'_>,
     ) -> Result<Self> {
@@ -124,7 +124,7 @@ impl GpuHierarchy {
             level: 0,
             scale,
             compile_seconds: 0.0,
-            gpu: Rc::clone(gpu),
+            gpu: Arc::clone(gpu),
             trees,
         };
         hierarchy.compile().await?;

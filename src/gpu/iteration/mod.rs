@@ -23,14 +23,14 @@ use layouts::{Block, ProjectParams, ReduceParams, SampleParams};
 use sampling::SampleGroup;
 use schedule::Schedule;
 use std::ops::Range;
-use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 /// One direction of method `iteration` on the GPU, with the results of one page.
 pub(crate) struct GpuIteration {
-    gpu: Rc<Gpu>,
-    sampling: Rc<GpuSampling>,
-    target: Rc<GpuTarget>,
+    gpu: Arc<Gpu>,
+    sampling: Arc<GpuSampling>,
+    target: Arc<GpuTarget>,
     transform: RigidTransform,
     rule: Rule,
     buffers: Buffers,
@@ -53,8 +53,8 @@ struct Buffers {
 /// A kernel with its buffers.
 struct BoundKernel {
     kernel: Kernel,
-    pipeline: Rc<Pipeline>,
-    bind_group: Rc<wgpu::BindGroup>,
+    pipeline: Arc<Pipeline>,
+    bind_group: Arc<wgpu::BindGroup>,
 }
 
 impl GpuIteration {
@@ -63,9 +63,9 @@ impl GpuIteration {
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
     pub(crate) async fn new(
-        gpu: &Rc<Gpu>,
-        sampling: Rc<GpuSampling>,
-        target: Rc<GpuTarget>,
+        gpu: &Arc<Gpu>,
+        sampling: Arc<GpuSampling>,
+        target: Arc<GpuTarget>,
         transform: RigidTransform,
         rule: Rule,
     ) -> Result<Self> {
@@ -85,7 +85,7 @@ impl GpuIteration {
         let (pipeline, is_new) = gpu.pipelines.get(kernel);
         let bind_group = gpu.bind(&pipeline, &buffers.params, &[&buffers.projected, &buffers.blocks]);
         let mut stages = Self {
-            gpu: Rc::clone(gpu),
+            gpu: Arc::clone(gpu),
             sampling,
             target,
             transform,

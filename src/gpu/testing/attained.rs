@@ -11,7 +11,7 @@ use crate::gpu::certified::GpuCertified;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The Bernstein coefficients of 1, x, x² and x³ in degree 3.
 const MONOMIALS: [[f64; 4]; 4] =
@@ -51,7 +51,7 @@ fn parallelogram([p, q]: [[f64; 2]; 2]) -> Target {
 }
 
 /// The kernels' upper bound on the only patch of A.
-fn upper_bound(gpu: &Rc<Gpu>, a: &Target, b: &Target) -> f64 {
+fn upper_bound(gpu: &Arc<Gpu>, a: &Target, b: &Target) -> f64 {
     let bounds = [(); 2].map(|()| [LocalDerivativeBounds::new(ParamBox::UNIT)]);
     let [a, b] = [Operand::new(a, &bounds[0]), Operand::new(b, &bounds[1])];
     let pair = Pair { a, b, transform: RigidTransform::IDENTITY };

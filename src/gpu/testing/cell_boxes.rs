@@ -12,9 +12,9 @@ use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};
 use crate::shapes::shape;
 use glam::{DQuat, DVec3};
-use std::rc::Rc;
+use std::sync::Arc;
 
-fn read(gpu: &Rc<Gpu>, buffer: &wgpu::Buffer, count: usize) -> Vec<Box> {
+fn read(gpu: &Arc<Gpu>, buffer: &wgpu::Buffer, count: usize) -> Vec<Box> {
     let bytes = (count * size_of::<Box>()) as u64;
     let (params, readable) = (gpu.params_buffer(), gpu.readable("boxes", bytes));
     let submission = Submission::new(gpu, &params);
@@ -50,10 +50,10 @@ fn weightless_corners() -> Model {
 }
 
 /// Checks the boxes of `a`, moved, against `b`.
-fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: usize, name: &str) {
+fn check(gpu: &Arc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, grid: usize, name: &str) {
     let models = [a, b].map(extract);
     let trees = [0, 1].map(|index| GridTree::new(&models[index], grid).unwrap());
-    let uploaded = [0, 1].map(|index| Rc::new(gpu.upload_grid_tree(&models[index], &trees[index])));
+    let uploaded = [0, 1].map(|index| Arc::new(gpu.upload_grid_tree(&models[index], &trees[index])));
     let origin = uploaded[1].origin;
     let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);

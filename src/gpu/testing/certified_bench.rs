@@ -12,7 +12,7 @@ use crate::gpu::iteration::layouts::Projected;
 use crate::gpu::kernel::Kernel;
 use crate::gpu::submission::Submission;
 use crate::model::{Model, RigidTransform};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A stage of a level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl CertifiedStage {
 
 /// One level of cells on the GPU.
 pub struct CertifiedBench {
-    gpu: Rc<Gpu>,
+    gpu: Arc<Gpu>,
     driver: GpuCertified,
     cells: Vec<CellState>,
     params: LevelParams,
@@ -58,7 +58,7 @@ impl CertifiedBench {
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
     pub fn new(
-        gpu: &Rc<Gpu>,
+        gpu: &Arc<Gpu>,
         models: [&Model; 2],
         transform: RigidTransform,
         tolerance: f64,
@@ -80,7 +80,7 @@ impl CertifiedBench {
         let Some(driver) = GpuCertified::new(gpu, &search)? else { return Ok(None) };
         let cells = driver.cells(&search.take_batch(cells), &mut BatchResult::default());
         let params = driver.params(search.prune_threshold());
-        Ok(Some(Self { gpu: Rc::clone(gpu), driver, cells, params }))
+        Ok(Some(Self { gpu: Arc::clone(gpu), driver, cells, params }))
     }
 
     /// The number of cells.
@@ -111,7 +111,7 @@ impl CertifiedBench {
         for dispatch in self.driver.dispatches.iter_mut().flatten() {
             if CertifiedStage::of(dispatch.kernel) == Some(stage) {
                 let text = edit(dispatch.kernel.text());
-                dispatch.pipeline = Rc::new(self.gpu.pipelines.make(dispatch.kernel, text));
+                dispatch.pipeline = Arc::new(self.gpu.pipelines.make(dispatch.kernel, text));
             }
         }
     }

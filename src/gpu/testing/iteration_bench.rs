@@ -8,11 +8,11 @@ use crate::iteration::{Rule, Sampling};
 use crate::model::RigidTransform;
 use crate::progress::{NoMonitor, Progress};
 use std::ops::Range;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// One direction of method `iteration` on the GPU.
 pub struct IterationBench {
-    gpu: Rc<Gpu>,
+    gpu: Arc<Gpu>,
     stages: GpuIteration,
     pages: Vec<Range<usize>>,
 }
@@ -23,17 +23,17 @@ impl IterationBench {
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
     pub fn new(
-        gpu: &Rc<Gpu>,
+        gpu: &Arc<Gpu>,
         model: &BezierModel,
         sampling: &Sampling,
         target: &Target,
         transform: RigidTransform,
         rule: Rule,
     ) -> Result<Self> {
-        let from = Rc::new(gpu.upload_sampling(model, sampling));
-        let to = Rc::new(gpu.upload_target(target));
+        let from = Arc::new(gpu.upload_sampling(model, sampling));
+        let to = Arc::new(gpu.upload_target(target));
         let stages = pollster::block_on(GpuIteration::new(gpu, from, to, transform, rule))?;
-        Ok(Self { gpu: Rc::clone(gpu), stages, pages: sampling.pages() })
+        Ok(Self { gpu: Arc::clone(gpu), stages, pages: sampling.pages() })
     }
 
     /// Runs stage `sample` on every page.

@@ -10,7 +10,7 @@ use crate::iteration::{Culling, Rule, Sampling, SamplingRule, sample};
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::progress::{NoMonitor, Progress};
 use glam::{DQuat, DVec3};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Width of the certified intervals, relative to the diagonal: far below float32's rounding.
 const GAP: f64 = 1e-10;
@@ -43,14 +43,14 @@ fn rough(
 }
 
 /// Checks all samples. Returns the error bound relative to the diagonal.
-fn check(gpu: &Rc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &str) -> f64 {
+fn check(gpu: &Arc<Gpu>, a: &Model, b: &Model, transform: RigidTransform, name: &str) -> f64 {
     let (a, b) = (crate::bezier::extract(a), crate::bezier::extract(b));
     let sampling = Sampling::new(&a, 10, SamplingRule::Uniform);
     let target = Target::new(flatten(&b.patches, Flatness::Loose).patches);
     let rule =
         Rule { projection: Projection::Newton, iterations: 12, step_tolerance: 0.01, culling: Culling::Tree };
-    let from = Rc::new(gpu.upload_sampling(&a, &sampling));
-    let to = Rc::new(gpu.upload_target(&target));
+    let from = Arc::new(gpu.upload_sampling(&a, &sampling));
+    let to = Arc::new(gpu.upload_target(&target));
     let mut stages = pollster::block_on(GpuIteration::new(gpu, from, to, transform, rule)).unwrap();
     let mut silent = NoMonitor;
     let mut progress = Progress::new(&mut silent, false);

@@ -1,0 +1,60 @@
+//! Engines and models shared between threads.
+
+use crate::support::gpu::engine;
+use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::{Backend, Engine, Method, NoMonitor, Options, PreparedModel};
+use rayon::prelude::*;
+
+#[test]
+fn engines_models_and_computations_may_move_between_threads() {
+    fn shared<T: Send + Sync>(_: &T) {}
+    fn moved<T: Send>(_: &T) {}
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let model = PreparedModel::new(&shape("sphere").unwrap()).unwrap();
+    shared(&engine);
+    shared(&model);
+    let options = Options::default();
+    moved(&engine.distance(&model, &model, &options, &mut NoMonitor));
+    moved(&Engine::new(Backend::Auto));
+}
+
+/// Pairs on the thread pool whose models are cut and sampled at first use by several of them: the work
+/// within a pair runs on the same pool, so that a lock held meanwhile would wait for itself.
+#[test]
+fn models_are_shared_by_pairs_on_the_thread_pool() {
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    for method in [Method::Certified, Method::Iteration, Method::Hierarchy] {
+        let options = Options { method, samples: 24, grid: 16, symmetric: true, ..Options::default() };
+        let models =
+            || ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
+        let [a, b] = models();
+        let expected = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let [a, b] = models();
+        let computed: Vec<f64> = (0..16)
+            .into_par_iter()
+            .map(|_| pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap().computed)
+            .collect();
+        for found in computed {
+            assert!((found - expected.computed).abs() <= 1e-6, "{method:?}: {found} {}", expected.computed);
+        }
+    }
+}
+
+/// Threads that ask one GPU at the same time take turns.
+#[test]
+fn threads_share_a_gpu() {
+    let Some(engine) = engine("threads_share_a_gpu") else { return };
+    let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
+    for method in [Method::Iteration, Method::Hierarchy] {
+        let options = Options { method, samples: 24, grid: 16, backend: Backend::Gpu, ..Options::default() };
+        let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let expected = run();
+        std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..4).map(|_| scope.spawn(run)).collect();
+            for thread in threads {
+                let found = thread.join().unwrap();
+                assert_eq!((found.lower, found.upper), (expected.lower, expected.upper));
+            }
+        });
+    }
+}
