@@ -12,7 +12,6 @@ use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::closest::Projection;
 use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
 
@@ -31,7 +30,7 @@ struct Pair {
 
 fn main() {
     let requested = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let engine = pollster::block_on(Engine::new(Backend::Auto)).expect("an engine");
+    let engine = Engine::new_blocking(Backend::Auto).expect("an engine");
     println!("Adapter: {}\n", engine.adapter().unwrap_or_else(|| "none, on the CPU".to_owned()));
     println!(
         "| pair | patches of B | certified 1e-6, ms | cells | with the GPU, ms (cells there) | iteration 64, ms (ratio) | as published, ms (ratio) |"
@@ -52,9 +51,7 @@ fn measure(engine: &Engine, pair: &Pair) {
     let iteration = Options { method: Method::Iteration, ..moved };
     let published =
         Options { projection: Projection::TangentPlane, culling: Culling::None, ..iteration.clone() };
-    let run = |options: &Options| {
-        pollster::block_on(engine.distance(&pair.a, &pair.b, options, &mut NoMonitor)).expect("a distance")
-    };
+    let run = |options: &Options| engine.distance(&pair.a, &pair.b, options).wait().expect("a distance");
     let first = run(&certified);
     let samples = run(&iteration).iteration().expect("an iteration").samples;
     let all = samples * first.patches.b <= MAX_PROJECTIONS;

@@ -12,7 +12,6 @@ mod support;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use std::collections::BTreeMap;
 use std::path::Path;
 use support::shared::{self, Reference};
@@ -38,8 +37,7 @@ fn main() {
     let names = names(&folder);
     let shelf: BTreeMap<&str, PreparedModel> =
         names.iter().map(|name| (name.as_str(), shared::load(&folder, name))).collect();
-    let bench =
-        Bench { engine: pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine"), shelf, requested };
+    let bench = Bench { engine: Engine::cpu(), shelf, requested };
     bench.copies();
     let references = shared::references(&folder);
     for tolerance in TOLERANCES {
@@ -120,8 +118,7 @@ impl Bench<'_> {
             backend: Backend::Cpu,
             ..Options::default()
         };
-        let run =
-            || pollster::block_on(self.engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
+        let run = || self.engine.distance(a, b, &options).wait().expect("a distance");
         let fastest = (1..ROUNDS).fold(run(), |fastest, _| {
             let again = run();
             if again.seconds.solve < fastest.seconds.solve { again } else { fastest }

@@ -9,7 +9,6 @@
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, Model, RigidTransform};
@@ -26,7 +25,7 @@ struct Pair {
 
 fn main() {
     let requested = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
-    let engine = pollster::block_on(Engine::new(Backend::Auto)).expect("an engine");
+    let engine = Engine::new_blocking(Backend::Auto).expect("an engine");
     println!("Adapter: {}\n", engine.adapter().unwrap_or_else(|| "none, on the CPU".to_owned()));
     println!("| pair | float64, s | cells | with kernels, s | cells |");
     println!("|---|---|---|---|---|");
@@ -49,8 +48,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
     let options = Options { backend, transform: pair.transform, ..Options::default() };
     let (mut fastest, mut cells) = (f64::INFINITY, 0);
     for _ in 0..ROUNDS {
-        let result =
-            pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
+        let result = engine.distance(&a, &b, &options).wait().expect("a distance");
         assert!(result.converged, "{}", pair.name);
         fastest = fastest.min(result.seconds.solve);
         cells = result.certified().map_or(0, |details| details.cells);

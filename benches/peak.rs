@@ -19,6 +19,7 @@ use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::Arc;
 use support::clock::Stopwatch;
 use support::{certified, flops, models, peak};
 
@@ -50,7 +51,7 @@ impl Case {
 
     /// Stage `project` of method `iteration`; `translation` is relative to the diagonal.
     fn projection(
-        gpu: &Rc<Gpu>,
+        gpu: &Arc<Gpu>,
         name: &str,
         model: &Model,
         samples: usize,
@@ -74,7 +75,7 @@ impl Case {
 
     /// Stages `cell_jet`, `project` and `taylor_bound` of method `certified` on
     /// the cells of `stages.rs`.
-    fn certified(gpu: &Rc<Gpu>, name: &str, degree: [usize; 2]) -> Vec<Self> {
+    fn certified(gpu: &Arc<Gpu>, name: &str, degree: [usize; 2]) -> Vec<Self> {
         const BEFORE: [CertifiedStage; 2] = [CertifiedStage::CellJet, CertifiedStage::Project];
         let bench = Rc::new(RefCell::new(certified::bench(gpu, degree)));
         let case = |stage, end, before: &'static [CertifiedStage], whole: &'static [CertifiedStage]| {
@@ -117,7 +118,7 @@ impl Case {
 }
 
 fn main() {
-    let gpu = Rc::new(pollster::block_on(Gpu::new()).expect("an adapter"));
+    let gpu = Arc::new(pollster::block_on(Gpu::new()).expect("an adapter"));
     println!("Adapter: {}\n", gpu.adapter().unwrap_or_default());
     let peak = peak::Peak::new();
     let filter = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
@@ -152,7 +153,7 @@ fn main() {
 }
 
 /// The settings whose names contain `filter`.
-fn cases(gpu: &Rc<Gpu>, filter: &str) -> Vec<Case> {
+fn cases(gpu: &Arc<Gpu>, filter: &str) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name: &str, model: &Model, samples, translation, flatness| {
         if name.contains(filter) {

@@ -16,8 +16,7 @@ mod support;
 
 use std::time::Instant;
 
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{offset_surface, reduce_degree, refit_model};
 use nurbs_hausdorff::shapes::{WavySheet, shape, wavy_sheet};
 use nurbs_hausdorff::{Axis, Model};
@@ -77,7 +76,7 @@ fn print_rows(engine: &Engine, name: &str, pair: [&Model; 2], arguments: &Argume
 
 fn main() {
     let arguments = Arguments::read();
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
+    let engine = Engine::cpu();
     println!(
         "| model | points | tolerance | distance / diagonal | cells | prepare, CPU s | search, CPU s | all, s | back: distance | cells | prepare | search | all |"
     );
@@ -108,7 +107,7 @@ fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, arguments: &Argu
                 max_cells: Some(max_cells),
                 ..Options::default()
             };
-            pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance")
+            engine.distance(&a, &b, &options).wait().expect("a distance")
         };
         // A search that ends after its first cell prepares all.
         distance(1);

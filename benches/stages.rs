@@ -16,15 +16,14 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
 use nurbs_hausdorff::bvh::Bvh;
 use nurbs_hausdorff::closest::{Projection, Target};
-use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Engine, Method, Options, PreparedModel};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
 use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
 use rayon::prelude::*;
 use std::hint::black_box;
-use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Duration;
 use support::{certified, models};
 
@@ -78,7 +77,7 @@ impl Pair {
         samples.par_iter().map(|&sample| project(&self.target, sample, rule)).collect()
     }
 
-    fn bench(&self, gpu: &Rc<Gpu>, rule: Rule) -> IterationBench {
+    fn bench(&self, gpu: &Arc<Gpu>, rule: Rule) -> IterationBench {
         let bench = IterationBench::new(gpu, &self.model, &self.sampling, &self.target, self.transform, rule);
         bench.expect("a GPU")
     }
@@ -105,7 +104,7 @@ fn tree(c: &mut Criterion) {
     group.finish();
 }
 
-fn sampling(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+fn sampling(c: &mut Criterion, gpu: Option<&Arc<Gpu>>) {
     let pair = Pair::new([3, 3]);
     let mut group = group(c, "sample", pair.sampling.len());
     group.bench_function("cpu", |b| b.iter(|| pair.samples()));
@@ -116,7 +115,7 @@ fn sampling(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
     group.finish();
 }
 
-fn projection(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+fn projection(c: &mut Criterion, gpu: Option<&Arc<Gpu>>) {
     for projection in [Projection::Newton, Projection::TangentPlane] {
         let rule = rule(projection);
         for degree in DEGREES {
@@ -139,7 +138,7 @@ fn projection(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
     }
 }
 
-fn reduction(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
+fn reduction(c: &mut Criterion, gpu: Option<&Arc<Gpu>>) {
     let pair = Pair::new([3, 3]);
     let rule = rule(Projection::Newton);
     let projected = pair.projected(&pair.samples(), &rule);
@@ -156,7 +155,7 @@ fn reduction(c: &mut Criterion, gpu: Option<&Rc<Gpu>>) {
 /// Method `certified` within a budget of cells, on a net and its copy moved
 /// by little, which exhausts the budget.
 fn certified_search(c: &mut Criterion) {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("the CPU");
+    let engine = Engine::cpu();
     for degree in [[2, 2], [3, 3], [5, 5]] {
         let net: Model = models::rough(degree, [SPANS; 2], 1.0, 1);
         let model = PreparedModel::new(&net).expect("valid trims");
@@ -167,9 +166,7 @@ fn certified_search(c: &mut Criterion) {
             transform: RigidTransform::translation(DVec3::new(0.0, 0.0, 1e-3)).expect("finite"),
             ..Options::default()
         };
-        let run = || {
-            pollster::block_on(engine.distance(&model, &model, &options, &mut NoMonitor)).expect("a distance")
-        };
+        let run = || engine.distance(&model, &model, &options).wait().expect("a distance");
         let cells = run().certified().expect("cells").cells;
         let mut group = group(c, "certified", cells);
         group
@@ -179,7 +176,7 @@ fn certified_search(c: &mut Criterion) {
 }
 
 /// The kernels of method `certified` on a level of cells, alone and together.
-fn certified_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
+fn certified_stages(c: &mut Criterion, gpu: &Arc<Gpu>) {
     for degree in certified::DEGREES {
         let bench = certified::bench(gpu, degree);
         let mut group = group(c, "certified stages", bench.cells());
@@ -200,7 +197,7 @@ fn certified_stages(c: &mut Criterion, gpu: &Rc<Gpu>) {
 }
 
 fn stages(c: &mut Criterion) {
-    let gpu = pollster::block_on(Gpu::new()).map(Rc::new).ok();
+    let gpu = pollster::block_on(Gpu::new()).map(Arc::new).ok();
     let adapter = gpu.as_ref().and_then(|gpu| gpu.adapter());
     println!("Adapter: {}", adapter.unwrap_or_else(|| "none, CPU only".to_owned()));
     extraction(c);

@@ -18,8 +18,7 @@ mod proof;
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use nurbs_hausdorff::shapes::{list, shape};
 use nurbs_hausdorff::{Model, RigidTransform};
 use proof::{Claim, Motion, Report, Settings, Verdict, Witness};
@@ -139,12 +138,12 @@ fn prove_cuts() {
 }
 
 fn check(pair: Pair) -> Row {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
+    let engine = Engine::cpu();
     let (a, b) = (
         PreparedModel::new(&pair.a).expect("valid trims"),
         PreparedModel::new(&pair.b).expect("valid trims"),
     );
-    let result = pollster::block_on(engine.distance(&a, &b, &pair.options, &mut NoMonitor));
+    let result = engine.distance(&a, &b, &pair.options).wait();
     let result = result.unwrap_or_else(|error| panic!("{}: {error}", pair.name));
     let found = result.witness.a;
     let witness = Witness { surface: found.face, u: found.u, v: found.v };

@@ -12,8 +12,7 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -80,7 +79,7 @@ fn main() {
         let mut names = arguments.iter().filter(|argument| !argument.starts_with('-')).peekable();
         names.peek().is_none() || names.any(|argument| argument == name)
     };
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
+    let engine = Engine::cpu();
     println!("| set | pairs | cells | seconds | not converged |");
     println!("|---|---|---|---|---|");
     let sets: [Set; 5] = [
@@ -99,8 +98,7 @@ fn main() {
             let options =
                 Options { transform: *transform, max_cells, relative_tolerance, ..Options::default() };
             let watch = Stopwatch::start(true);
-            let result =
-                pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).expect("a distance");
+            let result = engine.distance(a, b, &options).wait().expect("a distance");
             let of_pair = result.certified().map_or(0, |details| details.cells);
             if each {
                 let (stop, spent) = (result.certified().map(|details| details.stop), watch.cpu_seconds());

@@ -1,23 +1,23 @@
 //! One prepared model, compared with many by several threads at once.
 
-use nurbs_hausdorff::{Backend, Engine, NoMonitor, Options, PreparedModel, shapes::shape};
-use std::error::Error;
+use nurbs_hausdorff::{Engine, Options, PreparedModel, Result, shapes::shape};
 
-fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
+fn main() -> Result<()> {
+    let engine = Engine::cpu();
     let nominal = PreparedModel::new(&shape("sphere")?)?;
-    let (engine, nominal) = (&engine, &nominal);
+    let compare = |name: &str| -> Result<[f64; 2]> {
+        let part = PreparedModel::new(&shape(name)?)?;
+        let result = engine.distance(&part, &nominal, &Options::default()).wait()?;
+        Ok([result.lower, result.upper])
+    };
     std::thread::scope(|scope| {
-        let compare = |name: &'static str| {
-            scope.spawn(move || -> Result<(), Box<dyn Error + Send + Sync>> {
-                let part = PreparedModel::new(&shape(name)?)?;
-                let distance = engine.distance(&part, nominal, &Options::default(), &mut NoMonitor);
-                let result = pollster::block_on(distance)?;
-                println!("{name}: from {} to {}", result.lower, result.upper);
-                Ok(())
-            })
-        };
-        let threads = ["sphere-larger", "torus", "wavy-sheet"].map(compare);
-        threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread panicked")?)
-    })
+        for name in ["sphere-larger", "torus", "wavy-sheet"] {
+            let compare = &compare;
+            scope.spawn(move || match compare(name) {
+                Ok([lower, upper]) => println!("{name} is from {lower} to {upper} away"),
+                Err(error) => eprintln!("{name}: error[{}]: {error}", error.code()),
+            });
+        }
+    });
+    Ok(())
 }

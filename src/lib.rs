@@ -6,7 +6,7 @@
 //! the GPU in float32 as on the CPU in float64: rounding is part of the bounds.
 //!
 //! ```
-//! use nurbs_hausdorff::{Backend, Engine, Model, NoMonitor, Options, PreparedModel, Result};
+//! use nurbs_hausdorff::{Engine, Model, Options, PreparedModel, Result};
 //!
 //! // The unit square at a height; control points are x, y, z and weight, v fastest.
 //! let square = |z: f64| {
@@ -16,8 +16,8 @@
 //!     ))
 //! };
 //! let (a, b) = (PreparedModel::new(&square(0.0)?)?, PreparedModel::new(&square(3.0)?)?);
-//! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
-//! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
+//! let engine = Engine::cpu();
+//! let result = engine.distance(&a, &b, &Options::default()).wait()?;
 //! assert!(result.lower <= 3.0 && 3.0 <= result.upper && result.upper - result.lower < 1e-5);
 //! # Result::Ok(())
 //! ```
@@ -25,7 +25,7 @@
 //! The same from arrays; [`shapes`] makes models from formulas.
 //!
 //! ```
-//! use nurbs_hausdorff::{Backend, Engine, Model, NoMonitor, Options, PreparedModel, SurfaceArrays};
+//! use nurbs_hausdorff::{Engine, Model, Options, PreparedModel, SurfaceArrays};
 //!
 //! // The parabolic sheet z = x^2 over the unit square, and the square.
 //! let sheet = SurfaceArrays {
@@ -40,8 +40,8 @@
 //! flat.control_points.iter_mut().for_each(|point| point[2] = 0.0);
 //! let [a, b] = [sheet, flat].map(|arrays| Model::from_arrays(None, vec![arrays]));
 //! let (a, b) = (PreparedModel::new(&a?)?, PreparedModel::new(&b?)?);
-//! let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
-//! let result = pollster::block_on(engine.distance(&a, &b, &Options::default(), &mut NoMonitor))?;
+//! let engine = Engine::cpu();
+//! let result = engine.distance(&a, &b, &Options::default()).wait()?;
 //! // The edge x = 1 is 1 above the plane.
 //! assert!(result.lower <= 1.0 && 1.0 <= result.upper && result.upper - result.lower < 1e-5);
 //! # nurbs_hausdorff::Result::Ok(())
@@ -75,6 +75,10 @@
 #![cfg_attr(
     not(feature = "internals"),
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
+)]
+#![cfg_attr(
+    target_arch = "wasm32",
+    allow(clippy::arc_with_non_send_sync, reason = "natively the same values are shared between threads")
 )]
 
 mod area;
@@ -173,9 +177,9 @@ pub use area::Area;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClosestPointOptions, ClosestPoints, Details, DeviationField, DiffOptions, DiffResult,
-    DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo, Options,
-    PreparedModel, Statistics, SurfacePoint, Witness,
+    Backend, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
+    DiffResult, DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo,
+    Options, PreparedModel, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

@@ -7,7 +7,6 @@ mod pairs;
 
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{RigidTransform, shapes};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -21,7 +20,7 @@ const AGREEMENT: f64 = 1e-5;
 
 async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
     let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()).unwrap());
-    engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
+    engine.distance(&a, &b, options).await.unwrap()
 }
 
 fn options(backend: Backend) -> Options {

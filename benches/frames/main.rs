@@ -4,8 +4,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
-use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
-use nurbs_hausdorff::{Model, NoMonitor, SurfaceArrays, shapes};
+use nurbs_hausdorff::engine::{Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::{Model, SurfaceArrays, shapes};
 use std::time::Instant;
 
 /// The degree of the sheet along both axes.
@@ -18,7 +18,7 @@ const WARM_UP: usize = 3;
 const SIZES: [([usize; 2], usize); 2] = [([14, 13], 120), ([100, 100], 12)];
 
 fn main() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine on the CPU");
+    let engine = Engine::cpu();
     let fixed = PreparedModel::new(&shapes::shape("torus").expect("a shape")).expect("valid trims");
     println!("net, method                frames/s   median ms  fastest ms  of which update ms");
     for (counts, frames) in SIZES {
@@ -34,8 +34,7 @@ fn main() {
                     .updated(&source.with_control_points(0, net).expect("a surface"))
                     .expect("valid trims");
                 let updated = started.elapsed().as_secs_f64();
-                pollster::block_on(engine.distance(&prepared, &fixed, &options, &mut NoMonitor))
-                    .expect("a distance");
+                engine.distance(&prepared, &fixed, &options).wait().expect("a distance");
                 if frame >= WARM_UP {
                     times.push(1e3 * started.elapsed().as_secs_f64());
                     updates += 1e3 * updated;

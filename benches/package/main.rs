@@ -7,14 +7,13 @@
 
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, RigidTransform};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::time::Instant;
 
 fn main() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine on the CPU");
+    let engine = Engine::cpu();
     for line in std::io::stdin().lines() {
         let pair: Value = serde_json::from_str(&line.expect("a line")).expect("a pair");
         println!("{}", seconds(&engine, &pair));
@@ -34,7 +33,7 @@ fn seconds(engine: &Engine, pair: &Value) -> Value {
     let [a, b] = [a, b]
         .map(|text| PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims"));
     let models = started.elapsed().as_secs_f64();
-    let result = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).expect("a distance");
+    let result = engine.distance(&a, &b, &options).wait().expect("a distance");
     let total = started.elapsed().as_secs_f64();
     json!({
         "models": models,

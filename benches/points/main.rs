@@ -4,8 +4,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
-use nurbs_hausdorff::engine::{Backend, ClosestPointOptions, Engine, PreparedModel};
-use nurbs_hausdorff::{Model, NoMonitor};
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::engine::{ClosestPointOptions, Engine, PreparedModel};
 use std::time::Instant;
 
 fn main() {
@@ -15,13 +15,11 @@ fn main() {
     let points: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
     let model =
         Model::from_json(&std::fs::read_to_string(model).expect("the model's file")).expect("a model");
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine on the CPU");
+    let engine = Engine::cpu();
     let options = ClosestPointOptions::default();
     let prepared = PreparedModel::new(&model).expect("valid trims");
-    let closest = |points: &[f64]| {
-        pollster::block_on(engine.closest_points(&prepared, points, &options, &mut NoMonitor))
-            .expect("closest points")
-    };
+    let closest =
+        |points: &[f64]| engine.closest_points(&prepared, points, &options).wait().expect("closest points");
     // The first points pay for the cuts and the tree.
     closest(&points[..3]);
     let (started, used) = (Instant::now(), processor_seconds());

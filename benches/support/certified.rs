@@ -5,7 +5,7 @@ use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::gpu::{CertifiedBench, Gpu};
 use nurbs_hausdorff::shapes::operations::cut_model;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Degrees that the kernels are measured for.
 pub(crate) const DEGREES: [[usize; 2]; 3] = [[2, 2], [3, 3], [5, 5]];
@@ -25,7 +25,7 @@ const TOLERANCE: f64 = 1e-5;
 const CUTS: [&[f64]; 2] = [&[0.03], &[0.03]];
 
 /// The cells of a net of these degrees whose distance to its cut copy is searched.
-pub(crate) fn bench(gpu: &Rc<Gpu>, degree: [usize; 2]) -> CertifiedBench {
+pub(crate) fn bench(gpu: &Arc<Gpu>, degree: [usize; 2]) -> CertifiedBench {
     let net = models::rough(degree, [SPANS; 2], 1.0, 1);
     let copy = cut_model(&net, CUTS).expect("fractions inside");
     let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, OFFSET)).expect("finite");

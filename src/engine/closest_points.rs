@@ -1,6 +1,6 @@
 //! The closest points of a model to given points.
 
-use super::{Engine, PreparedModel};
+use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
 use crate::flatness::{Flatness, MAX_HALVINGS};
@@ -77,7 +77,18 @@ impl Engine {
     /// [`Error::PointOutOfRange`] for a coordinate that is not finite or above 1e100 in
     /// size, and for a last point of fewer than three; [`Error::OptionOutOfRange`];
     /// [`Error::Cancelled`].
-    pub async fn closest_points(
+    pub fn closest_points<'a>(
+        &'a self,
+        model: &'a PreparedModel,
+        points: &'a [f64],
+        options: &'a ClosestPointOptions,
+    ) -> Computation<'a, ClosestPoints> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.closest_points_of(model, points, options, watched.monitor()).await })
+        })
+    }
+
+    async fn closest_points_of(
         &self,
         model: &PreparedModel,
         points: &[f64],

@@ -1,7 +1,7 @@
 //! The engine: the choice of the backend, and recovery from lost devices.
 
 use super::direction::{DirectedRun, Direction};
-use super::{Backend, DistanceResult, Method, Options, PreparedModel};
+use super::{Backend, Computation, DistanceResult, Method, Options, PreparedModel};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::progress::Monitor;
@@ -40,12 +40,7 @@ impl Engine {
     /// # Errors
     /// [`Error::NoAdapter`] if `backend` is [`Backend::Gpu`] and there is no adapter.
     pub async fn new(backend: Backend) -> Result<Self> {
-        let engine = Self {
-            gpu: Mutex::default(),
-            losses: AtomicU32::new(0),
-            replacing: async_lock::Mutex::default(),
-            missing: Mutex::default(),
-        };
+        let engine = Self::cpu();
         if backend != Backend::Cpu {
             match Gpu::new().await {
                 Ok(gpu) => *locked(&engine.gpu) = Some(Arc::new(gpu)),
@@ -54,6 +49,26 @@ impl Engine {
             }
         }
         Ok(engine)
+    }
+
+    /// As [`Self::new`], on this thread, which waits for the GPU.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn new_blocking(backend: Backend) -> Result<Self> {
+        pollster::block_on(Self::new(backend))
+    }
+
+    /// Returns an engine without a GPU.
+    #[must_use]
+    pub fn cpu() -> Self {
+        Self {
+            gpu: Mutex::default(),
+            losses: AtomicU32::new(0),
+            replacing: async_lock::Mutex::default(),
+            missing: Mutex::default(),
+        }
     }
 
     /// Returns the name of the GPU, if there is a GPU and it has a name.
@@ -86,7 +101,18 @@ impl Engine {
     /// [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
     /// [`Error::PairBudgetExceeded`] with [`Method::Hierarchy`];
     /// [`Error::Cancelled`].
-    pub async fn distance(
+    pub fn distance<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a Options,
+    ) -> Computation<'a, DistanceResult> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.distance_of(a, b, options, watched.monitor()).await })
+        })
+    }
+
+    async fn distance_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
@@ -221,12 +247,12 @@ impl Engine {
 mod tests {
     use super::*;
     use crate::engine::Processor;
-    use crate::progress::NoMonitor;
+
     use crate::shapes::{shape, sphere_parts};
 
     /// Returns an engine on a GPU, or `None` and a visible line if the environment allows it.
     fn engine(test: &str) -> Option<Engine> {
-        let engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
+        let engine = Engine::new_blocking(Backend::Auto).unwrap();
         if engine.has_gpu() {
             return Some(engine);
         }
@@ -244,7 +270,7 @@ mod tests {
         let [a, b] =
             ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
         let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
-        let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let run = || engine.distance(&a, &b, &options).wait().unwrap();
         let lose = || locked(&engine.gpu).as_ref().unwrap().destroy();
         assert_eq!(run().backend, Processor::Gpu);
         lose();
@@ -271,7 +297,7 @@ mod tests {
         let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model).unwrap());
         let run = |backend| {
             let options = Options { backend, ..Options::default() };
-            pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
+            engine.distance(&a, &b, &options).wait()
         };
         let provoke_error = || locked(&engine.gpu).as_ref().unwrap().provoke_validation_error();
         let sound = run(Backend::Gpu).unwrap();

@@ -3,6 +3,7 @@
 
 mod certified;
 mod closest_points;
+mod computation;
 mod diff;
 mod direction;
 mod dispatch;
@@ -15,6 +16,7 @@ mod prepared;
 mod result;
 
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
+pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FieldOptions, Statistics};

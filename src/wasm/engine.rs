@@ -43,7 +43,9 @@ impl Engine {
     pub fn distance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::options);
-        call.run(async move |monitor| convert::result(&engine.distance(&a, &b, &options?, monitor).await?))
+        call.run(async move |monitor| {
+            convert::result(&engine.distance(&a, &b, &options?).monitored(monitor).await?)
+        })
     }
 
     /// The deviation of `a` from `b` at samples of `a`.
@@ -51,7 +53,7 @@ impl Engine {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::field_options);
         call.run(async move |monitor| {
-            convert::deviation_field(&engine.field(&a, &b, &options?, monitor).await?)
+            convert::deviation_field(&engine.field(&a, &b, &options?).monitored(monitor).await?)
         })
     }
 
@@ -59,7 +61,7 @@ impl Engine {
     pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::diff_options);
-        call.run(async move |monitor| to_object(&engine.diff(&a, &b, &options?, monitor).await?))
+        call.run(async move |monitor| to_object(&engine.diff(&a, &b, &options?).monitored(monitor).await?))
     }
 
     /// The closest points of a model to `points`, x, y, z each.
@@ -68,7 +70,9 @@ impl Engine {
         let (engine, model) = (Rc::clone(&self.0), model.inner());
         let options = call.options(convert::closest_point_options);
         call.run(async move |monitor| {
-            convert::closest_points(&engine.closest_points(&model, &points, &options?, monitor).await?)
+            convert::closest_points(
+                &engine.closest_points(&model, &points, &options?).monitored(monitor).await?,
+            )
         })
     }
 }

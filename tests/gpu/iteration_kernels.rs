@@ -6,7 +6,6 @@ use nurbs_hausdorff::closest::Projection;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, shape, sphere, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -214,9 +213,7 @@ fn the_farthest_sample_is_found_wherever_it_is() {
     // Around the ends of threads' strides, blocks and the page.
     for raised in [0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 3000, 4095] {
         let options = Options { samples: 64, field: false, ..on(Backend::Gpu, &iteration()) };
-        let result =
-            pollster::block_on(engine.distance(&sheet(Some(raised)), &ground, &options, &mut NoMonitor))
-                .unwrap();
+        let result = engine.distance(&sheet(Some(raised)), &ground, &options).wait().unwrap();
         assert_eq!(result.computed, 0.5, "{raised}");
         let at = [raised / 64, raised % 64].map(|place| place as f64);
         assert_eq!([result.witness.a.u, result.witness.a.v], at);
@@ -234,7 +231,7 @@ fn moving_a_model_changes_nothing_that_is_kept() {
     let run = |height: f64| {
         let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, height)).unwrap();
         let options = Options { transform, field: false, ..iteration() };
-        pollster::block_on(engine.distance(&torus, &torus, &options, &mut NoMonitor)).unwrap()
+        engine.distance(&torus, &torus, &options).wait().unwrap()
     };
     let first = run(5.0);
     run(1.0);

@@ -1,8 +1,7 @@
 //! The files beside the project, when they are there.
 
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -36,8 +35,8 @@ fn distances_are_those_of_opencascade() {
     let [rods, bearing] = [rods, bearing].map(|model| PreparedModel::new(&model).unwrap());
     let options = Options { relative_tolerance: Some(1e-4), ..Options::default() };
     let distance = |a: &PreparedModel, b: &PreparedModel| {
-        let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-        pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap()
+        let engine = Engine::cpu();
+        engine.distance(a, b, &options).wait().unwrap()
     };
     for (found, expected) in
         [(distance(&rods, &bearing), 8.893_692_726_09), (distance(&bearing, &rods), 4.358_231_734_33)]

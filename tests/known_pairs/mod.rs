@@ -8,7 +8,6 @@ mod models;
 
 use models::{bilinear, model, nets, repeated, shelf, surface, swept};
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Stop};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Model, SurfaceArrays};
 
 /// Applies a macro that declares tests to the names of all pairs.
@@ -40,7 +39,7 @@ async fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
 
 async fn measure_by(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
-    engine.distance(&a, &b, options, &mut NoMonitor).await.unwrap()
+    engine.distance(&a, &b, options).await.unwrap()
 }
 
 fn budgeted() -> Options {

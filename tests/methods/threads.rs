@@ -2,19 +2,19 @@
 
 use crate::support::gpu::engine;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Backend, Engine, Method, NoMonitor, Options, PreparedModel};
+use nurbs_hausdorff::{Backend, Engine, Method, Options, PreparedModel};
 use rayon::prelude::*;
 
 #[test]
 fn engines_models_and_computations_may_move_between_threads() {
     fn shared<T: Send + Sync>(_: &T) {}
     fn moved<T: Send>(_: &T) {}
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let model = PreparedModel::new(&shape("sphere").unwrap()).unwrap();
     shared(&engine);
     shared(&model);
     let options = Options::default();
-    moved(&engine.distance(&model, &model, &options, &mut NoMonitor));
+    moved(&engine.distance(&model, &model, &options));
     moved(&Engine::new(Backend::Auto));
 }
 
@@ -22,17 +22,17 @@ fn engines_models_and_computations_may_move_between_threads() {
 /// within a pair runs on the same pool, so that a lock held meanwhile would wait for itself.
 #[test]
 fn models_are_shared_by_pairs_on_the_thread_pool() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     for method in [Method::Certified, Method::Iteration, Method::Hierarchy] {
         let options = Options { method, samples: 24, grid: 16, symmetric: true, ..Options::default() };
         let models =
             || ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
         let [a, b] = models();
-        let expected = pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let expected = engine.distance(&a, &b, &options).wait().unwrap();
         let [a, b] = models();
         let computed: Vec<f64> = (0..16)
             .into_par_iter()
-            .map(|_| pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap().computed)
+            .map(|_| engine.distance(&a, &b, &options).wait().unwrap().computed)
             .collect();
         for found in computed {
             assert!((found - expected.computed).abs() <= 1e-6, "{method:?}: {found} {}", expected.computed);
@@ -47,7 +47,7 @@ fn threads_share_a_gpu() {
     let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
     for method in [Method::Iteration, Method::Hierarchy] {
         let options = Options { method, samples: 24, grid: 16, backend: Backend::Gpu, ..Options::default() };
-        let run = || pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap();
+        let run = || engine.distance(&a, &b, &options).wait().unwrap();
         let expected = run();
         std::thread::scope(|scope| {
             let threads: Vec<_> = (0..4).map(|_| scope.spawn(run)).collect();

@@ -10,7 +10,7 @@ use nurbs_hausdorff::model::ModelArrays;
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{
-    Backend, DistanceResult, Engine, Method, Model, NoMonitor, Options, PreparedModel, SurfaceArrays,
+    Backend, DistanceResult, Engine, Method, Model, Options, PreparedModel, SurfaceArrays,
 };
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
@@ -44,9 +44,9 @@ fn whole(surface: SurfaceArrays) -> FaceArrays {
 
 fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let options = Options { symmetric: true, backend: Backend::Cpu, ..options.clone() };
-    pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor)).unwrap()
+    engine.distance(&a, &b, &options).wait().unwrap()
 }
 
 /// Checks that the certified intervals of both directions contain these distances, known
@@ -348,10 +348,10 @@ fn models_of_different_unit_are_scaled_only_on_request() {
         Model::from_faces(ModelArrays { unit, faces, ..ModelArrays::default() }).unwrap()
     };
     let prepared = |size, unit| PreparedModel::new(&square(size, unit)).unwrap();
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let measure = |a: &PreparedModel, b: &PreparedModel, scale_units| {
         let options = Options { scale_units, backend: Backend::Cpu, ..Options::default() };
-        pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor))
+        engine.distance(a, b, &options).wait()
     };
     let (inches, millimetres) = (prepared(1.0, Some(0.0254)), prepared(25.4, Some(0.001)));
     let error = measure(&inches, &millimetres, false).unwrap_err();
@@ -375,11 +375,10 @@ fn closest_points_and_faces_are_those_of_the_trimmed_model() {
         face(square, vec![circle([4.0, 4.0], 3.0), reversed(circle([4.0, 4.0], 1.0))]),
     ]);
     let prepared = PreparedModel::new(&ring).unwrap();
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     // Above the hole's middle, above material, outside.
     let points = [4.0, 4.0, 0.0, 4.0, 6.0, 1.0, 4.0, 9.0, 0.0];
-    let found =
-        pollster::block_on(engine.closest_points(&prepared, &points, &Default::default(), &mut NoMonitor));
+    let found = engine.closest_points(&prepared, &points, &Default::default()).wait();
     let found = found.unwrap();
     for ((distance, bound), expected) in found.distances.iter().zip(&found.bounds).zip([1.0, 1.0, 2.0]) {
         assert!((distance - expected).abs() <= *bound && *bound < 1e-6, "{distance} {bound}");
@@ -391,7 +390,7 @@ fn closest_points_and_faces_are_those_of_the_trimmed_model() {
         assert!(foot.distance(DVec3::new(parameters[0], parameters[1], 0.0)) < 1e-7);
     }
     let options = nurbs_hausdorff::DiffOptions::default();
-    let diff = pollster::block_on(engine.diff(&prepared, &prepared, &options, &mut NoMonitor)).unwrap();
+    let diff = engine.diff(&prepared, &prepared, &options).wait().unwrap();
     assert_eq!((diff.faces_of_a.len(), diff.faces_of_b.len()), (2, 2));
 }
 

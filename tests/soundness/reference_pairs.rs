@@ -3,7 +3,6 @@
 use crate::support::{gpu::engine, models::folder};
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model, RigidTransform};
 use std::collections::HashMap;
 use std::path::Path;
@@ -81,7 +80,7 @@ fn samples_and_bounds_agree_with_every_reference() {
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let [gpu, cpu] = [Backend::Gpu, Backend::Cpu].map(|backend| {
             let options = Options { backend, samples: SAMPLES, ..reference.options(Method::Iteration) };
-            let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
+            let result = engine.distance(a, b, &options).wait().unwrap();
             let rounding = ROUNDING * result.diagonal;
             let bounds = result.iteration().unwrap().bounds;
             assert!(result.converged, "{name}");
@@ -105,7 +104,7 @@ fn samples_and_bounds_agree_with_every_reference() {
 #[test]
 fn certified_intervals_overlap_every_reference() {
     let Some(folder) = folder("certified_intervals_overlap_every_reference") else { return };
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let mut shelf = Shelf { folder: &folder, prepared: HashMap::new() };
     for reference in references(&folder) {
         shelf.load(&reference.a);
@@ -113,7 +112,7 @@ fn certified_intervals_overlap_every_reference() {
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let options = reference.options(Method::Certified);
-        let result = pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)).unwrap();
+        let result = engine.distance(a, b, &options).wait().unwrap();
         let details = result.certified().unwrap();
         assert!(result.converged, "{name}: {:?}", details.stop);
         assert!(result.upper - result.lower <= details.tolerance + ROUNDING * result.diagonal, "{name}");
@@ -135,7 +134,7 @@ fn boxes_contain_every_reference() {
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         for backend in [Backend::Gpu, Backend::Cpu] {
             let options = Options { backend, grid: 8, ..reference.options(Method::Hierarchy) };
-            match pollster::block_on(engine.distance(a, b, &options, &mut NoMonitor)) {
+            match engine.distance(a, b, &options).wait() {
                 Ok(result) => {
                     measured += 1;
                     let overlap = result.lower <= reference.upper && reference.lower <= result.upper;

@@ -1,7 +1,6 @@
 //! The engine that tests of the kernels run on.
 
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model};
 use std::io::Write;
 
@@ -11,7 +10,7 @@ const ALLOW_NO_GPU: &str = "NURBS_HAUSDORFF_ALLOW_NO_GPU";
 /// An engine on the GPU; without an adapter a failure, or `None` and a visible
 /// line if the environment allows it.
 pub fn engine(test: &str) -> Option<Engine> {
-    match pollster::block_on(Engine::new(Backend::Gpu)) {
+    match Engine::new_blocking(Backend::Gpu) {
         Ok(engine) => Some(engine),
         Err(error @ Error::NoAdapter { .. }) if std::env::var_os(ALLOW_NO_GPU).is_some() => {
             let line = format!("\nSKIPPED {test}: {error}\n");
@@ -25,5 +24,5 @@ pub fn engine(test: &str) -> Option<Engine> {
 /// The distance of two models, prepared for this once.
 pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
-    pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor)).unwrap()
+    engine.distance(&a, &b, options).wait().unwrap()
 }

@@ -14,7 +14,6 @@ mod sweep;
 mod table;
 
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -37,7 +36,7 @@ impl Setup {
     /// Creates the folder, and an engine on the GPU if there is one.
     pub(crate) fn new(out: PathBuf, quick: bool, only: String) -> Anyhow<Self> {
         std::fs::create_dir_all(&out)?;
-        Ok(Self { out, quick, only, engine: pollster::block_on(Engine::new(Backend::Auto))? })
+        Ok(Self { out, quick, only, engine: Engine::new_blocking(Backend::Auto)? })
     }
 
     /// Returns whether files of this name, or some that begin with it, are requested.
@@ -52,7 +51,7 @@ impl Setup {
         b: &PreparedModel,
         options: &Options,
     ) -> nurbs_hausdorff::Result<DistanceResult> {
-        pollster::block_on(self.engine.distance(a, b, options, &mut NoMonitor))
+        self.engine.distance(a, b, options).wait()
     }
 
     /// Returns `full`, or `quick` in a quick run.

@@ -12,7 +12,7 @@ pub(crate) struct Limit {
 
 impl Limit {
     /// A limit on the distance of the models as they are.
-    #[cfg(test)]
+    #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(crate) fn exact(at: f64) -> Self {
         Self { at, gap: 0.0 }
     }

@@ -3,7 +3,7 @@
 use super::face::Face;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
-use crate::engine::{Engine, PreparedModel, Seconds, Witness};
+use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
@@ -45,7 +45,18 @@ impl Engine {
     /// # Errors
     /// [`crate::Error::OptionOutOfRange`]; [`crate::Error::UnitsDiffer`];
     /// [`crate::Error::Cancelled`].
-    pub async fn diff(
+    pub fn diff<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a DiffOptions,
+    ) -> Computation<'a, DiffResult> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.diff_of(a, b, options, watched.monitor()).await })
+        })
+    }
+
+    async fn diff_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

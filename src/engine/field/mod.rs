@@ -4,7 +4,7 @@ mod deviation;
 
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
-use super::{Engine, Field, PreparedModel};
+use super::{Computation, Engine, Field, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target, closest_above};
 use crate::error::{Error, Result};
@@ -79,7 +79,18 @@ impl Engine {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::UnitsDiffer`]; [`Error::Cancelled`].
-    pub async fn field(
+    pub fn field<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a FieldOptions,
+    ) -> Computation<'a, DeviationField> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.field_of(a, b, options, watched.monitor()).await })
+        })
+    }
+
+    async fn field_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

@@ -3,8 +3,8 @@
 use super::{Seams, TORUS, TORUS_AREA, orders};
 use crate::support::brep::{BrepText, minus, plus};
 use crate::{area_of, assert_near, read};
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::{Model, NoMonitor};
+use nurbs_hausdorff::Model;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use std::f64::consts::{PI, TAU};
 
 /// The seams of the torus that begins at the angle v of its tube.
@@ -135,13 +135,13 @@ fn the_distance_of_a_ball_to_a_torus_is_that_of_its_poles() {
     let surface = text.surface("4 0 0 0 0 0 1 1 0 0 0 1 0 1");
     let ball = text.face(surface, &[]);
     let ball = PreparedModel::new(&read(&text, ball).0).unwrap();
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let options = Options { relative_tolerance: Some(1e-6), ..Options::default() };
     let expected = (15.0_f64 * 15.0 + 1.0).sqrt() - 4.0;
     let torus = wholes(TORUS, &torus_seams(0.0), true, true);
     for model in [&torus[0], &torus[14]] {
         let torus = PreparedModel::new(model).unwrap();
-        let result = pollster::block_on(engine.distance(&ball, &torus, &options, &mut NoMonitor)).unwrap();
+        let result = engine.distance(&ball, &torus, &options).wait().unwrap();
         assert!(result.converged && result.lower <= expected && expected <= result.upper, "{result:?}");
     }
 }

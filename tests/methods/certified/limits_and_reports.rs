@@ -3,9 +3,7 @@
 
 use crate::support::fixtures::peaked_sheet;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{
-    Backend, CertifiedDetails, DistanceResult, Engine, Options, PreparedModel, Stop,
-};
+use nurbs_hausdorff::engine::{CertifiedDetails, DistanceResult, Engine, Options, PreparedModel, Stop};
 use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
@@ -15,9 +13,9 @@ use nurbs_hausdorff::{Axis, Model, RigidTransform, SurfaceArrays};
 const ROUNDING: f64 = 1e-12;
 
 fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -> DistanceResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
-    pollster::block_on(engine.distance(&a, &b, options, monitor)).unwrap()
+    engine.distance(&a, &b, options).monitored(monitor).wait().unwrap()
 }
 
 fn details(result: &DistanceResult) -> CertifiedDetails {

@@ -4,7 +4,7 @@ use crate::support::fixtures::{model, square, translation, turned};
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
 use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
-use nurbs_hausdorff::progress::{Monitor, NoMonitor};
+use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::transformed;
 use nurbs_hausdorff::shapes::{figure5_cylinder, figure5_plane, shape, sphere};
 use nurbs_hausdorff::{Error, Model, RigidTransform};
@@ -126,7 +126,7 @@ fn the_interval_narrows_with_the_square_of_the_cells() {
     let ball = sphere(DVec3::ZERO, 1.0).unwrap();
     let away = Options { transform: translation(0.0, 0.0, 20.0), ..hierarchy() };
     let width = |backend: Backend, options: &Options, b: &Model, grid: usize| {
-        let engine = pollster::block_on(Engine::new(backend)).unwrap();
+        let engine = Engine::new_blocking(backend).unwrap();
         let result = measure(&engine, &ball, b, &Options { backend, grid, ..options.clone() });
         result.upper - result.lower
     };
@@ -198,7 +198,7 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
     let requested = [Backend::Gpu, Backend::Cpu].map(|backend| {
         let run = |memory_budget| {
             let options = Options { backend, memory_budget, grid: 128, ..hierarchy() };
-            pollster::block_on(engine.distance(&ball, &ball, &options, &mut NoMonitor))
+            engine.distance(&ball, &ball, &options).wait()
         };
         let error = run(1).unwrap_err();
         assert_eq!(error.code(), "PAIR_BUDGET_EXCEEDED");
@@ -218,15 +218,12 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
 
 #[test]
 fn options_out_of_range_are_named() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let many = PreparedModel::new(&model((0..5).map(|x| square(f64::from(x), 0.0)).collect())).unwrap();
-    let refused =
-        |options: Options| match pollster::block_on(engine.distance(&many, &many, &options, &mut NoMonitor))
-            .unwrap_err()
-        {
-            Error::OptionOutOfRange { option, found, .. } => (option, found),
-            other => panic!("{other}"),
-        };
+    let refused = |options: Options| match engine.distance(&many, &many, &options).wait().unwrap_err() {
+        Error::OptionOutOfRange { option, found, .. } => (option, found),
+        other => panic!("{other}"),
+    };
     assert_eq!(refused(Options { grid: 1, ..hierarchy() }), ("grid", "1".to_owned()));
     assert_eq!(refused(Options { grid: 1025, ..hierarchy() }), ("grid", "1025".to_owned()));
     // Five million cells.
@@ -264,14 +261,14 @@ fn progress_rises_intervals_narrow_and_cancelling_stops_on_the_way() {
     for backend in [Backend::Gpu, Backend::Cpu] {
         let options = Options { backend, grid: 128, transform: translation(0.0, 0.0, 0.5), ..hierarchy() };
         let mut watch = Watch::default();
-        let result = pollster::block_on(engine.distance(&ball, &ball, &options, &mut watch)).unwrap();
+        let result = engine.distance(&ball, &ball, &options).monitored(&mut watch).wait().unwrap();
         assert!(watch.fractions.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.fractions);
         assert_eq!(watch.fractions.last(), Some(&1.0));
         let narrows = |pair: &[[f64; 2]]| pair[0][0] <= pair[1][0] && pair[1][1] <= pair[0][1];
         assert!(watch.intervals.windows(2).all(narrows), "{:?}", watch.intervals);
         assert_eq!(watch.intervals.last(), Some(&[result.lower, result.upper]));
         let mut watch = Watch { cancel_at: Some(0.0), ..Watch::default() };
-        let cancelled = pollster::block_on(engine.distance(&ball, &ball, &options, &mut watch));
+        let cancelled = engine.distance(&ball, &ball, &options).monitored(&mut watch).wait();
         assert_eq!(cancelled.unwrap_err(), Error::Cancelled);
     }
 }

@@ -169,14 +169,14 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
     for backend in [Backend::Gpu, Backend::Cpu] {
         let options = Options { backend, samples: 192, symmetric: true, ..iteration() };
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
-        let whole = pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
+        let whole = engine.distance(&a, &b, &options).monitored(&mut watch).wait().unwrap();
         assert!(watch.seen.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.seen);
         assert!(watch.seen.len() > 2, "{:?}", watch.seen);
         assert_eq!(watch.seen.last(), Some(&1.0));
         // At the start, and once something is done.
         for cancel_at in [0.0, 0.01] {
             let mut watch = Watch { cancel_at, seen: Vec::new() };
-            let cancelled = pollster::block_on(engine.distance(&a, &b, &options, &mut watch));
+            let cancelled = engine.distance(&a, &b, &options).monitored(&mut watch).wait();
             assert_eq!(cancelled.unwrap_err(), Error::Cancelled);
             // Nothing was done after that.
             let (last, before) = watch.seen.split_last().unwrap();
@@ -184,22 +184,20 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
         }
         // What was cancelled leaves the engine as it was.
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
-        let again = pollster::block_on(engine.distance(&a, &b, &options, &mut watch)).unwrap();
+        let again = engine.distance(&a, &b, &options).monitored(&mut watch).wait().unwrap();
         assert_eq!(again.computed, whole.computed);
     }
 }
 
 #[test]
 fn options_out_of_range_are_named() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let model = PreparedModel::new(&plane(0.0)).unwrap();
     let refused = |options: Options| {
-        let error = pollster::block_on(engine.distance(
-            &model,
-            &model,
-            &options,
-            &mut Watch { cancel_at: 2.0, seen: vec![] },
-        ));
+        let error = engine
+            .distance(&model, &model, &options)
+            .monitored(&mut Watch { cancel_at: 2.0, seen: vec![] })
+            .wait();
         match error.unwrap_err() {
             Error::OptionOutOfRange { option, .. } => option,
             other => panic!("{other}"),
@@ -219,14 +217,12 @@ fn options_out_of_range_are_named() {
 
 #[test]
 fn an_engine_without_a_gpu_refuses_to_pretend() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let model = PreparedModel::new(&plane(0.0)).unwrap();
     let options = Options { backend: Backend::Gpu, ..iteration() };
-    let refused = pollster::block_on(engine.distance(
-        &model,
-        &model,
-        &options,
-        &mut Watch { cancel_at: 2.0, seen: vec![] },
-    ));
+    let refused = engine
+        .distance(&model, &model, &options)
+        .monitored(&mut Watch { cancel_at: 2.0, seen: vec![] })
+        .wait();
     assert_eq!(refused.unwrap_err().code(), "NO_ADAPTER");
 }

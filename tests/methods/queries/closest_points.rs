@@ -2,14 +2,13 @@
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{ClosestPointOptions, ClosestPoints, Engine};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::{sphere, torus};
-use nurbs_hausdorff::{Backend, Error, Model, PreparedModel, RigidTransform};
+use nurbs_hausdorff::{Error, Model, PreparedModel, RigidTransform};
 
 fn closest(model: &Model, points: &[f64], options: &ClosestPointOptions) -> Result<ClosestPoints, Error> {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let model = PreparedModel::new(model).unwrap();
-    pollster::block_on(engine.closest_points(&model, points, options, &mut NoMonitor))
+    engine.closest_points(&model, points, options).wait()
 }
 
 /// Points in a box about the origin, more than one page of them.

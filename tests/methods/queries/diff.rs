@@ -4,17 +4,16 @@ use crate::support::cpu;
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{DiffOptions, DiffResult, Engine, FaceState, Options};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Backend, Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
 const ROUNDING: f64 = 1e-12;
 
 fn diff(a: &Model, b: &Model, options: &DiffOptions) -> DiffResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
-    pollster::block_on(engine.diff(&a, &b, options, &mut NoMonitor)).unwrap()
+    engine.diff(&a, &b, options).wait().unwrap()
 }
 
 /// The square [0, 1]² of the plane at this height, moved along x.

@@ -63,14 +63,14 @@ fn distances_are_those_of_the_nearest_points() {
 /// Without a distance the same samples come, within an upper bound that is given.
 #[test]
 fn a_field_without_its_distance_is_that_of_the_distance() {
+    use nurbs_hausdorff::PreparedModel;
     use nurbs_hausdorff::engine::{Engine, FieldOptions};
     use nurbs_hausdorff::shapes::{sphere, torus};
-    use nurbs_hausdorff::{NoMonitor, PreparedModel};
     let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
     let with_distance = measured(&ball, &ring, Method::Certified);
-    let engine = pollster::block_on(Engine::new(nurbs_hausdorff::Backend::Cpu)).unwrap();
+    let engine = Engine::new_blocking(nurbs_hausdorff::Backend::Cpu).unwrap();
     let [a, b] = [&ball, &ring].map(|model| PreparedModel::new(model).unwrap());
-    let field = |options| pollster::block_on(engine.field(&a, &b, &options, &mut NoMonitor));
+    let field = |options| engine.field(&a, &b, &options).wait();
     let options = FieldOptions { samples: SAMPLES, ..FieldOptions::default() };
 
     let limited = field(FieldOptions { upper: Some(with_distance.upper), ..options.clone() }).unwrap();

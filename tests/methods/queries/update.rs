@@ -1,8 +1,8 @@
 //! Models whose control points change on the same knots.
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
-use nurbs_hausdorff::{Model, NoMonitor, shapes};
+use nurbs_hausdorff::engine::{DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::{Model, shapes};
 
 /// The sheet with every control point moved by a wave of this phase.
 fn waved(model: &Model, phase: f64) -> Vec<[f64; 4]> {
@@ -11,8 +11,8 @@ fn waved(model: &Model, phase: f64) -> Vec<[f64; 4]> {
 }
 
 fn distance(a: &PreparedModel, b: &PreparedModel, options: &Options) -> DistanceResult {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    pollster::block_on(engine.distance(a, b, options, &mut NoMonitor)).unwrap()
+    let engine = Engine::cpu();
+    engine.distance(a, b, options).wait().unwrap()
 }
 
 fn overlap(one: &DistanceResult, other: &DistanceResult) -> bool {

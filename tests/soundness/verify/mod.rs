@@ -7,8 +7,7 @@ mod remainders;
 
 use crate::proof::{self, Claim, Motion, Report, Settings, Verdict, Witness};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use std::path::Path;
@@ -136,7 +135,7 @@ fn a_wrong_witness_of_a_right_lower_end_is_noted() {
 
 #[test]
 fn results_of_the_search_are_proved_also_of_moved_models() {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7);
     let shift = DVec3::new(0.3, -0.2, 0.5);
     for [a, b] in [["cylinder", "cone"], ["glass", "bottle"], ["wavy-sheet", "torus"]] {
@@ -144,8 +143,7 @@ fn results_of_the_search_are_proved_also_of_moved_models() {
         let transform = RigidTransform::new(turn, shift).unwrap();
         let options = Options { transform, ..Options::default() };
         let (prepared_a, prepared_b) = (PreparedModel::new(&a).unwrap(), PreparedModel::new(&b).unwrap());
-        let result =
-            pollster::block_on(engine.distance(&prepared_a, &prepared_b, &options, &mut NoMonitor)).unwrap();
+        let result = engine.distance(&prepared_a, &prepared_b, &options).wait().unwrap();
         let motion =
             Motion { rotation: transform.rotation().to_array(), translation: transform.offset().to_array() };
         let found = result.witness.a;

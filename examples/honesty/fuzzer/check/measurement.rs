@@ -3,13 +3,12 @@
 use super::super::pairs::Pair;
 use super::super::partners::scale_and_shift;
 use nurbs_hausdorff::engine::{Backend, Details, DistanceResult, Engine, Options, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{Error, Model, RigidTransform};
 
 thread_local! {
     /// An engine on the GPU, if there is one: its set-up takes longer than a pair.
-    static GPU: Engine = pollster::block_on(Engine::new(Backend::Auto)).unwrap();
-    static CPU: Engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    static GPU: Engine = Engine::new_blocking(Backend::Auto).unwrap();
+    static CPU: Engine = Engine::cpu();
 }
 
 /// Measures a pair scaled by its power of two, and returns the result scaled back, with the
@@ -35,7 +34,7 @@ pub(super) fn measure(pair: &Pair, options: &Options) -> Result<(DistanceResult,
     let mut result = engine.with(|engine| {
         // `Auto` would not use an adapter in software.
         options.backend = if engine.has_gpu() { Backend::Gpu } else { Backend::Cpu };
-        pollster::block_on(engine.distance(&a, &b, &options, &mut NoMonitor))
+        engine.distance(&a, &b, &options).wait()
     })?;
     scale_back(&mut result, scale.recip());
     Ok((result, [a.deviation(), b.deviation()].map(|deviation| deviation / scale)))

@@ -7,7 +7,7 @@ use crate::output::json::{OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report::GAPS_DECIDE;
-use nurbs_hausdorff::{Backend, DiffResult, Engine, FaceState};
+use nurbs_hausdorff::{DiffResult, Engine, FaceState};
 use std::fmt::{Result, Write};
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.
@@ -18,9 +18,9 @@ pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure>
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
+    let engine = Engine::cpu();
     let mut bar = Bar::new();
-    let mut result = pollster::block_on(engine.diff(&a.prepared, &b.prepared, &options, &mut bar))?;
+    let mut result = engine.diff(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
     if !is_judged(&a, &b, arguments.allow_skipped) {
         (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);

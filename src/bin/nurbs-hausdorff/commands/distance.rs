@@ -23,9 +23,9 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let staged = options.method != Method::Certified || options.field;
     let uses_gpu = staged || options.backend == Backend::Gpu;
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
-    let engine = pollster::block_on(Engine::new(backend))?;
+    let engine = Engine::new_blocking(backend)?;
     let mut bar = Bar::new();
-    let mut result = pollster::block_on(engine.distance(&a.prepared, &b.prepared, &options, &mut bar))?;
+    let mut result = engine.distance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
     let is_judged = arguments.limit.is_none() || is_judged(&a, &b, arguments.allow_skipped);
     if !is_judged {

@@ -1,12 +1,12 @@
 //! What every result must satisfy.
 
-use nurbs_hausdorff::{Backend, DistanceResult, Engine, Model, NoMonitor, Options, PreparedModel, Result};
+use nurbs_hausdorff::{DistanceResult, Engine, Model, Options, PreparedModel, Result};
 
 /// The distance on the CPU.
 pub fn distance(a: &Model, b: &Model, options: &Options) -> Result<DistanceResult> {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
-    let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
-    pollster::block_on(engine.distance(&a, &b, options, &mut NoMonitor))
+    let engine = Engine::cpu();
+    engine.distance(&a, &b, options).wait()
 }
 
 /// Panics where a number of the result is NaN or the interval is none.
