@@ -1,5 +1,6 @@
 // npm test: set up, then run every step of scripts/test/steps.mjs, or only some
 // with the steps that they need: npm test -- --only rust,page
+// Those that answer within two minutes while one works: npm test -- --quick
 import { parseArgs } from "node:util";
 import { Failure } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
@@ -7,7 +8,9 @@ import { count } from "./test/count.mjs";
 import { steps } from "./test/steps.mjs";
 
 function chosen() {
-  const { values } = parseArgs({ options: { only: { type: "string" } } });
+  const options = { only: { type: "string" }, quick: { type: "boolean", default: false } };
+  const { values } = parseArgs({ options });
+  if (values.quick) return quickSteps(values.only);
   if (values.only === undefined) return steps;
   const names = values.only.split(",");
   const unknown = names.filter((name) => !steps.some((step) => step.name === name));
@@ -23,6 +26,14 @@ function chosen() {
   };
   names.forEach(include);
   return steps.filter((step) => required.has(step.name));
+}
+
+/** The steps of a quick run, some with fewer tests; no other step is chosen with them. */
+function quickSteps(only) {
+  if (only !== undefined) throw new Failure("--quick chooses the steps; leave out --only");
+  return steps
+    .filter(({ quick }) => quick !== undefined)
+    .map(({ quick, needs: _, ...step }) => ({ ...step, ...quick }));
 }
 
 async function runStep(step, results) {
@@ -57,7 +68,9 @@ async function runStep(step, results) {
 function summary(results) {
   console.log("\n=== summary");
   const total = { passed: 0, failed: 0, skipped: 0 };
-  for (const [name, { ok, why, seconds, passed, failed, skipped }] of results) {
+  // The slowest first: there time is to be gained.
+  const slowest = [...results].sort(([, one], [, other]) => other.seconds - one.seconds);
+  for (const [name, { ok, why, seconds, passed, failed, skipped }] of slowest) {
     const verdict = ok ? "passed" : "FAILED";
     const counts = `${passed} passed, ${failed} failed, ${skipped.length} skipped`;
     console.log(`${verdict}  ${name.padEnd(12)} ${seconds.toFixed(1).padStart(7)} s  ${counts}`);

@@ -1,5 +1,6 @@
 // The steps of `npm test`, in order. A step runs only if the steps that it needs
-// passed. A step with `tests` fails if it ran none.
+// passed. A step with `tests` fails if it ran none. A step with `quick` is one of
+// `npm test -- --quick`, where `quick` replaces what it does.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildSite } from "../build/site.mjs";
@@ -33,6 +34,7 @@ export const steps = [
   {
     name: "rustfmt",
     what: "Rust is formatted",
+    quick: {},
     run: () => cargo(["fmt", "--check"]),
   },
   {
@@ -41,6 +43,10 @@ export const steps = [
     run: async () => {
       await cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]);
       await cargo(["clippy", "--release", "--locked", "--lib", "--bins", ...denyWarnings]);
+    },
+    quick: {
+      what: "Rust lints, native",
+      run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
     },
   },
   {
@@ -57,7 +63,7 @@ export const steps = [
   {
     name: "dependencies",
     tests: true,
-    what: "licences, versions and sources of the crates; npm's audit",
+    what: "licences, versions and sources of the crates; npm's audit; what documents cite",
     run: () => nodeTests("scripts/test", {}),
   },
   {
@@ -71,6 +77,14 @@ export const steps = [
     tests: true,
     what: "Rust tests on lavapipe",
     run: () => cargo(["test", "--release", "--locked", "--no-fail-fast"], vulkan()),
+    quick: {
+      what: "Rust tests on lavapipe, without the long ones",
+      run: () => {
+        const suites = ["cli", "geometry", "gpu", "iges", "methods", "step"];
+        const targets = ["--lib", "--bins", ...suites.flatMap((suite) => ["--test", suite])];
+        return cargo(["test", "--release", "--locked", "--no-fail-fast", ...targets], vulkan());
+      },
+    },
   },
   {
     name: "wasm",
@@ -109,6 +123,7 @@ export const steps = [
   {
     name: "biome",
     what: "TypeScript and JavaScript format and lints",
+    quick: {},
     run: () => must("biome", ["ci", "--error-on-warnings", "--colors=off"]),
   },
   {
