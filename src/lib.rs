@@ -90,6 +90,7 @@ mod shared;
 pub mod tessellate;
 
 mod chebyshev;
+mod clearance;
 mod limits;
 mod parallel;
 mod pieces;
@@ -177,9 +178,7 @@ pub use area::Area;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
-    DiffResult, DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo,
-    Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    Backend, ClearanceOptions, ClearanceResult, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo, Options, PreparedModel, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

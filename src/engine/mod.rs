@@ -2,6 +2,7 @@
 //! and the result.
 
 mod certified;
+mod clearance;
 mod closest_points;
 mod computation;
 mod diff;
@@ -15,6 +16,7 @@ mod options;
 mod prepared;
 mod result;
 
+pub use clearance::{ClearanceOptions, ClearanceResult};
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};

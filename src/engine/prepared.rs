@@ -93,6 +93,12 @@ impl PreparedTarget {
         &self.places
     }
 
+    /// Returns an upper bound on the distance between a computed point of the patches, which must
+    /// have been cut from those of `model`, and the exact one.
+    pub(super) fn point_error(&self, model: &PreparedModel) -> f64 {
+        model.bezier.point_error.after(MAX_HALVINGS)
+    }
+
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {

@@ -1,5 +1,6 @@
 //! Questions besides the distance of two models.
 
+mod clearance;
 mod closest_points;
 mod diff;
 mod field;
