@@ -9,13 +9,14 @@
 
 mod support;
 
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, RigidTransform};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use support::clock::Stopwatch;
+use support::random::Random;
 use support::shared;
 
 /// The pairs that are measured by default.
@@ -59,35 +60,13 @@ fn main() {
     }
 }
 
-/// Numbers in [0, 1) from a seed, by SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        loop {
-            let vector = DVec3::from_array(std::array::from_fn(|_| 2.0 * self.next() - 1.0));
-            if (0.1..1.0).contains(&vector.length()) {
-                return vector.normalize();
-            }
-        }
-    }
-
-    /// A turn about A's centre that moves it to a place near B.
-    fn pose(&mut self, [a, b]: &[PreparedModel; 2]) -> RigidTransform {
-        let turn = DQuat::from_axis_angle(self.direction(), std::f64::consts::TAU * self.next());
-        let [a, b] = [a.bounding_box(), b.bounding_box()];
-        let reach = REACH[0] + (REACH[1] - REACH[0]) * self.next();
-        let place = b.center() + self.direction() * (reach * 0.5 * (a.diagonal() + b.diagonal()));
-        RigidTransform::new(turn, place - turn * a.center()).expect("a rigid transform")
-    }
+/// Returns a turn about A's centre that moves it to a place near B.
+fn pose(random: &mut Random, [a, b]: &[PreparedModel; 2]) -> RigidTransform {
+    let turn = DQuat::from_axis_angle(random.direction(), std::f64::consts::TAU * random.next());
+    let [a, b] = [a.bounding_box(), b.bounding_box()];
+    let reach = REACH[0] + (REACH[1] - REACH[0]) * random.next();
+    let place = b.center() + random.direction() * (reach * 0.5 * (a.diagonal() + b.diagonal()));
+    RigidTransform::new(turn, place - turn * a.center()).expect("a rigid transform")
 }
 
 fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
@@ -97,7 +76,7 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
     let (mut widths, mut limits, mut cells, mut undecided) = (Vec::new(), Vec::new(), Vec::new(), 0);
     let mut lines = String::new();
     for pose in 0..=POSES {
-        let transform = random.pose(models);
+        let transform = pose(&mut random, models);
         let seconds = Some(MAX_SECONDS);
         let of = |limit| ClearanceOptions { transform, limit, max_seconds: seconds, ..ClearanceOptions::default() };
         let run = |options: ClearanceOptions| -> (ClearanceResult, f64) {

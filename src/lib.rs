@@ -96,6 +96,7 @@ mod parallel;
 mod pieces;
 mod read;
 mod rounding;
+mod solid;
 mod symmetry;
 mod tolerance;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-readers")))]
@@ -185,6 +186,7 @@ pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTra
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
+pub use solid::Side;
 
 /// The trimming of faces.
 pub mod trim {

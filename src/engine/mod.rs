@@ -15,6 +15,7 @@ mod iteration;
 mod options;
 mod prepared;
 mod result;
+mod solid;
 
 pub use clearance::{ClearanceOptions, ClearanceResult};
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
@@ -25,6 +26,7 @@ pub use field::{DeviationField, FieldOptions, Statistics};
 pub use info::{FaceInfo, ModelInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
+pub use solid::{FreeEdge, Shell, Solid};
 pub use result::{
     Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
     PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
