@@ -15,6 +15,7 @@ mod iteration;
 mod options;
 mod prepared;
 mod result;
+mod signs;
 mod solid;
 
 pub use clearance::{ClearanceOptions, ClearanceResult};
@@ -26,6 +27,7 @@ pub use field::{DeviationField, FieldOptions, Statistics};
 pub use info::{FaceInfo, ModelInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
+pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};
 pub use result::{
     Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,

@@ -54,9 +54,9 @@ impl Curve {
             nearest.fold((0.0, f64::INFINITY), |least, next| if next.1 < least.1 { next } else { least });
         let mut step = 0.5 / STARTS as f64;
         for _ in 0..MAX_STEPS {
-            let slope = self.slope(t);
-            let newton = (target - self.point(t)).dot(slope) / slope.length_squared();
-            let tries = [t + newton, t + step, t - step].map(|t| t.clamp(0.0, 1.0));
+            let next = self.step(t, target);
+            let newton = if next.is_nan() { t } else { next };
+            let tries = [newton, t + step, t - step].map(|t| t.clamp(0.0, 1.0));
             let next = tries.map(|t| (t, distance(t)));
             let next = next.into_iter().fold((t, best), |least, next| if next.1 < least.1 { next } else { least });
             if next.0 == t {
@@ -67,13 +67,16 @@ impl Curve {
         (t, best)
     }
 
-    /// Returns the derivative at `t`.
-    fn slope(&self, t: f64) -> DVec3 {
+    /// Returns the next parameter of the iteration of Gauss and Newton toward the point closest to
+    /// `target`; NaN at a cusp.
+    pub(super) fn step(&self, t: f64, target: DVec3) -> f64 {
         let degree = (self.controls.len() - 1) as f64;
         let mut last = [DVec4::ZERO; 2];
         let sum = casteljau(&self.controls, t, |low, high| last = [low, high]);
         let derivative = degree * (last[1] - last[0]);
-        (derivative.xyz() - derivative.w * sum.xyz() / sum.w) / sum.w
+        let offset = sum.xyz() / sum.w;
+        let slope = (derivative.xyz() - derivative.w * offset) / sum.w;
+        t + (target - self.center - offset).dot(slope) / slope.length_squared()
     }
 }
 

@@ -4,7 +4,7 @@ use super::clusters::Clusters;
 use super::curve::Curve;
 use super::edges::{Edge, edges};
 use super::parity::MAX_DEPTH;
-use super::strips::Strip;
+use super::strips::{Covering, Strip};
 use crate::bezier::BezierModel;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
@@ -14,6 +14,10 @@ use std::collections::{BTreeMap, HashMap};
 /// The distance, relative to the model's diagonal, up to which edges are joined where the model
 /// states no larger gap. It decides what counts as closed, and no sign depends on it.
 const RELATIVE_REACH: f64 = 1e-5;
+
+/// The radius of the tubes in which strips are kept, relative to the diagonal: thin enough for most
+/// rays, with few parts of each.
+const RELATIVE_RADIUS: f64 = 1e-4;
 
 /// The roundings of a coordinate along a ray, relative to the largest length of a control point
 /// (lemma S3 of docs/solids.md).
@@ -26,6 +30,9 @@ pub(crate) struct Boundary {
     free: Vec<FreeEdge>,
     /// The shell of each surface of the model.
     shells: Vec<u32>,
+    reach: f64,
+    /// An upper bound on the distance of the strips from the patches, with the rounding of both.
+    clearance: f64,
     pub(super) strips: Vec<Strip>,
     pub(super) strip_tree: Bvh,
     /// An upper bound on the error of a coordinate along a ray from the origin (lemma S3).
@@ -55,27 +62,43 @@ impl Boundary {
         let mut joints = Joints::new(edges(model), reach);
         let arcs = joints.arcs();
         let mut shells = Shells::new(model.grids.len());
-        let (mut strips, mut free) = (Vec::new(), Vec::new());
+        let (mut covering, mut free) = (Covering::default(), Vec::new());
+        let radius = reach.max(RELATIVE_RADIUS * control_box.diagonal());
         for [a, b] in joints.pair(arcs, &mut free) {
             shells.0.join(a.surface as u32, b.surface as u32);
-            strips.push(Strip::Pair([a.curve, b.curve]));
+            covering.add_pair([a.curve, b.curve], radius, 0);
         }
-        strips.extend(joints.corners().map(Strip::Corner));
+        joints.corners().for_each(|points| covering.add_corner(points));
+        let Covering { strips, thickness } = covering;
         let boxes: Vec<Aabb> = strips.iter().map(Strip::bounding_box).collect();
         let halvings = gamma(2.0 * f64::from(MAX_DEPTH) * max_degree as f64) * control_box.diagonal();
         let coordinates = gamma(COORDINATE_ROUNDINGS) * control_box.farthest_from_origin();
+        let margin = 2.0 * model.point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;
         Self {
             free,
+            reach,
+            clearance: thickness + 2.0 * margin,
             shells: shells.numbers(),
             strip_tree: Bvh::new(&boxes),
             strips,
-            margin: 2.0 * model.point_error.after(0) + halvings + coordinates + VANISHING_LENGTH,
+            margin,
         }
     }
 
     /// Returns whether every edge has a partner.
     pub(crate) fn is_closed(&self) -> bool {
         self.free.is_empty()
+    }
+
+    /// Returns the distance up to which edges were joined.
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// Returns the radius of a ball that certainly has no points of the faces nor of the strips,
+    /// for a point that is at least `distance` from the patches; negative if none is known.
+    pub(crate) fn clear_radius(&self, distance: f64) -> f64 {
+        distance - self.clearance
     }
 
     /// Returns the edges without a partner.

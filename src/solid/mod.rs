@@ -14,5 +14,5 @@ mod ray;
 mod side;
 mod strips;
 
-pub(crate) use joints::{Boundary, FreeEdge};
+pub(crate) use joints::Boundary;
 pub use side::Side;

@@ -24,10 +24,10 @@ pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Option<bool> {
     let (mut parity, mut count) = (false, 0);
     while let Some((controls, depth)) = parts.pop() {
         let range = Range::of(controls.iter().map(local));
-        if range.is_beside(ray.margin) {
+        if ray.is_beside(&range) {
             continue;
         }
-        if range.low.z > ray.margin {
+        if ray.is_ahead(&range) {
             parity ^= boundary_parity(patch.degree, &controls, ray.margin)?;
             continue;
         }

@@ -1,13 +1,16 @@
 //! A ray, and the coordinates in which it is an axis.
 
 use crate::bvh::{Aabb, Bvh};
+use crate::rounding::unit;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The ray from a point; z is along it, x and y across.
+/// A ray from a point, or a segment between two; z is along it, x and y across.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ray {
     pub(super) start: DVec3,
     axes: [DVec3; 3],
+    /// Its length, +∞ for a ray.
+    pub(super) length: f64,
     /// An upper bound on the error of a coordinate.
     pub(super) margin: f64,
 }
@@ -16,7 +19,12 @@ impl Ray {
     /// Makes the ray along a direction of length 1.
     pub(super) fn new(start: DVec3, direction: DVec3, margin: f64) -> Self {
         let (x, y) = direction.any_orthonormal_pair();
-        Self { start, axes: [x, y, direction], margin }
+        Self { start, axes: [x, y, direction], length: f64::INFINITY, margin }
+    }
+
+    /// Makes the segment between two points, which differ.
+    pub(super) fn segment(start: DVec3, end: DVec3, margin: f64) -> Self {
+        Self { length: start.distance(end), ..Self::new(start, unit(end - start), margin) }
     }
 
     /// Returns the coordinates of a point.
@@ -34,7 +42,7 @@ impl Ray {
 
     /// Returns true only if the ray certainly does not meet the hull of the points.
     pub(super) fn avoids(&self, points: impl Iterator<Item = DVec3>) -> bool {
-        Range::of(points.map(|point| self.coordinates(point))).is_beside(self.margin)
+        self.is_beside(&Range::of(points.map(|point| self.coordinates(point))))
     }
 
     /// Returns the leaves of a tree that the ray may meet.
@@ -59,7 +67,18 @@ impl Ray {
         let center = self.coordinates(aabb.center());
         let half = 0.5 * aabb.extent();
         let [x, y, z] = self.axes.map(|axis| axis.abs().dot(half) + self.margin);
-        center.x.abs() <= x && center.y.abs() <= y && center.z >= -z
+        center.x.abs() <= x && center.y.abs() <= y && center.z >= -z && center.z <= self.length + z
+    }
+
+    /// Returns true only if the hull of points of these coordinates lies beside the ray, behind its
+    /// start or beyond its end.
+    pub(super) fn is_beside(&self, range: &Range) -> bool {
+        range.is_aside(self.margin) || range.high.z < -self.margin || range.low.z > self.length + self.margin
+    }
+
+    /// Returns true only if the hull lies between the planes across the start and the end.
+    pub(super) fn is_ahead(&self, range: &Range) -> bool {
+        range.low.z > self.margin && range.high.z < self.length - self.margin
     }
 }
 
@@ -75,7 +94,13 @@ impl Range {
     pub(super) fn of(points: impl Iterator<Item = DVec3>) -> Self {
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let empty = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY, diagonals: [none; 2] };
+        let all = [f64::NEG_INFINITY, f64::INFINITY];
+        let whole = Self { low: DVec3::NEG_INFINITY, high: DVec3::INFINITY, diagonals: [all; 2] };
         points.fold(empty, |range, point| {
+            // Points that overflowed may be anywhere.
+            if !point.is_finite() {
+                return whole;
+            }
             let sums = [point.x + point.y, point.x - point.y];
             let diagonals =
                 [0, 1].map(|k| [range.diagonals[k][0].min(sums[k]), range.diagonals[k][1].max(sums[k])]);
@@ -83,14 +108,11 @@ impl Range {
         })
     }
 
-    /// Returns true only if the hull of the points lies beside the axis z = 0 … ∞, or behind it.
-    pub(super) fn is_beside(&self, margin: f64) -> bool {
+    /// Returns true only if the hull of the points lies beside the axis.
+    fn is_aside(&self, margin: f64) -> bool {
         // A sum of two coordinates has at most twice the error of one.
         let sums = self.diagonals.iter().any(|&[low, high]| low > 2.0 * margin || high < -2.0 * margin);
-        sums || self.is_aside(margin) || self.high.z < -margin
-    }
-
-    fn is_aside(&self, margin: f64) -> bool {
-        self.low.x > margin || self.high.x < -margin || self.low.y > margin || self.high.y < -margin
+        let [low, high] = [self.low, self.high];
+        sums || low.x > margin || high.x < -margin || low.y > margin || high.y < -margin
     }
 }

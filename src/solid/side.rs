@@ -39,15 +39,31 @@ impl Boundary {
         if !self.is_closed() {
             return Side::Undecided;
         }
-        let margin = self.margin + gamma(COORDINATE_ROUNDINGS) * point.length();
         for direction in (0..MAX_RAYS).map(direction) {
-            match self.parity(target, &Ray::new(point, direction, margin)) {
+            match self.parity(target, &Ray::new(point, direction, self.margin_at(point))) {
                 Some(true) => return Side::Inside,
                 Some(false) => return Side::Outside,
                 None => {}
             }
         }
         Side::Undecided
+    }
+
+    /// Returns the side of a point as [`Boundary::side`] does, from that of another, which must be
+    /// known: by the faces that the segment between them crosses, or a ray where that may meet an
+    /// edge. Of a segment along a face only a few patches are near.
+    pub(crate) fn side_beside(&self, target: &Target, point: DVec3, (other, side): (DVec3, Side)) -> Side {
+        let margin = self.margin_at(point) + self.margin_at(other);
+        match (side, self.parity(target, &Ray::segment(point, other, margin))) {
+            (Side::Inside, Some(false)) | (Side::Outside, Some(true)) => Side::Inside,
+            (Side::Outside, Some(false)) | (Side::Inside, Some(true)) => Side::Outside,
+            _ => self.side(target, point),
+        }
+    }
+
+    /// Returns an upper bound on the error of a coordinate along a ray from a point.
+    fn margin_at(&self, point: DVec3) -> f64 {
+        self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 
     /// Returns whether the ray crosses the faces an odd number of times; `None` if it may meet a

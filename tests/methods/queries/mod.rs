@@ -4,4 +4,5 @@ mod clearance;
 mod closest_points;
 mod diff;
 mod field;
+mod solids;
 mod update;
