@@ -51,11 +51,14 @@ fn main() {
         [a, b] => vec![[a.as_str(), b.as_str()]],
         _ => PAIRS.to_vec(),
     };
-    println!("| A | B | poses | interval: median ms | 95 % | max | pairs, median | limit: median ms | 95 % | max | undecided |");
+    println!(
+        "| A | B | poses | interval: median ms | 95 % | max | pairs, median | limit: median ms | 95 % | max | undecided |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|---|");
     for [a, b] in pairs {
         let models = [a, b].map(|name| shared::load(&folder, name));
-        let short = [a, b].map(|name| Path::new(name).file_name().map_or(name, |name| name.to_str().unwrap_or("")));
+        let short =
+            [a, b].map(|name| Path::new(name).file_name().map_or(name, |name| name.to_str().unwrap_or("")));
         measure(short, &models);
     }
 }
@@ -78,7 +81,12 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
     for pose in 0..=POSES {
         let transform = pose(&mut random, models);
         let seconds = Some(MAX_SECONDS);
-        let of = |limit| ClearanceOptions { transform, limit, max_seconds: seconds, ..ClearanceOptions::default() };
+        let of = |limit| ClearanceOptions {
+            transform,
+            limit,
+            max_seconds: seconds,
+            ..ClearanceOptions::default()
+        };
         let run = |options: ClearanceOptions| -> (ClearanceResult, f64) {
             let clock = Stopwatch::start(false);
             let mut monitor = NoMonitor;
@@ -98,15 +106,20 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
         cells.push(interval.cells as f64);
         let (turn, offset) = (transform.rotation().to_array(), transform.offset().to_array());
         let (lower, upper) = (interval.lower, interval.upper);
-        writeln!(lines, r#"{{"quaternion":{turn:?},"translation":{offset:?},"lower":{lower:?},"upper":{upper:?}}}"#)
-            .expect("a string");
+        writeln!(
+            lines,
+            r#"{{"quaternion":{turn:?},"translation":{offset:?},"lower":{lower:?},"upper":{upper:?}}}"#
+        )
+        .expect("a string");
     }
     let ends = |mut values: Vec<f64>| {
         values.sort_by(f64::total_cmp);
         [0.5, 0.95, 1.0].map(|part| values[((values.len() - 1) as f64 * part) as usize])
     };
     let ([w, w95, w100], [l, l95, l100], [c, ..]) = (ends(widths), ends(limits), ends(cells));
-    println!("| {a} | {b} | {POSES} | {w:.2} | {w95:.2} | {w100:.1} | {c:.0} | {l:.2} | {l95:.2} | {l100:.1} | {undecided} |");
+    println!(
+        "| {a} | {b} | {POSES} | {w:.2} | {w95:.2} | {w100:.1} | {c:.0} | {l:.2} | {l95:.2} | {l100:.1} | {undecided} |"
+    );
     let folder = Path::new("target/clearance");
     std::fs::create_dir_all(folder).expect("a folder");
     std::fs::write(folder.join(format!("{a}-{b}.jsonl")), lines).expect("a file");

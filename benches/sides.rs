@@ -33,7 +33,9 @@ fn main() {
     } else {
         names.iter().map(PathBuf::from).collect()
     };
-    println!("| model | faces | shells | free edges | joining, ms | inside | outside | undecided | µs a point |");
+    println!(
+        "| model | faces | shells | free edges | joining, ms | inside | outside | undecided | µs a point |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|");
     for path in paths {
         measure(&path);

@@ -28,13 +28,7 @@ pub(super) struct HullDistance {
 /// at least `min n·a - max n·b` apart; the largest found is returned. The directions are those of
 /// E. G. Gilbert, D. W. Johnson and S. S. Keerthi, *A fast procedure for computing the distance
 /// between complex objects in three-dimensional space*, 1988. O(points) a step.
-pub(super) fn hull_distance(
-    a: &[DVec3],
-    b: &[DVec3],
-    start: DVec3,
-    enough: f64,
-    gap: f64,
-) -> HullDistance {
+pub(super) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64, gap: f64) -> HullDistance {
     let mut found = HullDistance { lower: 0.0, direction: start, pairs: [([0, 0], 0.0); 4] };
     let mut corners: Vec<([usize; 2], DVec3)> = Vec::with_capacity(4);
     let mut toward = start;
@@ -58,7 +52,8 @@ pub(super) fn hull_distance(
         let points: [DVec3; 4] = std::array::from_fn(|k| corners.get(k).map_or(DVec3::ZERO, |&(_, at)| at));
         let nearest = nearest_of_simplex(&points[..corners.len()]);
         let mut kept = corners.iter().zip(nearest.weights).filter(|&(_, weight)| weight > 0.0);
-        found.pairs = std::array::from_fn(|_| kept.next().map_or(([0, 0], 0.0), |(&(at, _), weight)| (at, weight)));
+        found.pairs =
+            std::array::from_fn(|_| kept.next().map_or(([0, 0], 0.0), |(&(at, _), weight)| (at, weight)));
         let mut weights = nearest.weights.into_iter();
         corners.retain(|_| weights.next().is_some_and(|weight| weight > 0.0));
         if corners.len() == 4 {
@@ -107,7 +102,8 @@ mod tests {
         for start in [DVec3::X, DVec3::new(0.3, -1.0, 0.2), DVec3::ZERO] {
             let side = bound(&cube(DVec3::X * 3.0, 0.0), &cube(DVec3::ZERO, 0.0), start);
             assert!((side - 2.0).abs() < 1e-12, "{side}");
-            let turned = bound(&cube(DVec3::X * 3.0, std::f64::consts::FRAC_PI_4), &cube(DVec3::ZERO, 0.0), start);
+            let turned =
+                bound(&cube(DVec3::X * 3.0, std::f64::consts::FRAC_PI_4), &cube(DVec3::ZERO, 0.0), start);
             assert!((turned - (2.5 - half.sqrt())).abs() < 1e-7, "{turned}");
             let corner = bound(&cube(DVec3::splat(2.0), 0.0), &cube(DVec3::ZERO, 0.0), start);
             assert!((corner - 3.0_f64.sqrt()).abs() < 1e-7, "{corner}");

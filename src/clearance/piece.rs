@@ -73,7 +73,8 @@ impl<'a> Pieces<'a> {
         }
         let [low, high] = Patch { controls, domain: range, ..self.patch(patch) }.halves(axis);
         let [low_range, high_range] = range.halves(axis);
-        let halves = [self.add(patch, low_range, low, level + 1), self.add(patch, high_range, high, level + 1)];
+        let halves =
+            [self.add(patch, low_range, low, level + 1), self.add(patch, high_range, high, level + 1)];
         self.list[index as usize].halves = Some(halves);
         halves
     }

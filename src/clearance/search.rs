@@ -1,10 +1,10 @@
 //! The search for the least distance, best first over pairs.
 
+use super::Body;
 use super::body::pair_error;
 use super::hull::{HullDistance, hull_distance};
 use super::newton::{Pairing, PatchPair};
 use super::piece::Pieces;
-use super::Body;
 use crate::bvh::{Aabb, Node};
 use crate::certified::{Interval, Stop};
 use crate::model::RigidTransform;
@@ -119,6 +119,38 @@ impl<'a> Search<'a> {
             search.bound_whole(pieces);
         }
         search
+    }
+
+    /// Returns the pairs of patches whose hulls are certainly not farther apart than `distance`, and
+    /// those for which that is not certain. O(pairs of nodes as near).
+    pub(crate) fn pairs_within(
+        bodies: [Body<'a>; 2],
+        transform: RigidTransform,
+        distance: f64,
+    ) -> Vec<[u32; 2]> {
+        let goal = Goal { tolerance: distance, limit: None };
+        let mut search = Self::without_pairs(bodies, transform, goal);
+        if bodies.iter().any(|body| body.target.tree.nodes().is_empty()) {
+            return Vec::new();
+        }
+        let within = (distance + search.error()).next_up();
+        let (mut found, mut stack) = (Vec::new(), vec![[0, 0]]);
+        while let Some(nodes) = stack.pop() {
+            if search.box_distance(nodes) > within {
+                continue;
+            }
+            if let Some(children) = search.halves(nodes) {
+                stack.extend(children);
+                continue;
+            }
+            let pieces = search.patches(nodes);
+            let [a, b] = [0, 1].map(|side| search.pieces[side].piece(pieces[side]));
+            let hulls = hull_distance(&a.points, &b.points, a.points[0] - b.points[0], within, 0.0);
+            if hulls.lower <= within {
+                found.push([a.patch, b.patch]);
+            }
+        }
+        found
     }
 
     fn without_pairs(bodies: [Body<'a>; 2], transform: RigidTransform, goal: Goal) -> Self {

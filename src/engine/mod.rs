@@ -18,7 +18,7 @@ mod result;
 mod signs;
 mod solid;
 
-pub use clearance::{ClearanceOptions, ClearanceResult};
+pub use clearance::{ClearanceOptions, ClearanceResult, FaceGap, GapOptions, GapsResult, Overlap};
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
@@ -27,11 +27,11 @@ pub use field::{DeviationField, FieldOptions, Statistics};
 pub use info::{FaceInfo, ModelInfo};
 pub use options::{Backend, Method, Options};
 pub use prepared::PreparedModel;
-pub use signs::Signs;
-pub use solid::{FreeEdge, Shell, Solid};
 pub use result::{
     Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
     PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
 };
+pub use signs::Signs;
+pub use solid::{FreeEdge, Shell, Solid};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

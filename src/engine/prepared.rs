@@ -327,7 +327,7 @@ impl PreparedModel {
 
     /// Returns the edges of the faces, joined where they meet, computed at first use.
     pub(super) fn boundary(&self) -> &Boundary {
-        self.boundary.get_or_init(|| {
+        computed(&self.boundary, || {
             let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
             Boundary::new(&self.bezier, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })

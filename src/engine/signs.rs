@@ -8,7 +8,7 @@ use crate::flatness::Flatness;
 use crate::solid::{Boundary, Side};
 use glam::DVec3;
 use serde::Serialize;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The sine of the angle between the normal and the direction from a foot up to which the foot
 /// counts as one inside a face: the distance to a face is least along its normal. Farther off, the
@@ -33,7 +33,7 @@ pub enum Signs {
 
 /// The model from which deviations are measured, with its patches where it is a solid.
 pub(super) struct SignSource<'a> {
-    solid: Option<(&'a Boundary, Rc<PreparedTarget>)>,
+    solid: Option<(&'a Boundary, Arc<PreparedTarget>)>,
 }
 
 /// The same, to be shared by threads.
@@ -91,9 +91,11 @@ impl SignRule<'_> {
 /// have one.
 fn side(boundary: &Boundary, target: &Target, point: DVec3, radius: f64, known: &mut Known) -> Side {
     let side = match &known.0 {
-        Some(ball) if radius > 0.0 && ball.center.distance(point) < BALL * (ball.radius + radius) => ball.side,
+        Some(ball) if radius > 0.0 && ball.center.distance(point) < BALL * (ball.radius + radius) => {
+            ball.side
+        }
         Some(ball) => boundary.side_beside(target, point, (ball.center, ball.side)),
-        None => boundary.side(target, point),
+        None => boundary.side(target, point, 0.0),
     };
     if side != Side::Undecided {
         known.0 = Some(Ball { center: point, radius: if radius > 0.0 { radius } else { 0.0 }, side });

@@ -87,6 +87,29 @@ impl PreparedModel {
     /// within its gaps, and for models that are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
-        self.boundary().side(&self.target(Flatness::None).target, DVec3::from_array(point))
+        self.side_within(DVec3::from_array(point), 0.0)
+    }
+
+    /// Returns the side of all points within `error` of this one.
+    pub(super) fn side_within(&self, point: DVec3, error: f64) -> Side {
+        self.boundary().side(&self.target(Flatness::None).target, point, error)
+    }
+
+    /// Returns points of the model, one at least of each connected part of its faces.
+    pub(super) fn points_of_shells(&self) -> Vec<DVec3> {
+        let bezier = self.bezier();
+        let mut is_seen = vec![false; bezier.grids.len()];
+        let mut points = Vec::new();
+        for (grid, &shell) in bezier.grids.iter().zip(self.boundary().shells()) {
+            let middle = |index: usize| bezier.patches.patch(grid.first + index).point([0.5; 2]);
+            if grid.is_continuous(bezier.patches.patch(grid.first).degree) {
+                if !std::mem::replace(&mut is_seen[shell as usize], true) {
+                    points.push(middle(0));
+                }
+            } else {
+                points.extend((0..grid.counts().iter().product()).map(middle));
+            }
+        }
+        points
     }
 }

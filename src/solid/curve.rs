@@ -58,7 +58,8 @@ impl Curve {
             let newton = if next.is_nan() { t } else { next };
             let tries = [newton, t + step, t - step].map(|t| t.clamp(0.0, 1.0));
             let next = tries.map(|t| (t, distance(t)));
-            let next = next.into_iter().fold((t, best), |least, next| if next.1 < least.1 { next } else { least });
+            let next =
+                next.into_iter().fold((t, best), |least, next| if next.1 < least.1 { next } else { least });
             if next.0 == t {
                 step *= 0.25;
             }

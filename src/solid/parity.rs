@@ -2,9 +2,9 @@
 
 use super::curve::split;
 use super::ray::{Range, Ray};
+use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
-use crate::axis::Axis;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The largest number of parts of one patch: a ray that needs more is given up for another.
@@ -62,8 +62,7 @@ fn longer_axis([_, q]: [usize; 2], controls: &[DVec4]) -> Axis {
 fn boundary_parity([p, q]: [usize; 2], controls: &[DVec4], margin: f64) -> Option<bool> {
     let columns = q + 1;
     let column = |j: usize| controls.iter().skip(j).step_by(columns).copied().collect::<Vec<_>>();
-    let edges =
-        [controls[..columns].to_vec(), controls[p * columns..].to_vec(), column(0), column(q)];
+    let edges = [controls[..columns].to_vec(), controls[p * columns..].to_vec(), column(0), column(q)];
     let mut parity = false;
     for edge in edges {
         parity ^= curve_parity(edge, margin)?;

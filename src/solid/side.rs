@@ -34,13 +34,14 @@ impl Boundary {
     ///
     /// Guarantee (lemma S2 of docs/solids.md): inside and outside are never wrong for the set that
     /// the faces and the strips between joined edges bound, by the even-odd rule. `target` has the
-    /// patches of the model that this is the boundary of. O(√patches) a ray in general position.
-    pub(crate) fn side(&self, target: &Target, point: DVec3) -> Side {
+    /// patches of the model that this is the boundary of. It holds for all points within `error` of
+    /// the one given. O(√patches) a ray in general position.
+    pub(crate) fn side(&self, target: &Target, point: DVec3, error: f64) -> Side {
         if !self.is_closed() {
             return Side::Undecided;
         }
         for direction in (0..MAX_RAYS).map(direction) {
-            match self.parity(target, &Ray::new(point, direction, self.margin_at(point))) {
+            match self.parity(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
                 Some(true) => return Side::Inside,
                 Some(false) => return Side::Outside,
                 None => {}
@@ -57,7 +58,7 @@ impl Boundary {
         match (side, self.parity(target, &Ray::segment(point, other, margin))) {
             (Side::Inside, Some(false)) | (Side::Outside, Some(true)) => Side::Inside,
             (Side::Outside, Some(false)) | (Side::Inside, Some(true)) => Side::Outside,
-            _ => self.side(target, point),
+            _ => self.side(target, point, 0.0),
         }
     }
 

@@ -1,8 +1,13 @@
 //! The clearance of two models: the least distance of their points.
 
+mod gaps;
 mod options;
+mod overlap;
 
-pub use options::ClearanceOptions;
+pub use gaps::{FaceGap, GapsResult};
+pub use options::{ClearanceOptions, GapOptions};
+pub use overlap::Overlap;
+use overlap::Solids;
 
 use super::direction::Direction;
 use super::{Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
@@ -29,9 +34,12 @@ pub struct ClearanceResult {
     /// Why the search ended.
     pub stop: Stop,
     /// With a limit: whether the clearance is at least the limit, absent if the search ended
-    /// before that was known.
+    /// before that was known. Solids that certainly overlap have no clearance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_least: Option<bool>,
+    /// Whether the solids overlap, absent where a model is not closed or that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overlap: Option<Overlap>,
     /// The permitted width of the interval, in model units.
     pub tolerance: f64,
     /// The least tolerance, in model units, that the rounding of these coordinates allows; the
@@ -86,13 +94,17 @@ impl Engine {
         let stop = run(&mut search, options, started, &mut progress).await?;
         progress.finish();
         let nearest = search.nearest().ok_or(Error::EmptyModel)?;
-        let Interval { lower, upper } = search.interval();
+        let interval = search.interval();
+        let solids = Solids::new([a, b], options.transform, diagonal);
+        let overlap = solids.and_then(|solids| solids.overlap(interval, goal.tolerance, &nearest));
+        let overlaps = overlap.is_some_and(|overlap| overlap.is_overlap());
         Ok(ClearanceResult {
-            lower,
-            upper,
+            lower: interval.lower,
+            upper: interval.upper,
             converged: stop == Stop::Converged,
             stop,
-            at_least: search.at_least(),
+            at_least: if overlaps { options.limit.map(|_| false) } else { search.at_least() },
+            overlap,
             tolerance: goal.tolerance,
             min_tolerance: search.min_tolerance(),
             witness: witness([a, b], [&targets[0], &targets[1]], &nearest),
@@ -100,11 +112,7 @@ impl Engine {
             unit: direction.unit(),
             gap: direction.gap(),
             cells: search.pairs(),
-            seconds: Seconds {
-                prepare,
-                compile: 0.0,
-                solve: started.elapsed().as_secs_f64() - prepare,
-            },
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }
 }
@@ -152,7 +160,7 @@ fn witness(models: [&PreparedModel; 2], targets: [&PreparedTarget; 2], nearest: 
 
 impl PreparedTarget {
     /// Returns the patches, which must have been cut from those of `model`, for a clearance.
-    fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
+    pub(super) fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
         Body { target: &self.target, control_box: model.control_box(), point_error: self.point_error(model) }
     }
 }

@@ -3,8 +3,8 @@
 mod deviation;
 
 use super::direction::Direction;
-use super::signs::{Known, SignRule, SignSource};
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
+use super::signs::{Known, SignRule, SignSource};
 use super::{Computation, Engine, Field, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target, closest_above};

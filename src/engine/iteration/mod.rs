@@ -5,8 +5,8 @@ mod cpu;
 
 use super::direction::{DirectedRun, Direction};
 use super::field::FieldSearch;
-use super::signs::{SignRule, SignSource};
 use super::result::DirectedResult;
+use super::signs::{SignRule, SignSource};
 use super::{
     Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
     Processor, Seconds, SurfacePoint,

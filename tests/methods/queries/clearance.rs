@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel, Stop};
 use nurbs_hausdorff::progress::NoMonitor;
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere, torus};
-use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, Model, RigidTransform};
+use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, GapOptions, Model, Overlap, RigidTransform};
 
 fn clearance(a: &Model, b: &Model, options: &ClearanceOptions) -> ClearanceResult {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
@@ -76,7 +76,8 @@ fn a_cylinder_beside_a_sphere() {
 fn a_limit_is_decided_and_costs_less() {
     let (one, other) = (sphere(DVec3::ZERO, 1.0).unwrap(), sphere(DVec3::ZERO, 0.5).unwrap());
     let transform = pose([0.3, -1.0, 0.4], 1.1, [3.0, 0.0, 0.0]);
-    let narrow = ClearanceOptions { relative_tolerance: Some(1e-9), transform, ..ClearanceOptions::default() };
+    let narrow =
+        ClearanceOptions { relative_tolerance: Some(1e-9), transform, ..ClearanceOptions::default() };
     let whole = clearance(&other, &one, &narrow);
     for (limit, expected) in [(1.4, true), (1.49, true), (1.51, false), (2.0, false)] {
         let options = ClearanceOptions { limit: Some(limit), ..narrow.clone() };
@@ -148,4 +149,64 @@ fn no_sample_is_nearer_than_the_interval() {
             assert!(result.lower <= nearest, "{} and {}: {} > {nearest}", names[i], names[j], result.lower);
         }
     }
+}
+
+#[test]
+fn the_overlap_of_spheres_is_that_of_their_centres_and_radii() {
+    let (one, other) = (sphere(DVec3::ZERO, 1.0).unwrap(), sphere(DVec3::ZERO, 0.5).unwrap());
+    for (distance, kind) in
+        [(1.51, "none"), (1.5, "touching"), (1.4, "both"), (0.6, "both"), (0.4, "contained")]
+    {
+        let offset = distance * DVec3::new(2.0, -1.0, 2.0) / 3.0;
+        let transform = pose([0.3, -1.0, 0.4], 1.1, offset.to_array());
+        let limit = Some(1e-3);
+        for options in [
+            ClearanceOptions { transform, ..ClearanceOptions::default() },
+            ClearanceOptions { transform, limit, ..ClearanceOptions::default() },
+        ] {
+            let result = clearance(&other, &one, &options);
+            let inside = match (kind, result.overlap) {
+                ("none", Some(Overlap::None)) | ("touching", Some(Overlap::Touching)) => None,
+                ("both", Some(Overlap::Intersecting { inside_both }))
+                | ("contained", Some(Overlap::Contained { inside_both })) => {
+                    Some(DVec3::from_array(inside_both))
+                }
+                // A decision may end before the boundaries are within the tolerance.
+                ("touching", None) if options.limit.is_some() => None,
+                (_, found) => panic!("{kind} at {distance}: {found:?}"),
+            };
+            if let Some(point) = inside {
+                assert!(point.length() < 1.0 && point.distance(offset) <= 0.5 + 1e-12, "{point}");
+            }
+            let at_least = options.limit.map(|_| kind == "none");
+            assert_eq!(result.at_least, at_least, "{kind}");
+        }
+    }
+}
+
+/// Faces of two boxes: only those that face each other are near.
+#[test]
+fn the_gaps_of_two_boxes_are_those_of_the_faces_that_face_each_other() {
+    let boxes = |size: f64| Model::from_arrays(None, super::solids::cube(size)).unwrap();
+    let (a, b) = (boxes(1.0), boxes(2.0));
+    let [a, b] = [&a, &b].map(|model| PreparedModel::new(model).unwrap());
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let transform = pose([0.0, 0.0, 1.0], 0.0, [3.25, 0.0, 0.0]);
+    let gaps = |below: f64| {
+        let options = GapOptions { below, transform, ..GapOptions::default() };
+        pollster::block_on(engine.gaps(&a, &b, &options, &mut NoMonitor)).unwrap()
+    };
+    assert!(gaps(0.2).pairs.is_empty());
+    let found = gaps(0.3);
+    assert!(found.complete);
+    // The face at x = -1 of A, and its four neighbours by their edges; the face at x = 2 of B.
+    assert_eq!(found.pairs.len(), 5);
+    for pair in &found.pairs {
+        assert!(pair.converged && pair.lower <= 0.25 && 0.25 <= pair.upper);
+        assert_eq!(pair.witness.b.face, 1);
+        assert!(
+            (pair.witness.b.point[0] - 2.0).abs() < 1e-12 && (pair.witness.a.point[0] - 2.25).abs() < 1e-12
+        );
+    }
+    assert!(found.pairs.iter().any(|pair| pair.witness.a.face == 0));
 }

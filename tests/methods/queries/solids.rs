@@ -38,8 +38,8 @@ fn face(corners: [DVec3; 4]) -> SurfaceArrays {
     }
 }
 
-/// The faces of the box [-1, 1]³, oriented at random.
-fn cube() -> Vec<SurfaceArrays> {
+/// The faces of the box [-half, half]³, oriented at random: those across x, then y, then z.
+pub fn cube(half: f64) -> Vec<SurfaceArrays> {
     let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
     let side = |axis: usize, end: f64| {
         let corner = |a: f64, b: f64| match axis {
@@ -47,9 +47,9 @@ fn cube() -> Vec<SurfaceArrays> {
             1 => at(a, end, b),
             _ => at(a, b, end),
         };
-        face([corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
+        face([corner(-half, -half), corner(half, -half), corner(half, half), corner(-half, half)])
     };
-    (0..6).map(|index| side(index / 2, if index % 2 == 0 { -1.0 } else { 1.0 })).collect()
+    (0..6).map(|index| side(index / 2, if index % 2 == 0 { -half } else { half })).collect()
 }
 
 fn tetrahedron(scale: f64) -> Model {
@@ -111,15 +111,16 @@ fn points_of_bodies_of_revolution() {
 
 #[test]
 fn points_of_a_box_of_faces_oriented_either_way() {
-    let model = Model::from_arrays(None, cube()).unwrap();
+    let model = Model::from_arrays(None, cube(1.0)).unwrap();
     assert_sides("box", &model, 1.4, depth_of_cube);
 }
 
 /// On lines through edges and corners, and through the bisectors of the faces.
 #[test]
 fn points_beside_edges_and_corners() {
-    let model = prepared(&Model::from_arrays(None, cube()).unwrap());
-    let corners = [DVec3::ONE, DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, 0.3), DVec3::new(0.0, -1.0, -1.0)];
+    let model = prepared(&Model::from_arrays(None, cube(1.0)).unwrap());
+    let corners =
+        [DVec3::ONE, DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, 0.3), DVec3::new(0.0, -1.0, -1.0)];
     for corner in corners {
         let outward = corner.normalize();
         for distance in [1e-1, 1e-3, 1e-6, 1e-9] {
@@ -144,7 +145,7 @@ fn a_void_is_outside_and_shells_are_counted() {
 
 #[test]
 fn an_open_model_names_its_free_edges_and_has_no_sides() {
-    let mut faces = cube();
+    let mut faces = cube(1.0);
     faces.pop();
     let model = prepared(&Model::from_arrays(None, faces).unwrap());
     let solid = model.solid();
@@ -152,7 +153,8 @@ fn an_open_model_names_its_free_edges_and_has_no_sides() {
     assert_eq!(solid.free_edges.len(), 4);
     assert!(solid.free_edges.iter().all(|edge| edge.middle[2] == 1.0), "{:?}", solid.free_edges);
     assert_eq!(model.side([0.0; 3]), Side::Undecided);
-    let half = part(&sphere(DVec3::ZERO, 1.0).unwrap().surfaces()[0], [[0.0, 1.0], [0.0, 0.5]].into()).unwrap();
+    let half =
+        part(&sphere(DVec3::ZERO, 1.0).unwrap().surfaces()[0], [[0.0, 1.0], [0.0, 0.5]].into()).unwrap();
     let half = prepared(&Model::new(None, vec![half]).unwrap()).solid();
     assert!(!half.closed && !half.free_edges.is_empty());
 }
@@ -160,10 +162,12 @@ fn an_open_model_names_its_free_edges_and_has_no_sides() {
 /// A wall of the box in three faces: two beside each other and one above both.
 #[test]
 fn edges_that_meet_inside_others_are_joined() {
-    let mut faces = cube();
+    let mut faces = cube(1.0);
     faces.pop();
     let at = |x: f64, y: f64| DVec3::new(x, y, 1.0);
-    for [low, high] in [[at(-1.0, -1.0), at(0.2, 0.5)], [at(0.2, -1.0), at(1.0, 0.5)], [at(-1.0, 0.5), at(1.0, 1.0)]] {
+    for [low, high] in
+        [[at(-1.0, -1.0), at(0.2, 0.5)], [at(0.2, -1.0), at(1.0, 0.5)], [at(-1.0, 0.5), at(1.0, 1.0)]]
+    {
         faces.push(face([low, at(high.x, low.y), high, at(low.x, high.y)]));
     }
     assert_sides("box of eight faces", &Model::from_arrays(None, faces).unwrap(), 1.4, depth_of_cube);
@@ -173,7 +177,7 @@ fn edges_that_meet_inside_others_are_joined() {
 #[test]
 fn cracks_within_the_gap_close() {
     for (crack, closed) in [(1e-6, true), (1e-3, false)] {
-        let mut faces = cube();
+        let mut faces = cube(1.0);
         for control in &mut faces[5].control_points {
             control[2] += crack;
         }
@@ -216,7 +220,7 @@ fn deviations_from_a_tetrahedron_have_the_sign_of_the_solid() {
 #[test]
 fn samples_that_cross_the_boundary_change_their_sign() {
     let cutting = cylinder(0.9, 6.0).unwrap();
-    let found = field(&cutting, &Model::from_arrays(None, cube()).unwrap());
+    let found = field(&cutting, &Model::from_arrays(None, cube(1.0)).unwrap());
     let mut counts = [0, 0];
     for part in &found.field {
         for (point, signed) in part.points.chunks_exact(3).zip(&part.signed) {
@@ -236,7 +240,8 @@ fn deviations_from_a_sheet_have_the_sign_of_its_normal_over_it() {
     let points = [[0.5, 0.5, 0.3], [0.5, 0.5, -0.2], [1.5, 0.5, 0.3], [2.0, 2.0, 0.0]];
     let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
     let options = ClosestPointOptions::default();
-    let search = pollster::block_on(engine.closest_points(&model, &points.concat(), &options, &mut NoMonitor));
+    let search =
+        pollster::block_on(engine.closest_points(&model, &points.concat(), &options, &mut NoMonitor));
     let found = search.unwrap();
     assert_eq!(found.signs, Signs::Faces);
     let normal = found.signed[0].signum();
