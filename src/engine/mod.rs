@@ -18,7 +18,9 @@ mod result;
 mod signs;
 mod solid;
 
-pub use clearance::{ClearanceOptions, ClearanceResult, FaceGap, GapOptions, GapsResult, Overlap};
+pub use clearance::{
+    ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
+};
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};

@@ -48,6 +48,8 @@ pub struct GapsResult {
     pub unit: Option<f64>,
     /// The sum of both models' gaps, as in [`crate::DistanceResult::gap`].
     pub gap: f64,
+    /// Whether that is an upper bound, as far as both models' readers know.
+    pub gap_proven: bool,
     /// Where the time went.
     pub seconds: Seconds,
 }
@@ -104,10 +106,10 @@ impl Engine {
         }
         progress.finish();
         pairs.sort_by(|one, other| one.upper.total_cmp(&other.upper));
-        let (unit, gap) = (direction.unit(), direction.gap());
+        let (unit, gap, gap_proven) = (direction.unit(), direction.gap(), direction.is_gap_proven());
         let solve = started.elapsed().as_secs_f64() - prepare;
         let seconds = Seconds { prepare, compile: 0.0, solve };
         let (below, tolerance) = (options.below, goal.tolerance);
-        Ok(GapsResult { below, tolerance, pairs, complete, diagonal, unit, gap, seconds })
+        Ok(GapsResult { below, tolerance, pairs, complete, diagonal, unit, gap, gap_proven, seconds })
     }
 }

@@ -3,11 +3,13 @@
 mod gaps;
 mod options;
 mod overlap;
+mod with_gaps;
 
 pub use gaps::{FaceGap, GapsResult};
 pub use options::{ClearanceOptions, GapOptions};
 pub use overlap::Overlap;
 use overlap::Solids;
+pub use with_gaps::ClearanceWithGaps;
 
 use super::direction::Direction;
 use super::{Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
@@ -54,6 +56,10 @@ pub struct ClearanceResult {
     pub unit: Option<f64>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
+    /// Whether that is an upper bound, as far as both models' readers know.
+    pub gap_proven: bool,
+    /// What holds for the sources, which differ from the models by up to their gaps.
+    pub with_gaps: ClearanceWithGaps,
     /// The number of pairs of cells bounded.
     pub cells: usize,
     /// Where the time went.
@@ -85,9 +91,10 @@ impl Engine {
         let started = Instant::now();
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
-        let prepare = started.elapsed().as_secs_f64();
         let direction = Direction { from: a, to: b, transform: options.transform };
         let diagonal = direction.diagonal();
+        let solids = Solids::new([a, b], options.transform, diagonal);
+        let prepare = started.elapsed().as_secs_f64();
         let goal = Goal { tolerance: options.width(diagonal), limit: options.limit };
         let mut search = Search::new(bodies, options.transform, goal);
         let mut progress = Progress::new(monitor, false);
@@ -95,15 +102,15 @@ impl Engine {
         progress.finish();
         let nearest = search.nearest().ok_or(Error::EmptyModel)?;
         let interval = search.interval();
-        let solids = Solids::new([a, b], options.transform, diagonal);
         let overlap = solids.and_then(|solids| solids.overlap(interval, goal.tolerance, &nearest));
         let overlaps = overlap.is_some_and(|overlap| overlap.is_overlap());
+        let at_least = if overlaps { options.limit.map(|_| false) } else { search.at_least() };
         Ok(ClearanceResult {
             lower: interval.lower,
             upper: interval.upper,
             converged: stop == Stop::Converged,
             stop,
-            at_least: if overlaps { options.limit.map(|_| false) } else { search.at_least() },
+            at_least,
             overlap,
             tolerance: goal.tolerance,
             min_tolerance: search.min_tolerance(),
@@ -111,6 +118,8 @@ impl Engine {
             diagonal,
             unit: direction.unit(),
             gap: direction.gap(),
+            gap_proven: direction.is_gap_proven(),
+            with_gaps: ClearanceWithGaps::new(interval, direction.gap(), options.limit, at_least),
             cells: search.pairs(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
