@@ -90,11 +90,13 @@ mod shared;
 pub mod tessellate;
 
 mod chebyshev;
+mod clearance;
 mod limits;
 mod parallel;
 mod pieces;
 mod read;
 mod rounding;
+mod solid;
 mod symmetry;
 mod tolerance;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-readers")))]
@@ -177,15 +179,14 @@ pub use area::Area;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
-    DiffResult, DistanceResult, Engine, FaceDifference, FaceInfo, FaceState, FieldOptions, Method, ModelInfo,
-    Options, PreparedModel, Statistics, SurfacePoint, Witness,
+    Backend, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, Method, ModelInfo, Options, Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
+pub use solid::Side;
 
 /// The trimming of faces.
 pub mod trim {

@@ -6,4 +6,5 @@ pub(crate) mod clock;
 pub(crate) mod flops;
 pub(crate) mod models;
 pub(crate) mod peak;
+pub(crate) mod random;
 pub(crate) mod shared;

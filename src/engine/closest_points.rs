@@ -1,5 +1,6 @@
 //! The closest points of a model to given points.
 
+use super::signs::{Known, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
@@ -53,8 +54,7 @@ pub struct ClosestPoints {
     /// The bounds: the distance from point i to the model is in
     /// `[distances[i] - bounds[i], distances[i] + bounds[i]]`.
     pub bounds: Vec<f64>,
-    /// The distances, negative behind the surface's normal (u × v) at the foot; NaN
-    /// where it has no normal.
+    /// The distances with the signs that [`ClosestPoints::signs`] names.
     pub signed: Vec<f64>,
     /// The feet, the points of the model that were found: x, y, z each.
     pub feet: Vec<f64>,
@@ -62,6 +62,8 @@ pub struct ClosestPoints {
     pub faces: Vec<u32>,
     /// The feet's parameters there: u, v each.
     pub parameters: Vec<f64>,
+    /// What the signs stand for.
+    pub signs: Signs,
 }
 
 impl Engine {
@@ -106,12 +108,14 @@ impl Engine {
         let gap = permitted.in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
         let point_error = model.bezier().point_error.after(MAX_HALVINGS);
         let mut progress = Progress::new(monitor, false);
-        let mut found = ClosestPoints::default();
+        let source = SignSource::new(model);
+        let rule = source.rule();
+        let mut found = ClosestPoints { signs: rule.signs(), ..ClosestPoints::default() };
         let count = points.len() / 3;
         for page in points.chunks(3 * POINTS_AT_ONCE) {
             let parts = map_ranges(page.len() / 3, |range| {
                 let mut part = ClosestPoints::default();
-                let mut known = None;
+                let (mut known, mut side) = (None, Known::default());
                 for point in page[3 * range.start..3 * range.end].chunks_exact(3) {
                     let local = DVec3::new(point[0], point[1], point[2]);
                     let point = transform.apply(local);
@@ -127,7 +131,7 @@ impl Engine {
                             + gamma(DISTANCE_ROUNDINGS) * closest.upper
                             + VANISHING_LENGTH,
                     );
-                    part.signed.push(super::field::signed(point, &foot));
+                    part.signed.push(rule.signed(point, closest.lower, &foot, &mut side));
                     part.feet.extend_from_slice(&foot.point.to_array());
                     part.faces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);

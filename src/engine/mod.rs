@@ -2,6 +2,7 @@
 //! and the result.
 
 mod certified;
+mod clearance;
 mod closest_points;
 mod computation;
 mod diff;
@@ -14,7 +15,12 @@ mod iteration;
 mod options;
 mod prepared;
 mod result;
+mod signs;
+mod solid;
 
+pub use clearance::{
+    ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
+};
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
@@ -27,5 +33,7 @@ pub use result::{
     Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
     PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
 };
+pub use signs::Signs;
+pub use solid::{FreeEdge, Shell, Solid};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

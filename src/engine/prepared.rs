@@ -19,6 +19,7 @@ use crate::progress::Progress;
 use crate::read::ReadReport;
 use crate::rounding::gamma;
 use crate::shared::{computed, locked};
+use crate::solid::Boundary;
 use crate::symmetry::{Revolution, revolutions};
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -45,6 +46,7 @@ pub struct PreparedModel {
     samplings: Mutex<Vec<(SamplingKey, Arc<PreparedSampling>)>>,
     cells: Mutex<Option<Arc<PreparedCells>>>,
     areas: OnceLock<Vec<Area>>,
+    boundary: OnceLock<Boundary>,
     /// The number of updates since cuts and trees were chosen.
     refits: u32,
 }
@@ -91,6 +93,12 @@ impl PreparedTarget {
     /// Returns where the patches are in those that they were cut from.
     pub(crate) fn places(&self) -> &Places {
         &self.places
+    }
+
+    /// Returns an upper bound on the distance between a computed point of the patches, which must
+    /// have been cut from those of `model`, and the exact one.
+    pub(super) fn point_error(&self, model: &PreparedModel) -> f64 {
+        model.bezier.point_error.after(MAX_HALVINGS)
     }
 
     /// Returns the patches as an operand of method `certified`; they must have been
@@ -185,6 +193,7 @@ impl PreparedModel {
             samplings: Mutex::default(),
             cells: Mutex::default(),
             areas: OnceLock::new(),
+            boundary: OnceLock::new(),
             refits: 0,
         }
     }
@@ -314,6 +323,14 @@ impl PreparedModel {
     /// Returns the sum of [`PreparedModel::face_areas`].
     pub fn area(&self) -> Area {
         self.face_areas().iter().fold(Area::default(), |sum, &area| sum + area)
+    }
+
+    /// Returns the edges of the faces, joined where they meet, computed at first use.
+    pub(super) fn boundary(&self) -> &Boundary {
+        computed(&self.boundary, || {
+            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
+            Boundary::new(&self.bezier, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+        })
     }
 
     /// Returns the number of faces.

@@ -7,6 +7,12 @@ import { type BestFit, type BestFitOptions, bestFit } from "./fit/best-fit.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
 import { Reached, requireWhole } from "./measure/cancelled.js";
+import type {
+  ClearanceOptions,
+  ClearanceResult,
+  GapOptions,
+  GapsResult,
+} from "./measure/clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
@@ -151,6 +157,20 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) => engine.diff(...models, call));
   }
 
+  async clearance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: ClearanceOptions = {},
+  ): Promise<ClearanceResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.clearance(...models, call));
+  }
+
+  async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.gaps(...models, call));
+  }
+
   async closestPoints(
     model: NurbsModel,
     points: Numbers,
@@ -169,7 +189,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   /** Runs a method of the engine when no other is running. */
   async #inTurn<Result>(
-    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions,
+    options:
+      | DistanceOptions
+      | FieldOptions
+      | DiffOptions
+      | ClearanceOptions
+      | GapOptions
+      | ClosestPointOptions,
     run: (engine: Engine, call: Call) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();

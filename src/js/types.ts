@@ -8,6 +8,14 @@ export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./er
 export type { BestFit, BestFitOptions } from "./fit/best-fit.js";
 export type { Rigid } from "./fit/rigid.js";
 export type { ModuleSource } from "./load.js";
+export type {
+  ClearanceOptions,
+  ClearanceResult,
+  FaceGap,
+  GapOptions,
+  GapsResult,
+  Overlap,
+} from "./measure/clearance.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
@@ -26,11 +34,13 @@ export type {
   HierarchyResult,
   IterationResult,
   Results,
+  Signs,
   Statistics,
   SurfacePoint,
 } from "./measure/result.js";
 export type { Area, ModelArea } from "./model/area.js";
 export type { UpdateOptions } from "./model/model.js";
+export type { FreeEdge, Solid } from "./model/solid.js";
 export type {
   BrepText,
   ControlPoint,

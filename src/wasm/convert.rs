@@ -2,8 +2,8 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceResult, Field, FieldOptions,
-    Options, Statistics,
+    ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceResult, Field,
+    FieldOptions, GapOptions, Options, Signs, Statistics,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -36,6 +36,26 @@ pub(super) fn diff_options(options: &JsValue, transform: &JsValue) -> Result<Dif
     let transform = rigid_transform(transform)?;
     let options: DiffOptions = properties(options).map_err(invalid)?;
     Ok(DiffOptions { transform, ..options })
+}
+
+/// The options of a clearance, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn clearance_options(options: &JsValue, transform: &JsValue) -> Result<ClearanceOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: ClearanceOptions = properties(options).map_err(invalid)?;
+    Ok(ClearanceOptions { transform, ..options })
+}
+
+/// The options of gaps, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn gap_options(options: &JsValue, transform: &JsValue) -> Result<GapOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: GapOptions = properties(options).map_err(invalid)?;
+    Ok(GapOptions { transform, ..options })
 }
 
 /// The options of closest points, as [`options`].
@@ -203,6 +223,7 @@ struct FieldArrays {
     distances: Float64Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     signed: Float64Array,
+    signs: Signs,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     areas: Float64Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
@@ -218,6 +239,7 @@ impl From<&Field> for FieldArrays {
             feet: field.feet.as_slice().into(),
             distances: field.distances.as_slice().into(),
             signed: field.signed.as_slice().into(),
+            signs: field.signs,
             areas: field.areas.as_slice().into(),
             statuses: field.statuses.as_slice().into(),
         }
@@ -238,6 +260,7 @@ struct ClosestPointArrays {
     faces: Uint32Array,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     parameters: Float64Array,
+    signs: Signs,
 }
 
 /// Closest points as typed arrays.
@@ -252,6 +275,7 @@ pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsVal
         feet: found.feet.as_slice().into(),
         faces: found.faces.as_slice().into(),
         parameters: found.parameters.as_slice().into(),
+        signs: found.signs,
     })
 }
 

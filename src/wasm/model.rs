@@ -157,6 +157,11 @@ impl PreparedModel {
         to_object(&ModelArea { sum: self.prepared.area(), faces: self.prepared.face_areas() })
     }
 
+    /// Whether the faces close, the shells and the free edges.
+    pub fn solid(&self) -> std::result::Result<JsValue, JsValue> {
+        to_object(&self.prepared.solid())
+    }
+
     /// Triangles to display, by a plain object of options.
     pub fn tessellate(&self, options: &JsValue) -> std::result::Result<JsValue, JsValue> {
         let options = convert::tessellation_options(options)?;

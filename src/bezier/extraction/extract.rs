@@ -56,6 +56,15 @@ impl PatchGrid {
         [self.breaks[0].len() - 1, self.breaks[1].len() - 1]
     }
 
+    /// Returns whether neighbouring patches share their edges: no knot between them is repeated
+    /// more often than the degree.
+    pub(crate) fn is_continuous(&self, degree: [usize; 2]) -> bool {
+        (0..2).all(|axis| {
+            let inner = self.multiplicities[axis].iter().skip(1).take(self.counts()[axis] - 1);
+            inner.into_iter().all(|&multiplicity| usize::from(multiplicity) <= degree[axis])
+        })
+    }
+
     /// Returns the number of parts along `axis` that is this grid's share where whole
     /// surfaces have `parts`; at least 1.
     #[must_use]

@@ -11,7 +11,7 @@ const FAILED: u8 = 2;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{completions, convert, diff, distance, info};
+    use commands::{clearance, completions, convert, diff, distance, info};
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -20,6 +20,7 @@ fn main() -> std::process::ExitCode {
         Command::Distance(arguments) => distance::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
+        Command::Clearance(arguments) => clearance::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };

@@ -1,8 +1,6 @@
 //! Signed deviations, and their statistics over an area.
 
-use crate::bezier::Jet;
 use crate::engine::Field;
-use glam::DVec3;
 use serde::Serialize;
 
 /// Statistics of the deviation over the area of the sampled model. They are
@@ -85,10 +83,4 @@ impl Field {
             }
         }
     }
-}
-
-/// The distance, negative behind the foot's normal; NaN where there is no normal.
-pub(in crate::engine) fn signed(point: DVec3, foot: &Jet) -> f64 {
-    let offset = point - foot.point;
-    foot.normal().map_or(f64::NAN, |normal| offset.length().copysign(offset.dot(normal)))
 }

@@ -4,6 +4,7 @@ mod deviation;
 
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
+use super::signs::{Known, SignRule, SignSource};
 use super::{Computation, Engine, Field, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target, closest_above};
@@ -14,7 +15,6 @@ use crate::parallel::map_ranges;
 use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
 pub use deviation::Statistics;
-pub(super) use deviation::signed;
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;
@@ -122,11 +122,13 @@ impl Direction<'_> {
     /// [`Error::Cancelled`].
     pub(super) async fn field(&self, sampling: &Sampling, progress: &mut Progress<'_>) -> Result<Vec<Field>> {
         let target = self.to.certified_target();
+        let source = SignSource::new(self.to);
         let search = FieldSearch {
             bezier: self.from.bezier(),
             pieces: self.from.pieces(),
             sampling,
             target: &target.target,
+            signs: source.rule(),
             transform: self.transform,
             diagonal: self.diagonal(),
         };
@@ -140,6 +142,7 @@ pub(super) struct FieldSearch<'a> {
     pub(super) pieces: &'a FacePieces,
     pub(super) sampling: &'a Sampling,
     pub(super) target: &'a Target,
+    pub(super) signs: SignRule<'a>,
     pub(super) transform: RigidTransform,
     pub(super) diagonal: f64,
 }
@@ -189,7 +192,7 @@ impl FieldSearch<'_> {
     fn samples(&self, range: Range<usize>, projected: Option<&[Projected]>) -> Option<Vec<FieldSample>> {
         let bezier = self.bezier;
         let gap = FIELD_GAP * self.diagonal;
-        let mut known = None;
+        let (mut known, mut side) = (None, Known::default());
         let find = |index: usize| {
             let surface = self.sampling.surface(index);
             let (grid, patches) = (&self.sampling.grids[surface], &bezier.grids[surface]);
@@ -210,7 +213,7 @@ impl FieldSearch<'_> {
                 point,
                 foot: foot.point,
                 distance: point.distance(foot.point),
-                signed: signed(point, &foot),
+                signed: self.signs.signed(point, closest.lower, &foot, &mut side),
                 area: jet.s.cross(jet.t).length() * weight,
                 status: projected.map_or(Status::Converged, |projected| projected[index].status),
             })
@@ -220,7 +223,7 @@ impl FieldSearch<'_> {
 
     fn of_surface(&self, surface: usize, grid: &SampleGrid, samples: &[FieldSample]) -> Field {
         let face = self.pieces.face(surface);
-        let mut field = Field { face, counts: grid.counts(), ..Field::default() };
+        let mut field = Field { face, counts: grid.counts(), signs: self.signs.signs(), ..Field::default() };
         for sample in &samples[grid.first..grid.first + grid.len()] {
             field.points.extend_from_slice(&sample.point.to_array());
             field.feet.extend_from_slice(&sample.foot.to_array());

@@ -6,6 +6,7 @@ mod cpu;
 use super::direction::{DirectedRun, Direction};
 use super::field::FieldSearch;
 use super::result::DirectedResult;
+use super::signs::{SignRule, SignSource};
 use super::{
     Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
     Processor, Seconds, SurfacePoint,
@@ -157,7 +158,8 @@ impl SampledDirection<'_> {
             }
         }
         let field = if self.options.field {
-            self.field_search().run(Some(&projected), progress).await?
+            let source = SignSource::new(self.to);
+            self.field_search(source.rule()).run(Some(&projected), progress).await?
         } else {
             Vec::new()
         };
@@ -204,12 +206,13 @@ impl SampledDirection<'_> {
         }
     }
 
-    fn field_search(&self) -> FieldSearch<'_> {
+    fn field_search<'b>(&'b self, signs: SignRule<'b>) -> FieldSearch<'b> {
         FieldSearch {
             bezier: self.from.bezier(),
             pieces: self.from.pieces(),
             sampling: &self.sampling.sampling,
             target: &self.target.target,
+            signs,
             transform: self.transform,
             diagonal: self.diagonal,
         }

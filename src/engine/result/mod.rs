@@ -4,7 +4,7 @@ mod directed_result;
 mod symmetric;
 mod with_gaps;
 
-use super::{Method, Statistics};
+use super::{Method, Signs, Statistics};
 pub use crate::certified::Stop;
 use crate::iteration::StatusCounts;
 pub(super) use directed_result::DirectedResult;
@@ -289,9 +289,10 @@ pub struct Field {
     pub feet: Vec<f64>,
     /// Their distances.
     pub distances: Vec<f64>,
-    /// The distances, negative behind the normal (u x v) of the other model's
-    /// surface at the foot; NaN where it has no normal.
+    /// The distances with signs.
     pub signed: Vec<f64>,
+    /// What the signs stand for: the other model where it is a solid.
+    pub signs: Signs,
     /// The area of the surface that each sample stands for.
     pub areas: Vec<f64>,
     /// The ends of the projections: [`crate::result::Status`] as a number.

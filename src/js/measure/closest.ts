@@ -1,4 +1,5 @@
 import type { OnProgress, Transform } from "./options.js";
+import type { Signs } from "./result.js";
 
 /** Options of `Hausdorff.closestPoints`. */
 export interface ClosestPointOptions {
@@ -23,8 +24,10 @@ export interface ClosestPoints {
   distances: Float64Array<ArrayBuffer>;
   /** Guarantee: the true distance of point i differs from `distances[i]` by at most `bounds[i]`. */
   bounds: Float64Array<ArrayBuffer>;
-  /** The distances, negative behind the model's normal at the foot; NaN where it has none. */
+  /** The distances with signs. */
   signed: Float64Array<ArrayBuffer>;
+  /** What the signs stand for. */
+  signs: Signs;
   /** x, y, z of every foot, the point of the model that was found. */
   feet: Float64Array<ArrayBuffer>;
   /** The index of every foot's face. */

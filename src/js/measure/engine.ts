@@ -1,6 +1,7 @@
 import type { CadOptions } from "../cad/options.js";
 import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
 import type { BrepText, Numbers } from "../model/surface.js";
+import type { ClearanceOptions, ClearanceResult, GapOptions, GapsResult } from "./clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
@@ -61,6 +62,24 @@ export interface DistanceEngine<Model> {
    * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
    */
   diff(a: Model, b: Model, options?: DiffOptions): Promise<DiffResult>;
+
+  /**
+   * The least distance of a point of `a`, moved by `transform`, from a point of `b`, as an interval
+   * with the two points, and for solids whether they overlap. The boundaries are measured: a part
+   * inside another has the distance of their surfaces.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause;
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`, `UNITS_DIFFER`.
+   */
+  clearance(a: Model, b: Model, options?: ClearanceOptions): Promise<ClearanceResult>;
+
+  /**
+   * The pairs of faces of `a`, moved by `transform`, and of `b` that come nearer to each other than
+   * `below`, each with the interval of its least distance and the two points.
+   *
+   * @throws {HausdorffError} as `clearance`.
+   */
+  gaps(a: Model, b: Model, options?: GapOptions): Promise<GapsResult>;
 
   /**
    * The closest points of `model` to `points` (x, y, z each, such as the vertices of

@@ -12,6 +12,14 @@ export interface SurfacePoint {
   point: Vector3;
 }
 
+/**
+ * What the signs of deviations stand for. `solid`: negative inside the other model, positive
+ * outside; where neither is certain, on its boundary and in its gaps, 0, and farther off NaN.
+ * `faces`, where it is no solid: negative behind the normal of the face with the foot; NaN where
+ * the foot is on an edge and the point not along the normal.
+ */
+export type Signs = "solid" | "faces";
+
 /** All samples of one face, or of a piece of a trimmed one, v fastest. */
 export interface Field {
   /** Index of the face in the sampled model. */
@@ -24,8 +32,10 @@ export interface Field {
   feet: Float64Array<ArrayBuffer>;
   /** Their distances. */
   distances: Float64Array<ArrayBuffer>;
-  /** The distances, negative behind the other model's normal there; NaN where it has none. */
+  /** The distances with signs. */
   signed: Float64Array<ArrayBuffer>;
+  /** What the signs stand for. */
+  signs: Signs;
   /** The area that each sample stands for. */
   areas: Float64Array<ArrayBuffer>;
   /** The ends of the projections: 0 converged, 1 iteration limit, 2 on an edge. */

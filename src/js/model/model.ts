@@ -5,6 +5,7 @@ import { checkKeys } from "../keys.js";
 import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
+import type { Solid } from "./solid.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
 
@@ -95,6 +96,15 @@ export class NurbsModel {
   area(): ModelArea {
     const prepared = this.prepared;
     return translating(() => prepared.area() as ModelArea);
+  }
+
+  /**
+   * Whether the faces close within their gaps, so that the model is a solid, with its shells; and
+   * the free edges where they do not. Computed at the first call.
+   */
+  solid(): Solid {
+    const prepared = this.prepared;
+    return translating(() => prepared.solid() as Solid);
   }
 
   /**

@@ -6,6 +6,12 @@ import { HausdorffError } from "../error.js";
 import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
+import type {
+  ClearanceOptions,
+  ClearanceResult,
+  GapOptions,
+  GapsResult,
+} from "../measure/clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
 import type { DiffOptions, DiffResult } from "../measure/diff.js";
 import type { DistanceEngine } from "../measure/engine.js";
@@ -157,6 +163,18 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
+  async clearance(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: ClearanceOptions = {},
+  ): Promise<ClearanceResult> {
+    return this.#measure("clearance", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
+  async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
+    return this.#measure("gaps", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
   async closestPoints(
     model: NurbsModel,
     points: Numbers,
@@ -207,7 +225,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async #measure<Result>(
     method: string,
     args: unknown[],
-    options: DistanceOptions | FieldOptions | DiffOptions | ClosestPointOptions | BestFitOptions,
+    options:
+      | DistanceOptions
+      | FieldOptions
+      | DiffOptions
+      | ClearanceOptions
+      | GapOptions
+      | ClosestPointOptions
+      | BestFitOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {
     const { plain, transform, signal, onProgress } = split<OnReport>(options);

@@ -4,6 +4,7 @@ import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
 import type { UpdateOptions } from "../model/model.js";
+import type { Solid } from "../model/solid.js";
 import type { Numbers } from "../model/surface.js";
 import type { Tessellation, TessellationOptions } from "../model/tessellation.js";
 import type { Channel } from "./channel.js";
@@ -95,6 +96,13 @@ export class NurbsModel {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("area", [id]);
     return result as ModelArea;
+  }
+
+  /** As the plain model's, in the worker. */
+  async solid(): Promise<Solid> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("solid", [id]);
+    return result as Solid;
   }
 
   /** As the plain model's, in the worker. */

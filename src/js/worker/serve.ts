@@ -70,6 +70,7 @@ class Server {
     readCad: async ([id, bytes, options]) =>
       this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
     area: ([, model]) => this.#model(model).area(),
+    solid: ([, model]) => this.#model(model).solid(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, face, points, options]) => {
       const model = this.#model(id);
@@ -82,6 +83,10 @@ class Server {
       this.#open.field(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     diff: ([, a, b, options], watch) =>
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    clearance: ([, a, b, options], watch) =>
+      this.#open.clearance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    gaps: ([, a, b, options], watch) =>
+      this.#open.gaps(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     bestFit: ([, a, b, options], watch) =>
       this.#open.bestFit(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     closestPoints: ([, model, points, options], watch) =>

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::engine::{ClosestPointOptions, ClosestPoints, Engine};
 use nurbs_hausdorff::shapes::{sphere, torus};
-use nurbs_hausdorff::{Error, Model, PreparedModel, RigidTransform};
+use nurbs_hausdorff::{Error, Model, PreparedModel, RigidTransform, Signs};
 
 fn closest(model: &Model, points: &[f64], options: &ClosestPointOptions) -> Result<ClosestPoints, Error> {
     let engine = Engine::cpu();
@@ -74,5 +74,8 @@ fn points_and_options_out_of_range_are_refused() {
     assert_eq!(code(&[0.0; 3], &zero), "OPTION_OUT_OF_RANGE");
     let both = ClosestPointOptions { tolerance: Some(1.0), relative_tolerance: Some(1.0), ..valid.clone() };
     assert_eq!(code(&[0.0; 3], &both), "OPTION_INVALID");
-    assert_eq!(closest(&ball, &[], &valid).unwrap(), ClosestPoints::default());
+    assert_eq!(
+        closest(&ball, &[], &valid).unwrap(),
+        ClosestPoints { signs: Signs::Solid, ..ClosestPoints::default() }
+    );
 }

@@ -1,6 +1,8 @@
 //! Questions besides the distance of two models.
 
+mod clearance;
 mod closest_points;
 mod diff;
 mod field;
+mod solids;
 mod update;

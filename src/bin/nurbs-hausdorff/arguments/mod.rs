@@ -9,7 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
-use nurbs_hausdorff::{Backend, DiffOptions, Method, Options, Result, RigidTransform};
+use nurbs_hausdorff::{Backend, ClearanceOptions, DiffOptions, Method, Options, Result, RigidTransform};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
@@ -34,6 +34,12 @@ pub(crate) enum Command {
     /// 2 for bad input, 3 if a face could not be decided and none changed, or
     /// if faces were left out.
     Diff(DiffArguments),
+    /// Computes the least distance of A from B, and whether solids overlap.
+    ///
+    /// Exit status: 0 if the clearance was computed or is at least --limit, 1 if it
+    /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
+    /// faces were left out.
+    Clearance(ClearanceArguments),
     /// Prints the faces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Writes a model as interchange JSON, and prints what reading it kept and left out.
@@ -175,6 +181,58 @@ impl DiffArguments {
     pub(crate) fn options(&self) -> Result<DiffOptions> {
         Ok(DiffOptions {
             limit: self.limit,
+            max_cells: self.max_cells,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClearanceArguments {
+    /// The one model; - is standard input.
+    pub(crate) a: PathBuf,
+    /// The other model; - is standard input.
+    pub(crate) b: PathBuf,
+    /// Permitted width of the interval, in model units; models nearer than it count as touching.
+    #[arg(long, value_name = "LENGTH")]
+    tolerance: Option<f64>,
+    /// The same as a fraction of the larger diagonal; 1e-6 if neither is given.
+    #[arg(long, value_name = "FRACTION")]
+    relative_tolerance: Option<f64>,
+    /// Decides whether the clearance is at least LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
+    #[arg(long, value_name = "LIMIT")]
+    pub(crate) limit: Option<f64>,
+    /// Judges by --limit the faces that were read where others were left out; else that is undecided.
+    #[arg(long)]
+    pub(crate) allow_skipped: bool,
+    /// Takes for the verdict what holds for every reading of the files within their gaps.
+    #[arg(long)]
+    pub(crate) strict_gaps: bool,
+    /// Seconds after which the interval reached is the result.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// Pairs of cells after which the interval reached is the result.
+    #[arg(long, value_name = "CELLS")]
+    max_cells: Option<usize>,
+    #[command(flatten)]
+    placement: Placement,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl ClearanceArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<ClearanceOptions> {
+        Ok(ClearanceOptions {
+            tolerance: self.tolerance,
+            relative_tolerance: self.relative_tolerance,
+            limit: self.limit,
+            max_seconds: self.max_seconds,
             max_cells: self.max_cells,
             scale_units: self.placement.scale_units,
             transform: self.placement.transform()?,

@@ -1,0 +1,89 @@
+//! The sides of random points of the models of others in `../shared/models`.
+//!
+//! `cargo bench --bench sides [-- NAME …]`: models of these names, or paths of JSON or STEP files.
+//! Prints a Markdown table: whether the model closes, its shells and free edges, and the time that
+//! random points of its box take. The points with their sides are written to `target/sides`, for
+//! `benches/peers/sides_occt.py`.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
+
+mod support;
+
+use nurbs_hausdorff::engine::PreparedModel;
+use nurbs_hausdorff::{Model, Side};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use support::random::Random;
+use support::shared;
+
+/// The points of each model.
+const POINTS: usize = 10_000;
+
+fn main() {
+    let names: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
+    let paths: Vec<PathBuf> = if names.is_empty() {
+        let Some(folder) = shared::folder() else {
+            println!("SKIPPED sides: there is no ../shared/models");
+            return;
+        };
+        ["nist_pmi_1", "nist_pmi_5", "nist_pmi_11", "occt_bearing", "occt_linkrods", "hammer_trimmed"]
+            .map(|name| folder.join(format!("{name}.json")))
+            .to_vec()
+    } else {
+        names.iter().map(PathBuf::from).collect()
+    };
+    println!(
+        "| model | faces | shells | free edges | joining, ms | inside | outside | undecided | µs a point |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for path in paths {
+        measure(&path);
+    }
+}
+
+fn load(path: &Path) -> PreparedModel {
+    let bytes = std::fs::read(path).expect("a file");
+    if path.extension().is_some_and(|extension| extension == "json") {
+        let text = String::from_utf8(bytes).expect("text");
+        return PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims");
+    }
+    let is_iges = path.extension().is_some_and(|extension| extension == "iges");
+    let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };
+    let (model, mut report) = read.expect("a CAD file");
+    PreparedModel::of_read(model, &mut report).expect("faces that can be cut").1
+}
+
+fn measure(path: &Path) {
+    let model = load(path);
+    let started = Instant::now();
+    let solid = model.solid();
+    let joining = 1e3 * started.elapsed().as_secs_f64();
+    let (aabb, mut random) = (model.bounding_box(), Random(7));
+    let (mut counts, mut lines) = ([0_usize; 3], String::new());
+    let started = Instant::now();
+    if solid.closed {
+        for _ in 0..POINTS {
+            let fractions = std::array::from_fn(|_| 1.1 * random.next() - 0.05);
+            let point = aabb.min + aabb.extent() * glam::DVec3::from_array(fractions);
+            let side = model.side(point.to_array());
+            counts[side as usize] += 1;
+            writeln!(lines, "{:?} {:?} {:?} {side:?}", point.x, point.y, point.z).expect("a string");
+        }
+    }
+    let each = 1e6 * started.elapsed().as_secs_f64() / POINTS as f64;
+    let folder = Path::new("target/sides");
+    std::fs::create_dir_all(folder).expect("a folder");
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    std::fs::write(folder.join(format!("{stem}.txt")), lines).expect("a file");
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    println!(
+        "| {name} | {} | {} | {} | {joining:.1} | {} | {} | {} | {each:.1} |",
+        model.face_count(),
+        solid.shells.len(),
+        solid.free_edges.len(),
+        counts[0],
+        counts[1],
+        counts[2],
+    );
+}

@@ -1,0 +1,115 @@
+//! Models whose faces close.
+
+use super::PreparedModel;
+use crate::flatness::Flatness;
+use crate::solid::Side;
+use glam::DVec3;
+use serde::Serialize;
+
+/// Whether a model's faces close, and where not.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Solid {
+    /// Whether every edge of a face has a partner, so that points lie inside or outside.
+    pub closed: bool,
+    /// The sets of faces that joined edges connect, voids of solids among them.
+    pub shells: Vec<Shell>,
+    /// The edges without a partner, or the parts of edges; none for a solid.
+    pub free_edges: Vec<FreeEdge>,
+}
+
+/// A set of faces that joined edges connect.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Shell {
+    /// The indices of its faces, in order.
+    pub faces: Vec<usize>,
+    /// Whether no face of it has a free edge.
+    pub closed: bool,
+}
+
+/// An edge of a face that no other edge joins, or a part of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct FreeEdge {
+    /// The index of the face.
+    pub face: usize,
+    /// The face's name in its source, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face_name: Option<String>,
+    /// Its start.
+    pub start: [f64; 3],
+    /// A point between.
+    pub middle: [f64; 3],
+    /// Its end.
+    pub end: [f64; 3],
+}
+
+impl PreparedModel {
+    /// Returns whether the faces close within their gaps, with the shells, and the free edges
+    /// where they do not.
+    ///
+    /// Edges are joined where they lie side by side, within the model's gap or 1e-5 of its
+    /// diagonal, whichever is larger. Computed at first use. O(edges log edges).
+    #[must_use]
+    pub fn solid(&self) -> Solid {
+        let (boundary, pieces) = (self.boundary(), self.pieces());
+        let free_edges: Vec<FreeEdge> = boundary
+            .free_edges()
+            .iter()
+            .map(|edge| {
+                let face = pieces.face(edge.surface);
+                let face_name = pieces.face_name(face).map(str::to_owned);
+                let [start, middle, end] = edge.points.map(|point| point.to_array());
+                FreeEdge { face, face_name, start, middle, end }
+            })
+            .collect();
+        let mut shells: Vec<Shell> = Vec::new();
+        for (surface, &shell) in boundary.shells().iter().enumerate() {
+            let face = pieces.face(surface);
+            if shell as usize == shells.len() {
+                shells.push(Shell { faces: Vec::new(), closed: true });
+            }
+            let shell = &mut shells[shell as usize];
+            if shell.faces.last() != Some(&face) {
+                shell.faces.push(face);
+            }
+            shell.closed &= !free_edges.iter().any(|edge| edge.face == face);
+        }
+        Solid { closed: boundary.is_closed(), shells, free_edges }
+    }
+
+    /// Returns the side of a point, for a model that [`Self::solid`] states to be closed.
+    ///
+    /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solid that the
+    /// faces bound, whichever way they are oriented: a point from which every ray crosses the
+    /// faces an odd number of times is inside. [`Side::Undecided`] for points on the boundary or
+    /// within its gaps, and for models that are not closed.
+    #[must_use]
+    pub fn side(&self, point: [f64; 3]) -> Side {
+        self.side_within(DVec3::from_array(point), 0.0)
+    }
+
+    /// Returns the side of all points within `error` of this one.
+    pub(super) fn side_within(&self, point: DVec3, error: f64) -> Side {
+        self.boundary().side(&self.target(Flatness::None).target, point, error)
+    }
+
+    /// Returns points of the model, one at least of each connected part of its faces.
+    pub(super) fn points_of_shells(&self) -> Vec<DVec3> {
+        let bezier = self.bezier();
+        let mut is_seen = vec![false; bezier.grids.len()];
+        let mut points = Vec::new();
+        for (grid, &shell) in bezier.grids.iter().zip(self.boundary().shells()) {
+            let middle = |index: usize| bezier.patches.patch(grid.first + index).point([0.5; 2]);
+            if grid.is_continuous(bezier.patches.patch(grid.first).degree) {
+                if !std::mem::replace(&mut is_seen[shell as usize], true) {
+                    points.push(middle(0));
+                }
+            } else {
+                points.extend((0..grid.counts().iter().product()).map(middle));
+            }
+        }
+        points
+    }
+}

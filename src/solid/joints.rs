@@ -1,0 +1,260 @@
+//! The boundary of a solid: the edges of its faces, joined in pairs.
+
+use super::clusters::Clusters;
+use super::curve::Curve;
+use super::edges::{Edge, edges};
+use super::parity::MAX_DEPTH;
+use super::strips::{Covering, Strip};
+use crate::bezier::BezierModel;
+use crate::bvh::{Aabb, Bvh};
+use crate::rounding::{VANISHING_LENGTH, gamma};
+use glam::DVec3;
+use std::collections::{BTreeMap, HashMap};
+
+/// The distance, relative to the model's diagonal, up to which edges are joined where the model
+/// states no larger gap. It decides what counts as closed, and no sign depends on it.
+const RELATIVE_REACH: f64 = 1e-5;
+
+/// The radius of the tubes in which strips are kept, relative to the diagonal: thin enough for most
+/// rays, with few parts of each.
+const RELATIVE_RADIUS: f64 = 1e-4;
+
+/// The roundings of a coordinate along a ray, relative to the largest length of a control point
+/// (lemma S3 of docs/solids.md).
+const COORDINATE_ROUNDINGS: f64 = 64.0;
+
+/// The edges of a model's faces.
+#[derive(Debug)]
+pub(crate) struct Boundary {
+    /// The edges without a partner.
+    free: Vec<FreeEdge>,
+    /// The shell of each surface of the model.
+    shells: Vec<u32>,
+    reach: f64,
+    /// An upper bound on the distance of the strips from the patches, with the rounding of both.
+    clearance: f64,
+    pub(super) strips: Vec<Strip>,
+    pub(super) strip_tree: Bvh,
+    /// An upper bound on the error of a coordinate along a ray from the origin (lemma S3).
+    pub(super) margin: f64,
+}
+
+/// An edge without a partner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FreeEdge {
+    pub(crate) surface: usize,
+    /// Its start, its middle and its end.
+    pub(crate) points: [DVec3; 3],
+}
+
+/// A part of an edge between two groups of ends.
+struct Arc {
+    surface: usize,
+    curve: Curve,
+    ends: [u32; 2],
+}
+
+impl Boundary {
+    /// Joins the edges of the patches' surfaces; those farther apart than `gap`, and than 1e-5 of
+    /// the diagonal of `control_box`, are not joined. O(n log n) in general position.
+    pub(crate) fn new(model: &BezierModel, control_box: &Aabb, gap: f64, max_degree: usize) -> Self {
+        let reach = gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE);
+        let mut joints = Joints::new(edges(model), reach);
+        let arcs = joints.arcs();
+        let mut shells = Shells::new(model.grids.len());
+        let (mut covering, mut free) = (Covering::default(), Vec::new());
+        let radius = reach.max(RELATIVE_RADIUS * control_box.diagonal());
+        for [a, b] in joints.pair(arcs, &mut free) {
+            shells.0.join(a.surface as u32, b.surface as u32);
+            covering.add_pair([a.curve, b.curve], radius, 0);
+        }
+        joints.corners().for_each(|points| covering.add_corner(points));
+        let Covering { strips, thickness } = covering;
+        let boxes: Vec<Aabb> = strips.iter().map(Strip::bounding_box).collect();
+        let halvings = gamma(2.0 * f64::from(MAX_DEPTH) * max_degree as f64) * control_box.diagonal();
+        let coordinates = gamma(COORDINATE_ROUNDINGS) * control_box.farthest_from_origin();
+        let margin = 2.0 * model.point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;
+        Self {
+            free,
+            reach,
+            clearance: thickness + 2.0 * margin,
+            shells: shells.numbers(),
+            strip_tree: Bvh::new(&boxes),
+            strips,
+            margin,
+        }
+    }
+
+    /// Returns whether every edge has a partner.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.free.is_empty()
+    }
+
+    /// Returns the distance up to which edges were joined.
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// Returns the radius of a ball that certainly has no points of the faces nor of the strips,
+    /// for a point that is at least `distance` from the patches; negative if none is known.
+    pub(crate) fn clear_radius(&self, distance: f64) -> f64 {
+        distance - self.clearance
+    }
+
+    /// Returns the edges without a partner.
+    pub(crate) fn free_edges(&self) -> &[FreeEdge] {
+        &self.free
+    }
+
+    /// Returns the number of the shell that each surface belongs to, from 0.
+    pub(crate) fn shells(&self) -> &[u32] {
+        &self.shells
+    }
+}
+
+/// The surfaces that joined edges connect.
+struct Shells(Clusters, usize);
+
+impl Shells {
+    fn new(count: usize) -> Self {
+        Self(Clusters::separate(count), count)
+    }
+
+    fn numbers(mut self) -> Vec<u32> {
+        let mut numbers = HashMap::new();
+        (0..self.1 as u32)
+            .map(|surface| {
+                let next = numbers.len() as u32;
+                *numbers.entry(self.0.of(surface)).or_insert(next)
+            })
+            .collect()
+    }
+}
+
+/// Edges with the groups of their ends.
+struct Joints {
+    edges: Vec<Edge>,
+    reach: f64,
+    clusters: Clusters,
+    /// The points of each group, by its number.
+    members: BTreeMap<u32, Vec<DVec3>>,
+}
+
+impl Joints {
+    fn new(edges: Vec<Edge>, reach: f64) -> Self {
+        let points: Vec<DVec3> = edges.iter().flat_map(|edge| edge.curve.ends()).collect();
+        let mut clusters = Clusters::new(&points, reach);
+        let mut members: BTreeMap<u32, Vec<DVec3>> = BTreeMap::new();
+        for (index, &point) in points.iter().enumerate() {
+            members.entry(clusters.of(index as u32)).or_default().push(point);
+        }
+        Self { edges, reach, clusters, members }
+    }
+
+    /// Returns the edges divided where an end of another edge lies on them, without those that are
+    /// points: their control points join the group of their ends.
+    fn arcs(&mut self) -> Vec<Arc> {
+        let cuts = self.cuts();
+        let edges = std::mem::take(&mut self.edges);
+        let mut arcs = Vec::with_capacity(edges.len());
+        for (index, (Edge { surface, curve }, mut cuts)) in edges.into_iter().zip(cuts).enumerate() {
+            let ends = [0, 1].map(|end| self.clusters.of((2 * index + end) as u32));
+            let extent = curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal();
+            if ends[0] == ends[1] && extent <= 2.0 * self.reach {
+                self.members.entry(ends[0]).or_default().extend(curve.points());
+                continue;
+            }
+            cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (mut rest, mut start, mut from) = (curve, 0.0, ends[0]);
+            for (t, cluster) in cuts {
+                let [low, high] = rest.split((t - start) / (1.0 - start));
+                let [_, end] = low.ends();
+                self.members.entry(cluster).or_default().push(end);
+                arcs.push(Arc { surface, curve: low, ends: [from, cluster] });
+                (rest, start, from) = (high, t, cluster);
+            }
+            arcs.push(Arc { surface, curve: rest, ends: [from, ends[1]] });
+        }
+        arcs
+    }
+
+    /// Returns, for every edge, the parameters at which groups lie on it that are not its ends'.
+    fn cuts(&mut self) -> Vec<Vec<(f64, u32)>> {
+        let of_edge = |edge: &Edge| edge.curve.points().fold(Aabb::EMPTY, Aabb::with);
+        let tree = Bvh::new(&self.edges.iter().map(of_edge).collect::<Vec<_>>());
+        let mut cuts = vec![Vec::new(); self.edges.len()];
+        for (&cluster, points) in &self.members {
+            let point = points[0];
+            for leaf in tree.leaves_within(point, self.reach * self.reach) {
+                let index = tree.primitive(&leaf) as usize;
+                let ends = [0, 1].map(|end| self.clusters.of((2 * index + end) as u32));
+                if ends.contains(&cluster) {
+                    continue;
+                }
+                let (t, distance) = self.edges[index].curve.closest(point);
+                if distance <= self.reach && 0.0 < t && t < 1.0 {
+                    cuts[index].push((t, cluster));
+                }
+            }
+        }
+        cuts
+    }
+
+    /// Returns the arcs in pairs that run side by side in one direction; the others are free.
+    fn pair(&self, arcs: Vec<Arc>, free: &mut Vec<FreeEdge>) -> Vec<[Arc; 2]> {
+        let mut groups: HashMap<[u32; 2], Vec<Arc>> = HashMap::new();
+        let mut keys = Vec::new();
+        for mut arc in arcs {
+            if arc.ends[0] > arc.ends[1] {
+                arc = Arc { curve: arc.curve.reversed(), ends: [arc.ends[1], arc.ends[0]], ..arc };
+            }
+            groups.entry(arc.ends).or_insert_with(|| {
+                keys.push(arc.ends);
+                Vec::new()
+            });
+            if let Some(group) = groups.get_mut(&arc.ends) {
+                group.push(arc);
+            }
+        }
+        let mut pairs = Vec::new();
+        for key in keys {
+            let mut group = groups.remove(&key).unwrap_or_default();
+            while let Some(arc) = group.pop() {
+                match self.partner(&arc, &group) {
+                    Some(index) => pairs.push(in_one_direction([arc, group.swap_remove(index)])),
+                    None => {
+                        let points = [0.0, 0.5, 1.0].map(|t| arc.curve.point(t));
+                        free.push(FreeEdge { surface: arc.surface, points });
+                    }
+                }
+            }
+        }
+        pairs
+    }
+
+    /// Returns the index of the arc nearest to the middle of this one, if it is near enough.
+    fn partner(&self, arc: &Arc, others: &[Arc]) -> Option<usize> {
+        let middle = arc.curve.point(0.5);
+        let distances = others.iter().map(|other| other.curve.closest(middle).1).enumerate();
+        let (index, distance) = distances.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        (distance <= self.reach).then_some(index)
+    }
+
+    /// Returns the points of the groups.
+    fn corners(self) -> impl Iterator<Item = Vec<DVec3>> {
+        self.members.into_values()
+    }
+}
+
+/// Turns the second of two closed arcs round where that runs against the first.
+fn in_one_direction([a, b]: [Arc; 2]) -> [Arc; 2] {
+    if a.ends[0] != a.ends[1] {
+        return [a, b];
+    }
+    let [early, late] = [0.25, 0.75].map(|t| b.curve.closest(a.curve.point(t)).0);
+    if early <= late {
+        return [a, b];
+    }
+    let b = Arc { curve: b.curve.reversed(), ..b };
+    [a, b]
+}

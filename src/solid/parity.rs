@@ -1,0 +1,125 @@
+//! The number of times, modulo 2, that a ray crosses a patch.
+
+use super::curve::split;
+use super::ray::{Range, Ray};
+use crate::axis::Axis;
+use crate::bezier::Patch;
+use crate::param_box::ParamBox;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// The largest number of parts of one patch: a ray that needs more is given up for another.
+const MAX_PARTS: usize = 4096;
+
+/// The largest number of halvings of a patch or of an edge; the margin of rays allows for them.
+pub(super) const MAX_DEPTH: u32 = 64;
+
+/// Returns whether the ray crosses the patch an odd number of times, in the sense of lemma S2 of
+/// docs/solids.md; `None` if it may meet an edge of the patch, or start on it.
+///
+/// The patch is halved until each part lies beside the ray, behind its start or ahead of it. The
+/// parity of a part ahead is that of its boundary's winding about the ray.
+pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Option<bool> {
+    let controls = ray.controls(patch.center, patch.controls);
+    let mut parts = vec![(controls, 0_u32)];
+    let (mut parity, mut count) = (false, 0);
+    while let Some((controls, depth)) = parts.pop() {
+        let range = Range::of(controls.iter().map(local));
+        if ray.is_beside(&range) {
+            continue;
+        }
+        if ray.is_ahead(&range) {
+            parity ^= boundary_parity(patch.degree, &controls, ray.margin)?;
+            continue;
+        }
+        count += 1;
+        if depth == MAX_DEPTH || count > MAX_PARTS {
+            return None;
+        }
+        let part = Patch { controls: &controls, center: DVec3::ZERO, domain: ParamBox::UNIT, ..*patch };
+        let halves = part.halves(longer_axis(patch.degree, &controls));
+        parts.extend(halves.map(|half| (half, depth + 1)));
+    }
+    Some(parity)
+}
+
+/// Returns the point of a control.
+fn local(control: &DVec4) -> DVec3 {
+    control.xyz() / control.w
+}
+
+/// Returns the axis along which the corners are farther apart.
+fn longer_axis([_, q]: [usize; 2], controls: &[DVec4]) -> Axis {
+    let at = |index: usize| local(&controls[index]);
+    let last = controls.len() - 1;
+    let (start, end) = (at(0), at(last));
+    let (along_v, along_u) = (at(q), at(last - q));
+    let u = start.distance(along_u).max(end.distance(along_v));
+    let v = start.distance(along_v).max(end.distance(along_u));
+    if u >= v { Axis::U } else { Axis::V }
+}
+
+/// Returns the parity of the winding of a patch's boundary about the axis.
+fn boundary_parity([p, q]: [usize; 2], controls: &[DVec4], margin: f64) -> Option<bool> {
+    let columns = q + 1;
+    let column = |j: usize| controls.iter().skip(j).step_by(columns).copied().collect::<Vec<_>>();
+    let edges = [controls[..columns].to_vec(), controls[p * columns..].to_vec(), column(0), column(q)];
+    let mut parity = false;
+    for edge in edges {
+        parity ^= curve_parity(edge, margin)?;
+    }
+    Some(parity)
+}
+
+/// Returns the parity of a curve's crossings of the half plane y = 0, x > 0; `None` if it may meet
+/// the axis, or end in the half plane.
+///
+/// A part on the side x > 0 crosses it an odd number of times where its ends have different signs
+/// of y, by the intermediate value theorem.
+fn curve_parity(curve: Vec<DVec4>, margin: f64) -> Option<bool> {
+    let mut parts = vec![(curve, 0_u32)];
+    let mut parity = false;
+    while let Some((controls, depth)) = parts.pop() {
+        let Range { low, high, .. } = Range::of(controls.iter().map(local));
+        if low.y > margin || high.y < -margin || high.x < -margin {
+            continue;
+        }
+        if low.x > margin {
+            let [start, end] = [controls.first()?, controls.last()?].map(|control| local(control).y);
+            if start.abs() <= margin || end.abs() <= margin {
+                return None;
+            }
+            parity ^= (start < 0.0) != (end < 0.0);
+            continue;
+        }
+        if depth == MAX_DEPTH {
+            return None;
+        }
+        let halves = split(&controls, 0.5);
+        parts.extend(halves.map(|half| (half, depth + 1)));
+    }
+    Some(parity)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// The unit square at height z = x + 2 y + 1, seen along -z and z.
+    #[test]
+    fn a_plane_patch_is_crossed_once_inside_and_never_beside() {
+        let corner = |x: f64, y: f64| DVec4::new(x, y, x + 2.0 * y + 1.0, 1.0);
+        let controls = [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 0.0), corner(1.0, 1.0)];
+        let patch = Patch::whole([1, 1], DVec3::ZERO, &controls);
+        let parity = |start: [f64; 3], direction: [f64; 3]| {
+            let direction = DVec3::from_array(direction).normalize();
+            patch_parity(&patch, &Ray::new(DVec3::from_array(start), direction, 1e-12))
+        };
+        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, 1.0]), Some(true));
+        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, -1.0]), Some(false));
+        assert_eq!(parity([0.3, 0.6, 2.5 - 1e-9], [0.1, 0.0, 1.0]), Some(true));
+        assert_eq!(parity([0.3, 0.6, 2.5 + 1e-9], [0.1, 0.0, 1.0]), Some(false));
+        assert_eq!(parity([1.2, 0.6, 0.0], [0.0, 0.0, 1.0]), Some(false));
+        assert_eq!(parity([0.3, 1.0, 0.0], [0.0, 0.0, 1.0]), None, "the ray meets an edge");
+        assert_eq!(parity([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]), None, "the ray starts on the patch");
+    }
+}

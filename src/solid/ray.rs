@@ -1,0 +1,118 @@
+//! A ray, and the coordinates in which it is an axis.
+
+use crate::bvh::{Aabb, Bvh};
+use crate::rounding::unit;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// A ray from a point, or a segment between two; z is along it, x and y across.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ray {
+    pub(super) start: DVec3,
+    axes: [DVec3; 3],
+    /// Its length, +∞ for a ray.
+    pub(super) length: f64,
+    /// An upper bound on the error of a coordinate.
+    pub(super) margin: f64,
+}
+
+impl Ray {
+    /// Makes the ray along a direction of length 1.
+    pub(super) fn new(start: DVec3, direction: DVec3, margin: f64) -> Self {
+        let (x, y) = direction.any_orthonormal_pair();
+        Self { start, axes: [x, y, direction], length: f64::INFINITY, margin }
+    }
+
+    /// Makes the segment between two points, which differ.
+    pub(super) fn segment(start: DVec3, end: DVec3, margin: f64) -> Self {
+        Self { length: start.distance(end), ..Self::new(start, unit(end - start), margin) }
+    }
+
+    /// Returns the coordinates of a point.
+    fn coordinates(&self, point: DVec3) -> DVec3 {
+        let offset = point - self.start;
+        DVec3::from_array(self.axes.map(|axis| axis.dot(offset)))
+    }
+
+    /// Returns homogeneous controls about a centre in the ray's coordinates.
+    pub(super) fn controls(&self, center: DVec3, controls: &[DVec4]) -> Vec<DVec4> {
+        let shift = self.coordinates(center);
+        let local = |vector: DVec3| DVec3::from_array(self.axes.map(|axis| axis.dot(vector)));
+        controls.iter().map(|control| (local(control.xyz()) + control.w * shift).extend(control.w)).collect()
+    }
+
+    /// Returns true only if the ray certainly does not meet the hull of the points.
+    pub(super) fn avoids(&self, points: impl Iterator<Item = DVec3>) -> bool {
+        self.is_beside(&Range::of(points.map(|point| self.coordinates(point))))
+    }
+
+    /// Returns the leaves of a tree that the ray may meet.
+    pub(super) fn leaves(&self, tree: &Bvh) -> Vec<u32> {
+        let mut found = Vec::new();
+        let mut stack = vec![0];
+        while let Some(index) = stack.pop() {
+            let Some(node) = tree.nodes().get(index) else { continue };
+            if !self.may_meet(&node.aabb) {
+                continue;
+            }
+            if node.is_leaf() {
+                found.push(tree.primitive(node));
+            } else {
+                stack.extend_from_slice(&[index + 1, node.right_child as usize]);
+            }
+        }
+        found
+    }
+
+    fn may_meet(&self, aabb: &Aabb) -> bool {
+        let center = self.coordinates(aabb.center());
+        let half = 0.5 * aabb.extent();
+        let [x, y, z] = self.axes.map(|axis| axis.abs().dot(half) + self.margin);
+        center.x.abs() <= x && center.y.abs() <= y && center.z >= -z && center.z <= self.length + z
+    }
+
+    /// Returns true only if the hull of points of these coordinates lies beside the ray, behind its
+    /// start or beyond its end.
+    pub(super) fn is_beside(&self, range: &Range) -> bool {
+        range.is_aside(self.margin) || range.high.z < -self.margin || range.low.z > self.length + self.margin
+    }
+
+    /// Returns true only if the hull lies between the planes across the start and the end.
+    pub(super) fn is_ahead(&self, range: &Range) -> bool {
+        range.low.z > self.margin && range.high.z < self.length - self.margin
+    }
+}
+
+/// The least and the largest of some points' coordinates, and of x + y and x - y.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Range {
+    pub(super) low: DVec3,
+    pub(super) high: DVec3,
+    diagonals: [[f64; 2]; 2],
+}
+
+impl Range {
+    pub(super) fn of(points: impl Iterator<Item = DVec3>) -> Self {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let empty = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY, diagonals: [none; 2] };
+        let all = [f64::NEG_INFINITY, f64::INFINITY];
+        let whole = Self { low: DVec3::NEG_INFINITY, high: DVec3::INFINITY, diagonals: [all; 2] };
+        points.fold(empty, |range, point| {
+            // Points that overflowed may be anywhere.
+            if !point.is_finite() {
+                return whole;
+            }
+            let sums = [point.x + point.y, point.x - point.y];
+            let diagonals =
+                [0, 1].map(|k| [range.diagonals[k][0].min(sums[k]), range.diagonals[k][1].max(sums[k])]);
+            Self { low: range.low.min(point), high: range.high.max(point), diagonals }
+        })
+    }
+
+    /// Returns true only if the hull of the points lies beside the axis.
+    fn is_aside(&self, margin: f64) -> bool {
+        // A sum of two coordinates has at most twice the error of one.
+        let sums = self.diagonals.iter().any(|&[low, high]| low > 2.0 * margin || high < -2.0 * margin);
+        let [low, high] = [self.low, self.high];
+        sums || low.x > margin || high.x < -margin || low.y > margin || high.y < -margin
+    }
+}

@@ -1,0 +1,250 @@
+//! Sides of points and signs of deviations against bodies known from formulas.
+
+use glam::DVec3;
+use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel};
+use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::shapes::operations::part;
+use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
+use nurbs_hausdorff::{
+    ClosestPointOptions, DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays,
+};
+
+/// Numbers in [0, 1) from a seed, by SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn within(&mut self, half: f64) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|_| half * (2.0 * self.next() - 1.0)))
+    }
+}
+
+/// A plane face with these corners, the third one twice for a triangle.
+fn face(corners: [DVec3; 4]) -> SurfaceArrays {
+    SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: [corners[0], corners[1], corners[3], corners[2]]
+            .map(|corner| [corner.x, corner.y, corner.z, 1.0])
+            .to_vec(),
+    }
+}
+
+/// The faces of the box [-half, half]³, oriented at random: those across x, then y, then z.
+pub fn cube(half: f64) -> Vec<SurfaceArrays> {
+    let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    let side = |axis: usize, end: f64| {
+        let corner = |a: f64, b: f64| match axis {
+            0 => at(end, a, b),
+            1 => at(a, end, b),
+            _ => at(a, b, end),
+        };
+        face([corner(-half, -half), corner(half, -half), corner(half, half), corner(-half, half)])
+    };
+    (0..6).map(|index| side(index / 2, if index % 2 == 0 { -half } else { half })).collect()
+}
+
+fn tetrahedron(scale: f64) -> Model {
+    let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
+        .map(|corner| scale * DVec3::from_array(corner));
+    let faces = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]
+        .map(|[i, j, k]| face([corners[i], corners[j], corners[k], corners[k]]));
+    Model::from_arrays(None, faces.to_vec()).unwrap()
+}
+
+fn prepared(model: &Model) -> PreparedModel {
+    PreparedModel::new(model).unwrap()
+}
+
+fn together(models: &[&Model]) -> Model {
+    let surfaces: Vec<NurbsSurface> = models.iter().flat_map(|model| model.surfaces()).cloned().collect();
+    Model::new(None, surfaces).unwrap()
+}
+
+/// The sides of random points by the sign of a function that is negative inside and has slope 1.
+fn assert_sides(name: &str, model: &Model, half: f64, depth: impl Fn(DVec3) -> f64) {
+    let model = prepared(model);
+    assert!(model.solid().closed, "{name}: {:?}", model.solid().free_edges);
+    let mut random = Random(11);
+    for index in 0..10_000 {
+        let mut point = random.within(half);
+        if index % 2 == 0 {
+            // Toward the boundary, which it then is nearer to than 1e-3, on either side.
+            for _ in 0..60 {
+                let step = 1e-4;
+                let slope = [DVec3::X, DVec3::Y, DVec3::Z]
+                    .map(|axis| (depth(point + step * axis) - depth(point - step * axis)) / (2.0 * step));
+                point -= 0.5 * depth(point) * DVec3::from_array(slope);
+            }
+            point += random.within(1e-3);
+        }
+        let expected = depth(point);
+        if expected.abs() < 1e-9 {
+            continue;
+        }
+        let side = if expected < 0.0 { Side::Inside } else { Side::Outside };
+        assert_eq!(model.side(point.to_array()), side, "{name}: {point} at {expected:e}");
+    }
+}
+
+fn depth_of_cube(point: DVec3) -> f64 {
+    let excess = point.abs() - 1.0;
+    if excess.max_element() > 0.0 { excess.max(DVec3::ZERO).length() } else { excess.max_element() }
+}
+
+#[test]
+fn points_of_bodies_of_revolution() {
+    assert_sides("sphere", &sphere(DVec3::ZERO, 1.0).unwrap(), 1.3, |point| point.length() - 1.0);
+    assert_sides("torus", &torus(2.0, 0.6).unwrap(), 2.8, |point| {
+        let radius = point.truncate().length() - 2.0;
+        radius.hypot(point.z) - 0.6
+    });
+}
+
+#[test]
+fn points_of_a_box_of_faces_oriented_either_way() {
+    let model = Model::from_arrays(None, cube(1.0)).unwrap();
+    assert_sides("box", &model, 1.4, depth_of_cube);
+}
+
+/// On lines through edges and corners, and through the bisectors of the faces.
+#[test]
+fn points_beside_edges_and_corners() {
+    let model = prepared(&Model::from_arrays(None, cube(1.0)).unwrap());
+    let corners =
+        [DVec3::ONE, DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, 0.3), DVec3::new(0.0, -1.0, -1.0)];
+    for corner in corners {
+        let outward = corner.normalize();
+        for distance in [1e-1, 1e-3, 1e-6, 1e-9] {
+            for (sign, side) in [(1.0, Side::Outside), (-1.0, Side::Inside)] {
+                let found = model.side((corner + sign * distance * outward).to_array());
+                assert_eq!(found, side, "{distance:e} from {corner}");
+            }
+        }
+    }
+    assert_eq!(model.side([1.0, 1.0, 1.0]), Side::Undecided);
+    assert_eq!(model.side([1.0, 0.2, 0.3]), Side::Undecided);
+}
+
+#[test]
+fn a_void_is_outside_and_shells_are_counted() {
+    let shell = together(&[&sphere(DVec3::ZERO, 1.0).unwrap(), &sphere(DVec3::ZERO, 0.5).unwrap()]);
+    assert_sides("hollow sphere", &shell, 1.3, |point| (point.length() - 0.75).abs() - 0.25);
+    let solid = prepared(&shell).solid();
+    assert_eq!(solid.shells.len(), 2);
+    assert!(solid.shells.iter().all(|shell| shell.closed && shell.faces.len() == 1));
+}
+
+#[test]
+fn an_open_model_names_its_free_edges_and_has_no_sides() {
+    let mut faces = cube(1.0);
+    faces.pop();
+    let model = prepared(&Model::from_arrays(None, faces).unwrap());
+    let solid = model.solid();
+    assert!(!solid.closed && solid.shells.len() == 1 && !solid.shells[0].closed);
+    assert_eq!(solid.free_edges.len(), 4);
+    assert!(solid.free_edges.iter().all(|edge| edge.middle[2] == 1.0), "{:?}", solid.free_edges);
+    assert_eq!(model.side([0.0; 3]), Side::Undecided);
+    let half =
+        part(&sphere(DVec3::ZERO, 1.0).unwrap().surfaces()[0], [[0.0, 1.0], [0.0, 0.5]].into()).unwrap();
+    let half = prepared(&Model::new(None, vec![half]).unwrap()).solid();
+    assert!(!half.closed && !half.free_edges.is_empty());
+}
+
+/// A wall of the box in three faces: two beside each other and one above both.
+#[test]
+fn edges_that_meet_inside_others_are_joined() {
+    let mut faces = cube(1.0);
+    faces.pop();
+    let at = |x: f64, y: f64| DVec3::new(x, y, 1.0);
+    for [low, high] in
+        [[at(-1.0, -1.0), at(0.2, 0.5)], [at(0.2, -1.0), at(1.0, 0.5)], [at(-1.0, 0.5), at(1.0, 1.0)]]
+    {
+        faces.push(face([low, at(high.x, low.y), high, at(low.x, high.y)]));
+    }
+    assert_sides("box of eight faces", &Model::from_arrays(None, faces).unwrap(), 1.4, depth_of_cube);
+}
+
+/// A crack narrower than the reach of joining closes, and a wider one does not.
+#[test]
+fn cracks_within_the_gap_close() {
+    for (crack, closed) in [(1e-6, true), (1e-3, false)] {
+        let mut faces = cube(1.0);
+        for control in &mut faces[5].control_points {
+            control[2] += crack;
+        }
+        let model = prepared(&Model::from_arrays(None, faces).unwrap());
+        assert_eq!(model.solid().closed, closed, "{crack}");
+        if closed {
+            assert_eq!(model.side([0.3, 0.1, 0.9]), Side::Inside);
+            assert_eq!(model.side([1.0, 1.0, 1.1]), Side::Outside);
+            // In the crack no ray is certain.
+            assert_eq!(model.side([1.0, 0.1, 1.0 + 0.5 * crack]), Side::Undecided);
+        }
+    }
+}
+
+fn field(a: &Model, b: &Model) -> DeviationField {
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let options = FieldOptions { samples: 24, ..FieldOptions::default() };
+    pollster::block_on(engine.field(&prepared(a), &prepared(b), &options, &mut NoMonitor)).unwrap()
+}
+
+/// The feet of most samples are edges and corners of the tetrahedron, where the normal of a face
+/// has either sign.
+#[test]
+fn deviations_from_a_tetrahedron_have_the_sign_of_the_solid() {
+    let (inner, outer) = (sphere(DVec3::ZERO, 0.5).unwrap(), sphere(DVec3::ZERO, 2.0).unwrap());
+    for (ball, sign) in [(outer, 1.0), (inner, -1.0)] {
+        let found = field(&ball, &tetrahedron(1.0));
+        for part in &found.field {
+            assert_eq!(part.signs, Signs::Solid);
+            for (signed, distance) in part.signed.iter().zip(&part.distances) {
+                assert_eq!(*signed, sign * distance);
+            }
+        }
+        let mean = found.statistics.unwrap();
+        assert!((mean.signed_mean - sign * mean.mean).abs() < 1e-12);
+    }
+}
+
+/// Rays that start beside each other share their side, across the boundary too.
+#[test]
+fn samples_that_cross_the_boundary_change_their_sign() {
+    let cutting = cylinder(0.9, 6.0).unwrap();
+    let found = field(&cutting, &Model::from_arrays(None, cube(1.0)).unwrap());
+    let mut counts = [0, 0];
+    for part in &found.field {
+        for (point, signed) in part.points.chunks_exact(3).zip(&part.signed) {
+            let expected = depth_of_cube(DVec3::new(point[0], point[1], point[2]));
+            counts[usize::from(expected > 0.0)] += 1;
+            assert!((signed - expected).abs() < 1e-8 || expected.abs() < 1e-9, "{signed} and {expected}");
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
+}
+
+/// Of a sheet, points beside its edge have no sign, those over it that of the normal.
+#[test]
+fn deviations_from_a_sheet_have_the_sign_of_its_normal_over_it() {
+    let sheet = face([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0)));
+    let model = prepared(&Model::from_arrays(None, vec![sheet]).unwrap());
+    let points = [[0.5, 0.5, 0.3], [0.5, 0.5, -0.2], [1.5, 0.5, 0.3], [2.0, 2.0, 0.0]];
+    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let options = ClosestPointOptions::default();
+    let search =
+        pollster::block_on(engine.closest_points(&model, &points.concat(), &options, &mut NoMonitor));
+    let found = search.unwrap();
+    assert_eq!(found.signs, Signs::Faces);
+    let normal = found.signed[0].signum();
+    assert!((found.signed[0].abs() - 0.3).abs() < 1e-9 && (found.signed[1] + normal * 0.2).abs() < 1e-9);
+    assert!(found.signed[2].is_nan() && found.signed[3].is_nan(), "{:?}", found.signed);
+}
