@@ -43,6 +43,23 @@ test("the types show nothing of the module's", () => {
   }
 });
 
+test("what the README links is packed", () => {
+  const { files } = JSON.parse(text("package.json"));
+  const links = [...text("README.md").matchAll(/\]\(([^):#]+)[^)]*\)/g)].map(([, link]) => link);
+  const own = links.filter((link) => !link.startsWith("http"));
+  assert.ok(own.length > 8);
+  const isPacked = (link) =>
+    files.some((file) => {
+      const [folder, ending] = file.split("/*");
+      const matches = ending !== undefined && link.startsWith(folder) && link.endsWith(ending);
+      return matches || link === file || link.startsWith(`${file}/`);
+    });
+  assert.deepEqual(
+    own.filter((link) => !isPacked(link)),
+    [],
+  );
+});
+
 test("all that the package exports is packed and exists", () => {
   const { exports, bin, files } = JSON.parse(text("package.json"));
   const entries = Object.values(exports).flatMap((entry) =>
