@@ -10,8 +10,7 @@
 mod support;
 
 use glam::DQuat;
-use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, RigidTransform};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -73,7 +72,7 @@ fn pose(random: &mut Random, [a, b]: &[PreparedModel; 2]) -> RigidTransform {
 }
 
 fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).expect("an engine");
+    let engine = Engine::cpu();
     let diagonal = models.iter().map(|model| model.bounding_box().diagonal()).fold(0.0, f64::max);
     let mut random = Random(30);
     let (mut widths, mut limits, mut cells, mut undecided) = (Vec::new(), Vec::new(), Vec::new(), 0);
@@ -89,9 +88,7 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
         };
         let run = |options: ClearanceOptions| -> (ClearanceResult, f64) {
             let clock = Stopwatch::start(false);
-            let mut monitor = NoMonitor;
-            let search = engine.clearance(&models[0], &models[1], &options, &mut monitor);
-            let result = pollster::block_on(search).expect("a clearance");
+            let result = engine.clearance(&models[0], &models[1], &options).wait().expect("a clearance");
             (result, 1e3 * clock.seconds())
         };
         let (interval, width_ms) = run(of(None));

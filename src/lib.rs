@@ -179,7 +179,10 @@ pub use area::Area;
 pub use axis::Axis;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, Method, ModelInfo, Options, Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
+    Backend, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints,
+    Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference,
+    FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, Method, ModelInfo, Options,
+    Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

@@ -5,7 +5,7 @@ use super::{run, witness};
 use crate::certified::Interval;
 use crate::clearance::{Goal, Search};
 use crate::engine::direction::Direction;
-use crate::engine::{Engine, PreparedModel, Seconds, Stop, Witness};
+use crate::engine::{Computation, Engine, PreparedModel, Seconds, Stop, Witness};
 use crate::error::Result;
 use crate::progress::{Monitor, Progress};
 use serde::Serialize;
@@ -63,7 +63,18 @@ impl Engine {
     /// # Errors
     /// [`crate::Error::OptionOutOfRange`]; [`crate::Error::OptionInvalid`];
     /// [`crate::Error::UnitsDiffer`].
-    pub async fn gaps(
+    pub fn gaps<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a GapOptions,
+    ) -> Computation<'a, GapsResult> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.gaps_of(a, b, options, watched.monitor()).await })
+        })
+    }
+
+    async fn gaps_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

@@ -12,7 +12,7 @@ use overlap::Solids;
 pub use with_gaps::ClearanceWithGaps;
 
 use super::direction::Direction;
-use super::{Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
+use super::{Computation, Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
 use crate::certified::Interval;
 use crate::clearance::{Body, Goal, Nearest, Search};
 use crate::error::{Error, Result};
@@ -78,7 +78,18 @@ impl Engine {
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`]. Cancelling
     /// is a budget: the interval so far is returned with [`Stop::Cancelled`].
-    pub async fn clearance(
+    pub fn clearance<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a ClearanceOptions,
+    ) -> Computation<'a, ClearanceResult> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.clearance_of(a, b, options, watched.monitor()).await })
+        })
+    }
+
+    async fn clearance_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

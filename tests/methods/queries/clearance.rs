@@ -1,15 +1,14 @@
 //! Clearances against distances known from geometry, and against samples.
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel, Stop};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, PreparedModel, Stop};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere, torus};
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, GapOptions, Model, Overlap, RigidTransform};
 
 fn clearance(a: &Model, b: &Model, options: &ClearanceOptions) -> ClearanceResult {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
-    pollster::block_on(engine.clearance(&a, &b, options, &mut NoMonitor)).unwrap()
+    let engine = Engine::cpu();
+    engine.clearance(&a, &b, options).wait().unwrap()
 }
 
 fn pose(axis: [f64; 3], angle: f64, offset: [f64; 3]) -> RigidTransform {
@@ -190,11 +189,11 @@ fn the_gaps_of_two_boxes_are_those_of_the_faces_that_face_each_other() {
     let boxes = |size: f64| Model::from_arrays(None, super::solids::cube(size)).unwrap();
     let (a, b) = (boxes(1.0), boxes(2.0));
     let [a, b] = [&a, &b].map(|model| PreparedModel::new(model).unwrap());
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let transform = pose([0.0, 0.0, 1.0], 0.0, [3.25, 0.0, 0.0]);
     let gaps = |below: f64| {
         let options = GapOptions { below, transform, ..GapOptions::default() };
-        pollster::block_on(engine.gaps(&a, &b, &options, &mut NoMonitor)).unwrap()
+        engine.gaps(&a, &b, &options).wait().unwrap()
     };
     assert!(gaps(0.2).pairs.is_empty());
     let found = gaps(0.3);

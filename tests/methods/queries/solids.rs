@@ -1,8 +1,7 @@
 //! Sides of points and signs of deviations against bodies known from formulas.
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, Engine, PreparedModel};
-use nurbs_hausdorff::progress::NoMonitor;
+use nurbs_hausdorff::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
@@ -193,9 +192,9 @@ fn cracks_within_the_gap_close() {
 }
 
 fn field(a: &Model, b: &Model) -> DeviationField {
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let options = FieldOptions { samples: 24, ..FieldOptions::default() };
-    pollster::block_on(engine.field(&prepared(a), &prepared(b), &options, &mut NoMonitor)).unwrap()
+    engine.field(&prepared(a), &prepared(b), &options).wait().unwrap()
 }
 
 /// The feet of most samples are edges and corners of the tetrahedron, where the normal of a face
@@ -238,11 +237,9 @@ fn deviations_from_a_sheet_have_the_sign_of_its_normal_over_it() {
     let sheet = face([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0)));
     let model = prepared(&Model::from_arrays(None, vec![sheet]).unwrap());
     let points = [[0.5, 0.5, 0.3], [0.5, 0.5, -0.2], [1.5, 0.5, 0.3], [2.0, 2.0, 0.0]];
-    let engine = pollster::block_on(Engine::new(Backend::Cpu)).unwrap();
+    let engine = Engine::cpu();
     let options = ClosestPointOptions::default();
-    let search =
-        pollster::block_on(engine.closest_points(&model, &points.concat(), &options, &mut NoMonitor));
-    let found = search.unwrap();
+    let found = engine.closest_points(&model, &points.concat(), &options).wait().unwrap();
     assert_eq!(found.signs, Signs::Faces);
     let normal = found.signed[0].signum();
     assert!((found.signed[0].abs() - 0.3).abs() < 1e-9 && (found.signed[1] + normal * 0.2).abs() < 1e-9);

@@ -7,7 +7,7 @@ use crate::output::json::{OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report::GAPS_DECIDE;
-use nurbs_hausdorff::{Backend, ClearanceResult, Engine, Overlap, SurfacePoint};
+use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Measures the clearance, prints it and returns the exit status.
@@ -15,9 +15,9 @@ pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Fai
     let options = arguments.options()?;
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    let engine = pollster::block_on(Engine::new(Backend::Cpu))?;
+    let engine = Engine::cpu();
     let mut bar = Bar::new();
-    let mut result = pollster::block_on(engine.clearance(&a.prepared, &b.prepared, &options, &mut bar))?;
+    let mut result = engine.clearance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
     if arguments.limit.is_some() && !is_judged(&a, &b, arguments.allow_skipped) {
         (result.at_least, result.with_gaps.at_least) = (None, None);
