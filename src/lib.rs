@@ -140,6 +140,11 @@ mod error;
 #[doc(hidden)]
 pub mod error;
 #[cfg(not(feature = "internals"))]
+mod facets;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod facets;
+#[cfg(not(feature = "internals"))]
 mod flatness;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -187,6 +192,7 @@ pub use engine::{
 pub use error::{Error, Result};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
+pub use facets::{MeshReport, PointCloud, TriangleMesh};
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
 pub use solid::Side;
