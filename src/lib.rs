@@ -92,6 +92,8 @@ pub mod tessellate;
 mod chebyshev;
 mod clearance;
 mod limits;
+#[cfg(feature = "mesh")]
+mod mesh_files;
 mod parallel;
 mod pieces;
 mod read;
@@ -190,6 +192,8 @@ pub use engine::{
     Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
+#[cfg(feature = "mesh")]
+pub use mesh_files::{Facets, MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use facets::{MeshReport, PointCloud, TriangleMesh};

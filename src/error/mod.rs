@@ -223,6 +223,14 @@ pub enum Error {
         /// The number of vertices.
         expected: usize,
     },
+    /// Bytes that are not of a format of meshes, or parts of it that are not read.
+    #[error("the {format} file cannot be read: {found}")]
+    MeshSyntax {
+        /// The format.
+        format: &'static str,
+        /// The violation, with its line where there is one.
+        found: String,
+    },
     /// A mesh without triangles, or a cloud without points.
     #[error("found no {expected}, expected at least 1")]
     NoFacets {
@@ -461,6 +469,7 @@ impl Error {
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
             Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
+            Self::MeshSyntax { .. } => "MESH_SYNTAX",
             Self::NoFacets { .. } => "NO_FACETS",
             Self::TooManyFacets { .. } => "TOO_MANY_FACETS",
             Self::UnitInvalid { .. } => "UNIT_INVALID",

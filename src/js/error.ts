@@ -42,6 +42,7 @@ export type ErrorCode =
   | "INSTANCE_TRANSFORM"
   | "TOO_MANY_FACES"
   | "TRIANGLE_INDEX"
+  | "MESH_SYNTAX"
   | "NO_FACETS"
   | "TOO_MANY_FACETS"
   | "UNIT_INVALID"
