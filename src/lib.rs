@@ -193,10 +193,10 @@ pub use engine::{
 };
 pub use error::{Error, Result};
 #[cfg(feature = "mesh")]
-pub use mesh_files::{Facets, MeshFile, MeshFormat};
+pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
-pub use facets::{MeshReport, PointCloud, TriangleMesh};
+pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
 pub use solid::Side;

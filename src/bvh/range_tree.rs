@@ -55,6 +55,16 @@ impl RangeTree {
         Self { nodes, order }
     }
 
+    /// Returns the same tree over primitives that are scaled: multiplication by a positive factor
+    /// keeps the order of coordinates, rounded too.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let mut tree = self.clone();
+        for RangeNode { aabb, .. } in &mut tree.nodes {
+            *aabb = Aabb { min: factor * aabb.min, max: factor * aabb.max };
+        }
+        tree
+    }
+
     /// Returns the nodes, root first; without primitives there are none.
     pub(crate) fn nodes(&self) -> &[RangeNode] {
         &self.nodes

@@ -231,6 +231,12 @@ pub enum Error {
         /// The violation, with its line where there is one.
         found: String,
     },
+    /// A computation that meshes and clouds of points do not have.
+    #[error("{found}, which is not computed for meshes and clouds of points")]
+    FacetsUnsupported {
+        /// The computation.
+        found: &'static str,
+    },
     /// A mesh without triangles, or a cloud without points.
     #[error("found no {expected}, expected at least 1")]
     NoFacets {
@@ -470,6 +476,7 @@ impl Error {
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
             Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
             Self::MeshSyntax { .. } => "MESH_SYNTAX",
+            Self::FacetsUnsupported { .. } => "FACETS_UNSUPPORTED",
             Self::NoFacets { .. } => "NO_FACETS",
             Self::TooManyFacets { .. } => "TOO_MANY_FACETS",
             Self::UnitInvalid { .. } => "UNIT_INVALID",

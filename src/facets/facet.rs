@@ -41,6 +41,14 @@ impl Facet {
         }
     }
 
+    /// Returns a normal of the facet, by the order of its corners; `None` for a point, and for
+    /// corners on a line.
+    pub(crate) fn normal(&self) -> Option<DVec3> {
+        let Self::Triangle([a, b, c]) = self else { return None };
+        let normal = (*b - *a).cross(*c - *a);
+        (normal != DVec3::ZERO).then_some(normal)
+    }
+
     /// Returns the point of these weights.
     pub(crate) fn point(&self, weights: [f64; 3]) -> DVec3 {
         match self {

@@ -16,7 +16,7 @@ const SAG_ROUNDINGS: f64 = 128.0;
 
 /// Returns an upper bound on the error of a distance to a facet, for points at most this far from
 /// the origin.
-pub(super) fn facet_rounding(length: f64) -> f64 {
+pub(crate) fn facet_rounding(length: f64) -> f64 {
     gamma(FACET_ROUNDINGS) * length + VANISHING_LENGTH
 }
 

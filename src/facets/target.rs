@@ -64,6 +64,18 @@ impl FacetTarget {
         Self { facets, tree }
     }
 
+    /// Returns the same facets with their coordinates multiplied by a factor. O(n log n).
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let facets = match &self.facets {
+            Facets::Points(points) => Facets::Points(points.iter().map(|&point| factor * point).collect()),
+            Facets::Triangles(triangles) => {
+                let scaled = |corners: &[DVec3; 3]| corners.map(|corner| factor * corner);
+                Facets::Triangles(triangles.iter().map(scaled).collect())
+            }
+        };
+        Self { facets, tree: self.tree.scaled(factor) }
+    }
+
     /// Returns the number of facets.
     pub(crate) fn len(&self) -> usize {
         self.tree.order().len()

@@ -43,6 +43,7 @@ export type ErrorCode =
   | "TOO_MANY_FACES"
   | "TRIANGLE_INDEX"
   | "MESH_SYNTAX"
+  | "FACETS_UNSUPPORTED"
   | "NO_FACETS"
   | "TOO_MANY_FACETS"
   | "UNIT_INVALID"

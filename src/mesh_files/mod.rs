@@ -14,7 +14,7 @@ mod text;
 mod three_mf;
 
 use crate::error::{Error, Result};
-use crate::facets::{PointCloud, TriangleMesh};
+use crate::facets::{Facets, PointCloud, TriangleMesh};
 use glam::DVec3;
 
 /// The largest file that is read, and the largest size of a compressed one's content: a mesh of
@@ -37,15 +37,6 @@ pub enum MeshFormat {
     ThreeMf,
     /// Text with three coordinates a line: XYZ, PTS and CSV. It states no unit.
     Text,
-}
-
-/// A mesh or a cloud of points.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Facets {
-    /// A mesh.
-    Mesh(TriangleMesh),
-    /// A cloud of points.
-    Cloud(PointCloud),
 }
 
 /// A mesh or a cloud as its file states it.

@@ -1,6 +1,7 @@
 //! One tetrahedron in every format, and damage.
 
 use super::*;
+use crate::facets::Facets;
 use std::io::Write;
 
 const VERTICES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.625]];

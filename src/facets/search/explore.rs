@@ -60,13 +60,13 @@ impl FacetSearch<'_> {
             explored.cells += 1;
             explored.levels = explored.levels.max(node.level);
             match (&node.region, self.a, self.b) {
-                (Region::Node(index), Source::Facets(a), _) => {
+                (Region::Node(index), Source::Facets { facets: a, .. }, _) => {
                     self.bound_node(&node, *index, a, threshold, &mut explored, &mut stack);
                 }
-                (Region::Part(place, part), Source::Facets(_), Measured::Facets(b)) => {
+                (Region::Part(place, part), Source::Facets { .. }, Measured::Facets { facets: b, .. }) => {
                     self.bound_part(&node, *place, *part, b, threshold, &mut explored, &mut stack);
                 }
-                (Region::Cell(cell), Source::Patches { patches, .. }, Measured::Facets(b)) => {
+                (Region::Cell(cell), Source::Patches { patches, .. }, Measured::Facets { facets: b, .. }) => {
                     self.bound_cell(&node, cell, patches, b, threshold, &mut explored, &mut stack);
                 }
                 // No such node is made; nothing is known of one.

@@ -134,8 +134,8 @@ impl<'a> FacetSearch<'a> {
             Node { upper: f64::INFINITY, region, start: Start::default(), level: 0 }
         };
         match a {
-            Source::Facets(facets) if facets.len() > 0 => search.frontier.push(root(Region::Node(0))),
-            Source::Facets(_) => {}
+            Source::Facets { facets, .. } if facets.len() > 0 => search.frontier.push(root(Region::Node(0))),
+            Source::Facets { .. } => {}
             Source::Patches { patches, .. } => {
                 let cell = |index| root(Region::Cell(PatchCell::whole(index as u32)));
                 search.frontier.extend((0..patches.len()).map(cell));
@@ -240,7 +240,7 @@ impl<'a> FacetSearch<'a> {
     /// Returns a point of a facet or patch of A with its distance.
     fn sample(&self, place: u32, start: Start) -> Sample {
         let (point, domain) = match self.a {
-            Source::Facets(facets) => (facets.facet(place).point([1.0, 0.0, 0.0]), Domain::Facet(place)),
+            Source::Facets { facets, .. } => (facets.facet(place).point([1.0, 0.0, 0.0]), Domain::Facet(place)),
             Source::Patches { patches, .. } => {
                 let middle = [0.5; 2];
                 (patches.patch(place as usize).point(middle), Domain::Patch(place, middle))
@@ -254,7 +254,7 @@ impl<'a> FacetSearch<'a> {
     /// Certifies the farthest of a few points of A.
     fn find_first_incumbent(&mut self) {
         let count = match self.a {
-            Source::Facets(facets) => facets.len(),
+            Source::Facets { facets, .. } => facets.len(),
             Source::Patches { patches, .. } => patches.len(),
         };
         let step = count.div_ceil(FIRST_SAMPLES).max(1);

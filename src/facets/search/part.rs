@@ -48,7 +48,6 @@ struct Cut {
     single_is_near: bool,
     /// The cut points on the edges from that corner to the two others.
     ends: [DVec3; 2],
-    facet: u32,
 }
 
 impl Part {
@@ -131,7 +130,7 @@ impl Part {
         }
         let corner_share = fractions[0] * fractions[1];
         let share = if single_is_near { corner_share } else { 1.0 - corner_share };
-        Some(Cut { share, decided, turned, single_is_near, ends, facet })
+        Some(Cut { share, decided, turned, single_is_near, ends })
     }
 
     /// Returns what a cut leaves of the part.

@@ -10,8 +10,13 @@ use glam::DVec3;
 /// Model A, whose points are measured.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Source<'a> {
-    /// A mesh or a cloud.
-    Facets(&'a FacetTarget),
+    /// A mesh or a cloud, of coordinates that are within `error` of the exact ones.
+    Facets {
+        /// The facets with their tree.
+        facets: &'a FacetTarget,
+        /// The distance of the coordinates from the exact ones.
+        error: f64,
+    },
     /// Bézier patches; their computed points are within `error` of the exact ones.
     Patches {
         /// The patches.
@@ -26,8 +31,13 @@ pub(crate) enum Source<'a> {
 /// Model B, which distances are measured to.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Measured<'a> {
-    /// A mesh or a cloud.
-    Facets(&'a FacetTarget),
+    /// A mesh or a cloud, of coordinates that are within `error` of the exact ones.
+    Facets {
+        /// The facets with their tree.
+        facets: &'a FacetTarget,
+        /// The distance of the coordinates from the exact ones.
+        error: f64,
+    },
     /// Bézier patches, for a cloud as A.
     Patches {
         /// The patches with their tree.
@@ -61,7 +71,7 @@ pub(crate) struct Certified {
 impl Source<'_> {
     pub(super) fn bounding_box(&self) -> Aabb {
         match self {
-            Self::Facets(facets) => facets.bounding_box(),
+            Self::Facets { facets, .. } => facets.bounding_box(),
             Self::Patches { control_box, .. } => *control_box,
         }
     }
@@ -69,8 +79,7 @@ impl Source<'_> {
     /// Returns the distance of computed points from the exact ones, before they are moved.
     pub(super) fn error(&self) -> f64 {
         match self {
-            Self::Facets(_) => 0.0,
-            Self::Patches { error, .. } => *error,
+            Self::Facets { error, .. } | Self::Patches { error, .. } => *error,
         }
     }
 }
@@ -78,7 +87,7 @@ impl Source<'_> {
 impl Measured<'_> {
     pub(super) fn bounding_box(&self) -> Aabb {
         match self {
-            Self::Facets(facets) => facets.bounding_box(),
+            Self::Facets { facets, .. } => facets.bounding_box(),
             Self::Patches { target, .. } => {
                 target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb)
             }
@@ -87,8 +96,7 @@ impl Measured<'_> {
 
     pub(super) fn error(&self) -> f64 {
         match self {
-            Self::Facets(_) => 0.0,
-            Self::Patches { error, .. } => *error,
+            Self::Facets { error, .. } | Self::Patches { error, .. } => *error,
         }
     }
 
@@ -96,7 +104,7 @@ impl Measured<'_> {
     /// first found within `sufficient`; with the place of that point.
     pub(super) fn nearest(&self, point: DVec3, start: Start, gap: f64, sufficient: f64) -> (f64, Start) {
         match self {
-            Self::Facets(facets) => {
+            Self::Facets { facets, .. } => {
                 let foot = facets.nearest(point, start.piece, sufficient);
                 (foot.distance_squared.sqrt(), Start { piece: foot.facet, ..start })
             }
@@ -123,7 +131,7 @@ impl Measured<'_> {
         length: f64,
     ) -> Option<Certified> {
         match self {
-            Self::Facets(facets) => {
+            Self::Facets { facets, .. } => {
                 let (foot, nearest, lower) = facets.certified(point, start.piece);
                 let lower = lower - facet_rounding(length);
                 Some(Certified {

@@ -32,8 +32,16 @@ fn measure(a: Source<'_>, b: Measured<'_>, transform: RigidTransform, tolerance:
     Found { lower, upper, cells: search.work().cells, end, witness }
 }
 
+fn of_facets(facets: &FacetTarget) -> Source<'_> {
+    Source::Facets { facets, error: 0.0 }
+}
+
+fn to_facets(facets: &FacetTarget) -> Measured<'_> {
+    Measured::Facets { facets, error: 0.0 }
+}
+
 fn between(a: &FacetTarget, b: &FacetTarget) -> Found {
-    measure(Source::Facets(a), Measured::Facets(b), RigidTransform::IDENTITY, TOLERANCE)
+    measure(of_facets(a), to_facets(b), RigidTransform::IDENTITY, TOLERANCE)
 }
 
 fn mesh(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> FacetTarget {
@@ -82,7 +90,7 @@ fn sheets_in_other_triangles_are_at_their_distance() {
             assert!(found.cells < 20_000, "{}", found.cells);
             assert_eq!(found.end, End::Searched);
             let up = RigidTransform::translation(DVec3::new(0.0, 0.0, 0.375)).unwrap();
-            contains(&measure(Source::Facets(a), Measured::Facets(b), up, TOLERANCE), 0.375);
+            contains(&measure(of_facets(a), to_facets(b), up, TOLERANCE), 0.375);
         }
     }
 }
@@ -167,7 +175,7 @@ fn random_meshes_and_clouds_agree_with_samples() {
             a.iter().map(nearest).fold(0.0, f64::max)
         };
         let check = |a: &FacetTarget, b: &FacetTarget, sampled: f64, [of_a, of_b]: [f64; 2]| {
-            let found = measure(Source::Facets(a), Measured::Facets(b), transform, 1e-5);
+            let found = measure(of_facets(a), to_facets(b), transform, 1e-5);
             assert!(sampled - of_b <= found.upper && found.lower <= sampled + of_a, "round {round}");
         };
         let cloud = cloud(&points);
@@ -211,7 +219,7 @@ fn a_cylinder_is_a_sagitta_above_its_chords() {
             (0..count as u32).flat_map(|k| [[2 * k, 2 * k + 1, 2 * k + 2], [2 * k + 1, 2 * k + 3, 2 * k + 2]]).collect();
         let found = measure(
             of_patches(&quarter),
-            Measured::Facets(&mesh(&vertices, &triangles)),
+            to_facets(&mesh(&vertices, &triangles)),
             RigidTransform::IDENTITY,
             TOLERANCE,
         );
@@ -219,7 +227,7 @@ fn a_cylinder_is_a_sagitta_above_its_chords() {
     }
     let flat = patches(1, vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]]);
     let b = sheet([6, 7], true, |_, _| 0.0);
-    let found = measure(of_patches(&flat), Measured::Facets(&b), RigidTransform::IDENTITY, TOLERANCE);
+    let found = measure(of_patches(&flat), to_facets(&b), RigidTransform::IDENTITY, TOLERANCE);
     contains(&found, 0.0);
     assert!(found.cells < 1000, "{}", found.cells);
 }
