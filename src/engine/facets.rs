@@ -10,7 +10,12 @@ use crate::error::{Error, Result};
 use crate::facets::{Domain, End, FacetSearch, Measured, PreparedFacets, Source};
 use crate::flatness::MAX_HALVINGS;
 use crate::progress::Progress;
+use crate::rounding::gamma;
 use web_time::Instant;
+
+/// The roundings of the points of a part of a patch, for each degree, relative to the largest
+/// distance of its control points from its centre: lemma R6 of docs/method.md.
+const RESTRICTION_ROUNDINGS: f64 = 16.0;
 
 impl Direction<'_> {
     /// Whether the search over facets measures this direction: where B has facets, and from points.
@@ -33,7 +38,9 @@ impl Direction<'_> {
             None => {
                 let BezierModel { patches, point_error, .. } = self.from.bezier();
                 let control_box = self.from.control_box();
-                Source::Patches { patches, error: point_error.after(0), control_box }
+                let degrees = patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
+                let restriction = gamma(RESTRICTION_ROUNDINGS * degrees as f64) * control_box.diagonal();
+                Source::Patches { patches, error: point_error.after(0) + restriction, control_box }
             }
         };
         let patches = self.to.facets().is_none().then(|| self.to.certified_target());

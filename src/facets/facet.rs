@@ -138,3 +138,97 @@ fn in_interior(corners: &[DVec3; 3]) -> Option<Nearest> {
     let is_inside = sum > 0.0 && parts.iter().all(|&part| part >= 0.0);
     is_inside.then(|| Nearest::new(corners, parts.map(|part| part / sum)))
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::rounding::facet_rounding;
+    use num_rational::BigRational;
+    use num_traits::{ToPrimitive, Zero};
+
+    /// A point of a size from 2^-20 to 1 about a far one, or of the size of a sliver.
+    fn random_corners(random: &mut fastrand::Rng, far: DVec3) -> [DVec3; 3] {
+        let point = |random: &mut fastrand::Rng| DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+        let size = 0.5_f64.powi(random.i32(0..20));
+        let [a, b, c] = [0; 3].map(|_| far + size * point(random));
+        match random.u32(0..4) {
+            // A sliver, a doubled corner, corners on a line.
+            0 => [a, b, a.lerp(b, random.f64()) + 1e-12 * size * point(random)],
+            1 => [a, b, b],
+            2 => [a, a + (b - a) * 0.5, b],
+            _ => [a, b, c],
+        }
+    }
+
+    fn exact(number: f64) -> BigRational {
+        BigRational::from_float(number).unwrap()
+    }
+
+    /// The exact distance between a point and the convex combination of these weights, divided by
+    /// their sum.
+    fn exact_distance(corners: &[DVec3; 3], weights: [f64; 3], target: DVec3) -> f64 {
+        let sum: BigRational = weights.iter().map(|&weight| exact(weight)).sum();
+        let mut squared = BigRational::zero();
+        for axis in 0..3 {
+            let at: BigRational =
+                (0..3).map(|corner| exact(weights[corner]) * exact(corners[corner][axis])).sum();
+            let difference = at / &sum - exact(target[axis]);
+            squared += &difference * &difference;
+        }
+        squared.to_f64().unwrap().sqrt()
+    }
+
+    /// Lemma F1: the distance is that of a point of the triangle, up to the allowance.
+    #[test]
+    fn the_nearest_point_is_a_point_of_the_triangle() {
+        let random = &mut fastrand::Rng::with_seed(41);
+        let mut largest: f64 = 0.0;
+        for round in 0..4000 {
+            let far = DVec3::from_array([0; 3].map(|_| random.f64() * 4.0));
+            let corners = random_corners(random, far);
+            // Beside the triangle, or opposite to it, where the difference is rounded most.
+            let target = if round % 2 == 0 { random_corners(random, far)[0] } else { -corners[1] };
+            let nearest = Facet::Triangle(corners).nearest(target);
+            assert!(nearest.weights.iter().all(|&weight| weight >= 0.0), "{nearest:?}");
+            let length = corners.iter().fold(target.length(), |length, corner| length.max(corner.length()));
+            let error = nearest.distance_squared.sqrt() - exact_distance(&corners, nearest.weights, target);
+            assert!(error.abs() <= facet_rounding(length), "{error:e} for {corners:?} {target}");
+            largest = largest.max(error.abs() / facet_rounding(length));
+        }
+        assert!(largest >= 0.02, "{largest}");
+    }
+
+    /// Lemma F2, attained: a separating plane gives the distance, so that each proves the other.
+    #[test]
+    fn planes_attain_the_distance() {
+        let random = &mut fastrand::Rng::with_seed(42);
+        for round in 0..20_000 {
+            let corners = random_corners(random, DVec3::ZERO);
+            let target = 2.0 * random_corners(random, DVec3::ZERO)[0];
+            let facet = Facet::Triangle(corners);
+            let nearest = facet.nearest(target);
+            let (lower, upper) = (facet.distance_of_planes(target, &nearest), nearest.distance_squared.sqrt());
+            let rounding = facet_rounding(2.0);
+            assert!(lower <= upper + 2.0 * rounding, "{round}: {lower} {upper}");
+            assert!(upper - lower <= 1e-9, "{round}: {lower} {upper} for {corners:?} {target}");
+        }
+    }
+
+    /// Weights of any other points are farther.
+    #[test]
+    fn no_point_of_the_triangle_is_nearer_than_the_planes() {
+        let random = &mut fastrand::Rng::with_seed(43);
+        for _ in 0..2000 {
+            let corners = random_corners(random, DVec3::ZERO);
+            let target = 2.0 * random_corners(random, DVec3::ZERO)[0];
+            let facet = Facet::Triangle(corners);
+            let lower = facet.distance_of_planes(target, &facet.nearest(target)) - facet_rounding(2.0);
+            for _ in 0..20 {
+                let [s, t] = [random.f64(), random.f64()];
+                let point = facet.point([1.0 - s, s * (1.0 - t), s * t]);
+                assert!(point.distance(target) >= lower);
+            }
+        }
+    }
+}

@@ -12,7 +12,7 @@ const CUT_ROUNDINGS: f64 = 6.0;
 
 /// The roundings of the distance between a patch and the two triangles that stand for it, relative
 /// to the largest length of its control points: lemma F6.
-const SAG_ROUNDINGS: f64 = 128.0;
+const SAG_ROUNDINGS: f64 = 256.0;
 
 /// Returns an upper bound on the error of a distance to a facet, for points at most this far from
 /// the origin.

@@ -70,6 +70,20 @@ impl TriangleMesh {
         Ok(mesh)
     }
 
+    /// Makes the mesh of a flat list of indices, three a triangle. As [`TriangleMesh::new`].
+    ///
+    /// # Errors
+    /// Those of [`TriangleMesh::new`]; [`Error::TriangleIndex`] for a last triangle of fewer than
+    /// three indices.
+    pub fn of_indices(vertices: &[DVec3], indices: &[u32]) -> Result<Self> {
+        let (triangles, rest) = indices.as_chunks();
+        if !rest.is_empty() {
+            let [triangle, found, expected] = [triangles.len(), vertices.len(), vertices.len()];
+            return Err(Error::TriangleIndex { triangle, found, expected });
+        }
+        Self::new(vertices, triangles)
+    }
+
     /// Returns the vertices, no two of them equal.
     #[must_use]
     pub fn vertices(&self) -> &[DVec3] {

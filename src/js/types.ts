@@ -39,6 +39,7 @@ export type {
   SurfacePoint,
 } from "./measure/result.js";
 export type { Area, ModelArea } from "./model/area.js";
+export type { MeshArrays } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";
 export type {

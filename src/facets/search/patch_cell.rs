@@ -25,6 +25,10 @@ const MAX_PARTS: usize = 64;
 /// Half of the length of a side that float64 does not usefully halve further.
 pub(super) const MIN_LENGTH: f64 = 1.0 / (1_u64 << 40) as f64;
 
+/// The least sine of the angle between the diagonals of a quadrangle whose normal is used: rounding
+/// turns the normal by less than a millionth then.
+const MIN_SINE: f64 = 1e-9;
+
 /// A rectangle of a patch of A.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PatchCell {
@@ -227,14 +231,74 @@ impl Net {
 /// quadrangle is convex seen along it: the hull of the points is within it of two triangles.
 fn height_of_quadrangle([a, b, c, d]: &[DVec3; 4]) -> Option<f64> {
     let [first, second] = [c - a, d - b];
-    let normal = unit(first.cross(second));
+    let across = first.cross(second);
+    let is_open = across.length() >= MIN_SINE * first.length() * second.length();
+    let normal = unit(across);
     let side = |diagonal: DVec3, from: DVec3, point: DVec3| diagonal.cross(point - from).dot(normal);
     let crosses = |one: f64, other: f64| one.min(other) <= 0.0 && one.max(other) >= 0.0;
-    let is_convex = normal != DVec3::ZERO
+    let is_convex = is_open
+        && normal != DVec3::ZERO
         && crosses(side(first, *a, *b), side(first, *a, *d))
         && crosses(side(second, *b, *a), side(second, *b, *c));
     let heights = [b - a, c - a, d - a].map(|corner| corner.dot(normal));
     let high = heights.iter().fold(0.0_f64, |high, &height| high.max(height));
     let low = heights.iter().fold(0.0_f64, |low, &height| low.min(height));
     is_convex.then_some(high - low)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn net(points: [[f64; 3]; 4]) -> Net {
+        Net { points: points.map(DVec3::from_array).to_vec(), degree: [1, 1] }
+    }
+
+    /// Lemma F6: the middle of one diagonal is as far above the other as the bound.
+    #[test]
+    fn the_sag_of_a_saddle_is_attained() {
+        let height = 0.3;
+        let net = net([[0.0, 0.0, 0.0], [0.0, 1.0, height], [1.0, 0.0, height], [1.0, 1.0, 0.0]]);
+        let [a, b, c, d] = net.corners();
+        let middle = 0.5 * (b + d);
+        let to = |triangle: [DVec3; 3]| Facet::Triangle(triangle).nearest(middle).distance_squared.sqrt();
+        let attained = to([a, b, c]).min(to([a, c, d]));
+        // The corners that are no ends of the diagonal are about as far from the other triangle.
+        assert!(net.sag() >= attained && height_of_quadrangle(&[a, b, c, d]) == Some(height));
+        assert!(net.sag() <= height + 1e-15);
+    }
+
+    /// No point of a random patch is farther from the triangles than the sag.
+    #[test]
+    fn no_point_of_a_patch_is_beyond_its_sag() {
+        let random = &mut fastrand::Rng::with_seed(6);
+        let mut largest: f64 = 0.0;
+        for round in 0..3000 {
+            let degree = [random.usize(1..4), random.usize(1..4)];
+            let bend = if round % 2 == 0 { 0.05 } else { 1.0 };
+            let mut points = Vec::new();
+            for i in 0..=degree[0] {
+                for j in 0..=degree[1] {
+                    let at = DVec3::new(i as f64 / degree[0] as f64, j as f64 / degree[1] as f64, 0.0);
+                    points.push(at + bend * DVec3::from_array([0; 3].map(|_| random.f64() - 0.5)));
+                }
+            }
+            let net = Net { points, degree };
+            let [a, b, c, d] = net.corners();
+            let triangles = [Facet::Triangle([a, b, c]), Facet::Triangle([a, c, d])];
+            for _ in 0..20 {
+                // A convex combination, as that of rational patches.
+                let weights: Vec<f64> = net.points.iter().map(|_| random.f64().powi(4)).collect();
+                let sum: f64 = weights.iter().sum();
+                let point: DVec3 = net.points.iter().zip(&weights).map(|(&point, weight)| point * (weight / sum)).sum();
+                let distance = triangles
+                    .map(|triangle| triangle.nearest(point).distance_squared.sqrt())
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min);
+                assert!(distance <= net.sag() + sag_rounding(2.0), "round {round}");
+                largest = largest.max(distance / net.sag());
+            }
+        }
+        assert!(largest > 0.5, "{largest}");
+    }
 }

@@ -18,6 +18,7 @@ import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
+import type { MeshArrays } from "../model/mesh.js";
 import {
   type BrepText,
   coordinatesOf,
@@ -122,6 +123,11 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#newModel("model", [input]);
   }
 
+  /** As the main entry's `mesh`; the arrays are copied. */
+  async mesh(input: MeshArrays): Promise<NurbsModel> {
+    return this.#newModel("mesh", [input]);
+  }
+
   /** As the main entry's `shape`. */
   async shape(name: string): Promise<NurbsModel> {
     return this.#newModel("shape", [name]);
@@ -213,7 +219,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   /** The model that a method of the worker makes. */
   async #newModel(
-    method: "model" | "shape" | "readCad",
+    method: "model" | "mesh" | "shape" | "readCad",
     args: unknown[],
     transfer: ArrayBuffer[] = [],
   ): Promise<NurbsModel> {

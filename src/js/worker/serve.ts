@@ -2,6 +2,7 @@ import type { CadOptions } from "../cad/options.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
+import type { MeshArrays } from "../model/mesh.js";
 import type { NurbsModel } from "../model/model.js";
 import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
 
@@ -66,6 +67,7 @@ class Server {
     },
     shapes: () => Hausdorff.shapes(),
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
+    mesh: ([id, input]) => this.#keep(id, this.#open.mesh(input as MeshArrays)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
     readCad: async ([id, bytes, options]) =>
       this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
