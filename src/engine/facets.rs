@@ -5,7 +5,7 @@ use super::direction::{DirectedRun, Direction};
 use super::result::DirectedResult;
 use super::{CertifiedDetails, Details, Options, PreparedModel, Processor, Seconds, Stop, SurfacePoint};
 use crate::bezier::BezierModel;
-use crate::certified::{Gains, Interval};
+use crate::certified::{Gains, Interval, Limit};
 use crate::error::{Error, Result};
 use crate::facets::{Domain, End, FacetSearch, Measured, PreparedFacets, Source};
 use crate::flatness::MAX_HALVINGS;
@@ -53,7 +53,8 @@ impl Direction<'_> {
             (None, None) => return Err(Error::EmptyModel),
         };
         let tolerance = options.width(diagonal);
-        let mut search = FacetSearch::new(source, measured, self.transform, tolerance, options.limit);
+        let limit = options.limit.map(|at| Limit { at, gap: self.gap() });
+        let mut search = FacetSearch::new(source, measured, self.transform, tolerance, limit);
         let prepare = started.elapsed().as_secs_f64();
         let stop = search_within(&mut search, options, tolerance, progress).await?;
         let result = self.result(&search, stop, options, tolerance)?;
@@ -69,6 +70,8 @@ impl Direction<'_> {
             diagonal,
             unit: self.unit(),
             gap: self.gap(),
+            is_gap_proven: self.is_gap_proven(),
+            limit: options.limit,
             from_patches: count(self.from),
             to_patches: count(self.to),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },

@@ -17,6 +17,7 @@ pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 
 use super::rounding::{cut_rounding, facet_rounding};
+use crate::certified::{Interval, Limit};
 use crate::model::RigidTransform;
 use crate::parallel::{map_items, map_short, ranges};
 use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
@@ -53,8 +54,8 @@ const BOX_ROUNDINGS: f64 = 8.0;
 struct Goal {
     /// The width that upper and lower bounds may differ by.
     tolerance: f64,
-    /// A limit on the distance that is to be decided, instead of a width.
-    limit: Option<f64>,
+    /// A limit on the distance that is to be decided, instead of a width, with the gaps of both models.
+    limit: Option<Limit>,
     /// The largest length of a point of either model.
     length: f64,
     /// The rounding of points of both models, which either end of the interval is moved by.
@@ -115,7 +116,7 @@ impl<'a> FacetSearch<'a> {
         b: Measured<'a>,
         transform: RigidTransform,
         tolerance: f64,
-        limit: Option<f64>,
+        limit: Option<Limit>,
     ) -> Self {
         let goal = Goal::new(&a, &b, &transform, tolerance, limit);
         let mut search = Self {
@@ -168,19 +169,14 @@ impl<'a> FacetSearch<'a> {
 
     /// Whether the distance is at most the limit, once that is known.
     pub(crate) fn within(&self) -> Option<bool> {
-        let (limit, [lower, upper]) = (self.goal.limit?, self.interval());
-        if upper <= limit {
-            Some(true)
-        } else if lower > limit {
-            Some(false)
-        } else {
-            None
-        }
+        let [lower, upper] = self.interval();
+        self.goal.limit?.keeps(Interval { lower, upper })
     }
 
     /// Bounds a chunk of nodes, about `max_cells` at most; `Some` when nothing is left to do.
     pub(crate) fn advance(&mut self, max_cells: usize) -> Option<End> {
-        let is_above = self.goal.limit.is_some_and(|limit| self.lower_bound() > limit);
+        let lower = self.lower_bound();
+        let is_above = self.goal.limit.is_some_and(|limit| limit.next_level(lower).is_none());
         let threshold = self.threshold();
         while self.frontier.peek().is_some_and(|node| node.upper <= threshold) {
             self.decided = self.frontier.pop().map_or(self.decided, |node| upper_max(self.decided, node.upper));
@@ -212,8 +208,10 @@ impl<'a> FacetSearch<'a> {
 
     /// A node whose upper bound is at most this is not searched further.
     fn threshold(&self) -> f64 {
-        let within = self.lower_bound() + self.goal.tolerance;
-        let limit = self.goal.limit.map_or(f64::NEG_INFINITY, |limit| self.goal.before_rounding_up(limit));
+        let lower = self.lower_bound();
+        let within = lower + self.goal.tolerance;
+        let level = self.goal.limit.and_then(|limit| limit.next_level(lower));
+        let limit = level.map_or(f64::NEG_INFINITY, |level| self.goal.before_rounding_up(level));
         if limit > within { limit } else { within }
     }
 
@@ -285,7 +283,7 @@ impl Goal {
         b: &Measured<'_>,
         transform: &RigidTransform,
         tolerance: f64,
-        limit: Option<f64>,
+        limit: Option<Limit>,
     ) -> Self {
         let a_length = a.bounding_box().farthest_from_origin();
         let length = upper_max(a_length + transform.offset().length(), b.bounding_box().farthest_from_origin());
