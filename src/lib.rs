@@ -50,7 +50,7 @@
 //! # Map
 //!
 //! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP or the BREP text
-//! of OpenCASCADE. A [`PreparedModel`] keeps what is
+//! of OpenCASCADE; a [`TriangleMesh`] and a [`PointCloud`] are too. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!
@@ -65,7 +65,7 @@
 //!
 //! # Features
 //!
-//! `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
+//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
 //! command, which needs `cad`. `wasm` and `wasm-readers` are the exports of the two modules
 //! of the npm package: another crate for the web needs neither.
 //!
@@ -192,11 +192,11 @@ pub use engine::{
     Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
+pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
 #[cfg(feature = "mesh")]
 pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
-pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
 pub use solid::Side;

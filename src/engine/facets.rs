@@ -38,14 +38,17 @@ impl Direction<'_> {
             None => {
                 let BezierModel { patches, point_error, .. } = self.from.bezier();
                 let control_box = self.from.control_box();
-                let degrees = patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
+                let degrees =
+                    patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
                 let restriction = gamma(RESTRICTION_ROUNDINGS * degrees as f64) * control_box.diagonal();
                 Source::Patches { patches, error: point_error.after(0) + restriction, control_box }
             }
         };
         let patches = self.to.facets().is_none().then(|| self.to.certified_target());
         let measured = match (self.to.facets(), &patches) {
-            (Some(PreparedFacets { target, error, .. }), _) => Measured::Facets { facets: target, error: *error },
+            (Some(PreparedFacets { target, error, .. }), _) => {
+                Measured::Facets { facets: target, error: *error }
+            }
             (None, Some(patches)) => {
                 let error = self.to.bezier().point_error.after(MAX_HALVINGS);
                 Measured::Patches { target: &patches.target, error }

@@ -214,7 +214,9 @@ pub enum Error {
         expected: usize,
     },
     /// The index of a triangle's corner is that of no vertex.
-    #[error("triangle {triangle}: found vertex {found}, expected less than {expected}, the number of vertices")]
+    #[error(
+        "triangle {triangle}: found vertex {found}, expected less than {expected}, the number of vertices"
+    )]
     TriangleIndex {
         /// The index of the triangle.
         triangle: usize,

@@ -208,7 +208,8 @@ mod tests {
             let target = 2.0 * random_corners(random, DVec3::ZERO)[0];
             let facet = Facet::Triangle(corners);
             let nearest = facet.nearest(target);
-            let (lower, upper) = (facet.distance_of_planes(target, &nearest), nearest.distance_squared.sqrt());
+            let (lower, upper) =
+                (facet.distance_of_planes(target, &nearest), nearest.distance_squared.sqrt());
             let rounding = facet_rounding(2.0);
             assert!(lower <= upper + 2.0 * rounding, "{round}: {lower} {upper}");
             assert!(upper - lower <= 1e-9, "{round}: {lower} {upper} for {corners:?} {target}");

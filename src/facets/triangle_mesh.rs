@@ -161,12 +161,8 @@ mod tests {
         let mesh = TriangleMesh::new(&vertices, &[[0, 1, 2], [3, 4, 2], [0, 3, 1], [0, 1, 6]]).unwrap();
         assert_eq!(mesh.vertices(), [a, b, c, 2.0 * b]);
         assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 1, 2], [0, 0, 1], [0, 1, 3]]);
-        let report = MeshReport {
-            joined_vertices: 2,
-            unused_vertices: 1,
-            collapsed_triangles: 1,
-            flat_triangles: 1,
-        };
+        let report =
+            MeshReport { joined_vertices: 2, unused_vertices: 1, collapsed_triangles: 1, flat_triangles: 1 };
         assert_eq!(mesh.report(), report);
     }
 

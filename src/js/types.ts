@@ -1,6 +1,7 @@
 // The types and the error class that the package's entries share.
 
 export type { CadKind } from "./cad/kind.js";
+export type { MeshFormat, MeshOptions } from "./cad/mesh.js";
 export type { CadOptions } from "./cad/options.js";
 export type { PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";

@@ -212,9 +212,8 @@ impl File<'_> {
     fn items(&self, index: usize, kind: &str, component: u32) -> Result<impl Iterator<Item = &[u8]>> {
         let accessor = self.root.accessors.get(index).ok_or_else(|| missing("accessor", index))?;
         if accessor.kind != kind || accessor.component_type != component || accessor.sparse.is_some() {
-            return Err(FORMAT.syntax(format!(
-                "accessor {index} is sparse or not of the kind {kind}, which is not read"
-            )));
+            return Err(FORMAT
+                .syntax(format!("accessor {index} is sparse or not of the kind {kind}, which is not read")));
         }
         let width = match component {
             5120 | 5121 => 1,
@@ -222,7 +221,8 @@ impl File<'_> {
             _ => 4,
         };
         let size = width * if kind == "VEC3" { 3 } else { 1 };
-        let view = accessor.buffer_view.ok_or_else(|| FORMAT.syntax(format!("accessor {index} has no data")))?;
+        let view =
+            accessor.buffer_view.ok_or_else(|| FORMAT.syntax(format!("accessor {index} has no data")))?;
         let view = self.root.buffer_views.get(view).ok_or_else(|| missing("buffer view", view))?;
         let buffer = self.buffers.get(view.buffer).ok_or_else(|| missing("buffer", view.buffer))?;
         let bytes = buffer

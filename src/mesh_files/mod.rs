@@ -137,5 +137,5 @@ impl Soup {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
-#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests;

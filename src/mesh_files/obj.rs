@@ -19,11 +19,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
         let positions = mesh.positions.chunks_exact(3);
         soup.vertices.extend(positions.map(|point| DVec3::new(point[0], point[1], point[2])));
         let mut indices = mesh.indices.iter().map(|&index| first.saturating_add(index));
-        let counts: Vec<u32> = if mesh.face_arities.is_empty() {
-            vec![3; mesh.indices.len() / 3]
-        } else {
-            mesh.face_arities
-        };
+        let counts: Vec<u32> =
+            if mesh.face_arities.is_empty() { vec![3; mesh.indices.len() / 3] } else { mesh.face_arities };
         for count in counts {
             let corners: Vec<u32> = indices.by_ref().take(count as usize).collect();
             // Points and lines are no faces.

@@ -4,10 +4,14 @@ use super::{MeshFormat, Soup};
 use crate::error::Result;
 use glam::DVec3;
 use ply_rs_bw::parser::{Parser, Reader};
-use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{ElementDef, Property, PropertyAccess, PropertyAccessResult};
 use std::io::Cursor;
 
 const FORMAT: MeshFormat = MeshFormat::Ply;
+
+/// The elements that are read before they are taken over: one takes several times the memory of a
+/// vertex.
+const ELEMENTS_AT_ONCE: usize = 1 << 16;
 
 /// An element of any kind: the coordinates of a vertex, or the corners of a face.
 #[derive(Default)]
@@ -75,29 +79,40 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
     for element in header.elements.values() {
         // Every element takes at least a byte: the parser would make as many as the header says.
         if element.count > bytes.len() {
-            return Err(FORMAT.syntax(format!("{} of element {:?}, more than bytes", element.count, element.name)));
+            return Err(
+                FORMAT.syntax(format!("{} of element {:?}, more than bytes", element.count, element.name))
+            );
         }
-        let list = parser.read_payload_for_element(&mut reader, element, &header).map_err(error)?;
-        match element.name.as_str() {
-            "vertex" => {
-                for Element { position, .. } in list {
-                    let [Some(x), Some(y), Some(z)] = position else {
-                        return Err(FORMAT.syntax("a vertex without x, y or z"));
-                    };
-                    soup.vertices.push(DVec3::new(x, y, z));
-                }
+        let mut left = element.clone();
+        while left.count > 0 {
+            let count = left.count.min(ELEMENTS_AT_ONCE);
+            let page = ElementDef { count, ..left.clone() };
+            let list = parser.read_payload_for_element(&mut reader, &page, &header).map_err(error)?;
+            left.count -= count;
+            match element.name.as_str() {
+                "vertex" => list.into_iter().try_for_each(|vertex| soup.push_vertex(&vertex))?,
+                "face" => list.into_iter().try_for_each(|face| soup.push_face(face))?,
+                _ => {}
             }
-            "face" => {
-                for Element { corners, .. } in list {
-                    let corners = corners.ok_or_else(|| FORMAT.syntax("a face without vertex indices"))?;
-                    // What is negative is above all indices that there can be.
-                    let corner = |index: i64| u32::try_from(index).unwrap_or(u32::MAX);
-                    let corners: Vec<u32> = corners.into_iter().map(corner).collect();
-                    soup.push_polygon(&corners, FORMAT)?;
-                }
-            }
-            _ => {}
         }
     }
     Ok(soup)
+}
+
+impl Soup {
+    fn push_vertex(&mut self, Element { position, .. }: &Element) -> Result<()> {
+        let &[Some(x), Some(y), Some(z)] = position else {
+            return Err(FORMAT.syntax("a vertex without x, y or z"));
+        };
+        self.vertices.push(DVec3::new(x, y, z));
+        Ok(())
+    }
+
+    fn push_face(&mut self, Element { corners, .. }: Element) -> Result<()> {
+        let corners = corners.ok_or_else(|| FORMAT.syntax("a face without vertex indices"))?;
+        // A negative index is above all that there can be.
+        let corner = |index: i64| u32::try_from(index).unwrap_or(u32::MAX);
+        let corners: Vec<u32> = corners.into_iter().map(corner).collect();
+        self.push_polygon(&corners, FORMAT)
+    }
 }

@@ -23,7 +23,9 @@ pub(super) fn place(
     format: MeshFormat,
 ) -> Result<()> {
     let is_too_large = |present: usize, added: usize| present + added > MAX_PLACED;
-    if is_too_large(soup.vertices.len(), vertices.len()) || is_too_large(soup.triangles.len(), triangles.len()) {
+    if is_too_large(soup.vertices.len(), vertices.len())
+        || is_too_large(soup.triangles.len(), triangles.len())
+    {
         return Err(format.syntax(format!("the scene places more than {MAX_PLACED} vertices or triangles")));
     }
     let first = soup.vertices.len() as u32;

@@ -69,7 +69,10 @@ fn read_text(bytes: &[u8]) -> Result<Soup> {
         } else if is("endloop") {
             let first = 3 * soup.triangles.len();
             if soup.vertices.len() != first + 3 {
-                return Err(error(format!("a loop of {} vertices", soup.vertices.len().saturating_sub(first))));
+                return Err(error(format!(
+                    "a loop of {} vertices",
+                    soup.vertices.len().saturating_sub(first)
+                )));
             }
             soup.triangles.push([0, 1, 2].map(|corner| first as u32 + corner));
         } else if is("solid") {

@@ -9,7 +9,9 @@ const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
 
 /// The corners of all triangles, which do not depend on the order of the vertices.
 fn corners(mesh: &TriangleMesh) -> Vec<[[f64; 3]; 3]> {
-    (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle).map(|corner| corner.to_array())).collect()
+    (0..mesh.triangles().len())
+        .map(|triangle| mesh.corners(triangle).map(|corner| corner.to_array()))
+        .collect()
 }
 
 fn read_mesh(bytes: &[u8], format: MeshFormat) -> (Vec<[[f64; 3]; 3]>, Option<f64>) {
@@ -71,7 +73,9 @@ fn ply(encoding: &str) -> Vec<u8> {
     }
     for triangle in TRIANGLES {
         bytes.push(3);
-        bytes.extend(triangle.iter().flat_map(|index| if is_big { index.to_be_bytes() } else { index.to_le_bytes() }));
+        bytes.extend(
+            triangle.iter().flat_map(|index| if is_big { index.to_be_bytes() } else { index.to_le_bytes() }),
+        );
     }
     bytes
 }
@@ -84,7 +88,11 @@ fn obj() -> Vec<u8> {
     text += "vn 0 0 1\n";
     for (index, [a, b, c]) in TRIANGLES.into_iter().enumerate() {
         let [a, b, c] = [a, b, c].map(|corner| i64::from(corner) + 1);
-        text += &if index == 3 { format!("g second\nf {} {} {}\n", a - 5, b - 5, c - 5) } else { format!("f {a}//1 {b}//1 {c}//1\n") };
+        text += &if index == 3 {
+            format!("g second\nf {} {} {}\n", a - 5, b - 5, c - 5)
+        } else {
+            format!("f {a}//1 {b}//1 {c}//1\n")
+        };
     }
     text.into_bytes()
 }
@@ -104,7 +112,8 @@ fn gltf_json(uri: &str) -> String {
 
 fn gltf_buffer() -> Vec<u8> {
     let moved = VERTICES.map(|[x, y, z]| [0.5 * x - 1.0, 0.5 * y, 0.5 * z]);
-    let mut buffer: Vec<u8> = moved.as_flattened().iter().flat_map(|&number| (number as f32).to_le_bytes()).collect();
+    let mut buffer: Vec<u8> =
+        moved.as_flattened().iter().flat_map(|&number| (number as f32).to_le_bytes()).collect();
     buffer.extend(TRIANGLES.as_flattened().iter().flat_map(|&index| (index as u16).to_le_bytes()));
     buffer
 }
@@ -132,9 +141,8 @@ fn glb() -> Vec<u8> {
 /// The tetrahedron moved by (0, 0, -1) in an object, which a component moves back by half and an
 /// item by the rest.
 fn three_mf() -> Vec<u8> {
-    let vertices: String = VERTICES
-        .map(|[x, y, z]| format!(r#"<vertex x="{x}" y="{y}" z="{}"/>"#, z - 1.0))
-        .concat();
+    let vertices: String =
+        VERTICES.map(|[x, y, z]| format!(r#"<vertex x="{x}" y="{y}" z="{}"/>"#, z - 1.0)).concat();
     let triangles: String =
         TRIANGLES.map(|[a, b, c]| format!(r#"<triangle v1="{a}" v2="{b}" v3="{c}" pid="7"/>"#)).concat();
     let xml = format!(
@@ -208,7 +216,9 @@ fn points_are_read_as_a_cloud() {
 #[test]
 fn polygons_are_cut_from_their_first_corner() {
     let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    let MeshFile { facets: Facets::Mesh(mesh), .. } = MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap() else {
+    let MeshFile { facets: Facets::Mesh(mesh), .. } =
+        MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap()
+    else {
         panic!("a mesh")
     };
     assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);

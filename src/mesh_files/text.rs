@@ -46,7 +46,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
 
 /// Returns the words of a line, which commas, semicolons, tabs or blanks separate.
 fn words(line: &str) -> impl Iterator<Item = &str> {
-    line.split([',', ';', '\t', ' ']).map(|word| word.trim().trim_matches('"')).filter(|word| !word.is_empty())
+    line.split([',', ';', '\t', ' '])
+        .map(|word| word.trim().trim_matches('"'))
+        .filter(|word| !word.is_empty())
 }
 
 /// Returns the columns named x, y and z, in any case.

@@ -39,7 +39,8 @@ struct Part {
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| FORMAT.syntax(error.to_string()))?;
+    let mut archive =
+        ZipArchive::new(Cursor::new(bytes)).map_err(|error| FORMAT.syntax(error.to_string()))?;
     let names: Vec<String> = archive.file_names().flatten().map(std::borrow::Cow::into_owned).collect();
     let is_model = |name: &&String| name.to_ascii_lowercase().ends_with(".model");
     let mut parts = HashMap::new();
@@ -103,7 +104,8 @@ fn parse(xml: &[u8]) -> Result<Part> {
             Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
                 "model" => part.unit = unit(attribute(&element, "unit")?.as_deref())?,
                 "object" => {
-                    let id = attribute(&element, "id")?.ok_or_else(|| FORMAT.syntax("an object without id"))?;
+                    let id =
+                        attribute(&element, "id")?.ok_or_else(|| FORMAT.syntax("an object without id"))?;
                     current = Some((id, Object::default()));
                 }
                 "item" => part.items.push(component(&element)?),
@@ -139,15 +141,17 @@ impl Object {
 fn component(element: &BytesStart<'_>) -> Result<Component> {
     let object = attribute(element, "objectid")?.ok_or_else(|| FORMAT.syntax("an item without objectid"))?;
     let path = attribute(element, "path")?.map(|path| path.trim_start_matches('/').to_owned());
-    let transform = attribute(element, "transform")?.map_or(Ok(DAffine3::IDENTITY), |text| transform(&text))?;
+    let transform =
+        attribute(element, "transform")?.map_or(Ok(DAffine3::IDENTITY), |text| transform(&text))?;
     Ok(Component { path, object, transform })
 }
 
 /// Returns the affine map of twelve numbers: the images of the axes, then the translation.
 fn transform(text: &str) -> Result<DAffine3> {
     let numbers: Vec<f64> = text.split_ascii_whitespace().map_while(|word| word.parse().ok()).collect();
-    let columns: [f64; 12] =
-        numbers.try_into().map_err(|_| FORMAT.syntax(format!("the transform {text:?}, expected 12 numbers")))?;
+    let columns: [f64; 12] = numbers
+        .try_into()
+        .map_err(|_| FORMAT.syntax(format!("the transform {text:?}, expected 12 numbers")))?;
     let [a, b, c, d] = [0, 3, 6, 9].map(|k| DVec3::new(columns[k], columns[k + 1], columns[k + 2]));
     Ok(DAffine3::from_mat3_translation(DMat3::from_cols(a, b, c), d))
 }

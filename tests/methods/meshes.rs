@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    Backend, ClosestPointOptions, DistanceResult, Engine, Facets, FieldOptions, Method, Model, NoMonitor, Options,
-    PointCloud, PreparedModel, RigidTransform, TriangleMesh,
+    Backend, ClosestPointOptions, DistanceResult, Engine, Facets, FieldOptions, Method, Model, NoMonitor,
+    Options, PointCloud, PreparedModel, RigidTransform, TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -65,7 +65,8 @@ fn a_cylinder_and_its_prism_are_a_sagitta_apart() {
     let exact = surfaces(&cylinder(2.0, 3.0).unwrap());
     let [low, high] = [exact.bounding_box().min.z, exact.bounding_box().max.z];
     for count in [3, 8, 40] {
-        let rings = [ring(0.0, low, count), ring(2.0, low, count), ring(2.0, high, count), ring(0.0, high, count)];
+        let rings =
+            [ring(0.0, low, count), ring(2.0, low, count), ring(2.0, high, count), ring(0.0, high, count)];
         let (vertices, triangles) = strips(&rings, false);
         let prism = mesh(&vertices, &triangles);
         let sagitta = 2.0 * (1.0 - (PI / count as f64).cos());
@@ -77,7 +78,9 @@ fn a_cylinder_and_its_prism_are_a_sagitta_apart() {
 /// An octahedron whose triangles are quartered `levels` times, with its corners on a sphere.
 fn polyhedron(radius: f64, levels: u32) -> Vec<[DVec3; 3]> {
     let mut triangles: Vec<[DVec3; 3]> = Vec::new();
-    for [x, y, z] in [1.0, -1.0].map(|x| [1.0, -1.0].map(|y| [1.0, -1.0].map(|z| [x, y, z]))).as_flattened().as_flattened() {
+    for [x, y, z] in
+        [1.0, -1.0].map(|x| [1.0, -1.0].map(|y| [1.0, -1.0].map(|z| [x, y, z]))).as_flattened().as_flattened()
+    {
         triangles.push([DVec3::X * x, DVec3::Y * y, DVec3::Z * z]);
     }
     for _ in 0..levels {
@@ -135,7 +138,10 @@ fn a_torus_and_its_mesh_agree_with_samples() {
     }
     let mesh = mesh(&vertices, &triangles);
     let result = measure(&mesh, &exact, &Options::default());
-    assert!(result.converged && sampled <= result.upper && result.lower <= sampled * 1.002, "{sampled} {result:?}");
+    assert!(
+        result.converged && sampled <= result.upper && result.lower <= sampled * 1.002,
+        "{sampled} {result:?}"
+    );
     let back = measure(&exact, &mesh, &Options { symmetric: true, ..Options::default() });
     assert!(back.converged && back.upper >= result.lower);
     let [forward, reverse] = [back.forward.unwrap(), back.reverse.unwrap()];
@@ -178,7 +184,8 @@ fn options_hold_for_meshes() {
         assert_eq!(measure(&soup(&a), &soup(&b), &options).certified().unwrap().within, within, "{limit}");
     }
     let facets = |triangles: &[[DVec3; 3]], unit: f64, factor: f64| {
-        let indices: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let indices: Vec<[u32; 3]> =
+            (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let vertices: Vec<DVec3> = triangles.as_flattened().iter().map(|&vertex| vertex * factor).collect();
         let mesh = TriangleMesh::new(&vertices, &indices).unwrap();
         PreparedModel::of_facets(&Facets::Mesh(mesh), Some(unit)).unwrap()
@@ -200,7 +207,8 @@ fn computations_without_facets_are_refused() {
             assert_eq!(result.unwrap_err().code(), "FACETS_UNSUPPORTED");
         }
     }
-    let field = pollster::block_on(engine().field(&exact, &octahedron, &FieldOptions::default(), &mut NoMonitor));
+    let field =
+        pollster::block_on(engine().field(&exact, &octahedron, &FieldOptions::default(), &mut NoMonitor));
     assert_eq!(field.unwrap_err().code(), "FACETS_UNSUPPORTED");
 }
 
@@ -211,7 +219,8 @@ fn a_budget_leaves_a_valid_interval() {
     let polyhedron = soup(&polyhedron(2.0, 1));
     let sound = measure(&exact, &polyhedron, &Options::default());
     for max_cells in [1, 40, 400] {
-        let result = measure(&exact, &polyhedron, &Options { max_cells: Some(max_cells), ..Options::default() });
+        let result =
+            measure(&exact, &polyhedron, &Options { max_cells: Some(max_cells), ..Options::default() });
         assert!(result.lower <= sound.upper && sound.lower <= result.upper);
         assert!(result.converged || result.certified().unwrap().cells >= max_cells);
     }
@@ -226,13 +235,21 @@ fn closest_points_of_a_mesh_are_those_of_its_triangles() {
         (0..500).map(|_| DVec3::from_array([0; 3].map(|_| 3.0 * random.f64() - 1.5))).collect();
     let coordinates: Vec<f64> = points.iter().flat_map(|point| point.to_array()).collect();
     let options = ClosestPointOptions::default();
-    let found =
-        pollster::block_on(engine().closest_points(&soup(&triangles), &coordinates, &options, &mut NoMonitor));
+    let found = pollster::block_on(engine().closest_points(
+        &soup(&triangles),
+        &coordinates,
+        &options,
+        &mut NoMonitor,
+    ));
     let found = found.unwrap();
     for (index, &point) in points.iter().enumerate() {
-        let distance = triangles.iter().map(|corners| by_projection(corners, point)).fold(f64::INFINITY, f64::min);
+        let distance =
+            triangles.iter().map(|corners| by_projection(corners, point)).fold(f64::INFINITY, f64::min);
         let (returned, bound) = (found.distances[index], found.bounds[index]);
-        assert!((returned - distance).abs() <= bound + 1e-12 && bound < 1e-9, "{returned} {distance} {bound:e}");
+        assert!(
+            (returned - distance).abs() <= bound + 1e-12 && bound < 1e-9,
+            "{returned} {distance} {bound:e}"
+        );
         let foot = DVec3::from_slice(&found.feet[3 * index..]);
         assert!((foot.distance(point) - returned).abs() < 1e-12);
         // The triangles turn both ways, so that only the size of the sign is known.

@@ -1,11 +1,11 @@
 //! The bounds of single nodes.
 
 use super::super::FacetTarget;
+use super::FacetSearch;
 use super::node::{Domain, Node, Region, Sample};
 use super::part::{MAX_LEVELS, Part, Step};
 use super::patch_cell::{CellStep, MIN_LENGTH, PatchCell};
 use super::source::{Measured, Source, Start};
-use super::FacetSearch;
 use crate::bezier::PatchSet;
 use crate::bvh::Aabb;
 use crate::rounding::upper_max;

@@ -131,9 +131,7 @@ impl<'a> FacetSearch<'a> {
             work: Work::default(),
         };
         search.find_first_incumbent();
-        let root = |region| {
-            Node { upper: f64::INFINITY, region, start: Start::default(), level: 0 }
-        };
+        let root = |region| Node { upper: f64::INFINITY, region, start: Start::default(), level: 0 };
         match a {
             Source::Facets { facets, .. } if facets.len() > 0 => search.frontier.push(root(Region::Node(0))),
             Source::Facets { .. } => {}
@@ -179,7 +177,8 @@ impl<'a> FacetSearch<'a> {
         let is_above = self.goal.limit.is_some_and(|limit| limit.next_level(lower).is_none());
         let threshold = self.threshold();
         while self.frontier.peek().is_some_and(|node| node.upper <= threshold) {
-            self.decided = self.frontier.pop().map_or(self.decided, |node| upper_max(self.decided, node.upper));
+            self.decided =
+                self.frontier.pop().map_or(self.decided, |node| upper_max(self.decided, node.upper));
         }
         if is_above || self.frontier.is_empty() {
             return Some(if self.exhausted { End::Exhausted } else { End::Searched });
@@ -238,7 +237,9 @@ impl<'a> FacetSearch<'a> {
     /// Returns a point of a facet or patch of A with its distance.
     fn sample(&self, place: u32, start: Start) -> Sample {
         let (point, domain) = match self.a {
-            Source::Facets { facets, .. } => (facets.facet(place).point([1.0, 0.0, 0.0]), Domain::Facet(place)),
+            Source::Facets { facets, .. } => {
+                (facets.facet(place).point([1.0, 0.0, 0.0]), Domain::Facet(place))
+            }
             Source::Patches { patches, .. } => {
                 let middle = [0.5; 2];
                 (patches.patch(place as usize).point(middle), Domain::Patch(place, middle))
@@ -286,7 +287,8 @@ impl Goal {
         limit: Option<Limit>,
     ) -> Self {
         let a_length = a.bounding_box().farthest_from_origin();
-        let length = upper_max(a_length + transform.offset().length(), b.bounding_box().farthest_from_origin());
+        let length =
+            upper_max(a_length + transform.offset().length(), b.bounding_box().farthest_from_origin());
         let points = a.error() + b.error() + transform.rounding(a_length);
         let bounds = facet_rounding(length)
             + f64::from(MAX_LEVELS) * cut_rounding(length)

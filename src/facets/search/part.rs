@@ -27,7 +27,8 @@ pub(super) struct Part {
     pub(super) level: u32,
 }
 
-/// The result of bounding a part.
+/// The result of bounding a part. It lives on the stack of one call.
+#[allow(clippy::large_enum_variant, reason = "most parts are split, and none is kept")]
 pub(super) enum Step {
     /// The whole part is within this distance, at most the threshold.
     Decided(f64),
@@ -57,7 +58,7 @@ impl Part {
 
     /// Returns the largest distance of the corners to one facet, squared, which bounds the distance
     /// of all points of the part to B (lemma F5 of docs/meshes.md).
-    fn to_facet(&self, b: &FacetTarget, facet: u32) -> [f64; 3] {
+    fn squares_to(&self, b: &FacetTarget, facet: u32) -> [f64; 3] {
         self.corners.map(|corner| b.distance_squared(facet, corner))
     }
 
@@ -67,7 +68,7 @@ impl Part {
         let largest = |squares: [f64; 3]| squares[0].max(squares[1]).max(squares[2]);
         let first = self.feet[0].facet;
         let mut tried = [first; 3];
-        let to_first = self.to_facet(b, first);
+        let to_first = self.squares_to(b, first);
         if largest(to_first) <= threshold_squared {
             return Step::Decided(largest(to_first).sqrt());
         }
@@ -82,7 +83,7 @@ impl Part {
                 continue;
             }
             tried[corner] = foot.facet;
-            let squares = self.to_facet(b, foot.facet);
+            let squares = self.squares_to(b, foot.facet);
             if largest(squares) <= threshold_squared {
                 return Step::Decided(largest(squares).sqrt());
             }
@@ -167,9 +168,8 @@ impl Part {
     /// Returns the halves at the middle of the longest edge.
     pub(super) fn halves(&self, b: &FacetTarget) -> [Self; 2] {
         let length = |corner: usize| self.corners[corner].distance_squared(self.corners[(corner + 1) % 3]);
-        let start = (1..3).fold(0, |longest, corner| {
-            if length(corner) > length(longest) { corner } else { longest }
-        });
+        let start =
+            (1..3).fold(0, |longest, corner| if length(corner) > length(longest) { corner } else { longest });
         let end = (start + 1) % 3;
         let middle = 0.5 * (self.corners[start] + self.corners[end]);
         let foot = b.nearest(middle, self.feet[start].facet, 0.0);

@@ -195,9 +195,11 @@ impl Net {
             let squared = if one < other { one } else { other };
             farthest = if squared <= farthest { farthest } else { squared };
         }
-        let beside = |triangle: usize, corner: DVec3| triangles[triangle].nearest(corner).distance_squared.sqrt();
+        let beside =
+            |triangle: usize, corner: DVec3| triangles[triangle].nearest(corner).distance_squared.sqrt();
         let by_corner = beside(0, d).min(beside(1, b));
-        farthest.sqrt() + height_of_quadrangle(&[a, b, c, d]).map_or(by_corner, |height| height.min(by_corner))
+        farthest.sqrt()
+            + height_of_quadrangle(&[a, b, c, d]).map_or(by_corner, |height| height.min(by_corner))
     }
 
     /// Returns the axis along which a cell is halved: the longer one of a flat cell, else the one
@@ -209,10 +211,8 @@ impl Net {
             for j in 0..=q {
                 let point = self.point(i, j);
                 let [s, t] = [i as f64 / p as f64, j as f64 / q as f64];
-                let on_chord = [
-                    self.point(0, j).lerp(self.point(p, j), s),
-                    self.point(i, 0).lerp(self.point(i, q), t),
-                ];
+                let on_chord =
+                    [self.point(0, j).lerp(self.point(p, j), s), self.point(i, 0).lerp(self.point(i, q), t)];
                 for axis in 0..2 {
                     bends[axis] = bends[axis].max(point.distance_squared(on_chord[axis]));
                 }
@@ -290,7 +290,8 @@ mod tests {
                 // A convex combination, as that of rational patches.
                 let weights: Vec<f64> = net.points.iter().map(|_| random.f64().powi(4)).collect();
                 let sum: f64 = weights.iter().sum();
-                let point: DVec3 = net.points.iter().zip(&weights).map(|(&point, weight)| point * (weight / sum)).sum();
+                let point: DVec3 =
+                    net.points.iter().zip(&weights).map(|(&point, weight)| point * (weight / sum)).sum();
                 let distance = triangles
                     .map(|triangle| triangle.nearest(point).distance_squared.sqrt())
                     .into_iter()

@@ -88,9 +88,7 @@ impl Measured<'_> {
     pub(super) fn bounding_box(&self) -> Aabb {
         match self {
             Self::Facets { facets, .. } => facets.bounding_box(),
-            Self::Patches { target, .. } => {
-                target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb)
-            }
+            Self::Patches { target, .. } => target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb),
         }
     }
 
@@ -123,13 +121,7 @@ impl Measured<'_> {
 
     /// Returns the nearest point with certified bounds on the distance of a point that is at most
     /// `length` from the origin; `None` for a B without pieces.
-    pub(crate) fn certified(
-        &self,
-        point: DVec3,
-        start: Start,
-        gap: f64,
-        length: f64,
-    ) -> Option<Certified> {
+    pub(crate) fn certified(&self, point: DVec3, start: Start, gap: f64, length: f64) -> Option<Certified> {
         match self {
             Self::Facets { facets, .. } => {
                 let (foot, nearest, lower) = facets.certified(point, start.piece);

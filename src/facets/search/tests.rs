@@ -162,11 +162,9 @@ fn random_meshes_and_clouds_agree_with_samples() {
         let grids = meshes.each_ref().map(|mesh| grid(mesh, steps));
         let targets = meshes.each_ref().map(FacetTarget::of_mesh);
         let axis = random_point(random);
-        let transform = RigidTransform::new(
-            DQuat::from_axis_angle(axis.normalize(), random.f64()),
-            random_point(random),
-        )
-        .unwrap();
+        let transform =
+            RigidTransform::new(DQuat::from_axis_angle(axis.normalize(), random.f64()), random_point(random))
+                .unwrap();
         let farthest = |a: &[DVec3], b: &[DVec3]| {
             let nearest = |point: &DVec3| {
                 let moved = transform.apply(*point);
@@ -215,8 +213,9 @@ fn a_cylinder_is_a_sagitta_above_its_chords() {
             let (y, x) = (std::f64::consts::FRAC_PI_2 * k as f64 / count as f64).sin_cos();
             vertices.extend([[x, y, 0.0], [x, y, 1.0]]);
         }
-        let triangles: Vec<[u32; 3]> =
-            (0..count as u32).flat_map(|k| [[2 * k, 2 * k + 1, 2 * k + 2], [2 * k + 1, 2 * k + 3, 2 * k + 2]]).collect();
+        let triangles: Vec<[u32; 3]> = (0..count as u32)
+            .flat_map(|k| [[2 * k, 2 * k + 1, 2 * k + 2], [2 * k + 1, 2 * k + 3, 2 * k + 2]])
+            .collect();
         let found = measure(
             of_patches(&quarter),
             to_facets(&mesh(&vertices, &triangles)),
@@ -225,7 +224,10 @@ fn a_cylinder_is_a_sagitta_above_its_chords() {
         );
         contains(&found, 1.0 - (std::f64::consts::FRAC_PI_4 / count as f64).cos());
     }
-    let flat = patches(1, vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]]);
+    let flat = patches(
+        1,
+        vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]],
+    );
     let b = sheet([6, 7], true, |_, _| 0.0);
     let found = measure(of_patches(&flat), to_facets(&b), RigidTransform::IDENTITY, TOLERANCE);
     contains(&found, 0.0);

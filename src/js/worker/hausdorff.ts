@@ -1,5 +1,6 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { PeerLoader } from "../cad/peers/peers.js";
 import { HausdorffError } from "../error.js";
@@ -153,6 +154,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], moved);
   }
 
+  /** As `readMesh` of `nurbs-hausdorff/cad`, in the worker; the bytes are copied. */
+  async readMesh(
+    bytes: Uint8Array | ArrayBuffer,
+    format: MeshFormat,
+    options: MeshOptions = {},
+  ): Promise<NurbsModel> {
+    return this.#newModel("readMesh", [bytes, format, options]);
+  }
+
   async distance<Method extends keyof Results = "certified">(
     a: NurbsModel,
     b: NurbsModel,
@@ -219,7 +229,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   /** The model that a method of the worker makes. */
   async #newModel(
-    method: "model" | "mesh" | "shape" | "readCad",
+    method: "model" | "mesh" | "shape" | "readCad" | "readMesh",
     args: unknown[],
     transfer: ArrayBuffer[] = [],
   ): Promise<NurbsModel> {

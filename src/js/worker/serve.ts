@@ -1,3 +1,4 @@
+import { type MeshFormat, type MeshOptions, readMesh } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
@@ -71,6 +72,11 @@ class Server {
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
     readCad: async ([id, bytes, options]) =>
       this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
+    readMesh: async ([id, bytes, format, options]) =>
+      this.#keep(
+        id,
+        await readMesh(bytes as ArrayBuffer, format as MeshFormat, options as MeshOptions),
+      ),
     area: ([, model]) => this.#model(model).area(),
     solid: ([, model]) => this.#model(model).solid(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
