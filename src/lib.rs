@@ -66,7 +66,7 @@
 //! # Features
 //!
 //! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
-//! command, which needs `cad`. `wasm` and `wasm-readers` are the exports of the two modules
+//! command, which needs `cad`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
 //! of the npm package: another crate for the web needs neither.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
@@ -101,7 +101,7 @@ mod rounding;
 mod solid;
 mod symmetry;
 mod tolerance;
-#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-readers")))]
+#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers")))]
 mod wasm;
 
 // With the feature `internals` the crate's own tests, benchmarks and examples

@@ -69,7 +69,12 @@ impl FacePieces {
 
     /// Returns the pieces of a model of facets: one face without patches.
     pub(crate) fn of_facets() -> Self {
-        Self { origins: Arc::new([]), faces: Vec::from([const { 0..0 }]), face_names: vec![None], deviation: 0.0 }
+        Self {
+            origins: Arc::new([]),
+            faces: Vec::from([const { 0..0 }]),
+            face_names: vec![None],
+            deviation: 0.0,
+        }
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that

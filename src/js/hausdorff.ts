@@ -43,10 +43,12 @@ export interface CreateOptions {
   module?: ModuleSource;
   /** The same of the readers' module, `nurbs-hausdorff/nurbs_hausdorff_readers_bg.wasm`. */
   readers?: ModuleSource;
+  /** The same of the module of `readMesh`, `nurbs-hausdorff/nurbs_hausdorff_meshes_bg.wasm`. */
+  meshes?: ModuleSource;
 }
 
 /** The names of the options of `create`. */
-const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers"];
+const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers", "meshes"];
 
 /** A shape that the package makes. */
 export interface ShapeInfo {
@@ -77,8 +79,9 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    */
   static async create(options: CreateOptions = {}): Promise<Hausdorff> {
     checkKeys("options", options, CREATE_OPTIONS);
-    const { backend, module, readers } = options;
+    const { backend, module, readers, meshes } = options;
     setSource("nurbs_hausdorff_readers", readers);
+    setSource("nurbs_hausdorff_meshes", meshes);
     await load(module);
     try {
       return new Hausdorff(await Engine.create(backend));

@@ -3,7 +3,7 @@ import { checkKeys } from "../keys.js";
 import { load, loadModule } from "../load.js";
 import { NurbsModel } from "../model/model.js";
 import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
-import init, { readMesh as read } from "../wasm/nurbs_hausdorff_readers.js";
+import init, { readMesh as read } from "../wasm/nurbs_hausdorff_meshes.js";
 
 /** The formats of meshes and clouds of points, by the ending of their files' names. */
 const FORMATS = ["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const;
@@ -46,7 +46,7 @@ export async function readMesh(
   }
   const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
   await load();
-  await loadModule("nurbs_hausdorff_readers", init);
+  await loadModule("nurbs_hausdorff_meshes", init);
   return translating(() => {
     const mesh = read(content, format);
     try {

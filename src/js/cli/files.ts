@@ -51,6 +51,12 @@ export async function convertFile(
   path: string,
 ): Promise<{ json: string; report: CadReport; source: Source }> {
   return naming(path, async () => {
+    if (meshFormatOf(path) !== undefined) {
+      throw new HausdorffError(
+        "FACETS_UNSUPPORTED",
+        "a conversion to interchange JSON, which is not computed for meshes and clouds of points",
+      );
+    }
     const bytes = await bytesOf(path);
     const converted = await convertCad(bytes, { name: path });
     warn(path, converted.report);

@@ -89,11 +89,16 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, readers, ...rest } = options;
+    const { worker, module, readers, meshes, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
       await channel.call("create", [
-        { ...rest, module: sendable(module), readers: sendable(readers) },
+        {
+          ...rest,
+          module: sendable(module),
+          readers: sendable(readers),
+          meshes: sendable(meshes),
+        },
       ]);
     } catch (error) {
       channel.close();
