@@ -82,12 +82,12 @@ test("files of meshes are read, in the worker too", async () => {
   await distanceIs(surface, mesh, 3);
   await assert.rejects(readMesh(bytes, "stl"), withCode("MESH_SYNTAX", /STL/));
   await assert.rejects(readMesh(bytes, "step"), withCode("ARGUMENT_INVALID", /step/));
-  using worker = await away.Hausdorff.create({ backend: "cpu" });
-  using there = await worker.readMesh(bytes, "obj");
-  using same = await worker.mesh(triangle(3));
+  const worker = await away.Hausdorff.create({ backend: "cpu" });
+  const there = await worker.readMesh(bytes, "obj");
+  const same = await worker.mesh(triangle(3));
   const { lower, upper } = await worker.distance(there, same);
   assert.ok(lower <= Math.SQRT1_2 && Math.SQRT1_2 <= upper);
-  for (const model of [surface, mesh]) model.dispose();
+  for (const owner of [surface, mesh, there, same, worker]) owner.dispose();
 });
 
 test("wrong meshes are refused by their code", async () => {
