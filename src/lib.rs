@@ -50,7 +50,7 @@
 //! # Map
 //!
 //! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP or the BREP text
-//! of OpenCASCADE. A [`PreparedModel`] keeps what is
+//! of OpenCASCADE; a [`TriangleMesh`] and a [`PointCloud`] are too. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!
@@ -65,8 +65,8 @@
 //!
 //! # Features
 //!
-//! `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
-//! command, which needs `cad`. `wasm` and `wasm-readers` are the exports of the two modules
+//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
+//! command, which needs `cad`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
 //! of the npm package: another crate for the web needs neither.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
@@ -92,6 +92,8 @@ pub mod tessellate;
 mod chebyshev;
 mod clearance;
 mod limits;
+#[cfg(feature = "mesh")]
+mod mesh_files;
 mod parallel;
 mod pieces;
 mod read;
@@ -99,7 +101,7 @@ mod rounding;
 mod solid;
 mod symmetry;
 mod tolerance;
-#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-readers")))]
+#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers")))]
 mod wasm;
 
 // With the feature `internals` the crate's own tests, benchmarks and examples
@@ -139,6 +141,11 @@ mod error;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod error;
+#[cfg(not(feature = "internals"))]
+mod facets;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod facets;
 #[cfg(not(feature = "internals"))]
 mod flatness;
 #[cfg(feature = "internals")]
@@ -185,6 +192,9 @@ pub use engine::{
     Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
+pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
+#[cfg(feature = "mesh")]
+pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};

@@ -67,6 +67,16 @@ impl FacePieces {
         Ok((pieces, Cow::Owned(untrimmed)))
     }
 
+    /// Returns the pieces of a model of facets: one face without patches.
+    pub(crate) fn of_facets() -> Self {
+        Self {
+            origins: Arc::new([]),
+            faces: Vec::from([const { 0..0 }]),
+            face_names: vec![None],
+            deviation: 0.0,
+        }
+    }
+
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
     /// model, and the errors of those faces by their index in `model`.
     ///
@@ -183,7 +193,16 @@ impl FacePieces {
         let [u, v] = self.face_parameters(piece, parameters);
         let surface = self.face(piece);
         let face_name = self.face_names[surface].clone();
-        SurfacePoint { face: surface, face_name, u, v, point: point.to_array() }
+        SurfacePoint {
+            face: surface,
+            face_name,
+            u,
+            v,
+            triangle: None,
+            barycentric: None,
+            index: None,
+            point: point.to_array(),
+        }
     }
 }
 

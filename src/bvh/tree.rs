@@ -161,7 +161,7 @@ fn build(boxes: &[Aabb], subtree: Subtree<'_>) {
 }
 
 /// Returns the index of the largest coordinate, the first of equals.
-fn longest_axis(extent: DVec3) -> usize {
+pub(super) fn longest_axis(extent: DVec3) -> usize {
     if extent.x >= extent.y && extent.x >= extent.z {
         0
     } else if extent.y >= extent.z {

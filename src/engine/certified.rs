@@ -1,11 +1,10 @@
 //! One direction of method `certified`, within its budgets.
 
 use super::result::DirectedResult;
-use super::{Backend, CertifiedDetails, Details, Options, Stop};
+use super::{Backend, CertifiedDetails, Details, Options, PreparedModel, Stop};
 use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Limit, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified, Turn};
-use crate::pieces::FacePieces;
 use crate::progress::Progress;
 use std::sync::Arc;
 use web_time::Instant;
@@ -18,7 +17,7 @@ use web_time::Instant;
 /// Cancelling is a budget too: the interval so far is returned.
 pub(super) async fn certified(
     mut pair: Pair<'_>,
-    [from_pieces, to_pieces]: [&FacePieces; 2],
+    [from_model, to_model]: [&PreparedModel; 2],
     [diagonal, gap]: [f64; 2],
     options: &Options,
     gpu: Option<&Arc<Gpu>>,
@@ -79,12 +78,12 @@ pub(super) async fn certified(
         lower,
         upper,
         converged: stop == Stop::Converged,
-        from: from_pieces.surface_point(
+        from: from_model.surface_point(
             from.surface,
             from.surface_parameters(witness.parameters),
             witness.point,
         ),
-        to: to_pieces.surface_point(
+        to: to_model.surface_point(
             to.surface,
             to.surface_parameters(witness.closest.parameters),
             witness.closest.point,
@@ -105,7 +104,7 @@ pub(super) async fn certified(
 
 /// The progress of the width from the first to the requested one, in orders
 /// of magnitude, as each takes about as long as the one before or longer.
-fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
+pub(super) fn fraction(first: Interval, now: Interval, tolerance: f64) -> f64 {
     let width = |interval: Interval| (interval.upper - interval.lower).max(tolerance);
     let orders = (width(first) / tolerance).ln();
     if orders > 0.0 { ((width(first) / width(now)).ln() / orders).clamp(0.0, 1.0) } else { 1.0 }

@@ -4,6 +4,7 @@ use super::signs::{Known, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
+use crate::facets::{PreparedFacets, facet_rounding};
 use crate::flatness::{Flatness, MAX_HALVINGS};
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;
@@ -58,9 +59,10 @@ pub struct ClosestPoints {
     pub signed: Vec<f64>,
     /// The feet, the points of the model that were found: x, y, z each.
     pub feet: Vec<f64>,
-    /// The indices of the feet's faces.
+    /// The indices of the feet's faces; of a mesh or a cloud, those of their triangles or points.
     pub faces: Vec<u32>,
-    /// The feet's parameters there: u, v each.
+    /// The feet's parameters there: u, v each; of a triangle, the weights of its second and
+    /// third corner.
     pub parameters: Vec<f64>,
     /// What the signs stand for.
     pub signs: Signs,
@@ -101,6 +103,10 @@ impl Engine {
         let permitted = PermittedWidth { tolerance, relative_tolerance };
         permitted.validate()?;
         validate(points)?;
+        if let Some(facets) = model.facets() {
+            let mut progress = Progress::new(monitor, false);
+            return closest_facets(facets, points, &transform, &mut progress).await;
+        }
         let flat = model.target(Flatness::Loose);
         let target = &flat.target;
         let pieces = model.pieces();
@@ -147,6 +153,54 @@ impl Engine {
         progress.finish();
         Ok(found)
     }
+}
+
+/// Returns the closest points of a mesh or a cloud, with bounds that only rounding makes positive:
+/// the nearest facet is found exactly.
+///
+/// # Errors
+/// [`Error::Cancelled`].
+async fn closest_facets(
+    facets: &PreparedFacets,
+    points: &[f64],
+    transform: &RigidTransform,
+    progress: &mut Progress<'_>,
+) -> Result<ClosestPoints> {
+    let length = facets.target.bounding_box().farthest_from_origin();
+    let mut found = ClosestPoints::default();
+    let count = points.len() / 3;
+    for page in points.chunks(3 * POINTS_AT_ONCE) {
+        let parts = map_ranges(page.len() / 3, |range| {
+            let mut part = ClosestPoints::default();
+            let mut known = 0;
+            for point in page[3 * range.start..3 * range.end].chunks_exact(3) {
+                let local = DVec3::new(point[0], point[1], point[2]);
+                let point = transform.apply(local);
+                let rounding = facets.error
+                    + transform.rounding(local.length())
+                    + facet_rounding(length.max(point.length()));
+                let (foot, nearest, lower) = facets.target.certified(point, known);
+                known = foot.facet;
+                let facet = facets.target.facet(foot.facet);
+                let (at, distance) = (facet.point(nearest.weights), foot.distance_squared.sqrt());
+                part.distances.push(distance);
+                part.bounds.push(distance - lower + rounding);
+                part.signed.push(match facet.normal() {
+                    Some(normal) if normal.dot(point - at) < 0.0 => -distance,
+                    Some(_) => distance,
+                    None => f64::NAN,
+                });
+                part.feet.extend_from_slice(&at.to_array());
+                part.faces.push(facets.target.index(foot.facet) as u32);
+                part.parameters.extend_from_slice(&nearest.weights[1..]);
+            }
+            part
+        });
+        parts.into_iter().for_each(|part| found.append(part));
+        progress.checkpoint(found.distances.len() as f64 / count as f64).await?;
+    }
+    progress.finish();
+    Ok(found)
 }
 
 /// # Errors

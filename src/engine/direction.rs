@@ -66,8 +66,8 @@ impl Direction<'_> {
         let prepare = started.elapsed().as_secs_f64();
         let diagonal = self.diagonal();
         let pair = Pair { a, b, transform: self.transform };
-        let pieces = [self.from.pieces(), self.to.pieces()];
-        let result = certified(pair, pieces, [diagonal, self.gap()], options, gpu, progress).await?;
+        let models = [self.from, self.to];
+        let result = certified(pair, models, [diagonal, self.gap()], options, gpu, progress).await?;
         let (result, notice) = result.ok_or(Error::EmptyModel)?;
         let on_gpu = result.details.certified().is_some_and(|details| details.cpu_cells < details.cells);
         Ok(DirectedRun {
@@ -89,6 +89,15 @@ impl Direction<'_> {
     /// Returns the metres per unit, if a model states it; both state the same if both do.
     pub(super) fn unit(&self) -> Option<f64> {
         self.from.unit().or(self.to.unit())
+    }
+
+    /// Refuses meshes and clouds for a computation that has none.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(super) fn require_surfaces(&self, found: &'static str) -> Result<()> {
+        self.from.require_surfaces(found)?;
+        self.to.require_surfaces(found)
     }
 
     /// Returns the sum of both models' gaps.

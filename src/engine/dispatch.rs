@@ -176,6 +176,15 @@ impl Engine {
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let in_range = direction.is_in_float32_range();
+        if method != Method::Certified {
+            direction.require_surfaces("a method other than certified")?;
+        }
+        if options.field {
+            direction.require_surfaces("a field")?;
+        }
+        if direction.is_of_facets() {
+            return direction.between_facets(options, progress).await;
+        }
         loop {
             let device = self.gpu_for(options.backend)?;
             let gpu = device.as_ref().filter(|_| in_range);

@@ -8,6 +8,7 @@ mod computation;
 mod diff;
 mod direction;
 mod dispatch;
+mod facets;
 mod field;
 mod hierarchy;
 mod info;

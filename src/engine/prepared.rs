@@ -2,17 +2,20 @@
 
 use crate::area::{Area, area};
 use crate::bezier::{
-    BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, extract, without_removable_knots,
+    BezierModel, LocalDerivativeBounds, PatchGrid, PatchSet, PointError, extract, without_removable_knots,
 };
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets, TrimmedFaces};
 use crate::closest::Target;
+use crate::engine::SurfacePoint;
 use crate::error::{Error, Result};
+use crate::facets::{Facets, PreparedFacets, weights};
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
-use crate::model::Model;
+use crate::limits::is_in_range;
+use crate::model::{Model, is_unit};
 use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
@@ -21,6 +24,7 @@ use crate::rounding::gamma;
 use crate::shared::{computed, locked};
 use crate::solid::Boundary;
 use crate::symmetry::{Revolution, revolutions};
+use glam::DVec3;
 use std::sync::{Arc, Mutex, OnceLock};
 
 /// A model ready for distance computations: its Bézier patches, and, computed at
@@ -38,6 +42,8 @@ pub struct PreparedModel {
     is_gap_proven: bool,
     pieces: FacePieces,
     trimmed_faces: Option<TrimmedFaces>,
+    /// The triangles or points, if the model is a mesh or a cloud.
+    facets: Option<PreparedFacets>,
     bezier: BezierModel,
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
@@ -98,18 +104,35 @@ impl PreparedTarget {
     /// Returns an upper bound on the distance between a computed point of the patches, which must
     /// have been cut from those of `model`, and the exact one.
     pub(super) fn point_error(&self, model: &PreparedModel) -> f64 {
-        model.bezier.point_error.after(MAX_HALVINGS)
+        model.bezier().point_error.after(MAX_HALVINGS)
+    }
+
+    /// Returns a point of a patch, by its parameters there, as a point of a face of `model`.
+    pub(super) fn surface_point(
+        &self,
+        model: &PreparedModel,
+        patch: u32,
+        parameters: [f64; 2],
+        point: DVec3,
+    ) -> SurfacePoint {
+        let patch = self.target.patches.patch(patch as usize);
+        model.surface_point(patch.surface, patch.surface_parameters(parameters), point)
     }
 
     /// Returns the patches as an operand of method `certified`; they must have been
     /// cut from those of `model`.
     pub(crate) fn operand<'a>(&'a self, model: &'a PreparedModel) -> Operand<'a> {
         let bounds = computed(&self.bounds, || self.places.derivative_bounds());
-        Operand::new(&self.target, bounds)
-            .with_accuracy(model.control_box, model.bezier.point_error.after(MAX_HALVINGS))
+        let operand = Operand::new(&self.target, bounds)
+            .with_accuracy(model.control_box, model.bezier().point_error.after(MAX_HALVINGS));
+        if model.facets.is_some() {
+            // Triangles are patches that no sheet was cut into.
+            return operand;
+        }
+        operand
             .with_revolutions(&model.revolutions)
             .with_faces(model.trimmed_faces.as_ref())
-            .with_sheets(Sheets { bezier: &model.bezier, places: &self.places, cache: &self.sheets })
+            .with_sheets(Sheets { bezier: model.bezier(), places: &self.places, cache: &self.sheets })
     }
 }
 
@@ -125,7 +148,7 @@ pub(crate) struct PreparedSampling {
 impl PreparedSampling {
     /// Returns the covering radius over all surfaces of `model`, whose samples these are.
     pub(crate) fn radius(&self, model: &PreparedModel) -> CoveringRadius {
-        *computed(&self.radius, || self.sampling.radius(&model.bezier))
+        *computed(&self.radius, || self.sampling.radius(model.bezier()))
     }
 }
 
@@ -165,6 +188,48 @@ impl PreparedModel {
         Ok((model, prepared))
     }
 
+    /// Prepares a mesh or a cloud of points: builds its tree. `unit` is metres per unit of its
+    /// coordinates, if they are known. O(n log n), on all cores.
+    ///
+    /// # Errors
+    /// [`Error::UnitInvalid`].
+    pub fn of_facets(facets: &Facets, unit: Option<f64>) -> Result<Self> {
+        if let Some(found) = unit.filter(|&unit| !is_unit(unit)) {
+            return Err(Error::UnitInvalid { found });
+        }
+        Ok(Self::with_facets(PreparedFacets::new(facets), unit))
+    }
+
+    fn with_facets(facets: PreparedFacets, unit: Option<f64>) -> Self {
+        let bounding_box = facets.target.bounding_box();
+        let empty = BezierModel {
+            patches: PatchSet::default(),
+            grids: Vec::new(),
+            point_error: PointError::default(),
+        };
+        Self {
+            name: None,
+            unit,
+            source: None,
+            scaled: Mutex::default(),
+            gap: 0.0,
+            face_gaps: vec![0.0],
+            is_gap_proven: true,
+            trimmed_faces: None,
+            pieces: FacePieces::of_facets(),
+            revolutions: Vec::new(),
+            facets: Some(facets),
+            bezier: empty,
+            bounding_box,
+            control_box: bounding_box,
+            targets: Mutex::default(),
+            samplings: Mutex::default(),
+            cells: Mutex::default(),
+            areas: OnceLock::new(),
+            refits: 0,
+        }
+    }
+
     fn of_pieces(model: &Model, pieces: FacePieces, untrimmed: &Model) -> Self {
         let reduced = without_removable_knots(untrimmed);
         let (simple, knot_removal) =
@@ -186,6 +251,7 @@ impl PreparedModel {
             trimmed_faces: model.is_trimmed().then(|| pieces.trimmed_faces(model)),
             pieces,
             revolutions: revolutions(&bezier),
+            facets: None,
             bezier,
             bounding_box: untrimmed.bounding_box(),
             control_box,
@@ -243,7 +309,7 @@ impl PreparedModel {
     /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
     /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
     pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Arc<Self>>> {
-        let (Some(a), Some(b), Some(source)) = (other.unit, self.unit, &self.source) else { return Ok(None) };
+        let (Some(a), Some(b)) = (other.unit, self.unit) else { return Ok(None) };
         if a == b {
             return Ok(None);
         }
@@ -254,12 +320,26 @@ impl PreparedModel {
         if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
             return Ok(Some(kept));
         }
-        let mut prepared = Self::new(&source.scaled_to_unit(a)?)?;
-        let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
-        prepared.bezier.point_error.include_deviation(rounding);
-        let prepared = Arc::new(prepared);
+        let prepared = Arc::new(self.scaled_by(b / a, a)?);
         *locked(&self.scaled) = Some(Arc::clone(&prepared));
         Ok(Some(prepared))
+    }
+
+    /// Returns this model in the unit `unit`, which is `1 / factor` times as long.
+    fn scaled_by(&self, factor: f64, unit: f64) -> Result<Self> {
+        if let Some(facets) = &self.facets {
+            let scaled = facets.scaled(factor);
+            let length = scaled.target.bounding_box().farthest_from_origin();
+            if !is_in_range(length) {
+                return Err(Error::PointOutOfRange { index: 0, found: length });
+            }
+            return Ok(Self::with_facets(scaled, Some(unit)));
+        }
+        let source = self.source.as_ref().ok_or(Error::EmptyModel)?;
+        let mut prepared = Self::new(&source.scaled_to_unit(unit)?)?;
+        let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
+        prepared.bezier.point_error.include_deviation(rounding);
+        Ok(prepared)
     }
 
     /// Returns the distance, in model units, between the model and its source as its reader states
@@ -308,6 +388,9 @@ impl PreparedModel {
     /// Computed at first use, in about 20 µs a patch, on all cores.
     pub fn face_areas(&self) -> &[Area] {
         computed::<Vec<Area>>(&self.areas, || {
+            if let Some(facets) = &self.facets {
+                return vec![facets.area()];
+            }
             let (faces, bezier) = (self.pieces.faces(), &self.bezier);
             map(faces.len(), |face| {
                 let grids = bezier.grids[faces[face].clone()].iter();
@@ -350,8 +433,47 @@ impl PreparedModel {
         &self.pieces
     }
 
+    /// Returns the Bézier patches; those of a mesh are its triangles.
     pub(crate) fn bezier(&self) -> &BezierModel {
-        &self.bezier
+        self.facets.as_ref().map_or(&self.bezier, PreparedFacets::bezier)
+    }
+
+    /// Returns the triangles or points, if the model is a mesh or a cloud.
+    pub(crate) fn facets(&self) -> Option<&PreparedFacets> {
+        self.facets.as_ref()
+    }
+
+    /// Refuses a mesh or a cloud for a computation that has none.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(crate) fn require_surfaces(&self, found: &'static str) -> Result<()> {
+        if self.facets.is_some() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Returns a point of one of the surfaces of [`PreparedModel::bezier`] as a point of a face.
+    pub(super) fn surface_point(&self, surface: usize, parameters: [f64; 2], point: DVec3) -> SurfacePoint {
+        match &self.facets {
+            Some(_) => self.facet_point(surface as u32, weights(parameters), point),
+            None => self.pieces.surface_point(surface, parameters, point),
+        }
+    }
+
+    /// Returns a point of a facet, by its place in the order of the leaves.
+    pub(super) fn facet_point(&self, place: u32, weights: [f64; 3], point: DVec3) -> SurfacePoint {
+        let index = self.facets.as_ref().map(|facets| facets.target.index(place));
+        let is_cloud = self.facets.as_ref().is_some_and(|facets| facets.target.is_cloud());
+        let [_, u, v] = if is_cloud { [1.0, 0.0, 0.0] } else { weights };
+        SurfacePoint {
+            face: 0,
+            face_name: None,
+            u,
+            v,
+            triangle: index.filter(|_| !is_cloud),
+            barycentric: (!is_cloud).then_some(weights),
+            index: index.filter(|_| is_cloud),
+            point: point.to_array(),
+        }
     }
 
     /// Returns the box of the control points of the model's pieces.
@@ -367,7 +489,7 @@ impl PreparedModel {
 
     /// Returns whether method `certified` does not cut the model into flat patches.
     pub(super) fn is_left_uncut(&self) -> bool {
-        self.bezier.patches.len() >= MIN_UNCUT_PATCHES
+        self.facets.is_some() || self.bezier.patches.len() >= MIN_UNCUT_PATCHES
     }
 
     /// Returns the patches that method `certified` and closest points search.
@@ -383,7 +505,7 @@ impl PreparedModel {
         if let Some(target) = known(&locked(&self.targets)) {
             return target;
         }
-        let flat = flatten(&self.bezier.patches, flatness);
+        let flat = flatten(&self.bezier().patches, flatness);
         let prepared = Arc::new(PreparedTarget::new(flat, Target::new));
         let mut targets = locked(&self.targets);
         // Another thread may have been first, whose copy on the GPU is to be the only one.

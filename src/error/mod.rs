@@ -213,6 +213,46 @@ pub enum Error {
         /// The largest number allowed.
         expected: usize,
     },
+    /// The index of a triangle's corner is that of no vertex.
+    #[error(
+        "triangle {triangle}: found vertex {found}, expected less than {expected}, the number of vertices"
+    )]
+    TriangleIndex {
+        /// The index of the triangle.
+        triangle: usize,
+        /// The index of the vertex.
+        found: usize,
+        /// The number of vertices.
+        expected: usize,
+    },
+    /// Bytes that are not of a format of meshes, or parts of it that are not read.
+    #[error("the {format} file cannot be read: {found}")]
+    MeshSyntax {
+        /// The format.
+        format: &'static str,
+        /// The violation, with its line where there is one.
+        found: String,
+    },
+    /// A computation that meshes and clouds of points do not have.
+    #[error("{found}, which is not computed for meshes and clouds of points")]
+    FacetsUnsupported {
+        /// The computation.
+        found: &'static str,
+    },
+    /// A mesh without triangles, or a cloud without points.
+    #[error("found no {expected}, expected at least 1")]
+    NoFacets {
+        /// What is missing.
+        expected: &'static str,
+    },
+    /// A mesh or a cloud of too many triangles, vertices or points.
+    #[error("found {found} triangles, vertices or points, expected at most {expected}")]
+    TooManyFacets {
+        /// Their number.
+        found: usize,
+        /// The largest number allowed.
+        expected: usize,
+    },
     /// The unit of a model is not a positive length.
     #[error("the unit is {found:?} m, expected a length from 1e-30 m to 1e30 m")]
     UnitInvalid {
@@ -436,6 +476,11 @@ impl Error {
             Self::InstanceSurface { .. } => "INSTANCE_SURFACE",
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
+            Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
+            Self::MeshSyntax { .. } => "MESH_SYNTAX",
+            Self::FacetsUnsupported { .. } => "FACETS_UNSUPPORTED",
+            Self::NoFacets { .. } => "NO_FACETS",
+            Self::TooManyFacets { .. } => "TOO_MANY_FACETS",
             Self::UnitInvalid { .. } => "UNIT_INVALID",
             Self::UnitsDiffer { .. } => "UNITS_DIFFER",
             Self::JsonShape { .. } => "JSON_SHAPE",

@@ -19,6 +19,7 @@ import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
+import { facetArrays, type MeshArrays } from "./model/mesh.js";
 import { NurbsModel } from "./model/model.js";
 import {
   type BrepText,
@@ -42,10 +43,12 @@ export interface CreateOptions {
   module?: ModuleSource;
   /** The same of the readers' module, `nurbs-hausdorff/nurbs_hausdorff_readers_bg.wasm`. */
   readers?: ModuleSource;
+  /** The same of the module of `readMesh`, `nurbs-hausdorff/nurbs_hausdorff_meshes_bg.wasm`. */
+  meshes?: ModuleSource;
 }
 
 /** The names of the options of `create`. */
-const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers"];
+const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers", "meshes"];
 
 /** A shape that the package makes. */
 export interface ShapeInfo {
@@ -76,8 +79,9 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    */
   static async create(options: CreateOptions = {}): Promise<Hausdorff> {
     checkKeys("options", options, CREATE_OPTIONS);
-    const { backend, module, readers } = options;
+    const { backend, module, readers, meshes } = options;
     setSource("nurbs_hausdorff_readers", readers);
+    setSource("nurbs_hausdorff_meshes", meshes);
     await load(module);
     try {
       return new Hausdorff(await Engine.create(backend));
@@ -109,6 +113,20 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   model(input: readonly SurfaceArrays[] | ModelArrays | InterchangeModel | string): NurbsModel {
     requireLoaded();
     return translating(() => NurbsModel.of(prepare(input)));
+  }
+
+  /**
+   * A mesh of triangles, or a cloud of points, as either side of `distance` and as the model of
+   * `closestPoints`; `fromThreeGeometry` of `nurbs-hausdorff/adapters` makes one of a geometry of
+   * three. It is measured as the set of all points of its triangles, the degenerate ones included.
+   *
+   * @throws {HausdorffError} `POINT_OUT_OF_RANGE` for a coordinate that is not finite or above
+   * 1e100 in size; `TRIANGLE_INDEX`, `NO_FACETS`, `TOO_MANY_FACETS`, `UNIT_INVALID`;
+   * `ARGUMENT_INVALID`.
+   */
+  mesh(input: MeshArrays): NurbsModel {
+    requireLoaded();
+    return translating(() => NurbsModel.of(PreparedModel.fromFacets(...facetArrays(input))));
   }
 
   /**

@@ -1,11 +1,13 @@
 // The package with the wasm modules inlined, for bundlers that do not copy them. The readers of
-// CAD files are a part of their own, which a bundler that splits programs loads with the first file.
+// CAD files and those of meshes are parts of their own, which a bundler that splits programs loads
+// with the first file.
 import { findModulesBy, type ModuleName } from "./load.js";
 import core from "./wasm/inlined.js";
 
 const texts: Readonly<Record<ModuleName, () => Promise<string>>> = {
   nurbs_hausdorff: async () => core,
   nurbs_hausdorff_readers: async () => (await import("./wasm/inlined-readers.js")).default,
+  nurbs_hausdorff_meshes: async () => (await import("./wasm/inlined-meshes.js")).default,
 };
 
 findModulesBy(async (name) => {

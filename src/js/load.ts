@@ -4,8 +4,8 @@ import init from "./wasm/nurbs_hausdorff.js";
 /** A wasm module: compiled, its bytes, or where to fetch it. */
 export type ModuleSource = WebAssembly.Module | BufferSource | Response | Request | URL | string;
 
-/** The package's wasm modules: the core, and the readers of CAD files. */
-export type ModuleName = "nurbs_hausdorff" | "nurbs_hausdorff_readers";
+/** The package's wasm modules: the core, the readers of CAD files, and those of meshes. */
+export type ModuleName = "nurbs_hausdorff" | "nurbs_hausdorff_readers" | "nurbs_hausdorff_meshes";
 
 /** The function of a module's glue that starts it; without a source it fetches from beside itself. */
 type Init = (options?: { module_or_path: ModuleSource }) => Promise<unknown>;
@@ -14,6 +14,7 @@ type Init = (options?: { module_or_path: ModuleSource }) => Promise<unknown>;
 const OPTIONS: Readonly<Record<ModuleName, string>> = {
   nurbs_hausdorff: "module",
   nurbs_hausdorff_readers: "readers",
+  nurbs_hausdorff_meshes: "meshes",
 };
 
 const sources = new Map<ModuleName, ModuleSource>();

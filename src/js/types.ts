@@ -1,6 +1,7 @@
 // The types and the error class that the package's entries share.
 
 export type { CadKind } from "./cad/kind.js";
+export type { MeshFormat, MeshOptions } from "./cad/mesh.js";
 export type { CadOptions } from "./cad/options.js";
 export type { PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";
@@ -39,6 +40,7 @@ export type {
   SurfacePoint,
 } from "./measure/result.js";
 export type { Area, ModelArea } from "./model/area.js";
+export type { MeshArrays } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";
 export type {

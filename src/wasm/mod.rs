@@ -1,5 +1,5 @@
-//! The exports of the crate's two wasm modules: the classes of the core, with the feature
-//! `wasm`, and the readers of CAD files, with `wasm-readers`. The package's own API, in
+//! The exports of the crate's three wasm modules: the classes of the core, with the feature
+//! `wasm`, the readers of CAD files, with `wasm-readers`, and those of meshes, with `wasm-meshes`. The package's own API, in
 //! `src/js`, is built on them and hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
@@ -10,6 +10,8 @@ mod convert;
 #[cfg(feature = "wasm")]
 mod engine;
 mod failure;
+#[cfg(feature = "wasm-meshes")]
+mod meshes;
 #[cfg(feature = "wasm")]
 mod model;
 #[cfg(feature = "wasm")]

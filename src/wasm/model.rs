@@ -6,10 +6,12 @@ use super::surfaces::Surfaces;
 use crate::area::Area;
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
+use crate::facets::{Facets, PointCloud, TriangleMesh};
 use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
 use crate::shapes::{list, shape};
 use crate::tessellate::tessellate_patches;
+use glam::DVec3;
 use js_sys::JsString;
 use serde::Serialize;
 use std::rc::Rc;
@@ -23,8 +25,8 @@ const MAX_SAFE_INTEGER: u64 = (1 << 53) - 1;
 /// on reading it from a text.
 #[wasm_bindgen]
 pub struct PreparedModel {
-    /// The model itself, for updates.
-    source: Model,
+    /// The model itself, for updates; none of a mesh or a cloud of points.
+    source: Option<Model>,
     prepared: Rc<engine::PreparedModel>,
     /// The report on reading it from a text.
     report: Option<ReadReport>,
@@ -35,6 +37,27 @@ impl PreparedModel {
     #[wasm_bindgen(js_name = fromArrays)]
     pub fn from_arrays(surfaces: Surfaces) -> Result<PreparedModel> {
         Self::new(Model::from_faces(surfaces.into_inner())?, None)
+    }
+
+    /// A mesh of positions, x, y, z each, and triangles, three indices each, or without triangles
+    /// a cloud of points; in metres per unit, if that is known.
+    #[wasm_bindgen(js_name = fromFacets)]
+    pub fn from_facets(
+        positions: Vec<f64>,
+        triangles: Option<Vec<u32>>,
+        unit: Option<f64>,
+    ) -> Result<PreparedModel> {
+        let (points, rest) = positions.as_chunks();
+        if !rest.is_empty() {
+            return Err(Error::PointOutOfRange { index: points.len(), found: f64::NAN });
+        }
+        let points: Vec<DVec3> = points.iter().copied().map(DVec3::from_array).collect();
+        let facets = match triangles {
+            Some(indices) => Facets::Mesh(TriangleMesh::of_indices(&points, &indices)?),
+            None => Facets::Cloud(PointCloud::new(points)?),
+        };
+        let prepared = engine::PreparedModel::of_facets(&facets, unit)?;
+        Ok(Self { source: None, prepared: Rc::new(prepared), report: None })
     }
 
     /// A model of interchange JSON.
@@ -146,9 +169,11 @@ impl PreparedModel {
     /// being computed keep the old ones.
     pub fn update(&mut self, face: usize, control_points: Vec<f64>) -> Result<()> {
         let (points, _) = control_points.as_chunks();
-        let source = self.source.with_control_points(face, points.to_vec())?;
+        let found = "a change of control points";
+        let source = self.source.as_ref().ok_or(Error::FacetsUnsupported { found })?;
+        let source = source.with_control_points(face, points.to_vec())?;
         self.prepared = Rc::new(self.prepared.updated(&source)?);
-        self.source = source;
+        self.source = Some(source);
         Ok(())
     }
 
@@ -164,6 +189,7 @@ impl PreparedModel {
 
     /// Triangles to display, by a plain object of options.
     pub fn tessellate(&self, options: &JsValue) -> std::result::Result<JsValue, JsValue> {
+        self.prepared.require_surfaces("a tessellation")?;
         let options = convert::tessellation_options(options)?;
         convert::tessellation(&tessellate_patches(self.prepared.bezier(), self.prepared.pieces(), &options)?)
     }
@@ -173,11 +199,12 @@ impl PreparedModel {
     /// Makes the model of a file without the faces that cannot be cut.
     fn of_read((model, mut report): (Model, ReadReport)) -> Result<Self> {
         let (source, prepared) = engine::PreparedModel::of_read(model, &mut report)?;
-        Ok(Self { prepared: Rc::new(prepared), source, report: Some(report) })
+        Ok(Self { prepared: Rc::new(prepared), source: Some(source), report: Some(report) })
     }
 
     fn new(source: Model, report: Option<ReadReport>) -> Result<Self> {
-        Ok(Self { prepared: Rc::new(engine::PreparedModel::new(&source)?), source, report })
+        let prepared = Rc::new(engine::PreparedModel::new(&source)?);
+        Ok(Self { prepared, source: Some(source), report })
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {

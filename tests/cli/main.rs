@@ -8,4 +8,5 @@ mod support;
 mod commands;
 mod edge_cases;
 mod gaps;
+mod meshes;
 mod trimmed;

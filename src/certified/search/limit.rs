@@ -28,7 +28,7 @@ impl Limit {
 
     /// Returns the level next to be decided where a distance of `lower` is found: a cell that
     /// is not beyond it needs no halving. `None` if all levels are exceeded.
-    pub(super) fn next_level(self, lower: f64) -> Option<f64> {
+    pub(crate) fn next_level(self, lower: f64) -> Option<f64> {
         self.levels().into_iter().find(|&level| lower <= level)
     }
 

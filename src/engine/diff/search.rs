@@ -66,6 +66,8 @@ impl Engine {
         options.validate()?;
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
+        a.require_surfaces("a comparison face by face")?;
+        b.require_surfaces("a comparison face by face")?;
         let mut progress = Progress::new(monitor, true);
         let started = Instant::now();
         let [flat_a, flat_b] = [a, b].map(|model| model.target(Flatness::Loose));

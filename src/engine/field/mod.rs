@@ -105,6 +105,7 @@ impl Engine {
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, false);
         let direction = Direction { from: a, to: b, transform: options.transform };
+        direction.require_surfaces("a field")?;
         let sampling = a.sampling(options.samples, options.sampling);
         let mut field = direction.field(&sampling.sampling, &mut progress).await?;
         if let Some(upper) = options.upper {

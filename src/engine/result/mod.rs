@@ -242,6 +242,16 @@ pub struct SurfacePoint {
     pub u: f64,
     /// Parameter v on it.
     pub v: f64,
+    /// On a mesh, the index of the triangle; u and v are then the weights of its second and
+    /// third corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub triangle: Option<usize>,
+    /// On a mesh, the weights of the triangle's corners: at least 0, with the sum 1 up to rounding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub barycentric: Option<[f64; 3]>,
+    /// Of a cloud, the index of the point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub index: Option<usize>,
     /// The point at these parameters, off by up to 1024 roundings of the largest coordinate of
     /// its surface, as knots are removed that change it by less (R15 of docs/method.md), and by
     /// the deviation of a trimmed face's cut. The interval includes both.

@@ -13,6 +13,9 @@ const HEAD_LENGTH = 1024;
 /** The column, from 0, that names a line's section in IGES. */
 const IGES_SECTION_COLUMN = 72;
 
+const TRIANGLES =
+  "it holds triangles: readMesh reads it, as both commands do by the ending of its name";
+
 const EXPORT_STEP = "export it as STEP from the program that made it";
 
 /** Formats that are recognised and not read: signature, name, advice. */
@@ -29,11 +32,11 @@ const OTHERS: readonly (readonly [signature: RegExp, name: string, advice: strin
   [/^\xD0\xCF.\xE0\xA1/s, "a SolidWorks, Inventor or other compound file", EXPORT_STEP],
   [/^AC10\d\d/, "a DWG file", EXPORT_STEP],
   [/^\s*0\s+SECTION/, "a DXF file", EXPORT_STEP],
-  [/^glTF/, "a glTF file", "it holds triangles, not NURBS: export STEP instead"],
+  [/^glTF/, "a glTF file", TRIANGLES],
   [/^Kaydara FBX/, "an FBX file", "it holds triangles, not NURBS: export STEP instead"],
-  [/^ply\s/, "a PLY file", "it holds triangles, not NURBS: export STEP instead"],
-  [/^solid\s/, "an STL file", "it holds triangles, not NURBS: export STEP instead"],
-  [/^\s*(#.*\n\s*)*(v|mtllib|o) /, "an OBJ file", "it holds triangles, not NURBS: export STEP"],
+  [/^ply\s/, "a PLY file", TRIANGLES],
+  [/^solid\s/, "an STL file", TRIANGLES],
+  [/^\s*(#.*\n\s*)*(v|mtllib|o) /, "an OBJ file", TRIANGLES],
 ];
 
 /** The error for bytes that no reader takes. */

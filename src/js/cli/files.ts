@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
+import { meshFormatOf, readMesh } from "../cad/mesh.js";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
@@ -37,7 +38,9 @@ export interface Input extends Disposable {
 export async function readModel(path: string): Promise<Input> {
   return naming(path, async () => {
     const bytes = await bytesOf(path);
-    const model = await readCad(bytes, { name: path });
+    const format = meshFormatOf(path);
+    const model =
+      format === undefined ? await readCad(bytes, { name: path }) : await readMesh(bytes, format);
     warn(path, model.report);
     return { model, source: sourceOf(path, bytes), [Symbol.dispose]: () => model.dispose() };
   });
@@ -48,6 +51,12 @@ export async function convertFile(
   path: string,
 ): Promise<{ json: string; report: CadReport; source: Source }> {
   return naming(path, async () => {
+    if (meshFormatOf(path) !== undefined) {
+      throw new HausdorffError(
+        "FACETS_UNSUPPORTED",
+        "a conversion to interchange JSON, which is not computed for meshes and clouds of points",
+      );
+    }
     const bytes = await bytesOf(path);
     const converted = await convertCad(bytes, { name: path });
     warn(path, converted.report);

@@ -9,6 +9,12 @@ export interface SurfacePoint {
   /** Its parameters there. */
   u: number;
   v: number;
+  /** On a mesh: the index of the triangle; u and v are the weights of its second and third corner. */
+  triangle?: number;
+  /** On a mesh: the weights of the triangle's corners. */
+  barycentric?: Vector3;
+  /** Of a cloud: the index of the point. */
+  index?: number;
   point: Vector3;
 }
 

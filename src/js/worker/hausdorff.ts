@@ -1,5 +1,6 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { PeerLoader } from "../cad/peers/peers.js";
 import { HausdorffError } from "../error.js";
@@ -18,6 +19,7 @@ import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
+import type { MeshArrays } from "../model/mesh.js";
 import {
   type BrepText,
   coordinatesOf,
@@ -87,11 +89,16 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, readers, ...rest } = options;
+    const { worker, module, readers, meshes, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
       await channel.call("create", [
-        { ...rest, module: sendable(module), readers: sendable(readers) },
+        {
+          ...rest,
+          module: sendable(module),
+          readers: sendable(readers),
+          meshes: sendable(meshes),
+        },
       ]);
     } catch (error) {
       channel.close();
@@ -122,6 +129,11 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#newModel("model", [input]);
   }
 
+  /** As the main entry's `mesh`; the arrays are copied. */
+  async mesh(input: MeshArrays): Promise<NurbsModel> {
+    return this.#newModel("mesh", [input]);
+  }
+
   /** As the main entry's `shape`. */
   async shape(name: string): Promise<NurbsModel> {
     return this.#newModel("shape", [name]);
@@ -145,6 +157,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     const buffer = bytes instanceof Uint8Array ? bytes.buffer : bytes;
     const moved = transfer === true && buffer instanceof ArrayBuffer ? [buffer] : [];
     return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], moved);
+  }
+
+  /** As `readMesh` of `nurbs-hausdorff/cad`, in the worker; the bytes are copied. */
+  async readMesh(
+    bytes: Uint8Array | ArrayBuffer,
+    format: MeshFormat,
+    options: MeshOptions = {},
+  ): Promise<NurbsModel> {
+    return this.#newModel("readMesh", [bytes, format, options]);
   }
 
   async distance<Method extends keyof Results = "certified">(
@@ -213,7 +234,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   /** The model that a method of the worker makes. */
   async #newModel(
-    method: "model" | "shape" | "readCad",
+    method: "model" | "mesh" | "shape" | "readCad" | "readMesh",
     args: unknown[],
     transfer: ArrayBuffer[] = [],
   ): Promise<NurbsModel> {

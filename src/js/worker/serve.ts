@@ -1,7 +1,9 @@
+import { type MeshFormat, type MeshOptions, readMesh } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
+import type { MeshArrays } from "../model/mesh.js";
 import type { NurbsModel } from "../model/model.js";
 import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
 
@@ -66,9 +68,15 @@ class Server {
     },
     shapes: () => Hausdorff.shapes(),
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
+    mesh: ([id, input]) => this.#keep(id, this.#open.mesh(input as MeshArrays)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
     readCad: async ([id, bytes, options]) =>
       this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
+    readMesh: async ([id, bytes, format, options]) =>
+      this.#keep(
+        id,
+        await readMesh(bytes as ArrayBuffer, format as MeshFormat, options as MeshOptions),
+      ),
     area: ([, model]) => this.#model(model).area(),
     solid: ([, model]) => this.#model(model).solid(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),

@@ -323,7 +323,7 @@ test("what places the shapes of a FreeCAD document is not passed over", async ()
 /** Contents that are recognised and refused: the code, and what the message names. */
 const refused = [
   ["FORMAT_UNSUPPORTED", "", /an empty file/],
-  ["FORMAT_UNSUPPORTED", "solid cube\nfacet normal", /an STL file.*triangles.*STEP/],
+  ["FORMAT_UNSUPPORTED", "solid cube\nfacet normal", /an STL file.*triangles.*readMesh/],
   ["FORMAT_UNSUPPORTED", "ply\nformat ascii", /a PLY file/],
   ["FORMAT_UNSUPPORTED", "# made by hand\nv 0 0 0", /an OBJ file/],
   ["FORMAT_UNSUPPORTED", "glTF\x02", /a glTF file/],

@@ -13,8 +13,9 @@ use std::path::Path;
 /// Writes the model as interchange JSON, and prints the report on reading it: on standard
 /// error where standard output holds the model.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
-    let Input { model, report, source, .. } = read(&arguments.input)?;
-    let json = model.to_json()?;
+    let input = read(&arguments.input)?;
+    let json = input.surfaces("a conversion to interchange JSON")?.to_json()?;
+    let Input { report, source, .. } = input;
     let report = if arguments.json { line(&OfFile::new(&report, &source))? } else { text(&report) };
     if arguments.output.as_os_str() == STANDARD_STREAM {
         eprint!("{report}");

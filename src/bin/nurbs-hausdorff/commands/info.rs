@@ -12,8 +12,9 @@ use std::fmt::Write;
 
 /// Prints the faces, patches, areas and bounding box of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
-    let Input { model, prepared, report, source } = read(&arguments.model)?;
-    let info = ModelInfo::of_prepared(&model, &prepared);
+    let input = read(&arguments.model)?;
+    let info = ModelInfo::of_prepared(input.surfaces("the table of faces")?, &input.prepared);
+    let Input { report, source, .. } = input;
     if arguments.json {
         let info = Info { info: &info, skipped: &report.read.skipped };
         return print_json(&OfFile::new(&info, &source));

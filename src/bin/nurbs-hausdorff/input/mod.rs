@@ -5,7 +5,7 @@ mod format;
 
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source};
-use nurbs_hausdorff::{Error, Model, PreparedModel, ReadReport, Result};
+use nurbs_hausdorff::{Error, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result};
 use serde::Serialize;
 use std::path::Path;
 
@@ -32,8 +32,8 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
 
 /// A model that was read.
 pub(crate) struct Input {
-    /// The model, without the faces left out.
-    pub(crate) model: Model,
+    /// The surfaces, without the faces left out; none of a mesh or a cloud of points.
+    pub(crate) model: Option<Model>,
     pub(crate) prepared: PreparedModel,
     pub(crate) report: CadReport,
     pub(crate) source: Source,
@@ -64,6 +64,9 @@ pub(crate) struct CadReport {
 
 fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     let source = Source::new(path, &bytes);
+    if let Some(format) = path.to_str().and_then(MeshFormat::of_name) {
+        return of_mesh(source, &bytes, format);
+    }
     if let Some(found) = format::unsupported(&bytes) {
         return Err(Error::FormatUnsupported { found, path: path.display().to_string() });
     }
@@ -90,11 +93,30 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     let model = Model::from_json(&text)?;
     let prepared = PreparedModel::new(&model)?;
     let report = CadReport { kind: "json", reader: READER, read: ReadReport::of_exact(&model) };
-    Ok(Input { model, prepared, report, source })
+    Ok(Input { model: Some(model), prepared, report, source })
 }
 
 /// Prepares a model of a CAD file without the faces that cannot be cut into patches.
 fn of_cad(source: Source, model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
     let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
-    Ok(Input { model, prepared, report: CadReport { kind, reader: READER, read }, source })
+    let report = CadReport { kind, reader: READER, read };
+    Ok(Input { model: Some(model), prepared, report, source })
+}
+
+/// Prepares a mesh or a cloud of points.
+fn of_mesh(source: Source, bytes: &[u8], format: MeshFormat) -> Result<Input> {
+    let MeshFile { facets, unit } = MeshFile::read(bytes, format)?;
+    let prepared = PreparedModel::of_facets(&facets, unit)?;
+    let read = ReadReport::of_facets(unit);
+    Ok(Input { model: None, prepared, report: CadReport { kind: "mesh", reader: READER, read }, source })
+}
+
+impl Input {
+    /// Returns the surfaces.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`] of a mesh or a cloud, with the computation that needs surfaces.
+    pub(crate) fn surfaces(&self, found: &'static str) -> Result<&Model> {
+        self.model.as_ref().ok_or(Error::FacetsUnsupported { found })
+    }
 }

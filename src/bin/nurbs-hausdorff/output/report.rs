@@ -57,7 +57,13 @@ fn interval(out: &mut String, result: &DistanceResult) -> Result {
 }
 
 fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
-    let SurfacePoint { face, face_name, u, v, point: [x, y, z] } = point;
+    let SurfacePoint { face, face_name, u, v, triangle, barycentric, index, point: [x, y, z] } = point;
+    if let Some(index) = index {
+        return writeln!(out, "{name}       point {index}: {x:?} {y:?} {z:?}");
+    }
+    if let (Some(triangle), Some([a, b, c])) = (triangle, barycentric) {
+        return writeln!(out, "{name}       triangle {triangle} at ({a:?}, {b:?}, {c:?}): {x:?} {y:?} {z:?}");
+    }
     let face_name = face_name.as_ref().map_or(String::new(), |name| format!(" ({name})"));
     writeln!(out, "{name}       face {face}{face_name} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }

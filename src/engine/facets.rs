@@ -1,0 +1,189 @@
+//! One direction between models of which one is a mesh or a cloud, within its budgets.
+
+use super::certified::fraction;
+use super::direction::{DirectedRun, Direction};
+use super::result::DirectedResult;
+use super::{CertifiedDetails, Details, Options, PreparedModel, Processor, Seconds, Stop, SurfacePoint};
+use crate::bezier::BezierModel;
+use crate::certified::{Gains, Interval, Limit};
+use crate::error::{Error, Result};
+use crate::facets::{Domain, End, FacetSearch, Measured, PreparedFacets, Source};
+use crate::flatness::MAX_HALVINGS;
+use crate::progress::Progress;
+use crate::rounding::gamma;
+use web_time::Instant;
+
+/// The roundings of the points of a part of a patch, for each degree, relative to the largest
+/// distance of its control points from its centre: lemma R6 of docs/method.md.
+const RESTRICTION_ROUNDINGS: f64 = 16.0;
+
+impl Direction<'_> {
+    /// Whether the search over facets measures this direction: where B has facets, and from points.
+    /// Triangles are measured to surfaces as patches, by the search over those.
+    pub(super) fn is_of_facets(&self) -> bool {
+        let is_cloud = self.from.facets().is_some_and(|facets| facets.target.is_cloud());
+        self.to.facets().is_some() || is_cloud
+    }
+
+    /// Runs the search over facets.
+    pub(super) async fn between_facets(
+        &self,
+        options: &Options,
+        progress: &mut Progress<'_>,
+    ) -> Result<DirectedRun> {
+        let started = Instant::now();
+        let diagonal = self.diagonal();
+        let source = match self.from.facets() {
+            Some(PreparedFacets { target, error, .. }) => Source::Facets { facets: target, error: *error },
+            None => {
+                let BezierModel { patches, point_error, .. } = self.from.bezier();
+                let control_box = self.from.control_box();
+                let degrees =
+                    patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
+                let restriction = gamma(RESTRICTION_ROUNDINGS * degrees as f64) * control_box.diagonal();
+                Source::Patches { patches, error: point_error.after(0) + restriction, control_box }
+            }
+        };
+        let patches = self.to.facets().is_none().then(|| self.to.certified_target());
+        let measured = match (self.to.facets(), &patches) {
+            (Some(PreparedFacets { target, error, .. }), _) => {
+                Measured::Facets { facets: target, error: *error }
+            }
+            (None, Some(patches)) => {
+                let error = self.to.bezier().point_error.after(MAX_HALVINGS);
+                Measured::Patches { target: &patches.target, error }
+            }
+            (None, None) => return Err(Error::EmptyModel),
+        };
+        let tolerance = options.width(diagonal);
+        let limit = options.limit.map(|at| Limit { at, gap: self.gap() });
+        let mut search = FacetSearch::new(source, measured, self.transform, tolerance, limit);
+        let prepare = started.elapsed().as_secs_f64();
+        let stop = search_within(&mut search, options, tolerance, progress).await?;
+        let result = self.result(&search, stop, options, tolerance)?;
+        let count = |model: &PreparedModel| match model.facets() {
+            Some(facets) => facets.target.len(),
+            None => model.bezier().patches.len(),
+        };
+        Ok(DirectedRun {
+            result,
+            backend: Processor::Cpu,
+            adapter: None,
+            notice: None,
+            diagonal,
+            unit: self.unit(),
+            gap: self.gap(),
+            is_gap_proven: self.is_gap_proven(),
+            limit: options.limit,
+            from_patches: count(self.from),
+            to_patches: count(self.to),
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+        })
+    }
+
+    fn result(
+        &self,
+        search: &FacetSearch<'_>,
+        stop: Stop,
+        options: &Options,
+        tolerance: f64,
+    ) -> Result<DirectedResult> {
+        let [lower, upper] = search.interval();
+        let (within, work) = (search.within(), search.work());
+        let witness = search.witness().ok_or(Error::EmptyModel)?;
+        let is_decided = if options.limit.is_some() { within.is_some() } else { upper - lower <= tolerance };
+        let stop = match stop {
+            Stop::Converged if !is_decided => Stop::Precision,
+            Stop::Precision if is_decided => Stop::Converged,
+            other => other,
+        };
+        let closest = &witness.closest;
+        let to = match self.to.facets() {
+            Some(_) => self.to.facet_point(closest.start.piece, closest.weights, closest.point),
+            None => self.to.certified_target().surface_point(
+                self.to,
+                closest.start.piece,
+                closest.start.parameters,
+                closest.point,
+            ),
+        };
+        Ok(DirectedResult {
+            computed: closest.upper,
+            lower,
+            upper,
+            converged: stop == Stop::Converged,
+            from: self.point_of_a(witness.domain, witness.point),
+            to,
+            details: Details::Certified(CertifiedDetails {
+                tolerance,
+                min_tolerance: search.min_tolerance(),
+                cells: work.cells,
+                cpu_cells: work.cells,
+                levels: work.levels,
+                stop,
+                within,
+            }),
+            field: Vec::new(),
+        })
+    }
+
+    fn point_of_a(&self, domain: Domain, point: glam::DVec3) -> SurfacePoint {
+        match (domain, self.from.facets()) {
+            (Domain::Facet(place), Some(facets)) => {
+                let local = self.transform.apply_inverse(point);
+                let nearest = facets.target.facet(place).nearest(local);
+                self.from.facet_point(place, nearest.weights, point)
+            }
+            (Domain::Facet(place), None) => self.from.facet_point(place, [1.0, 0.0, 0.0], point),
+            (Domain::Patch(patch, parameters), _) => {
+                let patch = self.from.bezier().patches.patch(patch as usize);
+                self.from.surface_point(patch.surface, patch.surface_parameters(parameters), point)
+            }
+        }
+    }
+}
+
+/// Searches until the interval is as narrow as requested or a budget ends the search. Cancelling is
+/// a budget too: the interval so far is returned.
+async fn search_within(
+    search: &mut FacetSearch<'_>,
+    options: &Options,
+    tolerance: f64,
+    progress: &mut Progress<'_>,
+) -> Result<Stop> {
+    let started = Instant::now();
+    progress.section(0.0, 1.0);
+    let interval = |search: &FacetSearch<'_>| {
+        let [lower, upper] = search.interval();
+        Interval { lower, upper }
+    };
+    let first = interval(search);
+    let mut gains = Gains::new(first);
+    // Validation rules out 0.
+    let max_cells = options.max_cells.unwrap_or(usize::MAX).max(1);
+    let stop = loop {
+        match search.advance(max_cells.saturating_sub(search.work().cells)) {
+            Some(End::Searched) => break Stop::Converged,
+            Some(End::Exhausted) => break Stop::Precision,
+            None => {}
+        }
+        if search.work().cells >= max_cells {
+            break Stop::Cells;
+        }
+        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+            break Stop::Time;
+        }
+        if progress.is_due() {
+            let interval = interval(search);
+            let stalled = gains.has_stalled(interval, search.work().cells);
+            progress.interval(interval.lower, interval.upper, stalled);
+            match progress.checkpoint(fraction(first, interval, tolerance)).await {
+                Err(Error::Cancelled) => break Stop::Cancelled,
+                other => other?,
+            }
+        }
+    };
+    let Interval { lower, upper } = interval(search);
+    progress.interval(lower, upper, false);
+    Ok(stop)
+}

@@ -1,0 +1,33 @@
+//! Facets: the triangles of meshes and the points of scans, as either side of a distance.
+//!
+//! A facet is convex, and so is the distance to it. Its largest value over the convex hull of
+//! points is therefore that at one of them, which is all that the upper bounds here need: no
+//! derivatives and no rational arithmetic. `docs/meshes.md` has the proofs.
+
+mod facet;
+mod patches;
+mod point_cloud;
+mod prepared;
+mod rounding;
+mod search;
+mod target;
+mod triangle_mesh;
+
+pub(crate) use facet::Facet;
+pub(crate) use patches::weights;
+pub use point_cloud::PointCloud;
+pub(crate) use prepared::PreparedFacets;
+pub(crate) use rounding::facet_rounding;
+pub(crate) use search::{Domain, End, FacetSearch, Measured, Source};
+pub(crate) use target::{FacetFoot, FacetTarget};
+pub use triangle_mesh::{MeshReport, TriangleMesh};
+
+/// A mesh or a cloud of points.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Facets {
+    /// A mesh.
+    Mesh(TriangleMesh),
+    /// A cloud of points.
+    Cloud(PointCloud),
+}

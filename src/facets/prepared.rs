@@ -1,0 +1,61 @@
+//! Meshes and clouds with what is computed from them once.
+
+use super::patches::patches;
+use super::{Facet, FacetTarget, Facets};
+use crate::area::Area;
+use crate::bezier::BezierModel;
+use crate::rounding::{VANISHING_LENGTH, gamma};
+use std::sync::OnceLock;
+
+/// The roundings of the area of a triangle, relative to the square of the largest length of a
+/// corner: each coordinate of the two edges and of their product.
+const AREA_ROUNDINGS: f64 = 32.0;
+
+/// The facets of a model.
+#[derive(Debug)]
+pub(crate) struct PreparedFacets {
+    pub(crate) target: FacetTarget,
+    /// The distance of the coordinates from the exact ones: 0 unless they were scaled.
+    pub(crate) error: f64,
+    /// The triangles as patches, made at their first use.
+    bezier: OnceLock<BezierModel>,
+}
+
+impl PreparedFacets {
+    pub(crate) fn new(facets: &Facets) -> Self {
+        let target = match facets {
+            Facets::Mesh(mesh) => FacetTarget::of_mesh(mesh),
+            Facets::Cloud(cloud) => FacetTarget::of_cloud(cloud),
+        };
+        Self { target, error: 0.0, bezier: OnceLock::new() }
+    }
+
+    /// Returns the facets in coordinates that are `factor` times as large, with their rounding.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let target = self.target.scaled(factor);
+        let error = factor * self.error + gamma(2.0) * target.bounding_box().farthest_from_origin();
+        Self { target, error: error + VANISHING_LENGTH, bezier: OnceLock::new() }
+    }
+
+    pub(crate) fn bezier(&self) -> &BezierModel {
+        self.bezier.get_or_init(|| {
+            let mut bezier = patches(&self.target);
+            bezier.point_error.include_deviation(self.error);
+            bezier
+        })
+    }
+
+    /// Returns the area of all triangles; a triangle that lies on others counts as often.
+    pub(crate) fn area(&self) -> Area {
+        let length = self.target.bounding_box().farthest_from_origin();
+        let rounding = gamma(AREA_ROUNDINGS) * length * length;
+        (0..self.target.len() as u32).fold(Area::default(), |sum, place| match self.target.facet(place) {
+            Facet::Point(_) => sum,
+            Facet::Triangle([a, b, c]) => {
+                let area = 0.5 * (b - a).cross(c - a).length();
+                let lower = area - rounding;
+                sum + Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding }
+            }
+        })
+    }
+}

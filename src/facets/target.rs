@@ -1,0 +1,194 @@
+//! The facets of a model with their tree, and nearest-facet queries.
+
+use super::facet::Nearest;
+use super::{Facet, PointCloud, TriangleMesh};
+use crate::bvh::{Aabb, RangeTree};
+use crate::parallel::map;
+use glam::DVec3;
+
+/// The number of triangles of a leaf: the test of a box takes about a third of the time of one.
+const TRIANGLES_A_LEAF: usize = 4;
+
+/// The number of points of a leaf: a point takes less time than a box, and little memory.
+const POINTS_A_LEAF: usize = 16;
+
+/// Capacity of the stack of a query: a tree that halves 2^32 facets is less deep.
+const STACK: usize = 64;
+
+/// The facets of a mesh or of a cloud, in the order of the leaves of their tree.
+#[derive(Debug, Clone)]
+pub(crate) struct FacetTarget {
+    facets: Facets,
+    pub(crate) tree: RangeTree,
+}
+
+/// Facets of one kind.
+#[derive(Debug, Clone)]
+enum Facets {
+    Points(Vec<DVec3>),
+    Triangles(Vec<[DVec3; 3]>),
+}
+
+/// A point of a facet near a target point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FacetFoot {
+    /// The facet, by its place in the order of the leaves.
+    pub(crate) facet: u32,
+    /// The squared distance, +∞ if none is known.
+    pub(crate) distance_squared: f64,
+}
+
+impl FacetFoot {
+    /// A facet at no known distance.
+    pub(crate) fn start(facet: u32) -> Self {
+        Self { facet, distance_squared: f64::INFINITY }
+    }
+}
+
+impl FacetTarget {
+    /// Builds the tree over a mesh. O(n log n).
+    pub(crate) fn of_mesh(mesh: &TriangleMesh) -> Self {
+        let corners = |triangle: u32| mesh.corners(triangle as usize);
+        let boxes = |triangle: u32| Facet::Triangle(corners(triangle)).bounding_box();
+        let tree = RangeTree::new(mesh.triangles().len(), TRIANGLES_A_LEAF, &boxes);
+        let facets = Facets::Triangles(map(tree.order().len(), |place| corners(tree.order()[place])));
+        Self { facets, tree }
+    }
+
+    /// Builds the tree over a cloud. O(n log n).
+    pub(crate) fn of_cloud(cloud: &PointCloud) -> Self {
+        let points = cloud.points();
+        let boxes = |point: u32| Aabb::EMPTY.with(points[point as usize]);
+        let tree = RangeTree::new(points.len(), POINTS_A_LEAF, &boxes);
+        let facets = Facets::Points(map(points.len(), |place| points[tree.order()[place] as usize]));
+        Self { facets, tree }
+    }
+
+    /// Returns the same facets with their coordinates multiplied by a factor. O(n log n).
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let facets = match &self.facets {
+            Facets::Points(points) => Facets::Points(points.iter().map(|&point| factor * point).collect()),
+            Facets::Triangles(triangles) => {
+                let scaled = |corners: &[DVec3; 3]| corners.map(|corner| factor * corner);
+                Facets::Triangles(triangles.iter().map(scaled).collect())
+            }
+        };
+        Self { facets, tree: self.tree.scaled(factor) }
+    }
+
+    /// Returns the number of facets.
+    pub(crate) fn len(&self) -> usize {
+        self.tree.order().len()
+    }
+
+    /// Returns whether the facets are points.
+    pub(crate) fn is_cloud(&self) -> bool {
+        matches!(self.facets, Facets::Points(_))
+    }
+
+    /// Returns the box of all facets.
+    pub(crate) fn bounding_box(&self) -> Aabb {
+        self.tree.bounding_box()
+    }
+
+    /// Returns the facet at a place in the order of the leaves.
+    #[inline]
+    pub(crate) fn facet(&self, place: u32) -> Facet {
+        match &self.facets {
+            Facets::Points(points) => Facet::Point(points[place as usize]),
+            Facets::Triangles(triangles) => Facet::Triangle(triangles[place as usize]),
+        }
+    }
+
+    /// Returns the index in the model of the facet at a place in the order of the leaves.
+    pub(crate) fn index(&self, place: u32) -> usize {
+        self.tree.order()[place as usize] as usize
+    }
+
+    /// Returns the squared distance to one facet.
+    #[inline]
+    pub(crate) fn distance_squared(&self, facet: u32, target: DVec3) -> f64 {
+        self.facet(facet).nearest(target).distance_squared
+    }
+
+    /// Returns the nearest facet up to rounding, or the first found within `sufficient`. The search
+    /// starts from a facet that may be near. O(log n) in general position.
+    pub(crate) fn nearest(&self, target: DVec3, start: u32, sufficient: f64) -> FacetFoot {
+        let sufficient_squared = if sufficient > 0.0 { sufficient * sufficient } else { -1.0 };
+        let distance_squared = self.distance_squared(start, target);
+        let mut foot = FacetFoot { facet: start, distance_squared };
+        if distance_squared <= sufficient_squared {
+            return foot;
+        }
+        self.visit(target, foot.distance_squared, |place| {
+            let distance_squared = self.distance_squared(place, target);
+            if distance_squared < foot.distance_squared {
+                foot = FacetFoot { facet: place, distance_squared };
+            }
+            (foot.distance_squared, foot.distance_squared <= sufficient_squared)
+        });
+        foot
+    }
+
+    /// Returns the nearest facet with its nearest point, and a lower bound on the distance of all
+    /// facets, which rounding has not been taken off (lemma F3 of docs/meshes.md).
+    pub(crate) fn certified(&self, target: DVec3, start: u32) -> (FacetFoot, Nearest, f64) {
+        let mut nearest = self.facet(start).nearest(target);
+        let mut facet = start;
+        let mut lower = f64::INFINITY;
+        self.visit(target, nearest.distance_squared, |place| {
+            let of_facet = self.facet(place);
+            let found = of_facet.nearest(target);
+            if found.distance_squared < nearest.distance_squared {
+                (facet, nearest) = (place, found);
+            }
+            let bound = of_facet.distance_of_planes(target, &found);
+            lower = if bound < lower { bound } else { lower };
+            (nearest.distance_squared, false)
+        });
+        // The facets that were not visited are at least as far as their boxes, and those as `nearest`.
+        let upper = nearest.distance_squared.sqrt();
+        let foot = FacetFoot { facet, distance_squared: nearest.distance_squared };
+        (foot, nearest, if lower < upper { lower } else { upper })
+    }
+
+    /// Calls `visit` on the facets of all leaves whose boxes are nearer than the squared distance
+    /// that it returned last, nearest child first, until it returns that this suffices.
+    #[inline]
+    fn visit(&self, target: DVec3, mut bound_squared: f64, mut visit: impl FnMut(u32) -> (f64, bool)) {
+        let nodes = self.tree.nodes();
+        let to_box = |index: u32| nodes[index as usize].aabb.min_distance_squared(target);
+        let mut stack = [(0.0_f64, 0_u32); STACK];
+        let mut height = usize::from(!nodes.is_empty());
+        while height > 0 {
+            height -= 1;
+            let (distance_squared, index) = stack[height];
+            if distance_squared > bound_squared {
+                continue;
+            }
+            let node = &nodes[index as usize];
+            let Some([left, right]) = node.children(index) else {
+                for place in node.range() {
+                    let (bound, is_done) = visit(place as u32);
+                    bound_squared = bound;
+                    if is_done {
+                        return;
+                    }
+                }
+                continue;
+            };
+            let (to_left, to_right) = (to_box(left), to_box(right));
+            let children = if to_left <= to_right {
+                [(to_right, right), (to_left, left)]
+            } else {
+                [(to_left, left), (to_right, right)]
+            };
+            for child in children {
+                if child.0 <= bound_squared {
+                    stack[height] = child;
+                    height += 1;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,59 @@
+import { HausdorffError, translating } from "../error.js";
+import { checkKeys } from "../keys.js";
+import { load, loadModule } from "../load.js";
+import { NurbsModel } from "../model/model.js";
+import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
+import init, { readMesh as read } from "../wasm/nurbs_hausdorff_meshes.js";
+
+/** The formats of meshes and clouds of points, by the ending of their files' names. */
+const FORMATS = ["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const;
+
+/** A format of meshes or clouds of points: the ending of its files' names. */
+export type MeshFormat = (typeof FORMATS)[number];
+
+/** Options of `readMesh`. */
+export interface MeshOptions {
+  /** Metres per unit of the file's coordinates, where the file does not state it. */
+  unit?: number;
+}
+
+/**
+ * The format of a file by the ending of its name, in any case; undefined for others. STL has no
+ * signature, so that the content does not tell.
+ */
+export function meshFormatOf(name: string): MeshFormat | undefined {
+  const ending = name.slice(name.lastIndexOf(".") + 1).toLowerCase();
+  return FORMATS.find((format) => format === ending);
+}
+
+/**
+ * Reads a mesh of triangles, or a cloud of points: STL, PLY (a cloud if it has no faces), OBJ, glTF
+ * with embedded buffers, GLB, 3MF, or points as text. Scenes are placed, polygons cut from their
+ * first corner and equal vertices joined. glTF and 3MF state their unit.
+ *
+ * @throws {HausdorffError} `MESH_SYNTAX`, `FILE_TOO_LARGE`, `MODULE_FAILED`, and the errors of
+ * `Hausdorff.mesh`.
+ */
+export async function readMesh(
+  bytes: Uint8Array | ArrayBuffer,
+  format: MeshFormat,
+  options: MeshOptions = {},
+): Promise<NurbsModel> {
+  checkKeys("options", options, ["unit"]);
+  if (!FORMATS.includes(format)) {
+    const expected = FORMATS.join(", ");
+    throw new HausdorffError("ARGUMENT_INVALID", `format is ${format}, expected ${expected}`);
+  }
+  const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
+  await load();
+  await loadModule("nurbs_hausdorff_meshes", init);
+  return translating(() => {
+    const mesh = read(content, format);
+    try {
+      const unit = mesh.unit ?? options.unit;
+      return NurbsModel.of(PreparedModel.fromFacets(mesh.positions, mesh.triangles, unit));
+    } finally {
+      mesh.free();
+    }
+  });
+}

@@ -1,0 +1,118 @@
+//! PLY in all three encodings.
+
+use super::{MeshFormat, Soup};
+use crate::error::Result;
+use glam::DVec3;
+use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::ply::{ElementDef, Property, PropertyAccess, PropertyAccessResult};
+use std::io::Cursor;
+
+const FORMAT: MeshFormat = MeshFormat::Ply;
+
+/// The elements that are read before they are taken over: one takes several times the memory of a
+/// vertex.
+const ELEMENTS_AT_ONCE: usize = 1 << 16;
+
+/// An element of any kind: the coordinates of a vertex, or the corners of a face.
+#[derive(Default)]
+struct Element {
+    position: [Option<f64>; 3],
+    corners: Option<Vec<i64>>,
+}
+
+impl PropertyAccess for Element {
+    fn new() -> Self {
+        Self::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let axis = match name {
+            "x" => 0,
+            "y" => 1,
+            "z" => 2,
+            "vertex_indices" | "vertex_index" => {
+                self.corners = corners(&property);
+                return PropertyAccessResult::Set;
+            }
+            _ => return PropertyAccessResult::Ignored,
+        };
+        self.position[axis] = number(&property);
+        PropertyAccessResult::Set
+    }
+}
+
+fn number(property: &Property) -> Option<f64> {
+    Some(match *property {
+        Property::Char(value) => value.into(),
+        Property::UChar(value) => value.into(),
+        Property::Short(value) => value.into(),
+        Property::UShort(value) => value.into(),
+        Property::Int(value) => value.into(),
+        Property::UInt(value) => value.into(),
+        Property::Float(value) => value.into(),
+        Property::Double(value) => value,
+        _ => return None,
+    })
+}
+
+fn corners(property: &Property) -> Option<Vec<i64>> {
+    fn list<T: Copy + Into<i64>>(values: &[T]) -> Option<Vec<i64>> {
+        Some(values.iter().map(|&value| value.into()).collect())
+    }
+    match property {
+        Property::ListChar(values) => list(values),
+        Property::ListUChar(values) => list(values),
+        Property::ListShort(values) => list(values),
+        Property::ListUShort(values) => list(values),
+        Property::ListInt(values) => list(values),
+        Property::ListUInt(values) => list(values),
+        _ => None,
+    }
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+    let parser = Parser::<Element>::new();
+    let error = |error: ply_rs_bw::parser::ParseError| FORMAT.syntax(error.to_string());
+    let mut reader = Reader::new(Cursor::new(bytes));
+    let header = parser.read_header(&mut reader).map_err(error)?;
+    let mut soup = Soup::default();
+    for element in header.elements.values() {
+        // Every element takes at least a byte: the parser would make as many as the header says.
+        if element.count > bytes.len() {
+            return Err(
+                FORMAT.syntax(format!("{} of element {:?}, more than bytes", element.count, element.name))
+            );
+        }
+        let mut left = element.clone();
+        while left.count > 0 {
+            let count = left.count.min(ELEMENTS_AT_ONCE);
+            let page = ElementDef { count, ..left.clone() };
+            let list = parser.read_payload_for_element(&mut reader, &page, &header).map_err(error)?;
+            left.count -= count;
+            match element.name.as_str() {
+                "vertex" => list.into_iter().try_for_each(|vertex| soup.push_vertex(&vertex))?,
+                "face" => list.into_iter().try_for_each(|face| soup.push_face(face))?,
+                _ => {}
+            }
+        }
+    }
+    Ok(soup)
+}
+
+impl Soup {
+    fn push_vertex(&mut self, Element { position, .. }: &Element) -> Result<()> {
+        let &[Some(x), Some(y), Some(z)] = position else {
+            return Err(FORMAT.syntax("a vertex without x, y or z"));
+        };
+        self.vertices.push(DVec3::new(x, y, z));
+        Ok(())
+    }
+
+    fn push_face(&mut self, Element { corners, .. }: Element) -> Result<()> {
+        let corners = corners.ok_or_else(|| FORMAT.syntax("a face without vertex indices"))?;
+        // A negative index is above all that there can be.
+        let corner = |index: i64| u32::try_from(index).unwrap_or(u32::MAX);
+        let corners: Vec<u32> = corners.into_iter().map(corner).collect();
+        self.push_polygon(&corners, FORMAT)
+    }
+}

@@ -1,0 +1,37 @@
+//! Meshes that a scene places, each at any number of places.
+
+use super::{MeshFormat, Soup};
+use crate::error::Result;
+use glam::{DAffine3, DVec3};
+
+/// The largest number of vertices that a scene places: instances of instances may be exponentially
+/// many in the size of the file.
+const MAX_PLACED: usize = 1 << 26;
+
+/// The largest depth of a scene: each level takes stack.
+pub(super) const MAX_DEPTH: usize = 64;
+
+/// Appends a mesh that is moved by `transform`.
+///
+/// # Errors
+/// [`crate::Error::MeshSyntax`] if the scene has too many vertices or triangles.
+pub(super) fn place(
+    soup: &mut Soup,
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
+    transform: &DAffine3,
+    format: MeshFormat,
+) -> Result<()> {
+    let is_too_large = |present: usize, added: usize| present + added > MAX_PLACED;
+    if is_too_large(soup.vertices.len(), vertices.len())
+        || is_too_large(soup.triangles.len(), triangles.len())
+    {
+        return Err(format.syntax(format!("the scene places more than {MAX_PLACED} vertices or triangles")));
+    }
+    let first = soup.vertices.len() as u32;
+    soup.vertices.extend(vertices.iter().map(|&vertex| transform.transform_point3(vertex)));
+    // An index beyond the mesh must not become one of the next mesh.
+    let index = |vertex: u32| if (vertex as usize) < vertices.len() { first + vertex } else { u32::MAX };
+    soup.triangles.extend(triangles.iter().map(|triangle| triangle.map(index)));
+    Ok(())
+}

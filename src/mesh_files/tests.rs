@@ -1,0 +1,263 @@
+//! One tetrahedron in every format, and damage.
+
+use super::*;
+use crate::facets::Facets;
+use std::io::Write;
+
+const VERTICES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.625]];
+const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+
+/// The corners of all triangles, which do not depend on the order of the vertices.
+fn corners(mesh: &TriangleMesh) -> Vec<[[f64; 3]; 3]> {
+    (0..mesh.triangles().len())
+        .map(|triangle| mesh.corners(triangle).map(|corner| corner.to_array()))
+        .collect()
+}
+
+fn read_mesh(bytes: &[u8], format: MeshFormat) -> (Vec<[[f64; 3]; 3]>, Option<f64>) {
+    let MeshFile { facets, unit } = MeshFile::read(bytes, format).unwrap();
+    let Facets::Mesh(mesh) = facets else { panic!("a mesh") };
+    assert_eq!(mesh.vertices().len(), 4, "equal vertices are joined");
+    (corners(&mesh), unit)
+}
+
+fn tetrahedron() -> Vec<[[f64; 3]; 3]> {
+    TRIANGLES.map(|triangle| triangle.map(|vertex| VERTICES[vertex as usize])).to_vec()
+}
+
+fn binary_stl(header: &[u8]) -> Vec<u8> {
+    let mut bytes = header.to_vec();
+    bytes.resize(80, b' ');
+    bytes.extend((TRIANGLES.len() as u32).to_le_bytes());
+    for corners in tetrahedron() {
+        bytes.extend([0; 12]);
+        bytes.extend(corners.as_flattened().iter().flat_map(|&number| (number as f32).to_le_bytes()));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+fn text_stl() -> Vec<u8> {
+    let mut text = "solid a vertex of names\n".to_owned();
+    for corners in tetrahedron() {
+        text += "facet normal 0 0 0\n outer loop\n";
+        for [x, y, z] in corners {
+            text += &format!("  vertex {x} {y:e} {z}\n");
+        }
+        text += " endloop\nendfacet\n";
+    }
+    (text + "endsolid a vertex of names\n").into_bytes()
+}
+
+fn ply(encoding: &str) -> Vec<u8> {
+    let mut bytes = format!(
+        "ply\nformat {encoding} 1.0\nelement vertex 4\nproperty float confidence\nproperty double x\nproperty double y\n\
+         property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    .into_bytes();
+    let is_big = encoding == "binary_big_endian";
+    if encoding == "ascii" {
+        for [x, y, z] in VERTICES {
+            writeln!(bytes, "0.5 {x} {y} {z}").unwrap();
+        }
+        for [a, b, c] in TRIANGLES {
+            writeln!(bytes, "3 {a} {b} {c}").unwrap();
+        }
+        return bytes;
+    }
+    for vertex in VERTICES {
+        bytes.extend(if is_big { 0.5_f32.to_be_bytes() } else { 0.5_f32.to_le_bytes() });
+        for number in vertex {
+            bytes.extend(if is_big { number.to_be_bytes() } else { number.to_le_bytes() });
+        }
+    }
+    for triangle in TRIANGLES {
+        bytes.push(3);
+        bytes.extend(
+            triangle.iter().flat_map(|index| if is_big { index.to_be_bytes() } else { index.to_le_bytes() }),
+        );
+    }
+    bytes
+}
+
+fn obj() -> Vec<u8> {
+    let mut text = "# comment\no first\n".to_owned();
+    for [x, y, z] in VERTICES {
+        text += &format!("v {x} {y} {z}\n");
+    }
+    text += "vn 0 0 1\n";
+    for (index, [a, b, c]) in TRIANGLES.into_iter().enumerate() {
+        let [a, b, c] = [a, b, c].map(|corner| i64::from(corner) + 1);
+        text += &if index == 3 {
+            format!("g second\nf {} {} {}\n", a - 5, b - 5, c - 5)
+        } else {
+            format!("f {a}//1 {b}//1 {c}//1\n")
+        };
+    }
+    text.into_bytes()
+}
+
+/// The tetrahedron half as large and moved by (-1, 0, 0), in a scene that doubles it and moves it back.
+fn gltf_json(uri: &str) -> String {
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [1]}}],
+        "nodes": [{{"mesh": 0, "translation": [2, 0, 0]}}, {{"children": [0], "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, -2,0,0,1]}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1}}]}}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}},
+            {{"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 24}}],
+        "buffers": [{{"byteLength": 72{uri}}}]}}"#
+    )
+}
+
+fn gltf_buffer() -> Vec<u8> {
+    let moved = VERTICES.map(|[x, y, z]| [0.5 * x - 1.0, 0.5 * y, 0.5 * z]);
+    let mut buffer: Vec<u8> =
+        moved.as_flattened().iter().flat_map(|&number| (number as f32).to_le_bytes()).collect();
+    buffer.extend(TRIANGLES.as_flattened().iter().flat_map(|&index| (index as u16).to_le_bytes()));
+    buffer
+}
+
+fn gltf() -> Vec<u8> {
+    use base64::Engine;
+    let data = base64::engine::general_purpose::STANDARD.encode(gltf_buffer());
+    gltf_json(&format!(r#", "uri": "data:application/octet-stream;base64,{data}""#)).into_bytes()
+}
+
+fn glb() -> Vec<u8> {
+    let mut json = gltf_json("").into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let buffer = gltf_buffer();
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((28 + json.len() as u32 + buffer.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &json), (b"BIN\0", &buffer)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
+}
+
+/// The tetrahedron moved by (0, 0, -1) in an object, which a component moves back by half and an
+/// item by the rest.
+fn three_mf() -> Vec<u8> {
+    let vertices: String =
+        VERTICES.map(|[x, y, z]| format!(r#"<vertex x="{x}" y="{y}" z="{}"/>"#, z - 1.0)).concat();
+    let triangles: String =
+        TRIANGLES.map(|[a, b, c]| format!(r#"<triangle v1="{a}" v2="{b}" v3="{c}" pid="7"/>"#)).concat();
+    let xml = format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+        <resources><object id="1" type="model"><mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>
+        <object id="2"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></components></object></resources>
+        <build><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></build></model>"#
+    );
+    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    writer.start_file("3D/3dmodel.model", zip::write::SimpleFileOptions::default()).unwrap();
+    writer.write_all(xml.as_bytes()).unwrap();
+    writer.finish().unwrap().into_inner()
+}
+
+/// Every file of the tetrahedron, with its format and unit.
+fn files() -> Vec<(Vec<u8>, MeshFormat, Option<f64>)> {
+    let mut files = vec![
+        (binary_stl(b"exported"), MeshFormat::Stl, None),
+        (binary_stl(b"solid of a binary file"), MeshFormat::Stl, None),
+        (text_stl(), MeshFormat::Stl, None),
+        (obj(), MeshFormat::Obj, None),
+        (gltf(), MeshFormat::Gltf, Some(1.0)),
+        (glb(), MeshFormat::Gltf, Some(1.0)),
+        (three_mf(), MeshFormat::ThreeMf, Some(0.0254)),
+    ];
+    for encoding in ["ascii", "binary_little_endian", "binary_big_endian"] {
+        files.push((ply(encoding), MeshFormat::Ply, None));
+    }
+    files
+}
+
+#[test]
+fn every_format_gives_the_same_mesh() {
+    for (bytes, format, unit) in files() {
+        assert_eq!(read_mesh(&bytes, format), (tetrahedron(), unit), "{format:?}");
+    }
+}
+
+/// Text has more digits than float32 holds.
+#[test]
+fn text_is_read_in_float64() {
+    let number = 1.000_000_000_123;
+    let text = String::from_utf8(text_stl()).unwrap().replace("0.625", &number.to_string());
+    assert_eq!(read_mesh(text.as_bytes(), MeshFormat::Stl).0[1][2][2], number);
+    let text = String::from_utf8(obj()).unwrap().replace("0.625", &number.to_string());
+    assert_eq!(read_mesh(text.as_bytes(), MeshFormat::Obj).0[1][2][2], number);
+}
+
+#[test]
+fn points_are_read_as_a_cloud() {
+    let cloud = |text: &str, format| match MeshFile::read(text.as_bytes(), format).unwrap().facets {
+        Facets::Cloud(cloud) => cloud.points().to_vec(),
+        Facets::Mesh(mesh) => panic!("{mesh:?}"),
+    };
+    let expected = [DVec3::new(1.0, 2.0, 3.0), DVec3::new(-4.0, 5e-3, 6.0)];
+    for text in [
+        "1 2 3\n-4 5e-3 6\n",
+        "# a comment\n1,2,3\r\n-4,0.005,6\r\n",
+        "2\n1 2 3 17 255 0 0\n-4 0.005 6 17 255 0 0\n",
+        "id;Z;\"x\";y\n7;3;1;2\n8;6;-4;0.005\n",
+    ] {
+        assert_eq!(cloud(text, MeshFormat::Text), expected, "{text}");
+    }
+    let ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double z\nend_header\n1 2 3\n-4 0.005 6\n";
+    assert_eq!(cloud(ply, MeshFormat::Ply), expected);
+    for text in ["1 2\n", "3\n1 2 3\n", "", "1 2 3\nx y z\n"] {
+        assert!(MeshFile::read(text.as_bytes(), MeshFormat::Text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn polygons_are_cut_from_their_first_corner() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let MeshFile { facets: Facets::Mesh(mesh), .. } =
+        MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap()
+    else {
+        panic!("a mesh")
+    };
+    assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
+}
+
+/// A thousand damaged files of every kind: what is read is valid, and nothing panics.
+#[test]
+fn damaged_files_are_refused_or_valid() {
+    let random = &mut fastrand::Rng::with_seed(5);
+    let mut refused = 0;
+    for (bytes, format, _) in files() {
+        for _ in 0..1000 {
+            let mut damaged = bytes.clone();
+            match random.u32(0..4) {
+                0 => damaged.truncate(random.usize(0..bytes.len())),
+                1 => {
+                    let place = random.usize(0..bytes.len());
+                    damaged[place..].iter_mut().take(4).for_each(|byte| *byte = random.u8(..));
+                }
+                2 => {
+                    let [start, end] = [random.usize(0..bytes.len()), random.usize(0..bytes.len())];
+                    damaged.drain(start.min(end)..start.max(end));
+                }
+                _ => (0..random.usize(1..9)).for_each(|_| {
+                    let place = random.usize(0..damaged.len());
+                    damaged[place] = random.u8(..);
+                }),
+            }
+            match MeshFile::read(&damaged, format) {
+                Ok(MeshFile { facets: Facets::Mesh(mesh), .. }) => {
+                    assert!(mesh.vertices().iter().all(|vertex| vertex.is_finite()));
+                }
+                Ok(_) => {}
+                Err(error) => {
+                    refused += 1;
+                    assert!(!error.code().is_empty() && error.to_string().len() < 2000);
+                }
+            }
+        }
+    }
+    assert!(refused > 3000, "{refused}");
+}

@@ -1,0 +1,48 @@
+//! The readers of meshes and clouds of points: what they give, the core's
+//! `PreparedModel.fromFacets` takes.
+
+use crate::error::{Error, Result};
+use crate::facets::Facets;
+use crate::mesh_files::{MeshFile, MeshFormat};
+use wasm_bindgen::prelude::*;
+
+/// A mesh or a cloud of points that was read.
+#[wasm_bindgen]
+pub struct ReadMesh(MeshFile);
+
+#[wasm_bindgen]
+impl ReadMesh {
+    /// x, y, z of every vertex or point.
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Vec<f64> {
+        let points = match &self.0.facets {
+            Facets::Mesh(mesh) => mesh.vertices(),
+            Facets::Cloud(cloud) => cloud.points(),
+        };
+        points.iter().flat_map(|point| point.to_array()).collect()
+    }
+
+    /// The indices of the corners of every triangle; undefined for a cloud.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Option<Vec<u32>> {
+        match &self.0.facets {
+            Facets::Mesh(mesh) => Some(mesh.triangles().concat()),
+            Facets::Cloud(_) => None,
+        }
+    }
+
+    /// Metres per unit of the positions; undefined if the file does not state it.
+    #[wasm_bindgen(getter)]
+    pub fn unit(&self) -> Option<f64> {
+        self.0.unit
+    }
+}
+
+/// Reads a mesh or a cloud of points of a file with this ending of its name.
+#[wasm_bindgen(js_name = readMesh)]
+pub fn read_mesh(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
+    let format = MeshFormat::of_name(&format!(".{ending}")).ok_or_else(|| Error::OptionInvalid {
+        found: format!("the format is {ending:?}, expected the ending of a name of a mesh's file"),
+    })?;
+    Ok(ReadMesh(MeshFile::read(bytes, format)?))
+}

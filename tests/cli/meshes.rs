@@ -1,0 +1,50 @@
+//! Files of meshes and points.
+
+use crate::commands::{file, plane, printed, run, status};
+
+/// The square of side 2 about the z-axis, as [`plane`] is, at a height, as text of STL.
+fn stl(height: f64) -> String {
+    let corners = |list: [[f64; 2]; 3]| {
+        let vertices = list.map(|[x, y]| format!("vertex {x} {y} {height}\n")).concat();
+        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let [first, second] = [[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]], [[-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]];
+    format!("solid square\n{}{}endsolid square\n", corners(first), corners(second))
+}
+
+#[test]
+fn meshes_and_points_are_read_by_the_ending_of_their_names() {
+    let mesh = file("mesh.STL", &stl(3.0));
+    let surface = file("mesh-plane.json", &plane(0.0).to_string());
+    let points = file("mesh-points.xyz", "0.5 0.5 -1\n0.25 0.5 1\n");
+    for (a, b, distance) in
+        [(&mesh, &surface, 3.0), (&surface, &mesh, 3.0), (&points, &mesh, 4.0), (&points, &surface, 1.0)]
+    {
+        let result = printed(&run(&["distance", a, b, "--json"]));
+        let end = |name: &str| result[name].as_f64().unwrap();
+        assert!(end("lower") <= distance && distance <= end("upper"), "{result}");
+        assert_eq!(result["converged"], true);
+        assert_eq!(status(&run(&["distance", a, b, "--limit", "0.5"])), 1);
+        assert_eq!(status(&run(&["distance", a, b, "--limit", "4.5"])), 0);
+    }
+    let text = String::from_utf8_lossy(&run(&["distance", &points, &mesh]).stdout).into_owned();
+    assert!(text.contains("on A       point 0") && text.contains("on B       triangle "), "{text}");
+}
+
+#[test]
+fn what_needs_surfaces_refuses_meshes_by_code() {
+    let mesh = file("mesh-refused.stl", &stl(0.0));
+    for arguments in [
+        vec!["info", &mesh],
+        vec!["convert", &mesh, "unwritten.json"],
+        vec!["diff", &mesh, &mesh],
+        vec!["distance", &mesh, &mesh, "--field"],
+    ] {
+        let output = run(&arguments);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(status(&output) == 2 && error.contains("FACETS_UNSUPPORTED"), "{arguments:?}: {error}");
+    }
+    let damaged = file("mesh-damaged.stl", &stl(0.0)[..120]);
+    let error = String::from_utf8_lossy(&run(&["distance", &damaged, &mesh]).stderr).into_owned();
+    assert!(error.contains("MESH_SYNTAX") && error.contains("mesh-damaged.stl"), "{error}");
+}

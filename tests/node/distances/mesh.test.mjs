@@ -1,0 +1,114 @@
+// Meshes and clouds of points at either side.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { fromThreeGeometry } from "nurbs-hausdorff/adapters";
+import { meshFormatOf, readMesh } from "nurbs-hausdorff/cad";
+import * as away from "nurbs-hausdorff/worker";
+import { BoxGeometry, Matrix4, SphereGeometry } from "three";
+import { create, near, square, withCode } from "../support.mjs";
+
+let hd;
+before(async () => {
+  hd = await create({ backend: "cpu" });
+});
+after(() => hd.dispose());
+
+/** A triangle over a half of the unit square, at this height. */
+const triangle = (z) => ({
+  positions: [0, 0, z, 1, 0, z, 0, 1, z],
+  triangles: [0, 1, 2],
+});
+
+/** Fails unless the directed distance is in an interval of the default width. */
+async function distanceIs(a, b, expected) {
+  const result = await hd.distance(a, b);
+  const { lower, upper, diagonal, converged } = result;
+  assert.ok(converged && upper - lower <= 1e-6 * diagonal, `[${lower}, ${upper}]`);
+  assert.ok(lower <= expected && expected <= upper, `${expected} is not in [${lower}, ${upper}]`);
+  return result;
+}
+
+test("a mesh, a surface and points are measured to each other", async () => {
+  const [mesh, surface] = [hd.mesh(triangle(3)), hd.model([square(0)])];
+  const points = hd.mesh({ positions: new Float32Array([0, 0, 0, 1, 1, 0]) });
+  const { witness } = await distanceIs(mesh, surface, 3);
+  assert.equal(witness.a.triangle, 0);
+  near(
+    witness.a.barycentric.reduce((sum, weight) => sum + weight),
+    1,
+    1e-12,
+  );
+  // The corner (1, 1) is beside the triangle.
+  await distanceIs(surface, mesh, Math.hypot(3, Math.SQRT1_2));
+  await distanceIs(mesh, points, Math.hypot(3, 1));
+  const { witness: ofPoints } = await distanceIs(points, mesh, Math.hypot(3, Math.SQRT1_2));
+  assert.equal(ofPoints.a.index, 1);
+  await distanceIs(points, surface, 0);
+  await distanceIs(surface, points, 1);
+  const { distances, faces, signed } = await hd.closestPoints(mesh, [0.25, 0.25, 5]);
+  assert.deepEqual([...distances, ...signed], [2, 2]);
+  assert.deepEqual([...faces], [0]);
+  assert.deepEqual(mesh.boundingBox, { min: [0, 0, 3], max: [1, 1, 3] });
+  near(mesh.area().lower, 0.5, 1e-12);
+  for (const model of [mesh, surface, points]) model.dispose();
+});
+
+test("a geometry of three is moved by its matrix", async () => {
+  const matrix = new Matrix4().makeRotationZ(Math.PI / 2).setPosition(0, 0, 1);
+  const box = hd.mesh(fromThreeGeometry(new BoxGeometry(2, 4, 6), matrix));
+  near(box.boundingBox.max[0], 2, 1e-12);
+  near(box.boundingBox.max[2], 4, 1e-12);
+  const sphere = hd.mesh(fromThreeGeometry(new SphereGeometry(1, 8, 6).toNonIndexed()));
+  // The corners of the box are farthest from the sphere; its poles are corners of the mesh.
+  const { lower } = await hd.distance(box, sphere);
+  assert.ok(lower > Math.hypot(2, 1, 4) - 1 && lower < Math.hypot(2, 1, 4));
+  assert.throws(
+    () => fromThreeGeometry(new BoxGeometry(), new Matrix4().makePerspective(-1, 1, 1, -1, 1, 2)),
+    withCode("ARGUMENT_INVALID", /affine/),
+  );
+  assert.throws(() => fromThreeGeometry({}), withCode("ARGUMENT_INVALID", /BufferGeometry/));
+  for (const model of [box, sphere]) model.dispose();
+});
+
+const OBJ = "v 0 0 3\nv 1 0 3\nv 1 1 3\nv 0 1 3\nf 1 2 3 4\n";
+
+test("files of meshes are read, in the worker too", async () => {
+  assert.equal(meshFormatOf("a.b.STL"), "stl");
+  assert.equal(meshFormatOf("a.step"), undefined);
+  const bytes = new TextEncoder().encode(OBJ);
+  const surface = hd.model([square(0)]);
+  const mesh = await readMesh(bytes, "obj", { unit: 0.001 });
+  assert.equal(mesh.unit, 0.001);
+  await distanceIs(surface, mesh, 3);
+  await assert.rejects(readMesh(bytes, "stl"), withCode("MESH_SYNTAX", /STL/));
+  await assert.rejects(readMesh(bytes, "step"), withCode("ARGUMENT_INVALID", /step/));
+  const worker = await away.Hausdorff.create({ backend: "cpu" });
+  const there = await worker.readMesh(bytes, "obj");
+  const same = await worker.mesh(triangle(3));
+  const { lower, upper } = await worker.distance(there, same);
+  assert.ok(lower <= Math.SQRT1_2 && Math.SQRT1_2 <= upper);
+  for (const owner of [surface, mesh, there, same, worker]) owner.dispose();
+});
+
+test("wrong meshes are refused by their code", async () => {
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const refused = (input, code, message) =>
+    assert.throws(() => hd.mesh(input), withCode(code, message));
+  refused({ positions, triangles: [0, 1, 3] }, "TRIANGLE_INDEX", /triangle 0/);
+  refused({ positions, triangles: [0, 1] }, "TRIANGLE_INDEX");
+  refused({ positions, triangles: [0, 1, -1] }, "ARGUMENT_INVALID", /triangles\[2\]/);
+  refused({ positions, triangles: [] }, "NO_FACETS");
+  refused({ positions: [] }, "NO_FACETS");
+  refused({ positions: [0, 0, Number.NaN] }, "POINT_OUT_OF_RANGE");
+  refused({ positions: [0, 0] }, "ARGUMENT_INVALID", /multiple of 3/);
+  refused({ positions, unit: -1 }, "UNIT_INVALID");
+  refused({ positions, faces: [] }, "OPTION_INVALID", /faces/);
+  const [mesh, surface] = [hd.mesh(triangle(0)), hd.model([square(0)])];
+  const unsupported = withCode("FACETS_UNSUPPORTED");
+  await assert.rejects(hd.distance(mesh, surface, { method: "iteration" }), unsupported);
+  await assert.rejects(hd.field(surface, mesh), unsupported);
+  await assert.rejects(hd.diff(mesh, surface), unsupported);
+  assert.throws(() => mesh.tessellate(), unsupported);
+  assert.throws(() => mesh.update(0, []), unsupported);
+  for (const model of [mesh, surface]) model.dispose();
+});
