@@ -226,6 +226,7 @@ impl PreparedModel {
             samplings: Mutex::default(),
             cells: Mutex::default(),
             areas: OnceLock::new(),
+            boundary: OnceLock::new(),
             refits: 0,
         }
     }

@@ -51,8 +51,14 @@ impl PreparedModel {
     ///
     /// Edges are joined where they lie side by side, within the model's gap or 1e-5 of its
     /// diagonal, whichever is larger. Computed at first use. O(edges log edges).
+    ///
+    /// A mesh or a cloud of points has no faces to close: it is reported as not closed, without
+    /// shells.
     #[must_use]
     pub fn solid(&self) -> Solid {
+        if self.facets().is_some() {
+            return Solid { closed: false, shells: Vec::new(), free_edges: Vec::new() };
+        }
         let (boundary, pieces) = (self.boundary(), self.pieces());
         let free_edges: Vec<FreeEdge> = boundary
             .free_edges()

@@ -85,6 +85,8 @@ impl Engine {
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
+        a.require_surfaces("gaps between faces")?;
+        b.require_surfaces("gaps between faces")?;
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
         let direction = Direction { from: a, to: b, transform: options.transform };
