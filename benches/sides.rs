@@ -10,7 +10,7 @@
 mod support;
 
 use nurbs_hausdorff::engine::PreparedModel;
-use nurbs_hausdorff::{Model, Side};
+use nurbs_hausdorff::Model;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;

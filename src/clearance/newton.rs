@@ -111,9 +111,8 @@ impl System {
             matrix[k][k] += damping.map_or(0.0, |part| part * trace);
             let pushes_out = if right[k] < 0.0 { at[k] <= 0.0 } else { at[k] >= 1.0 };
             if pushes_out || right[k] == 0.0 {
-                for other in 0..4 {
-                    (matrix[k][other], matrix[other][k]) = (0.0, 0.0);
-                }
+                matrix[k] = [0.0; 4];
+                matrix.iter_mut().for_each(|row| row[k] = 0.0);
                 (matrix[k][k], right[k]) = (1.0, 0.0);
             }
         }
@@ -126,8 +125,8 @@ fn solve(mut matrix: [[f64; 4]; 4], mut right: [f64; 4]) -> Option<[f64; 4]> {
     for k in 0..4 {
         for j in 0..k {
             let factor = matrix[k][j];
-            for i in k..4 {
-                matrix[i][k] -= matrix[i][j] * factor;
+            for row in &mut matrix[k..] {
+                row[k] -= row[j] * factor;
             }
         }
         if !(matrix[k][k] > 0.0) {

@@ -99,11 +99,11 @@ fn casteljau(controls: &[DVec4], t: f64, mut last: impl FnMut(DVec4, DVec4)) -> 
 /// Returns the controls of the parts of a curve on both sides of `t`.
 pub(super) fn split(controls: &[DVec4], t: f64) -> [Vec<DVec4>; 2] {
     let (mut low, mut high) = (controls.to_vec(), controls.to_vec());
-    for level in 1..controls.len() {
+    for (level, end) in low.iter_mut().enumerate().skip(1) {
         for index in 0..controls.len() - level {
             high[index] = (1.0 - t) * high[index] + t * high[index + 1];
         }
-        low[level] = high[0];
+        *end = high[0];
     }
     [low, high]
 }

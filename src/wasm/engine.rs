@@ -68,14 +68,16 @@ impl Engine {
     pub fn clearance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::clearance_options);
-        call.run(async move |monitor| to_object(&engine.clearance(&a, &b, &options?, monitor).await?))
+        call.run(async move |monitor| {
+            to_object(&engine.clearance(&a, &b, &options?).monitored(monitor).await?)
+        })
     }
 
     /// The pairs of faces of two models that come near each other.
     pub fn gaps(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::gap_options);
-        call.run(async move |monitor| to_object(&engine.gaps(&a, &b, &options?, monitor).await?))
+        call.run(async move |monitor| to_object(&engine.gaps(&a, &b, &options?).monitored(monitor).await?))
     }
 
     /// The closest points of a model to `points`, x, y, z each.
