@@ -10,11 +10,13 @@ import { Failure } from "../process.mjs";
  * cutting trimmed faces takes 60 of it, as interchange JSON has them too; bounding blocks of near
  * copies by splines 4; the proof of every cut, the orders of wires on closed surfaces and the
  * areas of faces 25 together. The readers are fetched when a CAD file comes: BREP text with what
- * makes faces of edges takes 217, STEP and IGES 66 each.
+ * makes faces of edges takes 217, STEP and IGES 66 each. Those of meshes
+ * are fetched when a mesh comes: the archives and XML of 3MF, PLY, OBJ and JSON.
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1520, gzipped: 615 },
   nurbs_hausdorff_readers: { plain: 870, gzipped: 365 },
+  nurbs_hausdorff_meshes: { plain: 550, gzipped: 242 },
 };
 
 /** Compares one module with its budget. */

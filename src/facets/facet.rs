@@ -1,7 +1,7 @@
 //! One facet: the closest point of it, and a plane that separates it from a point.
 
 use crate::bvh::Aabb;
-use crate::rounding::unit;
+use crate::rounding::{lower_min, unit};
 use glam::DVec3;
 
 /// A convex piece of a model: a point, or a triangle, which may be degenerate.
@@ -90,7 +90,7 @@ impl Facet {
         let corners = corners.map(|corner| corner - target);
         let beyond = |normal: DVec3| {
             let normal = unit(normal);
-            corners.iter().fold(f64::INFINITY, |least, corner| least.min(normal.dot(*corner)))
+            corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner)))
         };
         let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         let across = if across.dot(corners[0]) < 0.0 { -across } else { across };

@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    Backend, ClosestPointOptions, DistanceResult, Engine, Facets, FieldOptions, Method, Model, NoMonitor,
-    Options, PointCloud, PreparedModel, RigidTransform, TriangleMesh,
+    Backend, ClosestPointOptions, DistanceResult, Engine, Facets, FieldOptions, Method, Model, Options,
+    PointCloud, PreparedModel, RigidTransform, TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ fn engine() -> Engine {
 }
 
 fn measure(a: &PreparedModel, b: &PreparedModel, options: &Options) -> DistanceResult {
-    pollster::block_on(engine().distance(a, b, options, &mut NoMonitor)).unwrap()
+    pollster::block_on(engine().distance(a, b, options)).unwrap()
 }
 
 /// Checks that the interval is as narrow as requested and holds the distance.
@@ -191,7 +191,7 @@ fn options_hold_for_meshes() {
         PreparedModel::of_facets(&Facets::Mesh(mesh), Some(unit)).unwrap()
     };
     let [metres, inches] = [facets(&b, 1.0, 1.0), facets(&b, 0.0254, 1.0 / 0.0254)];
-    let fails = pollster::block_on(engine().distance(&metres, &inches, &Options::default(), &mut NoMonitor));
+    let fails = pollster::block_on(engine().distance(&metres, &inches, &Options::default()));
     assert_eq!(fails.unwrap_err().code(), "UNITS_DIFFER");
     let result = measure(&metres, &inches, &Options { scale_units: true, ..Options::default() });
     assert!(result.lower <= 1e-15 && result.upper <= 1e-6 * result.diagonal && result.unit == Some(1.0));
@@ -203,12 +203,11 @@ fn computations_without_facets_are_refused() {
     for method in [Method::Iteration, Method::Hierarchy] {
         let options = Options { method, ..Options::default() };
         for (a, b) in [(&octahedron, &exact), (&exact, &octahedron)] {
-            let result = pollster::block_on(engine().distance(a, b, &options, &mut NoMonitor));
+            let result = pollster::block_on(engine().distance(a, b, &options));
             assert_eq!(result.unwrap_err().code(), "FACETS_UNSUPPORTED");
         }
     }
-    let field =
-        pollster::block_on(engine().field(&exact, &octahedron, &FieldOptions::default(), &mut NoMonitor));
+    let field = pollster::block_on(engine().field(&exact, &octahedron, &FieldOptions::default()));
     assert_eq!(field.unwrap_err().code(), "FACETS_UNSUPPORTED");
 }
 
@@ -235,12 +234,7 @@ fn closest_points_of_a_mesh_are_those_of_its_triangles() {
         (0..500).map(|_| DVec3::from_array([0; 3].map(|_| 3.0 * random.f64() - 1.5))).collect();
     let coordinates: Vec<f64> = points.iter().flat_map(|point| point.to_array()).collect();
     let options = ClosestPointOptions::default();
-    let found = pollster::block_on(engine().closest_points(
-        &soup(&triangles),
-        &coordinates,
-        &options,
-        &mut NoMonitor,
-    ));
+    let found = engine().closest_points(&soup(&triangles), &coordinates, &options).wait();
     let found = found.unwrap();
     for (index, &point) in points.iter().enumerate() {
         let distance =

@@ -8,8 +8,15 @@
 use std::path::{Path, PathBuf};
 
 /// The folders of code that forms bounds.
-const FOLDERS: [&str; 6] =
-    ["src/bezier", "src/certified", "src/closest", "src/hierarchy", "src/iteration", "src/symmetry"];
+const FOLDERS: [&str; 7] = [
+    "src/bezier",
+    "src/certified",
+    "src/closest",
+    "src/facets",
+    "src/hierarchy",
+    "src/iteration",
+    "src/symmetry",
+];
 
 /// Folds that may drop NaN: the file, a part of the line, and the reason.
 const ALLOWED: &[(&str, &str, &str)] = &[
@@ -41,6 +48,10 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("certified/search", "upper.min(bounds::with_", "the smaller of two upper bounds: NaN is no bound"),
     ("certified/search/incumbent.rs", "self.pruned_upper_bound", "bounds of nodes"),
     ("closest", "leg[", "chooses the axis to halve"),
+    ("facets/facet.rs", "bound = bound.max", "the larger of two lower bounds: NaN is no bound"),
+    ("facets/search", "levels", "integers"),
+    ("facets/search/patch_cell.rs", "bends[axis]", "chooses the axis to halve"),
+    ("facets/search/patch_cell.rs", "lengths[", "chooses the axis to halve"),
     ("hierarchy/traversal.rs", "distances.near", "the largest of lower bounds: NaN is no bound"),
     ("certified/nearest/feet.rs", "self.count", "integers"),
     ("closest/critical_point.rs", "control.w", "weights of finite nets"),

@@ -1,6 +1,7 @@
 //! Parts of triangles: their upper bounds, and cuts along the reach of a facet of B.
 
 use super::super::{FacetFoot, FacetTarget};
+use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// The share of a part's area that a cut must decide; where it would decide less, the part is
@@ -65,7 +66,7 @@ impl Part {
     /// Bounds the part, or splits it where its corners have different facets.
     pub(super) fn step(&mut self, b: &FacetTarget, threshold: f64) -> Step {
         let threshold_squared = threshold * threshold;
-        let largest = |squares: [f64; 3]| squares[0].max(squares[1]).max(squares[2]);
+        let largest = |squares: [f64; 3]| squares.into_iter().fold(0.0, upper_max);
         let first = self.feet[0].facet;
         let mut tried = [first; 3];
         let to_first = self.squares_to(b, first);
@@ -127,7 +128,7 @@ impl Part {
             let (fraction, end, distance) = reach(b, facet, edge, threshold);
             fractions[side] = if single_is_near { fraction } else { 1.0 - fraction };
             ends[side] = end;
-            decided = decided.max(distance).max(squares[inner].sqrt());
+            decided = upper_max(upper_max(decided, distance), squares[inner].sqrt());
         }
         let corner_share = fractions[0] * fractions[1];
         let share = if single_is_near { corner_share } else { 1.0 - corner_share };

@@ -7,7 +7,7 @@ use crate::axis::Axis;
 use crate::bezier::PatchSet;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
-use crate::rounding::unit;
+use crate::rounding::{lower_min, unit, upper_max};
 use glam::{DVec3, Vec4Swizzles};
 
 /// The part of the tolerance that the distance between a cell and its triangles may take even where
@@ -98,7 +98,7 @@ impl PatchCell {
         let mut farthest = 0.0_f64;
         for index in 0..4 {
             let foot = corners[index].foot;
-            farthest = farthest.max(foot.distance_squared);
+            farthest = upper_max(farthest, foot.distance_squared);
             if tried.contains(&Some(foot.facet)) {
                 continue;
             }
@@ -136,10 +136,10 @@ fn cover(corners: &[Corner; 4], b: &FacetTarget, threshold: f64) -> Option<f64> 
             return None;
         }
         match part.step(b, threshold) {
-            Step::Decided(bound) => decided = decided.max(bound),
+            Step::Decided(bound) => decided = upper_max(decided, bound),
             Step::Far(_) => return None,
             Step::Split { decided: bound, parts } => {
-                decided = decided.max(bound);
+                decided = upper_max(decided, bound);
                 stack.extend(parts.into_iter().flatten());
             }
         }
@@ -166,7 +166,7 @@ impl Net {
             if !(squared <= threshold_squared) {
                 return None;
             }
-            largest = largest.max(squared);
+            largest = upper_max(largest, squared);
         }
         Some(largest)
     }
@@ -193,7 +193,7 @@ impl Net {
         for &point in &self.points {
             let [one, other] = triangles.map(|triangle| triangle.nearest(point).distance_squared);
             let squared = if one < other { one } else { other };
-            farthest = if squared <= farthest { farthest } else { squared };
+            farthest = upper_max(farthest, squared);
         }
         let beside =
             |triangle: usize, corner: DVec3| triangles[triangle].nearest(corner).distance_squared.sqrt();
@@ -241,8 +241,8 @@ fn height_of_quadrangle([a, b, c, d]: &[DVec3; 4]) -> Option<f64> {
         && crosses(side(first, *a, *b), side(first, *a, *d))
         && crosses(side(second, *b, *a), side(second, *b, *c));
     let heights = [b - a, c - a, d - a].map(|corner| corner.dot(normal));
-    let high = heights.iter().fold(0.0_f64, |high, &height| high.max(height));
-    let low = heights.iter().fold(0.0_f64, |low, &height| low.min(height));
+    let high = heights.into_iter().fold(0.0, upper_max);
+    let low = heights.into_iter().fold(0.0, lower_min);
     is_convex.then_some(high - low)
 }
 
