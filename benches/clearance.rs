@@ -1,6 +1,6 @@
 //! Clearances of the models of others in `../shared/models`, at seeded poses.
 //!
-//! `cargo bench --bench clearance [-- A B]`: the models of these names, or paths without `.json`. Prints a Markdown
+//! `cargo bench --bench clearance [-- A B]`: the models of these names, or paths of JSON, STEP or IGES files. Prints a Markdown
 //! table with the wall-clock times and the pairs of cells of intervals at 1e-6 of the diagonal and of
 //! decisions at a limit of 1e-2 of it, and writes the poses of each pair with their intervals to
 //! `target/clearance`, for `benches/peers/clearance_occt.py`.
@@ -55,9 +55,12 @@ fn main() {
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|");
     for [a, b] in pairs {
-        let models = [a, b].map(|name| shared::load(&folder, name));
+        let models = [a, b].map(|name| {
+            let is_file = Path::new(name).is_file();
+            if is_file { shared::load_file(Path::new(name)) } else { shared::load(&folder, name) }
+        });
         let short =
-            [a, b].map(|name| Path::new(name).file_name().map_or(name, |name| name.to_str().unwrap_or("")));
+            [a, b].map(|name| Path::new(name).file_stem().map_or(name, |name| name.to_str().unwrap_or("")));
         measure(short, &models);
     }
 }
@@ -77,7 +80,7 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
     let mut random = Random(30);
     let (mut widths, mut limits, mut cells, mut undecided) = (Vec::new(), Vec::new(), Vec::new(), 0);
     let mut lines = String::new();
-    for pose in 0..=POSES {
+    for index in 0..=POSES {
         let transform = pose(&mut random, models);
         let seconds = Some(MAX_SECONDS);
         let of = |limit| ClearanceOptions {
@@ -94,7 +97,7 @@ fn measure([a, b]: [&str; 2], models: &[PreparedModel; 2]) {
         let (interval, width_ms) = run(of(None));
         let (decision, limit_ms) = run(of(Some(RELATIVE_LIMIT * diagonal)));
         // The first pose prepares both models.
-        if pose == 0 {
+        if index == 0 {
             continue;
         }
         undecided += usize::from(!interval.converged) + usize::from(decision.at_least.is_none());

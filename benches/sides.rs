@@ -9,8 +9,6 @@
 
 mod support;
 
-use nurbs_hausdorff::engine::PreparedModel;
-use nurbs_hausdorff::Model;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -42,20 +40,8 @@ fn main() {
     }
 }
 
-fn load(path: &Path) -> PreparedModel {
-    let bytes = std::fs::read(path).expect("a file");
-    if path.extension().is_some_and(|extension| extension == "json") {
-        let text = String::from_utf8(bytes).expect("text");
-        return PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims");
-    }
-    let is_iges = path.extension().is_some_and(|extension| extension == "iges");
-    let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };
-    let (model, mut report) = read.expect("a CAD file");
-    PreparedModel::of_read(model, &mut report).expect("faces that can be cut").1
-}
-
 fn measure(path: &Path) {
-    let model = load(path);
+    let model = shared::load_file(path);
     let started = Instant::now();
     let solid = model.solid();
     let joining = 1e3 * started.elapsed().as_secs_f64();

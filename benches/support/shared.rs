@@ -27,6 +27,19 @@ pub(crate) fn load(folder: &Path, name: &str) -> PreparedModel {
     PreparedModel::new(&Model::from_json(&text).expect("a valid model")).expect("valid trims")
 }
 
+/// The model of a file: JSON, IGES by its ending, or STEP.
+pub(crate) fn load_file(path: &Path) -> PreparedModel {
+    let bytes = std::fs::read(path).expect("a file");
+    if path.extension().is_some_and(|extension| extension == "json") {
+        let text = String::from_utf8(bytes).expect("text");
+        return PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims");
+    }
+    let is_iges = path.extension().is_some_and(|extension| extension == "iges");
+    let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };
+    let (model, mut report) = read.expect("a CAD file");
+    PreparedModel::of_read(model, &mut report).expect("faces that can be cut").1
+}
+
 /// All lines of `reference.jsonl`.
 pub(crate) fn references(folder: &Path) -> Vec<Reference> {
     let read = |line: &str| {
