@@ -8,6 +8,7 @@ use super::piece::Pieces;
 use crate::bvh::{Aabb, Node};
 use crate::certified::{Interval, Stop};
 use crate::model::RigidTransform;
+use crate::rounding::lower_min;
 use glam::{DMat3, DVec3};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -395,7 +396,7 @@ impl<'a> Search<'a> {
         let side = if a.bend >= b.bend { 0 } else { 1 };
         let levels = [a.level, b.level];
         let Some(side) = [side, 1 - side].into_iter().find(|&side| levels[side] < MAX_LEVEL) else {
-            self.stuck = self.stuck.min(lower);
+            self.stuck = lower_min(self.stuck, lower);
             return;
         };
         for half in self.pieces[side].halves(pieces[side]) {

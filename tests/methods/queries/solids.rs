@@ -38,7 +38,7 @@ fn face(corners: [DVec3; 4]) -> SurfaceArrays {
 }
 
 /// The faces of the box [-half, half]³, oriented at random: those across x, then y, then z.
-pub fn cube(half: f64) -> Vec<SurfaceArrays> {
+pub(super) fn cube(half: f64) -> Vec<SurfaceArrays> {
     let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
     let side = |axis: usize, end: f64| {
         let corner = |a: f64, b: f64| match axis {
