@@ -1,5 +1,6 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import { type MeshFormat, type MeshOptions, readMesh } from "./cad/mesh.js";
 import type { CadOptions } from "./cad/options.js";
 import { readCad } from "./cad/read.js";
 import { HausdorffError, translated, translating } from "./error.js";
@@ -154,6 +155,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     options: CadOptions = {},
   ): Promise<NurbsModel> {
     return readCad(bytes, options);
+  }
+
+  async readMesh(
+    bytes: Uint8Array | ArrayBuffer,
+    format: MeshFormat,
+    options: MeshOptions = {},
+  ): Promise<NurbsModel> {
+    return readMesh(bytes, format, options);
   }
 
   async distance<Method extends keyof Results = "certified">(

@@ -1,3 +1,4 @@
+import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
 import type { BrepText, Numbers } from "../model/surface.js";
@@ -120,4 +121,15 @@ export interface DistanceEngine<Model> {
    * @throws {HausdorffError} as `readCad` of `nurbs-hausdorff/cad`.
    */
   readCad(bytes: Uint8Array | ArrayBuffer | BrepText, options?: CadOptions): Promise<Model>;
+
+  /**
+   * Reads a mesh or points of this format. The readers are loaded with the first file.
+   *
+   * @throws {HausdorffError} as `readMesh` of `nurbs-hausdorff/cad`.
+   */
+  readMesh(
+    bytes: Uint8Array | ArrayBuffer,
+    format: MeshFormat,
+    options?: MeshOptions,
+  ): Promise<Model>;
 }

@@ -159,7 +159,6 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], moved);
   }
 
-  /** As `readMesh` of `nurbs-hausdorff/cad`, in the worker; the bytes are copied. */
   async readMesh(
     bytes: Uint8Array | ArrayBuffer,
     format: MeshFormat,

@@ -204,7 +204,7 @@ test("BREP text, and its unit as the caller states it", async () => {
   const { report } = await readCad(bytes);
   assert.deepEqual(report, {
     ...{ kind: "brep", reader: "built-in" },
-    ...{ faces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap },
+    ...{ faces: 6, trims: 24, exact: 24, fitted: 0, gap: report.gap, gapProven: true },
     ...{ unit: null, skipped: [], notes: [] },
   });
   near(report.gap, 0, 1e-12);
