@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import dataclasses
+from dataclasses import dataclass
 from html import escape
 from typing import Any, Literal
 
@@ -123,8 +124,8 @@ class DistanceResult:
     statistics: Statistics | None = None
     forward: DistanceResult | None = None
     reverse: DistanceResult | None = None
-    field: Field | None = field(default=None, repr=False, compare=False)
-    details: dict[str, Any] = field(default_factory=dict)
+    field: Field | None = dataclasses.field(default=None, repr=False, compare=False)
+    details: dict[str, Any] = dataclasses.field(default_factory=dict)
 
     def _repr_html_(self) -> str:
         rows = [
