@@ -172,6 +172,8 @@ class DiffResult:
     faces_of_a: tuple[FaceDifference, ...]
     faces_of_b: tuple[FaceDifference, ...]
     seconds: Seconds
+    diagonal: float
+    unit: float | None = None
 
     @property
     def changed(self) -> tuple[tuple[FaceDifference, ...], tuple[FaceDifference, ...]]:
