@@ -173,6 +173,7 @@ class DiffResult:
     faces_of_b: tuple[FaceDifference, ...]
     seconds: Seconds
     diagonal: float
+    gap: float
     unit: float | None = None
 
     @property
