@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _names, _native, _transform, testing
 from ._errors import NurbsHausdorffError
-from ._field import Field, FieldPart, field_parts
+from ._field import Field, FieldPart, Signs, field_parts
 from ._model import Mesh, Model, ReadReport, Remark, model, read
 from ._progress import Event, ProgressBar, reporter
 from ._results import (
@@ -47,7 +47,10 @@ class ClosestPoints:
     distances, bounds : ndarray of shape (n,)
         The distance of point i is within ``bounds[i]`` of ``distances[i]``.
     signed : ndarray of shape (n,)
-        The distances, negative behind the surface's normal; NaN where it has none.
+        The distances with a sign, NaN where there is none.
+    signs : {"solid", "faces"}
+        Whether negative is inside of the model, where that is a solid, or behind the normal of
+        a face.
     feet : ndarray of shape (n, 3)
         The closest points.
     faces : ndarray of shape (n,)
@@ -59,6 +62,7 @@ class ClosestPoints:
     distances: NDArray[np.float64]
     bounds: NDArray[np.float64]
     signed: NDArray[np.float64]
+    signs: Signs
     feet: NDArray[np.float64]
     faces: NDArray[np.uint32]
     parameters: NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from ._results import Statistics
 
 Floats = NDArray[np.float64]
+Signs = Literal["solid", "faces"]
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,9 @@ class FieldPart:
     distances : ndarray of shape (m, n)
         Their distances, each at most 1e-9 of the diagonal above the true one.
     signed : ndarray of shape (m, n)
-        The distances, negative behind B's normal; NaN where it has none.
+        The distances with a sign, NaN where there is none.
+    signs : {"solid", "faces"}
+        Whether negative is inside of B, where that is a solid, or behind the normal of a face.
     areas : ndarray of shape (m, n)
         Area that each sample stands for, in squares of the model unit.
     """
@@ -37,6 +40,7 @@ class FieldPart:
     feet: Floats
     distances: Floats
     signed: Floats
+    signs: Signs
     areas: Floats
 
 
@@ -104,6 +108,7 @@ def field_parts(parts: list[dict[str, Any]]) -> tuple[FieldPart, ...]:
             part["feet"].reshape(m, n, 3),
             part["distances"].reshape(m, n),
             part["signed"].reshape(m, n),
+            part["signs"],
             part["areas"].reshape(m, n),
         )
 

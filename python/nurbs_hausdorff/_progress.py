@@ -34,11 +34,9 @@ def reporter(
         from tqdm.auto import tqdm
 
         progress = tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}{postfix}")
-    if not progress and progress is not None and not hasattr(progress, "update"):
-        progress = None
-    if progress is None and cancel is None:
+    bar: Any = None if progress is False else progress
+    if bar is None and cancel is None:
         return None
-    bar: Any = progress
     total = 1.0 if bar is None or bar.total is None else float(bar.total)
     done = 0.0
 

@@ -51,6 +51,7 @@ pub(crate) fn fields(py: Python<'_>, fields: Vec<Field>) -> PyResult<Bound<'_, P
         dict.set_item("feet", field.feet.into_pyarray(py))?;
         dict.set_item("distances", field.distances.into_pyarray(py))?;
         dict.set_item("signed", field.signed.into_pyarray(py))?;
+        dict.set_item("signs", pythonize(py, &field.signs)?)?;
         dict.set_item("areas", field.areas.into_pyarray(py))?;
         list.append(dict)?;
     }
@@ -66,6 +67,7 @@ pub(crate) fn closest_points(py: Python<'_>, found: ClosestPoints) -> PyResult<B
     dict.set_item("distances", found.distances.into_pyarray(py))?;
     dict.set_item("bounds", found.bounds.into_pyarray(py))?;
     dict.set_item("signed", found.signed.into_pyarray(py))?;
+    dict.set_item("signs", pythonize(py, &found.signs)?)?;
     dict.set_item("feet", found.feet.into_pyarray(py))?;
     dict.set_item("faces", found.faces.into_pyarray(py))?;
     dict.set_item("parameters", found.parameters.into_pyarray(py))?;
