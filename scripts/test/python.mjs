@@ -46,11 +46,8 @@ export async function testPython() {
   const install = ["install", "--quiet", "--no-deps", "--force-reinstall", join(wheels, wheel)];
   await must(program("pip"), install);
   await must(program("mypy"), ["--strict", "nurbs_hausdorff"], { cwd: inRoot("python") });
-  return must(
-    program("python"),
-    ["-m", "pytest", "-v", "-rs", "--import-mode=importlib", "tests"],
-    {
-      cwd: inRoot("python"),
-    },
-  );
+  // Beside the tests, not beside the sources, which are not what users import.
+  return must(program("pytest"), ["-v", "-rs", "--import-mode=importlib", "."], {
+    cwd: inRoot("python", "tests"),
+  });
 }
