@@ -184,6 +184,8 @@ pub mod untrim;
 
 pub use area::Area;
 pub use axis::Axis;
+#[cfg(feature = "cad")]
+pub use brep::FileKind;
 pub use bvh::Aabb;
 pub use engine::{
     Backend, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints,

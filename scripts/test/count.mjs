@@ -6,14 +6,20 @@ const colours = new RegExp(`${esc}\\[[0-9;]*m`, "g");
 
 /** `cargo test` and wasm-bindgen-test-runner. */
 const rust = {
-  totals: /^test result: .*?(\d+) passed; (\d+) failed/gm,
+  totals: /^test result: .*?(?<passed>\d+) passed; (?<failed>\d+) failed/gm,
   skipped: /^test (.+?) \.\.\. ignored(?:, (.*))?$/gm,
 };
 
 /** `node --test` with the reporter `spec`. */
 const node = {
-  totals: /^ℹ pass (\d+)\nℹ fail (\d+)\nℹ cancelled (\d+)/gm,
+  totals: /^ℹ pass (?<passed>\d+)\nℹ fail (?<failed>\d+)\nℹ cancelled (?<cancelled>\d+)/gm,
   skipped: /^\s*﹣ (.+?)(?: \([\d.]+ms\))?(?: # ?(.*))?$/gm,
+};
+
+/** `pytest -rs`. */
+const python = {
+  totals: /^=+ (?:(?<failed>\d+) failed, )?(?<passed>\d+) passed/gm,
+  skipped: /^SKIPPED \[\d+\] (.+?): (.*)$/gm,
 };
 
 /** Lines with which a test reports that it cannot run here; libtest counts it as passed. */
@@ -23,8 +29,9 @@ export function count(output) {
   const text = output.replace(colours, "").replaceAll("\r\n", "\n");
   const sum = { passed: 0, failed: 0 };
   const names = new Set();
-  for (const { totals, skipped } of [rust, node]) {
-    for (const [, passed, failed, cancelled = 0] of text.matchAll(totals)) {
+  for (const { totals, skipped } of [rust, node, python]) {
+    for (const { groups } of text.matchAll(totals)) {
+      const { passed, failed = 0, cancelled = 0 } = groups;
       sum.passed += Number(passed);
       sum.failed += Number(failed) + Number(cancelled);
     }
@@ -37,6 +44,6 @@ export function count(output) {
     passedBySkipping.add(name);
     names.add(`${name} (${reason})`);
   }
-  sum.passed -= passedBySkipping.size;
+  sum.passed = Math.max(0, sum.passed - passedBySkipping.size);
   return { ...sum, skipped: [...names] };
 }

@@ -10,6 +10,7 @@ import { environment, Failure, must, which } from "../process.mjs";
 import { vulkan } from "../setup/lavapipe.mjs";
 import { toolsEnvironment } from "../setup/tools.mjs";
 import { checkBudget } from "./budget.mjs";
+import { testPython } from "./python.mjs";
 
 // The command line is native only.
 const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
@@ -85,6 +86,11 @@ export const steps = [
         return cargo(["test", "--release", "--locked", "--no-fail-fast", ...targets], vulkan());
       },
     },
+  },
+  {
+    name: "python",
+    what: "the Python package's wheel, its types and tests",
+    run: testPython,
   },
   {
     name: "wasm",

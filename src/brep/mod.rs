@@ -4,11 +4,14 @@
 //! format into the curves, surfaces and shapes of a [`topology`]; [`nurbs`] evaluates them and
 //! makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
-//! their distance from the edges; [`assembly`] collects the faces and their placements.
+//! their distance from the edges; [`assembly`] collects the faces and their placements;
+//! [`file`] tells files apart by their content.
 
 mod assembly;
 mod edges;
 mod faces;
+mod file;
+mod format;
 mod gap;
 mod iges;
 mod nurbs;
@@ -20,6 +23,7 @@ mod topology;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
+pub use file::FileKind;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face

@@ -1,11 +1,10 @@
 //! Reads models.
 
 mod bytes;
-mod format;
 
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source};
-use nurbs_hausdorff::{Error, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result};
+use nurbs_hausdorff::{Error, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result};
 use serde::Serialize;
 use std::path::Path;
 
@@ -13,9 +12,7 @@ use std::path::Path;
 /// content, and prints the faces left out and the notes on others.
 ///
 /// # Errors
-/// [`Error::FileUnreadable`], [`Error::FileTooLarge`] before anything is read,
-/// [`Error::FormatUnsupported`] with the way to convert, else as [`Model::from_json`],
-/// [`Model::from_step`], [`Model::from_iges`], [`Model::from_brep`] and [`PreparedModel`]; all with the path.
+/// Those of [`bytes::bytes`], [`Model::from_file`] and [`PreparedModel`], all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     let input = bytes::bytes(path).and_then(|bytes| parse(path, bytes));
     let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
@@ -67,39 +64,16 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
     if let Some(format) = path.to_str().and_then(MeshFormat::of_name) {
         return of_mesh(source, &bytes, format);
     }
-    if let Some(found) = format::unsupported(&bytes) {
-        return Err(Error::FormatUnsupported { found, path: path.display().to_string() });
-    }
-    if format::is_binary_brep(&bytes) {
-        return Err(Error::BrepSyntax {
-            line: 1,
-            found: "an OpenCASCADE BREP file in binary".to_owned(),
-            expected: "BREP text, as BRepTools::Write writes it".to_owned(),
-        });
-    }
-    if format::is_step(&bytes) {
-        let (model, read) = Model::from_step(&bytes)?;
-        return of_cad(source, model, read, "step");
-    }
-    if format::is_iges(&bytes) {
-        let (model, read) = Model::from_iges(&bytes)?;
-        return of_cad(source, model, read, "iges");
-    }
-    let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-    if format::is_brep(&text) {
-        let (model, read) = Model::from_brep(&text)?;
-        return of_cad(source, model, read, "brep");
-    }
-    let model = Model::from_json(&text)?;
-    let prepared = PreparedModel::new(&model)?;
-    let report = CadReport { kind: "json", reader: READER, read: ReadReport::of_exact(&model) };
-    Ok(Input { model: Some(model), prepared, report, source })
-}
-
-/// Prepares a model of a CAD file without the faces that cannot be cut into patches.
-fn of_cad(source: Source, model: Model, mut read: ReadReport, kind: &'static str) -> Result<Input> {
-    let (model, prepared) = PreparedModel::of_read(model, &mut read)?;
-    let report = CadReport { kind, reader: READER, read };
+    let (model, mut read, kind) = Model::from_file(bytes, &path.display().to_string())?;
+    let (model, prepared) = match kind {
+        FileKind::Json => {
+            let prepared = PreparedModel::new(&model)?;
+            (model, prepared)
+        }
+        // Faces of a CAD file that cannot be cut into patches are left out.
+        _ => PreparedModel::of_read(model, &mut read)?,
+    };
+    let report = CadReport { kind: kind.name(), reader: READER, read };
     Ok(Input { model: Some(model), prepared, report, source })
 }
 

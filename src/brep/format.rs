@@ -10,25 +10,25 @@ const STEP_SIGNATURE: &[u8] = b"ISO-10303-21";
 const IGES_SECTION_COLUMN: usize = 72;
 
 /// Whether a text is OpenCASCADE's BREP.
-pub(crate) fn is_brep(text: &str) -> bool {
+pub(super) fn is_brep(text: &str) -> bool {
     let text = text.trim_start();
     text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")
 }
 
 /// Whether bytes are a STEP file.
-pub(crate) fn is_step(bytes: &[u8]) -> bool {
+pub(super) fn is_step(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
     head.windows(STEP_SIGNATURE.len()).any(|window| window == STEP_SIGNATURE)
 }
 
 /// Whether bytes are what OpenCASCADE writes of a shape in binary.
-pub(crate) fn is_binary_brep(bytes: &[u8]) -> bool {
+pub(super) fn is_binary_brep(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"Open CASCADE Topology V")
 }
 
 /// The name of a format that the package's command line in Node reads and this one does
 /// not.
-pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
+pub(super) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
     let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
     let signatures = [
         (head.starts_with(b"3D Geometry File Format"), "a Rhino 3DM file"),
@@ -39,7 +39,7 @@ pub(crate) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// Whether bytes are an IGES file, whose first line is of the start section, and numbered.
-pub(crate) fn is_iges(bytes: &[u8]) -> bool {
+pub(super) fn is_iges(bytes: &[u8]) -> bool {
     let mark = bytes.get(IGES_SECTION_COLUMN..IGES_SECTION_COLUMN + 8);
     mark.is_some_and(|mark| {
         mark[0] == b'S'

@@ -1,0 +1,128 @@
+//! The four measurements.
+
+use crate::convert::{self, Motion, to_dict};
+use crate::failure;
+use crate::model::Model;
+use crate::running::{Caller, on_live_threads, run};
+use numpy::PyReadonlyArray1;
+use nurbs_hausdorff::result::Stop;
+use nurbs_hausdorff::{
+    Backend, ClosestPointOptions, DiffOptions, DistanceResult, Engine, FieldOptions, Method, Options,
+};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyDict;
+
+/// The engine of everything that needs no GPU.
+static CPU: PyOnceLock<Engine> = PyOnceLock::new();
+/// The engine with the GPU, if there is one.
+static GPU: PyOnceLock<Engine> = PyOnceLock::new();
+
+fn cpu(py: Python<'_>) -> &Engine {
+    CPU.get_or_init(py, Engine::cpu)
+}
+
+/// Returns the engine for a distance: method `certified` usually ends in float64 before a GPU
+/// could be initialised.
+fn engine_for<'py>(py: Python<'py>, options: &Options) -> PyResult<&'py Engine> {
+    let staged = options.method != Method::Certified || options.field;
+    if !(options.backend == Backend::Gpu || staged && options.backend == Backend::Auto) {
+        return Ok(cpu(py));
+    }
+    GPU.get_or_try_init(py, || {
+        let engine = py.detach(|| on_live_threads(|| Engine::new_blocking(Backend::Auto)))?;
+        engine.map_err(|error| failure::of_error(py, &error))
+    })
+}
+
+/// Whether a direction was cancelled.
+fn is_cancelled(result: &DistanceResult) -> bool {
+    result.certified().is_some_and(|details| details.stop == Stop::Cancelled)
+        || [&result.forward, &result.reverse].into_iter().flatten().any(|direction| is_cancelled(direction))
+}
+
+#[pyfunction]
+pub(crate) fn distance<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: Options = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = engine_for(py, &options)?;
+    let compute =
+        |caller: &mut Caller| engine.distance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    let result = run(py, report, compute, is_cancelled)?;
+    let dict = to_dict(py, &result)?;
+    for (name, direction) in [("forward", result.forward), ("reverse", result.reverse)] {
+        if let Some(direction) = direction {
+            let fields = convert::fields(py, direction.field)?;
+            dict.as_any().get_item(name)?.set_item("field", fields)?;
+        }
+    }
+    dict.set_item("field", convert::fields(py, result.field)?)?;
+    Ok(dict)
+}
+
+#[pyfunction]
+pub(crate) fn diff<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: DiffOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.diff(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    to_dict(py, &run(py, report, compute, |_| false)?)
+}
+
+#[pyfunction]
+pub(crate) fn field<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: FieldOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.field(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    let result = run(py, report, compute, |_| false)?;
+    let dict = PyDict::new(py);
+    dict.set_item("diagonal", result.diagonal)?;
+    let statistics = result.statistics.map(|statistics| to_dict(py, &statistics)).transpose()?;
+    dict.set_item("statistics", statistics)?;
+    dict.set_item("parts", convert::fields(py, result.field)?)?;
+    Ok(dict)
+}
+
+#[pyfunction]
+pub(crate) fn closest_points<'py>(
+    py: Python<'py>,
+    model: &Model,
+    points: PyReadonlyArray1<'py, f64>,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: ClosestPointOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    // Copied, because other threads may write to the array meanwhile.
+    let points = points.as_array().to_vec();
+    let engine = cpu(py);
+    let compute = |caller: &mut Caller| {
+        engine.closest_points(model.prepared(), &points, &options).monitored(caller).wait()
+    };
+    convert::closest_points(py, run(py, report, compute, |_| false)?)
+}
