@@ -38,6 +38,7 @@ export type {
   Signs,
   Statistics,
   SurfacePoint,
+  WithGaps,
 } from "./measure/result.js";
 export type { Area, ModelArea } from "./model/area.js";
 export type { MeshArrays } from "./model/mesh.js";

@@ -5,11 +5,22 @@ import { NurbsModel } from "../model/model.js";
 import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import init, { readMesh as read } from "../wasm/nurbs_hausdorff_meshes.js";
 
-/** The formats of meshes and clouds of points, by the ending of their files' names. */
-const FORMATS = ["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const;
-
 /** A format of meshes or clouds of points: the ending of its files' names. */
-export type MeshFormat = (typeof FORMATS)[number];
+export type MeshFormat =
+  | "stl"
+  | "ply"
+  | "obj"
+  | "gltf"
+  | "glb"
+  | "3mf"
+  | "xyz"
+  | "pts"
+  | "csv"
+  | "asc";
+
+const FORMATS: readonly MeshFormat[] = [
+  ...(["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const),
+];
 
 /** Options of `readMesh`. */
 export interface MeshOptions {
