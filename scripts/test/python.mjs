@@ -36,7 +36,8 @@ export async function testPython() {
   }
   const wheels = inRoot("target", "python-wheels");
   rmSync(wheels, { recursive: true, force: true });
-  const target = { CARGO_TARGET_DIR: inRoot("target", "python") };
+  // Of the main crate, whose dependencies are compiled with the same profile.
+  const target = { CARGO_TARGET_DIR: inRoot("target") };
   const options = ["--release", "--locked", "--out", wheels];
   await must(program("maturin"), ["build", ...options], {
     cwd: inRoot("python"),
