@@ -12,7 +12,8 @@ const entries = ["index", "worker/index", "cad/index", "adapters/index"];
  */
 export async function buildSite(folder) {
   if (!existsSync(inRoot("dist", "index.d.ts"))) throw new Failure("npm run build first");
-  const languages = ["javascript", "rust", "sh"].flatMap((name) => ["--highlightLanguages", name]);
+  const highlighted = ["javascript", "python", "rust", "sh"];
+  const languages = highlighted.flatMap((name) => ["--highlightLanguages", name]);
   const files = entries.flatMap((name) => ["--entryPoints", inRoot("dist", `${name}.d.ts`)]);
   await must("node", [
     inRoot("tools", "site", "node_modules", "typedoc", "bin", "typedoc"),
