@@ -20,17 +20,17 @@ pub(crate) const UNIT_ROUNDOFF: f64 = 0.5 * f64::EPSILON;
 const COMPOUNDING: f64 = 1.01;
 
 /// The roundings of a certified closest point, relative to the largest length of
-/// the point and of all control points: lemma R12 of docs/method.md.
+/// the point and of all control points: lemma R12 of docs/rounding.md.
 const CLOSEST_ROUNDINGS: f64 = 160.0;
 
 /// An upper bound on the relative error after this many operations in a row, on
-/// terms of one sign: `γ_n` in docs/method.md, section 6.
+/// terms of one sign: `γ_n` in docs/rounding.md, section 6.
 pub(crate) fn gamma(operations: f64) -> f64 {
     COMPOUNDING * UNIT_ROUNDOFF * operations
 }
 
 /// An upper bound on the error of the lower bound on a distance from a point to a
-/// model, all of them at most this far from the origin (lemma R12 of docs/method.md).
+/// model, all of them at most this far from the origin (lemma R12 of docs/rounding.md).
 pub(crate) fn closest_rounding(length: f64) -> f64 {
     gamma(CLOSEST_ROUNDINGS) * length + VANISHING_LENGTH
 }

@@ -57,7 +57,7 @@ impl Series {
 }
 
 /// The roundings of a factor of N for each degree, and besides them: lemma R5 of
-/// docs/method.md counts 4 and 2 for a point, and a derivative has one more difference. The
+/// docs/rounding.md counts 4 and 2 for a point, and a derivative has one more difference. The
 /// rounding of a node moves each of them by its slope, at most twice its degree: 4 nodes' units.
 const FACTOR_ROUNDINGS: [f64; 2] = [12.0, 4.0];
 /// The roundings of the products and sums of N.

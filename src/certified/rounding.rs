@@ -1,4 +1,4 @@
-//! Rounding errors of float64 in the bounds, by the lemmas of `docs/method.md`,
+//! Rounding errors of float64 in the bounds, by the lemmas of `docs/rounding.md`,
 //! section 6.
 
 use super::Pair;

@@ -22,7 +22,7 @@ pub(crate) struct Body<'a> {
 
 impl Body<'_> {
     /// Returns the error that halving a patch so often adds to its control points (lemma R4
-    /// of docs/method.md).
+    /// of docs/rounding.md).
     fn halving_error(&self, halvings: u32) -> f64 {
         gamma(2.0 * f64::from(halvings) * self.target.max_degree as f64) * self.control_box.diagonal()
     }

@@ -25,7 +25,7 @@ pub struct CriticalPoint {
 impl CriticalPoint {
     /// Returns the point of `patch` with these parameters, seen from `target`.
     ///
-    /// With e the error of the residual r (lemma R5 of docs/method.md) and δ that of
+    /// With e the error of the residual r (lemma R5 of docs/rounding.md) and δ that of
     /// a derivative x_s (lemma R7), the gradient 2 r·x_s is off by at most
     /// `2 (e |x_s| + |r| δ + e δ)` and `|r|²` by `2 |r| e + e²`, for exact r and x_s;
     /// the computed ones differ from these by e and δ. The rest are the roundings of
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
     use crate::rounding::UNIT_ROUNDOFF;
 
-    /// Lemmas R5 and R7 and section 6.6 of docs/method.md, with every term of about the
+    /// Lemmas R5 and R7 and section 6.6 of docs/rounding.md, with every term of about the
     /// same size as the others in one of the cases: a plane patch of degrees (2, 1), half
     /// sides `size` and weights that double along s, seen from `height` over its middle.
     #[test]

@@ -8,7 +8,7 @@ use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The roundings of a quotient of coefficients, beside two for every product that
-/// one sums (lemma R10 of docs/method.md).
+/// one sums (lemma R10 of docs/rounding.md).
 const OTHER_ROUNDINGS: usize = 21;
 
 /// The squared distance from a point to a patch as a quotient of Bernstein
@@ -69,7 +69,7 @@ impl SquaredDistance {
     /// `|Y|² / w² = λ + P / w²`.
     ///
     /// The computed λ is off by Δλ at most, which adds `Δλ (w² + ∇w²·δ)` to P and its
-    /// linear part, and the gradient by its own error (docs/method.md, section 6.6).
+    /// linear part, and the gradient by its own error (docs/rounding.md, section 6.6).
     #[must_use]
     pub fn lower_bound_about(&self, known: &CriticalPoint) -> f64 {
         let [ss, tt, st] = self.second_differences(known.distance_squared);
@@ -201,7 +201,7 @@ mod tests {
 
     /// A patch that is one point at distance 1, of degrees (2, 2) and weights 1, 2 and 4
     /// along s: `P = |Y|² - w²` and its derivatives are 0, so that the bound is 1 less the
-    /// allowances of docs/method.md, section 6.6.
+    /// allowances of docs/rounding.md, section 6.6.
     #[test]
     fn the_bound_about_a_point_subtracts_every_allowance() {
         // Weights that are all halved give the same quotients.

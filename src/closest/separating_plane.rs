@@ -5,7 +5,7 @@ use crate::rounding::upper_max;
 use glam::{DVec3, Vec4Swizzles};
 
 /// Returns a lower bound on the distance from `target` to a patch, but for rounding (lemma R12
-/// of docs/method.md): the least component of `target - c` along a unit vector for control
+/// of docs/rounding.md): the least component of `target - c` along a unit vector for control
 /// points c.
 ///
 /// The patch lies in the convex hull of its control points, so every point of it is as far along

@@ -14,7 +14,7 @@ use crate::rounding::gamma;
 use web_time::Instant;
 
 /// The roundings of the points of a part of a patch, for each degree, relative to the largest
-/// distance of its control points from its centre: lemma R6 of docs/method.md.
+/// distance of its control points from its centre: lemma R6 of docs/rounding.md.
 const RESTRICTION_ROUNDINGS: f64 = 16.0;
 
 impl Direction<'_> {

@@ -104,7 +104,7 @@ pub(crate) fn cell_pieces(locations: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2
 
 /// Returns an upper bound on how far the box of a piece of `patch`, as computed, is
 /// from containing the piece: the restriction is off by `16 (p + q)` roundings of the
-/// patch's radius (lemma R6 of docs/method.md) and each side of the box by three of
+/// patch's radius (lemma R6 of docs/rounding.md) and each side of the box by three of
 /// the radius and the centre, √3 times that at a corner.
 fn box_error(patch: &Patch<'_>) -> f64 {
     let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);

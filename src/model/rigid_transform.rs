@@ -10,7 +10,7 @@ use glam::{DQuat, DVec3};
 const UNIT_LENGTH_TOLERANCE: f64 = 1e-5;
 
 /// The roundings of a rotated vector, relative to its length: lemma R2 of
-/// docs/method.md.
+/// docs/rounding.md.
 const ROTATION_ROUNDINGS: f64 = 64.0;
 
 /// A rotation about the origin followed by a translation.
@@ -59,7 +59,7 @@ impl RigidTransform {
     /// Returns an upper bound on the error of the images of points at most `length`
     /// from the origin, for this transform or one of which it is the inverse: the
     /// rotation of the point and, in an inverse, of the translation, and their sum
-    /// (lemma R2 of docs/method.md).
+    /// (lemma R2 of docs/rounding.md).
     pub(crate) fn rounding(&self, length: f64) -> f64 {
         let moved = length + self.translation.length();
         gamma(ROTATION_ROUNDINGS + 1.0) * moved

@@ -20,7 +20,7 @@ mod tests {
     use glam::{DQuat, DVec3};
 
     /// The rounding error of surfaces of size 1 to 10, about a hundred away from the
-    /// origin, with the allowance of lemma R13 of docs/method.md.
+    /// origin, with the allowance of lemma R13 of docs/rounding.md.
     const ROUNDING: f64 = 1e-11;
 
     fn away(model: &Model) -> Model {

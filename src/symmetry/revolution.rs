@@ -196,7 +196,7 @@ impl Arc {
         }
         let [least, largest] = length_bounds([orders[0] - 1, 0], &arc);
         deviation += WEIGHT_FACTOR * weight_error * radius + upper_max(largest - 1.0, 1.0 - least) * widest;
-        // Heights and radii are dot products with a unit axis (docs/method.md, lemma R13).
+        // Heights and radii are dot products with a unit axis (docs/rounding.md, lemma R13).
         deviation += gamma(AXIS_ROUNDINGS) * (radius + axis.origin.length() + patch.center.length());
         Some(Self { deviation, radius, widest, from, to, is_short, profile })
     }

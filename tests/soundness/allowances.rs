@@ -1,4 +1,4 @@
-//! The allowances for rounding of docs/method.md, section 6, against exact rational
+//! The allowances for rounding of docs/rounding.md, section 6, against exact rational
 //! arithmetic: an error never exceeds its allowance, and inputs found by a search
 //! bring it to a tenth of it or more.
 

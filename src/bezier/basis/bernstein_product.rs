@@ -6,7 +6,7 @@ use glam::{DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
 /// Returns `C(n, k)` for k from 0 to n, computed once; n is at most the degree
-/// of the square of a product of two patches. Exact for n up to 54 (docs/method.md, 6.6).
+/// of the square of a product of two patches. Exact for n up to 54 (docs/rounding.md, 6.6).
 pub(crate) fn binomials(n: usize) -> &'static [f64] {
     static ROWS: [OnceLock<Vec<f64>>; 4 * MAX_ORDER] = [const { OnceLock::new() }; 4 * MAX_ORDER];
     ROWS[n].get_or_init(|| {

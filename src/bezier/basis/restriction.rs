@@ -26,7 +26,7 @@ impl Restriction {
     /// ends, elevated to the degree `to`, which is not lower. O(from³ + from² to).
     ///
     /// Each coefficient of the result is a positive combination with at most 8 `from` + 3 (`to` - `from`)
-    /// roundings (lemma R6 of docs/method.md).
+    /// roundings (lemma R6 of docs/rounding.md).
     pub(crate) fn new(from: usize, to: usize, [start, end]: [f64; 2]) -> Self {
         if to - from <= 1 && [start, end] == [0.0, 1.0] {
             return Self { from, to, entries: Vec::new() };

@@ -69,7 +69,7 @@ impl Patch<'_> {
     /// `x_ab <= (X_ab + sum C(a,i) C(b,j) w_ij x_(a-i)(b-j)) / w_min`
     ///
     /// over (i, j) != (0, 0), with `x_00` the radius. The rounding of the
-    /// differences is added (lemma R9 of docs/method.md). O(p q).
+    /// differences is added (lemma R9 of docs/rounding.md). O(p q).
     #[must_use]
     pub fn derivative_bounds(&self) -> DerivativeBounds {
         self.derivative_bounds_within([0.0; 2])
@@ -124,7 +124,7 @@ impl Patch<'_> {
     ///
     /// A subtraction is off by one rounding of its result and by the errors of its two
     /// terms, so the error of a difference is at most one rounding of the largest of its
-    /// order and twice the error of the order before (lemma R9 of docs/method.md). On a
+    /// order and twice the error of the order before (lemma R9 of docs/rounding.md). On a
     /// net that is constant along an axis all of them are 0.
     fn difference_bounds(&self, error: [f64; 2]) -> [[[f64; 2]; ORDERS]; ORDERS] {
         let [p, q] = self.degree;

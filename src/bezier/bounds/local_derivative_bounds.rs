@@ -38,7 +38,7 @@ const BEYOND_ONE_EDGE: f64 = 1.0 + 2.0 * BEYOND;
 const BEYOND_BOTH_EDGES: f64 = BEYOND_ONE_EDGE * (1.0 + 2.0 * BEYOND / (1.0 + BEYOND));
 
 /// The roundings of a restricted control for each degree, in both directions: three
-/// a level in one step and five in the other (lemma R6 of docs/method.md).
+/// a level in one step and five in the other (lemma R6 of docs/rounding.md).
 const ROUNDINGS_PER_DEGREE: f64 = 8.0;
 
 /// The roundings of moving a control to a new centre: a product and a difference.

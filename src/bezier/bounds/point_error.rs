@@ -5,7 +5,7 @@ use crate::rounding::gamma;
 
 /// Upper bounds on the distance between a point computed on a patch of a model and
 /// the exact point of the same parameters: the sum of lemmas R3 (extraction), R4
-/// (halving) and R5 (evaluation) of docs/method.md, the largest over all patches.
+/// (halving) and R5 (evaluation) of docs/rounding.md, the largest over all patches.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PointError {
     /// On patches as extracted.

@@ -317,7 +317,7 @@ pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
 /// argument, degree - k times, and the second, k times, both in the span.
 ///
 /// Both factors of a level are quotients of differences of knots, so each has a
-/// relative error of three roundings (lemma R3 of docs/method.md). `1 - fraction`
+/// relative error of three roundings (lemma R3 of docs/rounding.md). `1 - fraction`
 /// would not: near 1 the fraction's error is as large as the complement, and a
 /// control of small weight then moves by its whole weight ratio.
 pub(super) fn blossom(

@@ -42,7 +42,7 @@ impl Patch<'_> {
     /// Returns the surface point at (s, t) in [0, 1]².
     ///
     /// Its error is at most 8 (p + q) + 8 roundings of the patch's radius and one of its
-    /// centre (lemma R5 of docs/method.md). O(p q).
+    /// centre (lemma R5 of docs/rounding.md). O(p q).
     #[must_use]
     pub fn point(&self, parameters: [f64; 2]) -> DVec3 {
         let sum = match self.degree {

@@ -60,7 +60,7 @@ impl Patch<'_> {
 /// The first step is the one that keeps the longer part, or that extrapolates.
 /// Each step takes both of its factors from the exact ends, so that each has a
 /// relative error of at most three roundings and the piece is that of exactly
-/// [start, end] (lemma R6 of docs/method.md). `1 - start / end` of the rounded
+/// [start, end] (lemma R6 of docs/rounding.md). `1 - start / end` of the rounded
 /// quotient would move an end, and leave a gap between neighbouring pieces.
 pub(in crate::bezier) fn restrict_line(
     controls: &mut [DVec4],

@@ -15,7 +15,7 @@ const MAX_RHO_EXPONENT: u32 = 12;
 const SLIP_SCALE: f64 = 1_048_576.0;
 
 /// The roundings of an evaluation beside those of polynomials, which take
-/// [`ROUNDINGS_A_DEGREE`] for each degree (R1 to R6 of docs/method.md).
+/// [`ROUNDINGS_A_DEGREE`] for each degree (R1 to R6 of docs/rounding.md).
 const ROUNDINGS: usize = 64;
 const ROUNDINGS_A_DEGREE: usize = 24;
 

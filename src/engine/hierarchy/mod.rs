@@ -95,7 +95,7 @@ impl Direction<'_> {
     }
 
     /// Returns an upper bound on the distance between any points of the two models, and so
-    /// on the directed distance (lemma of docs/method.md, section 9): that of their boxes.
+    /// on the directed distance (lemma of docs/published.md, section 9): that of their boxes.
     /// It is finite for every pair, as float32 bounds are not.
     pub(super) fn box_bound(&self) -> f64 {
         let [a, b] = [self.from, self.to].map(PreparedModel::control_box);

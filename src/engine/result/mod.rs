@@ -253,7 +253,7 @@ pub struct SurfacePoint {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub index: Option<usize>,
     /// The point at these parameters, off by up to 1024 roundings of the largest coordinate of
-    /// its surface, as knots are removed that change it by less (R15 of docs/method.md), and by
+    /// its surface, as knots are removed that change it by less (R15 of docs/rounding.md), and by
     /// the deviation of a trimmed face's cut. The interval includes both.
     pub point: [f64; 3],
 }

@@ -20,7 +20,7 @@ const MAX_DIFFERENCE: f64 = 64.0;
 const MAX_WEIGHT: f64 = 2.0;
 
 /// The roundings in a difference of two controls, for each degree: six of the span's
-/// own and six of the common polynomial's over the span (lemma R3 of docs/method.md).
+/// own and six of the common polynomial's over the span (lemma R3 of docs/rounding.md).
 const ROUNDINGS_PER_DEGREE: f64 = 12.0;
 
 /// The further roundings: two products of lemma R3, forming homogeneous controls and the

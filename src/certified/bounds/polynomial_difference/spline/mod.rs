@@ -17,7 +17,7 @@
 //!
 //! One coefficient for each patch takes the place of two nets, and a map that is affine on
 //! a block suffices where A and B correspond by their parameters up to the scale. Rounding is that of
-//! lemma R16 of docs/method.md.
+//! lemma R16 of docs/rounding.md.
 
 mod blossom;
 mod coefficients;
