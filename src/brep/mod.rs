@@ -80,7 +80,7 @@ impl Model {
     }
 }
 
-/// Reads the text of a BREP file, of which the model is not yet validated.
+/// Reads the text of a BREP file. The model is not yet validated.
 ///
 /// # Errors
 /// Those of [`Model::from_brep`] on the text.
@@ -89,7 +89,7 @@ pub(crate) fn read_brep(text: &str) -> Result<Assembled> {
     assembly::assemble(&text::parse(text)?)
 }
 
-/// Reads a STEP file, of which the model is not yet validated.
+/// Reads a STEP file. The model is not yet validated.
 ///
 /// # Errors
 /// Those of [`Model::from_step`] on the file.
@@ -98,7 +98,7 @@ pub(crate) fn read_step(bytes: &[u8]) -> Result<Assembled> {
     assembly::assemble(&step::parse(bytes)?)
 }
 
-/// Reads an IGES file, of which the model is not yet validated.
+/// Reads an IGES file. The model is not yet validated.
 ///
 /// # Errors
 /// Those of [`Model::from_iges`] on the file.

@@ -64,7 +64,7 @@ impl Block {
     }
 
     /// The smaller blocks that cover the patches at which `undecided` is true, which
-    /// are in the order of the block's own. Blocks of which all are undecided stay whole.
+    /// are in the order of the block's own. A block stays whole if all its patches are undecided.
     pub(super) fn children(&self, undecided: &[bool]) -> Vec<Self> {
         let mut children = Vec::new();
         if self.is_single() {

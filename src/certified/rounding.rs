@@ -17,7 +17,7 @@ pub(super) fn rounded_up(bound: f64) -> f64 {
     bound * (1.0 + BOUND_ROUNDINGS * UNIT_ROUNDOFF)
 }
 
-/// The largest bound of which [`rounded_up`] is at most `limit`.
+/// The largest bound whose [`rounded_up`] is at most `limit`.
 pub(super) fn before_rounding_up(limit: f64) -> f64 {
     limit * (1.0 - (BOUND_ROUNDINGS + 2.0) * UNIT_ROUNDOFF)
 }

@@ -143,7 +143,7 @@ mod tests {
         assert!((23.0..=25.0).contains(&rounding), "{rounding}");
     }
 
-    /// The same point in the parameters of a piece, of which a step is a part of the patch's.
+    /// The same point in the parameters of a piece, whose unit step is a fraction of the patch's.
     #[test]
     fn a_piece_has_the_derivatives_by_its_own_parameters() {
         let known = CriticalPoint {

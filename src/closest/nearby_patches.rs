@@ -24,12 +24,8 @@ pub(crate) struct NearbyPatch {
 
 /// All patches that may be nearer to a centre than `radius`, with lower bounds.
 ///
-/// Lemma. From a point x, a listed patch has at least the distance of its lower
+/// Lemma (shortlist, 5.3 of docs/method.md). From a point x, a listed patch has at least the distance of its lower
 /// bound less `|x - c|`, and every other patch at least `radius - |x - c|`.
-///
-/// Proof. The distance to a set changes by no more than the point moves,
-/// `d(x, P) >= d(c, P) - |x - c|`, and d(c, P) is at least the distance to a box
-/// around P. ∎
 #[derive(Debug)]
 pub(crate) struct NearbyPatches {
     pub(crate) center: DVec3,

@@ -321,7 +321,7 @@ pub enum Error {
         /// The reason.
         found: String,
     },
-    /// A BREP file of which no face can be read.
+    /// A BREP file without a face that can be read.
     #[error("none of the {faces} faces can be read; face {face}: {found}")]
     BrepUnreadable {
         /// The number of the first face.

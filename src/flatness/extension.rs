@@ -8,11 +8,8 @@ use crate::param_box::ParamBox;
 /// `cuts` states of the start and the end of each axis whether the piece was cut
 /// there from its patch.
 ///
-/// Lemma. A piece of width 2^-n of a patch, after n halvings along an axis, may be
-/// followed by its own width beyond an edge at which it was cut. Proof. It has the
-/// same polynomials as the patch, in other parameters. Its ends are multiples of
-/// 2^-n in the patch's parameter, and one at which it was cut is neither 0 nor 1, so
-/// it is at least 2^-n from both. ∎
+/// Lemma (3.10 of docs/method.md). A piece of width 2^-n of a patch, after n halvings along an axis, may be
+/// followed by its own width beyond an edge at which it was cut.
 ///
 /// The cutting itself must state the cuts: the domains of pieces in the surface's
 /// parameters are rounded, and between knots some units in the last place apart a

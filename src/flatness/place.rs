@@ -44,7 +44,7 @@ impl Place {
 /// The places of all flat pieces of a set of patches, in the order of both.
 #[derive(Debug, Clone)]
 pub enum Places {
-    /// Every piece is a whole patch, of so many.
+    /// Each of the `count` pieces is a whole patch.
     Whole(usize),
     /// Some patches were cut.
     Cut(Vec<Place>),

@@ -48,7 +48,7 @@ impl<'a> Face<'a> {
         self.data.name.as_deref()
     }
 
-    /// Returns the kind of surface in the source, such as `cylinder`, if it is stated.
+    /// Returns the kind of surface in the source, if it is stated: for example `cylinder`.
     #[must_use]
     pub fn kind(&self) -> Option<&'a str> {
         self.data.kind.as_deref()

@@ -30,7 +30,7 @@ impl Clusters {
         clusters
     }
 
-    /// Makes a group of each of so many things.
+    /// Makes `count` groups of one element each.
     pub(super) fn separate(count: usize) -> Self {
         Self { parents: (0..count as u32).collect() }
     }

@@ -8,7 +8,7 @@ use crate::rounding::upper_max;
 /// parts are cut: bounds from control points are excessive where weights differ much.
 const MAX_EXCESS: f64 = 8.0;
 
-/// The most rounds of cutting, each of which halves both sides of a part, and the number of parts
+/// Maximum rounds of cutting, each halving both sides of a part, and the number of parts
 /// beyond which there is no other.
 const MAX_ROUNDS: usize = 8;
 const MAX_PARTS: usize = 1024;

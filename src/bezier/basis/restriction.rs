@@ -125,7 +125,7 @@ impl Restriction {
         }
     }
 
-    /// The lines along an axis of a net of so many columns and controls.
+    /// The lines along an axis of a net, by its numbers of columns and controls.
     fn lines(&self, axis: Axis, columns: usize, count: usize) -> impl Iterator<Item = Line> {
         let (lines, strides, step) = match axis {
             Axis::U => (columns, [1, 1], columns),

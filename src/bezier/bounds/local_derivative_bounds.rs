@@ -49,7 +49,7 @@ const CENTRING_ROUNDINGS: f64 = 2.0;
 const DEGENERATE_EXTENT: f64 = 1e-12;
 
 /// Bounds over a patch, over its extension, and over parts of it, each computed
-/// at its first use. Large models have many patches of which none is used.
+/// at its first use. Most patches of a large model are never used.
 #[derive(Debug)]
 pub struct LocalDerivativeBounds {
     whole: OnceLock<Box<DerivativeBounds>>,

@@ -127,7 +127,7 @@ mod tests {
             let net = [[0.0; 3], [0.0, 1.0, 0.3], [1.3, 0.1, 0.0], [1.0, 1.0, 0.2]];
             check_axes(net.map(|point| point.map(|value: f64| value * 2.0_f64.powi(exponent))));
         }
-        // Nearly parallel directions, of which one projection leaves a part along the first axis.
+        // Directions are nearly parallel, so that one projection leaves a part along the first axis.
         for angle in [1e-7, 2e-8, 1e-8] {
             check_axes([[0.0; 3], [0.1, 0.2 + angle, 0.7], [0.3, 0.6, 2.1], [0.4, 0.8 - angle, 2.8]]);
         }

@@ -32,7 +32,7 @@ impl SeamJumps {
     /// `across`, which are of the same degrees; `of_high` bounds the derivatives of
     /// `high`, and a step of 1 across `low` is one of `ratio` across `high`.
     ///
-    /// Lemma. Let E and e bound the lengths of the jumps of the homogeneous
+    /// Lemma (jumps, 3.12 of docs/method.md). Let E and e bound the lengths of the jumps of the homogeneous
     /// derivatives X_ab and w_ab, W the lengths of `low`'s w_ab, x those of `high`'s points,
     /// relative to `low`'s centre, and derivatives, and ω > 0 the weights of `low`,
     /// all on the edge. Then the jumps of the derivatives of X/w are at most
@@ -40,11 +40,6 @@ impl SeamJumps {
     /// `j_ab = (E_ab + Σ C(a,i) C(b,k) (W_ik j_(a-i)(b-k) + e_ik x_(a-i)(b-k)) + e_00 x_ab) / ω`
     ///
     /// with the sum over (i, k) ≠ (0, 0).
-    ///
-    /// Proof. Leibniz' rule on X = w x, on both sides, is
-    /// `w x_ab = X_ab - Σ C C w_ik x_(a-i)(b-k)`. The difference of the left sides is
-    /// `w [x_ab] + [w] x_ab` with w of `low` and x of `high`, that of a product in
-    /// the sum `w_ik [x] + [w_ik] x` likewise. ∎
     ///
     /// The jumps of X_ab and w_ab are Bernstein polynomials along the edge, at most
     /// as long as their coefficients. O(p + q).

@@ -153,7 +153,7 @@ impl PatchSet {
         Arc::make_mut(&mut self.controls).extend_from_slice(patch.controls);
     }
 
-    /// Makes room for so many more patches and controls.
+    /// Reserves space for more patches and controls.
     pub(crate) fn reserve(&mut self, patches: usize, controls: usize) {
         Arc::make_mut(&mut self.entries).reserve(patches);
         Arc::make_mut(&mut self.controls).reserve(controls);

@@ -109,7 +109,7 @@ fn on_side(surface: &Surface, mut ends: [DVec3; 2], reversed: bool) -> [DVec3; 2
 }
 
 /// Returns the affine image of a curve in a plane, exact, and the gap, proven: the edge
-/// lies in the convex hull of its control points, none of which is farther from the plane.
+/// lies in the convex hull of its control points, and no control point is farther from the plane.
 fn on_plane(mut spline: Spline, frame: &Frame, to_face: &DAffine3, scale: f64) -> (Spline, f64) {
     let mut gap = 0.0_f64;
     for control in &mut spline.controls {

@@ -71,7 +71,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
             return Err(FaceFault::new("BREP_UNBOUNDED", "the face has no loops and its surface no bounds"));
         };
         let net = net(surface, [u, v])?;
-        // A B-spline keeps its domain, of which the surface may be a part.
+        // A B-spline keeps its domain; the surface may be a part of it.
         let net = if matches!(surface.elementary(), Surface::Spline(_)) { net.within([u, v]) } else { net };
         return Ok(Converted {
             face: arrays(net, None, false),

@@ -50,7 +50,7 @@ pub(super) struct FoundCurve {
 
 impl FoundCurve {
     /// Adds the plane section of the surface that the edge is if it is nearer to the edge than
-    /// the curve, of which it then takes the ends. The edge's curve goes to the coordinates of
+    /// the curve, whose ends it then takes. The edge's curve goes to the coordinates of
     /// the surface by `to_face`.
     pub(super) fn with_section(self, to_face: &DAffine3, lifted: &Lifted<'_>) -> Self {
         let Some(section) = Section::new(lifted.edge, to_face, lifted.surface) else { return self };

@@ -7,7 +7,7 @@ use glam::DVec3;
 /// allowance for it counts in the bound.
 const NEAR_KNOT: f64 = 1e-11;
 
-/// The most cells that a part may enter by so little, as knots may be as near to each other.
+/// Maximum cells entered within `NEAR_KNOT`; knots may be that close together.
 const MAX_CELLS: usize = 4;
 
 /// The knots by which a part of a curve leaves the cell of its middle, along one parameter.

@@ -49,7 +49,7 @@ impl<'a> LocalCurve<'a> {
 
 /// A surface on the cell around parameters, as [`LocalCurve`].
 pub(super) enum LocalSurface<'a> {
-    /// The coefficients of orders (i, j), j fastest, which has so many columns.
+    /// The coefficients of orders (i, j), j fastest, and the number of columns.
     Taylor {
         center: [f64; 2],
         columns: usize,

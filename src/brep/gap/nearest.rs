@@ -6,7 +6,7 @@ use glam::DVec3;
 /// The Gauss-Newton steps towards a nearest point.
 const NEAREST_STEPS: usize = 3;
 
-/// Part of a range after a step of which no other is made.
+/// Stop when a step is below this fraction of the range.
 const SMALL_STEP: f64 = 1e-8;
 
 /// Part of a range over which a difference quotient is taken.

@@ -186,5 +186,5 @@ fn crossing(curve: &LocalCurve<'_>, axis: usize, knot: f64, [start, end]: [f64; 
     (low > start + margin && low < end - margin).then_some(low)
 }
 
-/// Part of a part at whose ends it is not cut, since they are crossings already.
+/// Cuts keep this fraction of the part away from its ends, which are crossings already.
 const CUT_MARGIN: f64 = 1e-9;

@@ -1,15 +1,10 @@
 //! The bound by bilinear interpolation: cells whose nearest patch changes inside.
 //!
-//! Lemma. Let the vertices x_k of a convex polygon of a cell have feet b_k on
+//! Lemma (3.9 of docs/method.md). Let the vertices x_k of a convex polygon of a cell have feet b_k on
 //! one and the same patch P. Then every point of the polygon is within
 //! `max |a_k - b_k| + δ_A + δ_B` of P, with
 //! `δ = ⅛ (Δ_u² M_uu + 2 Δ_u Δ_v M_uv + Δ_v² M_vv)` over the cell, and over the
 //! (u, v) box of the feet.
-//!
-//! Proof. Write x = Σ λ_k x_k. A(x) differs from Σ λ_k a_k by at most δ_A, and
-//! the point of P at Σ λ_k (u, v)_k from Σ λ_k b_k by at most δ_B (the error of
-//! linear interpolation over a polygon of these extents); and
-//! |Σ λ_k (a_k - b_k)| is at most the largest |a_k - b_k|. ∎
 //!
 //! A cell whose corners prefer two patches is cut into two polygons along the
 //! bisector of the patches. That is of second order for any kind of join, with
@@ -144,7 +139,7 @@ impl Corners<'_, '_> {
         self.context.observe(parameters, foot);
     }
 
-    /// The place between two corners, of which each is nearer to another of two
+    /// The place between two corners, each nearer to another of two
     /// patches, where both are about equally far: by a safeguarded secant method
     /// on the difference of the distances.
     fn crossing(&self, from: Vertex, to: Vertex) -> Vertex {
@@ -244,7 +239,7 @@ mod tests {
         }
     }
 
-    /// A square between two points, of which each is nearer to two of its corners: the farthest
+    /// A square between two points, each nearer to two of its corners: the farthest
     /// points are corners of one of the polygons, or those where both are equally near.
     #[test]
     fn two_polygons_are_bounded_by_their_vertices() {

@@ -1,4 +1,4 @@
-//! Blocks of patches of which the bounds are attained or nearly so, and random ones.
+//! Blocks of patches whose bounds are attained or nearly so, and random blocks.
 
 use super::attained_across_seams::{Surfaces, clamped, closed};
 use super::block;
@@ -99,7 +99,7 @@ fn a_level_sheet_is_decided_at_its_height() {
     check_level(&sheet(|_, _| HEIGHT));
 }
 
-/// The same for a sheet of which the parameters are uneven, by more than its height: its feet
+/// The same for a sheet whose parameters are uneven by more than its height: its feet
 /// slide along the plane.
 #[test]
 fn a_level_sheet_of_uneven_parameters_is_decided_at_its_height() {

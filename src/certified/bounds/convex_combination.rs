@@ -1,11 +1,8 @@
 //! The bound for cells whose nearest patch changes inside, by any number of
 //! competing patches.
 //!
-//! Lemma. For weights `λ_k >= 0` of sum 1 and maps φ_k of the cell into patches
+//! Lemma (3.7 of docs/method.md). For weights `λ_k >= 0` of sum 1 and maps φ_k of the cell into patches
 //! of B, `d(a, B)² <= Σ λ_k |A - B∘φ_k|²` at every point a of the cell.
-//!
-//! Proof. Each `|A - B∘φ_k|²` is at least d(a, B)², and so is their convex
-//! combination. ∎
 //!
 //! Where the distance has a maximum at which several patches are equally near,
 //! their squared distances have gradients with 0 in their convex hull. With

@@ -1,8 +1,7 @@
 //! Upper bounds on the distance from a whole cell of A to B.
 //!
-//! Each bound is a theorem of its own, proved in its file and, strung together,
-//! in `docs/method.md`. A bound takes any feet as they are: one that is not the
-//! nearest loosens it and cannot falsify it.
+//! Each bound is a theorem of its own, proven in section 3 of `docs/method.md`. A bound
+//! takes any feet: one that is not the nearest loosens it and cannot falsify it.
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod attained;

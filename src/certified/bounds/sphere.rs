@@ -26,7 +26,7 @@ impl UpperBound for InSphere {
 }
 
 /// An upper bound on the distance from every point of the cell to the sphere's
-/// surface, all of which belongs to B. O(p^2 q^2).
+/// surface that belongs to B as a whole. O(p^2 q^2).
 pub(super) fn upper_bound(
     cell: &Cell,
     patch: &Patch<'_>,

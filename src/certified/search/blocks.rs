@@ -7,7 +7,7 @@ use super::{Domain, SearchNode, bounds};
 /// The number of patches of A from which on they are searched by blocks where A is near B.
 const MIN_BLOCK_PATCHES: usize = 16;
 
-/// The largest number of patches of A of which the sizes are compared with the threshold.
+/// Maximum number of patches of A whose sizes are compared with the threshold.
 const MAX_SIZES: usize = 64;
 
 /// The size of a node of two patches, relative to that of one.

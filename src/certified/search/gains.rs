@@ -26,7 +26,7 @@ impl Gains {
         Self { width: width(first), cells: FIRST_CELLS }
     }
 
-    /// Takes note of the interval after so many cells, and returns whether the
+    /// Records the interval after `cells` cells, and returns whether the
     /// search has stalled: its interval is more than half as wide as at the last
     /// gain, which took less than a tenth of the cells.
     pub(crate) fn has_stalled(&mut self, interval: Interval, cells: usize) -> bool {

@@ -1,6 +1,6 @@
 //! A surface in the parameters of one of its Bézier patches.
 //!
-//! Lemma (Taylor bound across seams). Let a surface be the polynomial or rational
+//! Lemma (Taylor bound over seams, 3.12 of docs/method.md). Let a surface be the polynomial or rational
 //! functions of its patches, and let the segment from β to β + λ, with
 //! |λ_i| <= ℓ_i, cross seams. Then the surface at β + λ differs from the Taylor
 //! polynomial of second order of the patch of β by at most
@@ -12,16 +12,6 @@
 //! across t that lie on one side of β, of the larger of its two sums; J bounds
 //! the jumps across the seam (axis a) and along it (axis b) on all patches
 //! touched, and `ω = 1 - d / ℓ_a` with d the distance of the seam from β.
-//!
-//! Proof. Along the segment, g(θ) = B(β + θ λ) is smooth between the crossings
-//! θ_k, where g, g' and g'' jump by g_k, g_k', g_k''. Integrating by parts between the crossings,
-//!
-//! `g(1) = g(0) + g'(0) + ½ g''(0) + ∫ ½ (1 - θ)² g''' dθ + Σ (g_k + (1 - θ_k) g_k' + ½ (1 - θ_k)² g_k'')`
-//!
-//! for one-sided derivatives at 0. A crossing at a corner is one across s and one
-//! across t; a segment along a seam stays on one side. The integral is at most
-//! the largest |g'''| over 6. At distance d a seam is crossed at θ = d/|λ_a|, so 1 - θ <= ω, and the
-//! jumps of g', g'' are those of the partial derivatives times λ. ∎
 
 use super::super::rounding::{JetScale, UNIT_ROUNDOFF};
 use super::Sheets;
@@ -32,8 +22,8 @@ use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
 use std::ops::RangeInclusive;
 
-/// The largest number of seams that a map may cross on one side. Cells of which the images
-/// touch more patches are halved.
+/// The largest number of seams that a map may cross on one side. A cell is halved if its
+/// image touches more patches.
 const MAX_CROSSED: isize = 4;
 
 /// The largest ratio of the widths of two spans that one map may touch:
@@ -129,7 +119,7 @@ impl<'a> Chart<'a> {
         self.patch.surface
     }
 
-    /// The chart of the patch so many patches away, cyclically, about a point of it.
+    /// The chart of the patch at `offsets`, cyclically, about a point of it.
     pub(in crate::certified) fn moved(&self, offsets: [isize; 2], parameters: [f64; 2]) -> Self {
         let index = self.patch_at(offsets);
         let (columns, local) = (self.grid.counts()[1], index - self.grid.first);
@@ -346,7 +336,7 @@ impl<'a> Chart<'a> {
         self.sheets.bounds(index).whole(&self.sheets.bezier.patches.patch(index)).radius
     }
 
-    /// The patch that is so many patches away, cyclically.
+    /// The patch at `offsets`, cyclically.
     pub(in crate::certified) fn neighbour(&self, offsets: [isize; 2]) -> Patch<'a> {
         self.sheets.bezier.patches.patch(self.patch_at(offsets))
     }

@@ -57,7 +57,7 @@ impl Chart<'_> {
         usize::from(multiplicities[knot])
     }
 
-    /// The index of the patch that is so many patches away, cyclically.
+    /// The index of the patch at `offset`, cyclically.
     pub(super) fn patch_at(&self, offsets: [isize; 2]) -> usize {
         let counts = self.grid.counts();
         let [row, column] = Axis::BOTH.map(|axis| {
@@ -67,7 +67,7 @@ impl Chart<'_> {
         self.grid.first + row * counts[1] + column
     }
 
-    /// The width of the span so many spans away, in widths of the chart's own.
+    /// Width of the span at `offset`, relative to the chart's span.
     pub(in crate::certified) fn width(&self, axis: Axis, offset: isize) -> f64 {
         let breaks = &self.grid.breaks[axis];
         let count = breaks.len() as isize - 1;
@@ -80,7 +80,7 @@ impl Chart<'_> {
         breaks[index + 1] - breaks[index]
     }
 
-    /// The parameter at the start of the span so many spans away. Beyond an end of
+    /// The parameter at the start of the span at `offset`. Beyond an end of
     /// the surface its other end follows.
     pub(in crate::certified) fn line(&self, axis: Axis, offset: isize) -> f64 {
         match offset {

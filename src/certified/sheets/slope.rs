@@ -1,19 +1,14 @@
 //! How far the tangents of a surface turn over a box of its parameters.
 //!
-//! Lemma (steps over seams). Let x lie in the box β ± h of a surface's parameters, and all steps
-//! of at most δ from it in the surface. Then for a step λ, |λ_i| <= δ_i, the surface at x + λ differs
-//! from `B(x) + T λ`, T the first derivatives of the patch of β at β, by at most
+//! Lemma (steps over seams, 3.15 of docs/method.md). Let x lie in the box β ± h of a surface's
+//! parameters, and all steps of at most δ from it in the surface. Then for a step λ, |λ_i| <= δ_i, the
+//! surface at x + λ differs from `B(x) + T λ`, T the first derivatives of the patch of β at β, by at most
 //!
 //! `C_s δ_s + C_t δ_t + G` with `C_s = k_s M_ss + k_t M_st + Σ J_s`, `C_t = k_s M_st + k_t M_tt + Σ J_t`,
 //!
 //! `k = h + ½ δ`; M over all patches that the box β ± (h + δ) touches, J_s and J_t the jumps of the
 //! derivatives by s and by t and G the sum of the jumps of points at the seams that it touches; for each
 //! axis the larger of the sums of J over the seams on either side of β.
-//!
-//! Proof. `B(x + λ) - B(x) - T λ` is the integral over θ of `(B'(x + θλ) - T) λ` and the jumps of
-//! points. Along the segment from β to `x + θλ`, which is at most `h + θ δ` long, B_s changes by at
-//! most its length along s times M_ss and along t times M_st, and jumps by at most J_s at each seam; a
-//! segment crosses the seams across an axis on one side only. The mean of `h + θ δ` is k. ∎
 
 use super::chart::{Chart, Over, Reach};
 use crate::axis::Axis;

@@ -304,7 +304,7 @@ impl Goal {
         upper * (1.0 + BOUND_ROUNDINGS * UNIT_ROUNDOFF) + self.bounds + self.points
     }
 
-    /// The largest bound of which [`Goal::rounded_up`] is at most `limit`.
+    /// The largest bound whose [`Goal::rounded_up`] is at most `limit`.
     fn before_rounding_up(&self, limit: f64) -> f64 {
         (limit - self.bounds - self.points) * (1.0 - (BOUND_ROUNDINGS + 2.0) * UNIT_ROUNDOFF)
     }

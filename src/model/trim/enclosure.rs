@@ -131,7 +131,7 @@ mod tests {
                 let reach = if weight == 0.0 { x + y } else { x.hypot(y) };
                 let found = winding.encloses(&parameters);
                 assert!(!found || reach >= HOLE, "{parameters:?}");
-                // The size of the halved arcs, of which the test knows no more.
+                // The size of the halved arcs. The test knows no more of them.
                 assert!(found || reach < HOLE + 0.02, "{parameters:?}");
                 enclosed += usize::from(found);
             }

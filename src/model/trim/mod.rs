@@ -53,7 +53,7 @@ pub struct FaceArrays {
     pub reversed: bool,
     /// The face's name in its source.
     pub face_name: Option<String>,
-    /// The kind of surface in its source, such as `cylinder`.
+    /// The kind of surface in its source, for example `cylinder`.
     pub kind: Option<String>,
     /// An upper bound, in model units, on the deviation of the surface itself from the source.
     pub gap: f64,

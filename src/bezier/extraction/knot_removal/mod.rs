@@ -1,16 +1,12 @@
 //! Removal of knots across which a surface is one polynomial up to rounding, as
 //! refined copies and exact refits have them.
 //!
-//! Lemma. Let the homogeneous curve (X, w) of every line of control points along
+//! Lemma (R15 of docs/rounding.md). Let the homogeneous curve (X, w) of every line of control points along
 //! an axis, over each span, have Bézier controls that differ from those of
 //! another polynomial (X', w') restricted to the span by at most `e` in space and
 //! `f` in weight. Then the surface of the other polynomials is within
 //! `(e + f r) / ω` of the surface at equal parameters, with r the largest distance of its
 //! control points from the origin of X and ω > 0 the smallest weight.
-//!
-//! Proof. Along the other axis the basis functions are nonnegative with sum 1, so
-//! the homogeneous surfaces differ by at most e and f. With `x' = X'/w'`,
-//! `X/w - x' = (X - X' + x' (w' - w)) / w`. ∎
 //!
 //! So a polynomial over several spans may come from anywhere; here it
 //! interpolates the spline at the extrema of a Chebyshev polynomial, and the

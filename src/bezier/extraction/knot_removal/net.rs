@@ -1,4 +1,4 @@
-//! A surface's homogeneous control net, of which knots are removed along both axes in turn.
+//! Removal of knots from a surface's homogeneous control net, along both axes in turn.
 
 use super::common_polynomial::{Continuation, Lines, Piece, Pieces};
 use crate::axis::Axis;
@@ -16,7 +16,7 @@ use std::ops::Range;
 /// an interpolation problem, which a refit is, carries some units.
 const MAX_DIFFERENCE: f64 = 64.0;
 
-/// A bound on the weights of a surface, of which the largest is in [1, 2).
+/// Upper bound on the weights of a surface: the largest is in [1, 2).
 const MAX_WEIGHT: f64 = 2.0;
 
 /// The roundings in a difference of two controls, for each degree: six of the span's

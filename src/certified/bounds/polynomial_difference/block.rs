@@ -25,11 +25,11 @@ const MAX_PIECES: usize = 256;
 /// away smaller blocks or their cells are decided by bounds of the distance alone.
 const MAX_DISTANCE_IN_RADII: f64 = 0.5;
 
-/// What is known of a block.
+/// The decided bound and the undecided patches of a block.
 pub(in crate::certified) struct BlockBound {
     /// An upper bound on the distance of the patches that are decided.
     pub(in crate::certified) decided: f64,
-    /// The patches of the block, v fastest, of which no bound is at most the threshold.
+    /// The undecided patches of the block, v fastest: no bound of theirs is at most the threshold.
     pub(in crate::certified) undecided: Vec<bool>,
     /// A point in the middle of the block with its foot.
     pub(in crate::certified) sample: Sample,

@@ -3,19 +3,15 @@
 //! A fit keeps neither the parameters nor the feet of its surface: `D = A - B∘φ` is often
 //! many times as long along B as it is across, and only the latter counts.
 //!
-//! Lemma (sliding feet). Let φ map a piece to a box of a surface's parameters, let `P` be any
-//! linear map of space to parameter steps, `δ = P D`, and let δ' be δ with each parameter of φ + δ
-//! clamped to a box in which the surface lies and φ does. Let o_i bound how far φ_i + δ_i is beyond
+//! Lemma (sliding feet, 3.15 of docs/method.md). Let φ map a piece to a box of a surface's
+//! parameters, let `P` be any linear map of space to parameter steps, `δ = P D`, and let δ' be δ
+//! with each parameter of φ + δ clamped to a box in which the surface lies and φ does. Let o_i bound how far φ_i + δ_i is beyond
 //! that box. With T the surface's derivatives at the middle of the image and `N = I - T P`,
 //!
 //! `d(·, B) <= max |N D| + |T_s| o_s + |T_t| o_t + max |B(φ + δ') - B(φ) - T δ'|` ,
 //!
-//! of which the last term is bounded by the lemma on steps over seams ([`Chart::step_error`]), for
+//! The lemma on steps over seams ([`Chart::step_error`]) bounds the last term, for
 //! |δ'_i| <= |δ_i|.
-//!
-//! Proof. φ + δ' is a map into B's parameters as well, and `A - B(φ + δ')` is
-//! `D - T δ + T (δ - δ') - (B(φ + δ') - B(φ) - T δ')` with `D - T δ = N D` and |δ_i - δ'_i| <= o_i. As
-//! φ_i is inside, clamping only shortens δ_i. ∎
 //!
 //! With homogeneous coefficients n_k of D and d_k > 0 of its denominator, `max |N D|` is at most the
 //! largest `|N n_k| / d_k`, and `max |δ_i|` the largest `|(P n_k)_i| / d_k`, as N and P are linear.
@@ -70,7 +66,7 @@ pub(super) struct Sliding<'a> {
 }
 
 impl<'a> Sliding<'a> {
-    /// Takes the image of a piece in the patch that is so many patches away from that of a chart:
+    /// Takes the image of a piece in the patch at an offset from that of a chart:
     /// by B's axes, from the start to the end of A's ranges.
     pub(super) fn new(
         chart: &Chart<'a>,
@@ -265,7 +261,7 @@ mod tests {
         }
     }
 
-    /// The square [0, 1]² of two patches along x that meet at 1/2, of which the second rises.
+    /// The square [0, 1]² of two patches along x that meet at 1/2. The second rises.
     fn bent(rise: f64) -> Surfaces {
         let points = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.5 * rise]];
         let arrays = SurfaceArrays {

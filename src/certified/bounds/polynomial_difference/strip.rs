@@ -85,7 +85,7 @@ impl<'a> Comparison<'a> {
         Net::whole(patch.degree, patch.controls.iter().map(moved).collect(), transform.apply(patch.center))
     }
 
-    /// The net of the patch of B that is so many patches away by A's axes, along these.
+    /// The net of the patch of B at an offset along A's axes, oriented by them.
     fn net_of_b(&self, offsets: [isize; 2]) -> Net {
         let patch = self.chart.neighbour(self.orientation.by_axes_of_b(offsets));
         let [p, q] = patch.degree;

@@ -3,8 +3,8 @@
 //! Bounds of first order depend on the cell's longer side in space. Taylor's bound depends on how the
 //! difference of A and B varies instead: along the lines of a cylinder or of a ruled surface that B
 //! follows it is the same everywhere, however long they are, and cells halved along them have the bound
-//! of the whole. So the cell is halved along the side of which half as much takes more off Taylor's
-//! bound, by that bound's own terms. Any choice is valid: it decides only how many cells there are.
+//! of the whole. So the cell is halved along the side whose halving reduces Taylor's bound more, by
+//! that bound's own terms. Any choice is valid: it decides only how many cells there are.
 
 use super::super::CellContext;
 use super::gains_of_halving;

@@ -57,7 +57,7 @@ impl Difference {
         Self::of_products(x, y)
     }
 
-    /// Of nets of which all weights count as 1.
+    /// The difference of nets whose weights all count as 1.
     fn of_polynomials(x: &Net, y: &Net) -> Self {
         let degree = Axis::BOTH.map(|axis| x.degree[axis].max(y.degree[axis]));
         let [of_x, of_y] = [x, y].map(|net| {
@@ -222,7 +222,7 @@ mod tests {
     use super::*;
     use crate::bezier::Patch;
 
-    /// A net of these degrees of which the weights are equal along an axis, relative to the origin.
+    /// A net of these degrees whose weights are equal along an axis, relative to the origin.
     fn net(random: &mut fastrand::Rng, degree: [usize; 2], axis: Axis) -> Net {
         let weights: Vec<f64> = (0..=degree[axis.other()]).map(|_| 0.5 + random.f64()).collect();
         let controls = (0..(degree[0] + 1) * (degree[1] + 1)).map(|index| {

@@ -111,7 +111,7 @@ impl Net {
         net
     }
 
-    /// Takes the net of a whole patch, relative to its own centre, of which pieces are compared.
+    /// Takes the net of a whole patch, relative to its own centre. Its pieces are compared.
     ///
     /// Its radius and the spreads of its weights are bounds on those of all pieces, and its error that
     /// of any restriction inside [0, 1] along both axes.

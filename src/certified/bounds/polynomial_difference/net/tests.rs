@@ -222,7 +222,7 @@ fn a_net_is_measured_by_its_points() {
     assert_eq!(net.point_error, gamma((16.0 * 2.0 + 8.0) * 5.0 + 4.0 * 12.0));
 }
 
-/// A net of equal points, of which one weight is greater by `spread`.
+/// A net of equal points. One weight is greater by `spread`.
 fn point_net(degree: [usize; 2], distance: f64, spread: f64) -> Net {
     let mut controls = vec![DVec4::new(distance, 0.0, 0.0, 1.0); (degree[0] + 1) * (degree[1] + 1)];
     controls[0] *= 1.0 + spread;

@@ -38,7 +38,7 @@ pub(super) struct Coefficients {
     pub(super) degree: usize,
     pub(super) of_a: Vec<Combination<usize>>,
     pub(super) of_b: Vec<Combination<isize>>,
-    /// The first and the last coefficient of which the basis function is not zero on a span of A.
+    /// The first and the last coefficient whose basis function is not zero on a span of A.
     pub(super) windows: Vec<[usize; 2]>,
     /// The spans of B in the image.
     pub(super) offsets: RangeInclusive<isize>,

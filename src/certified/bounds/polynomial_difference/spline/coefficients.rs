@@ -13,7 +13,7 @@ impl<'a> BlockMap<'a> {
         self.sheets.patch(self.block.surface, place)
     }
 
-    /// The patch of B so many patches away along A's axes.
+    /// The patch of B at an offset along A's axes.
     fn of_b(&self, offsets: [isize; 2]) -> Patch<'a> {
         self.chart.neighbour(self.orientation.by_axes_of_b(offsets))
     }

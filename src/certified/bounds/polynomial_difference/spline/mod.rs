@@ -1,19 +1,13 @@
 //! The difference of a block of A and a surface of B as a B-spline.
 //!
-//! Lemma. Let A's surface over a block and B's over its image be polynomials between their knots, φ one
-//! affine map for each axis from the block's parameters to B's, and T the union of A's knots and those
-//! that φ maps to B's. Along an axis of degree `d = max(p, m)` let a line of T have the multiplicity μ + d - p
+//! Lemma (3.16 of docs/method.md). Let A's surface over a block and B's over its image be polynomials
+//! between their knots, φ one affine map for each axis from the block's parameters to B's, and T the
+//! union of A's knots and those that φ maps to B's. Along an axis of degree `d = max(p, m)` let a line of T have the multiplicity μ + d - p
 //! or ν + d - m where A or B has a knot of multiplicity μ or ν there, the larger of both, and the block's
-//! ends d + 1. Then `A - B∘φ` is a spline of degree d over T, of which coefficient i is the blossom of A at
+//! ends d + 1. Then `A - B∘φ` is a spline of degree d over T. Its coefficient i is the blossom of A at
 //! `T_(i+1), …, T_(i+d)` less that of B at their images, taken from the polynomial of A and from that of
 //! B over any intervals between `T_i` and `T_(i+d+1)`. So its length on a patch of A is at most that of the
 //! longest coefficient whose basis function is not zero there.
-//!
-//! Proof. At a knot of multiplicity μ derivatives of A below p + 1 - μ are continuous, which are
-//! d + 1 - (μ + d - p); so A and B∘φ are splines over T. A spline's coefficients are the blossoms of
-//! its polynomials (Ramshaw, *Blossoms are polar forms*, Computer Aided Geometric Design 6 (1989)), of those on
-//! either side of a line alike if the arguments contain it as often as T does. The basis functions are
-//! nonnegative with sum 1. ∎
 //!
 //! One coefficient for each patch takes the place of two nets, and a map that is affine on
 //! a block suffices where A and B correspond by their parameters up to the scale. Rounding is that of
