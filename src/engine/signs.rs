@@ -5,15 +5,19 @@ use super::prepared::PreparedTarget;
 use crate::bezier::Jet;
 use crate::closest::Target;
 use crate::flatness::Flatness;
-use crate::solid::{Boundary, Side};
+use crate::solid::{Boundary, Side, pseudonormal};
 use glam::DVec3;
 use serde::Serialize;
 use std::sync::Arc;
 
 /// The sine of the angle between the normal and the direction from a foot up to which the foot
 /// counts as one inside a face: the distance to a face is least along its normal. Farther off, the
-/// foot is on an edge or a corner, and the normal of one face says nothing.
+/// foot is on an edge, a corner or the rim, and all faces there count.
 const MAX_SINE: f64 = 1e-3;
+
+/// The cosine of the angle between the normal and the direction from a foot below which a point beside
+/// the rim has no sign: it is in the tangent plane but for the errors of foot and normal.
+const MIN_COSINE: f64 = 1e-6;
 
 /// The part of the sum of two radii that is used: the sum and the distance of centres are rounded.
 const BALL: f64 = 1.0 - 1e-9;
@@ -25,21 +29,24 @@ pub enum Signs {
     /// Negative inside the solid, positive outside. Where neither is certain, on the boundary and in
     /// its gaps, 0; farther off NaN.
     Solid,
-    /// Negative behind the normal of the face that has the foot; NaN where the foot lies on an edge
-    /// or a corner and the point not along the normal, or where there is no normal.
+    /// Negative behind the normal of the face that has the foot; where the foot lies on an edge, a
+    /// corner or the rim, behind the angle-weighted normal of the faces there. NaN where no normal
+    /// exists, where those of the faces cancel, and in the tangent plane beside the rim.
     #[default]
     Faces,
 }
 
-/// The model from which deviations are measured, with its patches where it is a solid.
+/// The model from which deviations are measured, with its patches.
 pub(super) struct SignSource<'a> {
-    solid: Option<(&'a Boundary, Arc<PreparedTarget>)>,
+    boundary: &'a Boundary,
+    target: Arc<PreparedTarget>,
 }
 
 /// The same, to be shared by threads.
 #[derive(Clone, Copy)]
 pub(super) struct SignRule<'a> {
-    solid: Option<(&'a Boundary, &'a Target)>,
+    boundary: &'a Boundary,
+    target: &'a Target,
 }
 
 /// The side of the last point, near which the next one may lie.
@@ -56,32 +63,47 @@ struct Ball {
 impl<'a> SignSource<'a> {
     /// Joins the model's edges at first use.
     pub(super) fn new(model: &'a PreparedModel) -> Self {
-        let boundary = model.boundary();
-        Self { solid: boundary.is_closed().then(|| (boundary, model.target(Flatness::None))) }
+        Self { boundary: model.boundary(), target: model.target(Flatness::None) }
     }
 
     pub(super) fn rule(&self) -> SignRule<'_> {
-        SignRule { solid: self.solid.as_ref().map(|(boundary, target)| (*boundary, &target.target)) }
+        SignRule { boundary: self.boundary, target: &self.target.target }
     }
 }
 
 impl SignRule<'_> {
     /// Returns what the signs stand for.
     pub(super) fn signs(&self) -> Signs {
-        if self.solid.is_some() { Signs::Solid } else { Signs::Faces }
+        if self.boundary.is_closed() { Signs::Solid } else { Signs::Faces }
     }
 
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound
     /// on the point's distance, `known` belongs to this model.
     pub(super) fn signed(&self, point: DVec3, clear: f64, foot: &Jet, known: &mut Known) -> f64 {
+        let Self { boundary, target } = *self;
         let distance = point.distance(foot.point);
-        let Some((boundary, target)) = self.solid else { return along_normal(point, foot) };
+        if !boundary.is_closed() {
+            return self.along_normal(point, foot);
+        }
         match side(boundary, target, point, boundary.clear_radius(clear), known) {
             Side::Inside => -distance,
             Side::Outside => distance,
             Side::Undecided if distance <= boundary.reach() => 0.0,
             Side::Undecided => f64::NAN,
         }
+    }
+
+    /// Returns the distance, negative behind the normal, as [`Signs::Faces`] states.
+    fn along_normal(&self, point: DVec3, foot: &Jet) -> f64 {
+        let offset = point - foot.point;
+        let distance = offset.length();
+        let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
+        let normal = foot
+            .normal()
+            .filter(is_along)
+            .or_else(|| pseudonormal(self.target, foot.point, self.boundary.reach()));
+        let Some(along) = normal.map(|normal| offset.dot(normal)) else { return f64::NAN };
+        if along.abs() >= MIN_COSINE * distance { distance.copysign(along) } else { f64::NAN }
     }
 }
 
@@ -101,13 +123,4 @@ fn side(boundary: &Boundary, target: &Target, point: DVec3, radius: f64, known: 
         known.0 = Some(Ball { center: point, radius: if radius > 0.0 { radius } else { 0.0 }, side });
     }
     side
-}
-
-/// Returns the distance, negative behind the foot's normal, as [`Signs::Faces`] states.
-fn along_normal(point: DVec3, foot: &Jet) -> f64 {
-    let offset = point - foot.point;
-    let Some(normal) = foot.normal() else { return f64::NAN };
-    let (distance, along) = (offset.length(), offset.dot(normal));
-    let is_along = offset.cross(normal).length() <= MAX_SINE * distance;
-    if is_along { distance.copysign(along) } else { f64::NAN }
 }

@@ -2,17 +2,19 @@
 //!
 //! [`Boundary`] joins the edges of the faces in pairs; where each has a partner, the faces and thin
 //! strips between partners are closed. [`side`](Boundary::side) then counts, modulo 2, how often a
-//! ray crosses the faces, along a ray that certainly avoids the strips. docs/solids.md has the
-//! lemmas. Nothing here knows of files, processors or options.
+//! ray crosses the faces, along a ray that certainly avoids the strips. A sheet has no sides, but a
+//! [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
 
 mod clusters;
 mod curve;
 mod edges;
 mod joints;
 mod parity;
+mod pseudonormal;
 mod ray;
 mod side;
 mod strips;
 
 pub(crate) use joints::Boundary;
+pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -4,5 +4,6 @@ mod clearance;
 mod closest_points;
 mod diff;
 mod field;
+mod sheets;
 mod solids;
 mod update;

@@ -1,0 +1,54 @@
+//! The normal of a sheet where its faces meet, and at its rim.
+
+use crate::bezier::Jet;
+use crate::closest::{Target, nearest_control, newton};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// The part of a patch's parameters within which a point counts as one on the border: projections
+/// onto a border end on it but for the rounding of their last step.
+const BORDER: f64 = 1e-6;
+
+/// The largest number of Newton steps to a point that is known to be near the patch.
+const MAX_ITERATIONS: u32 = 16;
+
+/// The length of the sum of normals, relative to the sum of angles, below which faces are opposite
+/// to each other and the sum has no direction.
+const MIN_SUM: f64 = 1e-6;
+
+/// Returns the angle-weighted normal at `point` over all patches within `reach` of it (Bærentzen and
+/// Aanæs 2005, equation 2), of unit length; `None` where no patch has a normal, or where their sum
+/// vanishes.
+///
+/// Inside a face it is the face's normal, on the rim of a sheet that of its one face, on an edge the
+/// mean of two. O(p q) a patch near the point.
+pub(crate) fn pseudonormal(target: &Target, point: DVec3, reach: f64) -> Option<DVec3> {
+    let (mut sum, mut angles) = (DVec3::ZERO, 0.0);
+    for leaf in target.tree.leaves_within(point, reach * reach) {
+        let patch = target.patches.patch(target.tree.primitive(&leaf) as usize);
+        let foot = newton(&patch, point, nearest_control(&patch, point), MAX_ITERATIONS);
+        if foot.distance_squared > reach * reach {
+            continue;
+        }
+        let jet = patch.jet(foot.parameters);
+        if let Some(normal) = jet.normal() {
+            let angle = angle(&jet, foot.parameters);
+            sum += angle * normal;
+            angles += angle;
+        }
+    }
+    (sum.length() > MIN_SUM * angles).then(|| sum.normalize())
+}
+
+/// Returns the angle of a patch's tangent plane at these parameters that the patch fills.
+fn angle(jet: &Jet, parameters: [f64; 2]) -> f64 {
+    let on_border = parameters.map(|parameter| parameter < BORDER || parameter > 1.0 - BORDER);
+    match on_border {
+        [false, false] => 2.0 * PI,
+        [true, true] => {
+            let inward = |parameter: f64| if parameter < 0.5 { 1.0 } else { -1.0 };
+            (inward(parameters[0]) * jet.s).angle_between(inward(parameters[1]) * jet.t)
+        }
+        _ => PI,
+    }
+}
