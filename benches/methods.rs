@@ -10,7 +10,9 @@ mod support;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{
+    Backend, DistanceOptions, Engine, IterationOptions, Method, MethodName, PreparedModel,
+};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
@@ -42,16 +44,24 @@ fn main() {
 }
 
 fn measure(engine: &Engine, pair: &Pair) {
-    let moved = Options {
+    let moved = DistanceOptions {
         transform: RigidTransform::translation(pair.translation).expect("a finite translation"),
-        ..Options::default()
+        ..DistanceOptions::default()
     };
-    let certified = Options { method: Method::Certified, backend: Backend::Cpu, ..moved.clone() };
-    let on_gpu = Options { backend: Backend::Gpu, ..certified.clone() };
-    let iteration = Options { method: Method::Iteration, ..moved };
-    let published =
-        Options { projection: Projection::TangentPlane, culling: Culling::None, ..iteration.clone() };
-    let run = |options: &Options| engine.distance(&pair.a, &pair.b, options).wait().expect("a distance");
+    let certified =
+        DistanceOptions { method: MethodName::Certified.into(), backend: Backend::Cpu, ..moved.clone() };
+    let on_gpu = DistanceOptions { backend: Backend::Gpu, ..certified.clone() };
+    let iteration = DistanceOptions { method: MethodName::Iteration.into(), ..moved };
+    let published = DistanceOptions {
+        method: Method::Iteration(IterationOptions {
+            projection: Projection::TangentPlane,
+            culling: Culling::None,
+            ..Default::default()
+        }),
+        ..iteration.clone()
+    };
+    let run =
+        |options: &DistanceOptions| engine.distance(&pair.a, &pair.b, options).wait().expect("a distance");
     let first = run(&certified);
     let samples = run(&iteration).iteration().expect("an iteration").samples;
     let all = samples * first.patches.b <= MAX_PROJECTIONS;

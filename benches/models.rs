@@ -11,7 +11,7 @@ mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use std::collections::BTreeMap;
 use std::path::Path;
 use support::shared::{self, Reference};
@@ -112,11 +112,11 @@ impl Bench<'_> {
         if !name.contains(&self.requested) {
             return;
         }
-        let options = Options {
+        let options = DistanceOptions {
             relative_tolerance: Some(tolerance),
             transform,
             backend: Backend::Cpu,
-            ..Options::default()
+            ..DistanceOptions::default()
         };
         let run = || self.engine.distance(a, b, &options).wait().expect("a distance");
         let fastest = (1..ROUNDS).fold(run(), |fastest, _| {

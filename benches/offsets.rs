@@ -8,7 +8,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, Model, RigidTransform};
@@ -45,7 +45,7 @@ fn measure(engine: &Engine, pair: &Pair, backend: Backend) -> String {
         PreparedModel::new(&pair.a).expect("valid trims"),
         PreparedModel::new(&pair.b).expect("valid trims"),
     );
-    let options = Options { backend, transform: pair.transform, ..Options::default() };
+    let options = DistanceOptions { backend, transform: pair.transform, ..DistanceOptions::default() };
     let (mut fastest, mut cells) = (f64::INFINITY, 0);
     for _ in 0..ROUNDS {
         let result = engine.distance(&a, &b, &options).wait().expect("a distance");

@@ -16,10 +16,10 @@ mod support;
 
 use std::time::Instant;
 
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{offset_surface, reduce_degree, refit_model};
 use nurbs_hausdorff::shapes::{WavySheet, shape, wavy_sheet};
-use nurbs_hausdorff::{Axis, Model};
+use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model};
 use support::clock::Stopwatch;
 use support::shared;
 
@@ -102,10 +102,13 @@ fn measured(engine: &Engine, pair: [&Model; 2], tolerance: f64, arguments: &Argu
         let preparation = Stopwatch::start(true);
         let [a, b] = pair.map(|model| PreparedModel::new(model).expect("valid trims"));
         let distance = |max_cells: usize| {
-            let options = Options {
+            let options = DistanceOptions {
+                method: Method::Certified(CertifiedOptions {
+                    max_cells: Some(max_cells),
+                    ..Default::default()
+                }),
                 relative_tolerance: Some(tolerance),
-                max_cells: Some(max_cells),
-                ..Options::default()
+                ..DistanceOptions::default()
             };
             engine.distance(&a, &b, &options).wait().expect("a distance")
         };

@@ -16,11 +16,11 @@ use glam::DVec3;
 use nurbs_hausdorff::bezier::{BezierModel, extract};
 use nurbs_hausdorff::bvh::Bvh;
 use nurbs_hausdorff::closest::{Projection, Target};
-use nurbs_hausdorff::engine::{Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::flatness::{Flatness, flatten};
 use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
 use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -159,12 +159,11 @@ fn certified_search(c: &mut Criterion) {
     for degree in [[2, 2], [3, 3], [5, 5]] {
         let net: Model = models::rough(degree, [SPANS; 2], 1.0, 1);
         let model = PreparedModel::new(&net).expect("valid trims");
-        let options = Options {
-            method: Method::Certified,
+        let options = DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_cells: Some(CELLS), ..Default::default() }),
             relative_tolerance: Some(1e-9),
-            max_cells: Some(CELLS),
             transform: RigidTransform::translation(DVec3::new(0.0, 0.0, 1e-3)).expect("finite"),
-            ..Options::default()
+            ..DistanceOptions::default()
         };
         let run = || engine.distance(&model, &model, &options).wait().expect("a distance");
         let cells = run().certified().expect("cells").cells;

@@ -18,9 +18,9 @@ mod proof;
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::{list, shape};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 use proof::{Claim, Motion, Report, Settings, Verdict, Witness};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -45,7 +45,7 @@ struct Pair {
     name: String,
     a: Model,
     b: Model,
-    options: Options,
+    options: DistanceOptions,
 }
 
 /// The verdict on one pair, and the seconds it took.
@@ -162,8 +162,15 @@ fn check(pair: Pair) -> Row {
     Row { name: pair.name, report, seconds }
 }
 
-fn options(transform: RigidTransform) -> Options {
-    Options { transform, max_seconds: Some(SEARCH_SECONDS), ..Options::default() }
+fn options(transform: RigidTransform) -> DistanceOptions {
+    DistanceOptions {
+        method: Method::Certified(CertifiedOptions {
+            max_seconds: Some(SEARCH_SECONDS),
+            ..Default::default()
+        }),
+        transform,
+        ..DistanceOptions::default()
+    }
 }
 
 /// A folder beside the project.
@@ -219,7 +226,7 @@ fn soundness_pairs() -> Vec<Pair> {
         let diagonal = a.bounding_box().diagonal().max(b.bounding_box().diagonal());
         // Two points have no diagonal to be relative to.
         let tolerance = (diagonal == 0.0).then_some(1e-6);
-        let options = Options { tolerance, ..options(RigidTransform::IDENTITY) };
+        let options = DistanceOptions { tolerance, ..options(RigidTransform::IDENTITY) };
         Pair { name, a, b, options }
     };
     names.into_iter().map(pair).collect()
@@ -229,10 +236,13 @@ fn random_pairs() -> Vec<Pair> {
     let pair = |seed: u64| {
         let pair = fuzzer::pairs::pair(seed);
         let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
-        let options = Options {
+        let options = DistanceOptions {
+            method: Method::Certified(CertifiedOptions {
+                max_cells: Some(pair.max_cells),
+                ..Default::default()
+            }),
             tolerance: (diagonal == 0.0).then_some(pair.tolerance),
             relative_tolerance: (diagonal != 0.0).then_some(pair.tolerance),
-            max_cells: Some(pair.max_cells),
             ..options(pair.transform)
         };
         Pair { name: format!("random {seed} ({})", pair.kind), a: pair.a, b: pair.b, options }

@@ -12,10 +12,10 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 use std::rc::Rc;
 use support::clock::Stopwatch;
 use support::shared;
@@ -95,8 +95,12 @@ fn main() {
         for Pair { a, b, transform, name: pair } in &pairs {
             let max_cells = if prepare_only { Some(1) } else { Some(MAX_CELLS) };
             let relative_tolerance = fine.then_some(1e-8);
-            let options =
-                Options { transform: *transform, max_cells, relative_tolerance, ..Options::default() };
+            let options = DistanceOptions {
+                method: Method::Certified(CertifiedOptions { max_cells, ..Default::default() }),
+                transform: *transform,
+                relative_tolerance,
+                ..DistanceOptions::default()
+            };
             let watch = Stopwatch::start(true);
             let result = engine.distance(a, b, &options).wait().expect("a distance");
             let of_pair = result.certified().map_or(0, |details| details.cells);

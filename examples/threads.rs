@@ -1,13 +1,13 @@
 //! One prepared model, compared with many by several threads at once.
 
-use nurbs_hausdorff::{Engine, Options, PreparedModel, Result, shapes::shape};
+use nurbs_hausdorff::{DistanceOptions, Engine, PreparedModel, Result, shapes::shape};
 
 fn main() -> Result<()> {
     let engine = Engine::cpu();
     let nominal = PreparedModel::new(&shape("sphere")?)?;
     let compare = |name: &str| -> Result<[f64; 2]> {
         let part = PreparedModel::new(&shape(name)?)?;
-        let result = engine.distance(&part, &nominal, &Options::default()).wait()?;
+        let result = engine.distance(&part, &nominal, &DistanceOptions::default()).wait()?;
         Ok([result.lower, result.upper])
     };
     std::thread::scope(|scope| {

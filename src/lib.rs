@@ -1,12 +1,12 @@
 //! The Hausdorff distance between NURBS models, as an interval that contains it.
 //!
 //! `h(A, B) = max over a in A of min over b in B of |a - b|`, and with
-//! [`Options::symmetric`] the larger of `h(A, B)` and `h(B, A)`. Every method
+//! [`DistanceOptions::symmetric`] the larger of `h(A, B)` and `h(B, A)`. Every method
 //! returns `lower <= h <= upper`, whether or not its iterations converged, on
 //! the GPU in float32 as on the CPU in float64: rounding is part of the bounds.
 //!
 //! ```
-//! use nurbs_hausdorff::{Engine, Model, Options, PreparedModel, Result};
+//! use nurbs_hausdorff::{Engine, Model, DistanceOptions, PreparedModel, Result};
 //!
 //! // The unit square at a height; control points are x, y, z and weight, v fastest.
 //! let square = |z: f64| {
@@ -17,7 +17,7 @@
 //! };
 //! let (a, b) = (PreparedModel::new(&square(0.0)?)?, PreparedModel::new(&square(3.0)?)?);
 //! let engine = Engine::cpu();
-//! let result = engine.distance(&a, &b, &Options::default()).wait()?;
+//! let result = engine.distance(&a, &b, &DistanceOptions::default()).wait()?;
 //! assert!(result.lower <= 3.0 && 3.0 <= result.upper && result.upper - result.lower < 1e-5);
 //! # Result::Ok(())
 //! ```
@@ -25,7 +25,7 @@
 //! The same from arrays; [`shapes`] makes models from formulas.
 //!
 //! ```
-//! use nurbs_hausdorff::{Engine, Model, Options, PreparedModel, SurfaceArrays};
+//! use nurbs_hausdorff::{Engine, Model, DistanceOptions, PreparedModel, SurfaceArrays};
 //!
 //! // The parabolic sheet z = x^2 over the unit square, and the square.
 //! let sheet = SurfaceArrays {
@@ -41,7 +41,7 @@
 //! let [a, b] = [sheet, flat].map(|arrays| Model::from_arrays(None, vec![arrays]));
 //! let (a, b) = (PreparedModel::new(&a?)?, PreparedModel::new(&b?)?);
 //! let engine = Engine::cpu();
-//! let result = engine.distance(&a, &b, &Options::default()).wait()?;
+//! let result = engine.distance(&a, &b, &DistanceOptions::default()).wait()?;
 //! // The edge x = 1 is 1 above the plane.
 //! assert!(result.lower <= 1.0 && 1.0 <= result.upper && result.upper - result.lower < 1e-5);
 //! # nurbs_hausdorff::Result::Ok(())
@@ -59,7 +59,7 @@
 //!   Krishnamurthy and McMains 2012, and a rigorous bound besides;
 //! - [`Method::Hierarchy`]: pairs of boxes, after Krishnamurthy, McMains and Hanniel 2011.
 //!
-//! [`options`] and [`result`] hold the types of the fields of [`Options`] and
+//! [`options`] and [`result`] hold the types of the fields of [`DistanceOptions`] and
 //! [`DistanceResult`]. `docs/method.md` in the repository states the theorem,
 //! every bound with its proof, the float32 error budget, and the literature.
 //!
@@ -188,10 +188,11 @@ pub use axis::Axis;
 pub use brep::FileKind;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints,
-    Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceResult, Engine, FaceDifference,
-    FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, Method, ModelInfo, Options,
-    Overlap, PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
+    Backend, CertifiedOptions, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
+    ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
+    DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions,
+    GapsResult, HierarchyOptions, IterationOptions, Method, MethodName, ModelInfo, NamedOptions, Overlap,
+    PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
@@ -211,7 +212,7 @@ pub mod trim {
     };
 }
 
-/// The choices within [`Options`].
+/// The choices within [`DistanceOptions`].
 pub mod options {
     pub use crate::closest::Projection;
     pub use crate::flatness::Flatness;
@@ -222,8 +223,8 @@ pub mod options {
 pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
-        Bounds, CertifiedDetails, Field, HierarchyDetails, IterationDetails, PatchCounts, Processor, Seconds,
-        Stop, WithGaps,
+        Bounds, CertifiedDetails, FaceDeviations, HierarchyDetails, IterationDetails, PatchCounts, Processor,
+        Seconds, Stop, WithGaps,
     };
     pub use crate::iteration::StatusCounts;
 }

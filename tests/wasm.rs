@@ -6,7 +6,9 @@
 mod pairs;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
+use nurbs_hausdorff::engine::{
+    Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
+};
 use nurbs_hausdorff::{RigidTransform, shapes};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -18,13 +20,19 @@ const SAMPLES: usize = 8;
 /// The largest difference of the two backends, relative to the diagonal.
 const AGREEMENT: f64 = 1e-5;
 
-async fn measure(engine: &Engine, a: &str, b: &str, options: &Options) -> DistanceResult {
+async fn measure(engine: &Engine, a: &str, b: &str, options: &DistanceOptions) -> DistanceResult {
     let [a, b] = [a, b].map(|name| PreparedModel::new(&shapes::shape(name).unwrap()).unwrap());
     engine.distance(&a, &b, options).await.unwrap()
 }
 
-fn options(backend: Backend) -> Options {
-    Options { method: Method::Iteration, samples: SAMPLES, symmetric: true, backend, ..Options::default() }
+fn options(backend: Backend) -> DistanceOptions {
+    DistanceOptions {
+        method: MethodName::Iteration.into(),
+        samples: SAMPLES,
+        symmetric: true,
+        backend,
+        ..DistanceOptions::default()
+    }
 }
 
 #[wasm_bindgen_test]
@@ -60,7 +68,7 @@ async fn concentric_spheres_are_the_difference_of_their_radii_apart() {
 async fn a_transform_moves_a() {
     let engine = Engine::new(Backend::Auto).await.unwrap();
     let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, 3.0)).unwrap();
-    let options = Options { transform, symmetric: false, ..options(Backend::Gpu) };
+    let options = DistanceOptions { transform, symmetric: false, ..options(Backend::Gpu) };
     let result = measure(&engine, "sphere", "sphere", &options).await;
     // The farthest point of a sphere of radius 2 moved by 3, its top, is 3 away.
     assert!((result.computed - 3.0).abs() < 1e-12, "{}", result.computed);

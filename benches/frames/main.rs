@@ -4,7 +4,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
-use nurbs_hausdorff::engine::{Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, MethodName, PreparedModel};
 use nurbs_hausdorff::{Model, SurfaceArrays, shapes};
 use std::time::Instant;
 
@@ -22,8 +22,12 @@ fn main() {
     let fixed = PreparedModel::new(&shapes::shape("torus").expect("a shape")).expect("valid trims");
     println!("net, method                frames/s   median ms  fastest ms  of which update ms");
     for (counts, frames) in SIZES {
-        for method in [Method::Certified, Method::Hierarchy] {
-            let options = Options { method, relative_tolerance: Some(1e-4), grid: 64, ..Options::default() };
+        for method in [MethodName::Certified, MethodName::Hierarchy] {
+            let options = DistanceOptions {
+                method: method.into(),
+                relative_tolerance: Some(1e-4),
+                ..DistanceOptions::default()
+            };
             let source = sheet(counts);
             let mut prepared = PreparedModel::new(&source).expect("valid trims");
             let (mut times, mut updates) = (Vec::new(), 0.0);

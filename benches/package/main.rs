@@ -6,7 +6,7 @@
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::{Model, RigidTransform};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -27,7 +27,7 @@ fn seconds(engine: &Engine, pair: &Value) -> Value {
         .map(|name| std::fs::read_to_string(pair[name].as_str().expect("a path")).expect("the model's file"));
     let [x, y, z] = [0, 1, 2].map(|axis| pair["translation"][axis].as_f64().expect("a number"));
     let transform = RigidTransform::translation(DVec3::new(x, y, z)).expect("a translation");
-    let options = Options { transform, backend: Backend::Cpu, ..Options::default() };
+    let options = DistanceOptions { transform, backend: Backend::Cpu, ..DistanceOptions::default() };
 
     let started = Instant::now();
     let [a, b] = [a, b]

@@ -92,7 +92,7 @@ def distance(
         model(a)._native, model(b)._native, _names.options(**options),
         _transform.native(transform), reporter(progress, cancel),
     )  # fmt: skip
-    parts = data.pop("field")
+    parts = data.pop("deviations")
     return distance_result(_names.snake(data), parts)
 
 
@@ -140,7 +140,7 @@ def field(
     return Field(
         data["diagonal"],
         None if statistics is None else Statistics(**statistics),
-        field_parts(data["parts"]),
+        field_parts(data["deviations"]),
     )
 
 

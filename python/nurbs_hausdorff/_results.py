@@ -92,8 +92,8 @@ class DistanceResult:
         Bound on the distance of the models from their sources, and whether it is proven.
     forward, reverse : DistanceResult or None
         Both directions of a symmetric distance.
-    field : Field or None
-        The samples, with ``field=True`` in one direction.
+    deviations : Field or None
+        The samples, with ``deviations=True`` in one direction.
     details : dict
         Figures of the methods ``iteration`` and ``hierarchy``.
     """
@@ -124,7 +124,7 @@ class DistanceResult:
     statistics: Statistics | None = None
     forward: DistanceResult | None = None
     reverse: DistanceResult | None = None
-    field: Field | None = dataclasses.field(default=None, repr=False, compare=False)
+    deviations: Field | None = dataclasses.field(default=None, repr=False, compare=False)
     details: dict[str, Any] = dataclasses.field(default_factory=dict)
 
     def _repr_html_(self) -> str:
@@ -239,8 +239,8 @@ def distance_result(data: dict[str, Any], parts: list[dict[str, Any]]) -> Distan
     data["statistics"] = None if statistics is None else Statistics(**statistics)
     for direction in ("forward", "reverse"):
         if data.get(direction) is not None:
-            data[direction] = distance_result(data[direction], data[direction].pop("field", []))
-    data["field"] = (
+            data[direction] = distance_result(data[direction], data[direction].pop("deviations", []))
+    data["deviations"] = (
         Field(data["diagonal"], data["statistics"], field_parts(parts)) if parts else None
     )
     return DistanceResult(**data)

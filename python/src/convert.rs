@@ -3,7 +3,7 @@
 use crate::failure;
 use glam::{DQuat, DVec3};
 use numpy::IntoPyArray;
-use nurbs_hausdorff::result::Field;
+use nurbs_hausdorff::result::FaceDeviations;
 use nurbs_hausdorff::{ClosestPoints, RigidTransform};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -41,7 +41,7 @@ pub(crate) fn to_dict<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<
 ///
 /// # Errors
 /// Those of Python, such as a lack of memory.
-pub(crate) fn fields(py: Python<'_>, fields: Vec<Field>) -> PyResult<Bound<'_, PyList>> {
+pub(crate) fn fields(py: Python<'_>, fields: Vec<FaceDeviations>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
     for field in fields {
         let dict = PyDict::new(py);

@@ -7,7 +7,7 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, ClosestPointOptions, DiffOptions, DistanceResult, Engine, FieldOptions, Method, Options,
+    Backend, NamedOptions, ClosestPointOptions, DiffOptions, DistanceResult, Engine, FieldOptions, MethodName, DistanceOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -24,8 +24,8 @@ fn cpu(py: Python<'_>) -> &Engine {
 
 /// Returns the engine for a distance: method `certified` usually ends in float64 before a GPU
 /// could be initialised.
-fn engine_for<'py>(py: Python<'py>, options: &Options) -> PyResult<&'py Engine> {
-    let staged = options.method != Method::Certified || options.field;
+fn engine_for<'py>(py: Python<'py>, options: &DistanceOptions) -> PyResult<&'py Engine> {
+    let staged = options.method.name() != MethodName::Certified || options.deviations;
     if !(options.backend == Backend::Gpu || staged && options.backend == Backend::Auto) {
         return Ok(cpu(py));
     }
@@ -50,8 +50,9 @@ pub(crate) fn distance<'py>(
     motion: Motion,
     report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: Options = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
+    let mut named: NamedOptions = convert::options(options)?;
+    named.transform = convert::transform(py, motion)?;
+    let options = DistanceOptions::try_from(named).map_err(|error| failure::of_error(py, &error))?;
     let engine = engine_for(py, &options)?;
     let compute =
         |caller: &mut Caller| engine.distance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
@@ -59,11 +60,11 @@ pub(crate) fn distance<'py>(
     let dict = to_dict(py, &result)?;
     for (name, direction) in [("forward", result.forward), ("reverse", result.reverse)] {
         if let Some(direction) = direction {
-            let fields = convert::fields(py, direction.field)?;
-            dict.as_any().get_item(name)?.set_item("field", fields)?;
+            let fields = convert::fields(py, direction.deviations)?;
+            dict.as_any().get_item(name)?.set_item("deviations", fields)?;
         }
     }
-    dict.set_item("field", convert::fields(py, result.field)?)?;
+    dict.set_item("deviations", convert::fields(py, result.deviations)?)?;
     Ok(dict)
 }
 
@@ -103,7 +104,7 @@ pub(crate) fn field<'py>(
     dict.set_item("diagonal", result.diagonal)?;
     let statistics = result.statistics.map(|statistics| to_dict(py, &statistics)).transpose()?;
     dict.set_item("statistics", statistics)?;
-    dict.set_item("parts", convert::fields(py, result.field)?)?;
+    dict.set_item("deviations", convert::fields(py, result.deviations)?)?;
     Ok(dict)
 }
 

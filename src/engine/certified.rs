@@ -1,7 +1,8 @@
 //! One direction of method `certified`, within its budgets.
 
+use super::options::CertifiedOptions;
 use super::result::DirectedResult;
-use super::{Backend, CertifiedDetails, Details, Options, PreparedModel, Stop};
+use super::{Backend, CertifiedDetails, Details, DistanceOptions, PreparedModel, Stop};
 use crate::certified::{BranchAndBound, Gains, Generatrix, Interval, Limit, Pair};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified, Turn};
@@ -19,7 +20,8 @@ pub(super) async fn certified(
     mut pair: Pair<'_>,
     [from_model, to_model]: [&PreparedModel; 2],
     [diagonal, gap]: [f64; 2],
-    options: &Options,
+    options: &DistanceOptions,
+    budgets: &CertifiedOptions,
     gpu: Option<&Arc<Gpu>>,
     progress: &mut Progress<'_>,
 ) -> Result<Option<(DirectedResult, Option<String>)>> {
@@ -37,7 +39,7 @@ pub(super) async fn certified(
     let mut gains = Gains::new(first);
     let needed = options.backend == Backend::Gpu;
     // Validation rules out 0.
-    let max_cells = options.max_cells.unwrap_or(usize::MAX).max(1);
+    let max_cells = budgets.max_cells.unwrap_or(usize::MAX).max(1);
     let mut kernels = Kernels { gpu, needed, driver: None, failure: None, slowest: f64::INFINITY };
     let stop = loop {
         let cells_left = max_cells - search.work().cells;
@@ -47,7 +49,7 @@ pub(super) async fn certified(
         if search.work().cells >= max_cells {
             break Stop::Cells;
         }
-        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+        if budgets.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
             break Stop::Time;
         }
         if progress.is_due() {
@@ -97,7 +99,7 @@ pub(super) async fn certified(
             stop,
             within,
         }),
-        field: Vec::new(),
+        deviations: Vec::new(),
     };
     Ok(Some((directed, notice)))
 }

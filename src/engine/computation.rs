@@ -8,12 +8,12 @@ use std::pin::Pin;
 /// A computation, which begins when it is awaited or waited for.
 ///
 /// ```
-/// use nurbs_hausdorff::{Engine, Options, PreparedModel, shapes::shape};
+/// use nurbs_hausdorff::{Engine, DistanceOptions, PreparedModel, shapes::shape};
 ///
 /// let engine = Engine::cpu();
 /// let a = PreparedModel::new(&shape("sphere")?)?;
 /// let b = PreparedModel::new(&shape("sphere-larger")?)?;
-/// let result = engine.distance(&a, &b, &Options::default()).wait()?;
+/// let result = engine.distance(&a, &b, &DistanceOptions::default()).wait()?;
 /// assert!(result.upper - result.lower <= 1e-5);
 /// # Ok::<(), nurbs_hausdorff::Error>(())
 /// ```

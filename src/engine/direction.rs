@@ -1,10 +1,11 @@
 //! The distance in one direction, and its result.
 
 use super::certified::certified;
+use super::options::CertifiedOptions;
 use super::result::DirectedResult;
 use super::{
-    DistanceResult, Options, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop, WithGaps,
-    Witness,
+    DistanceOptions, DistanceResult, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop,
+    WithGaps, Witness,
 };
 use crate::certified::{Interval, Pair};
 use crate::error::{Error, Result};
@@ -54,7 +55,8 @@ impl Direction<'_> {
     pub(super) async fn certified(
         &self,
         gpu: Option<&Arc<Gpu>>,
-        options: &Options,
+        options: &DistanceOptions,
+        budgets: &CertifiedOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
@@ -67,7 +69,7 @@ impl Direction<'_> {
         let diagonal = self.diagonal();
         let pair = Pair { a, b, transform: self.transform };
         let models = [self.from, self.to];
-        let result = certified(pair, models, [diagonal, self.gap()], options, gpu, progress).await?;
+        let result = certified(pair, models, [diagonal, self.gap()], options, budgets, gpu, progress).await?;
         let (result, notice) = result.ok_or(Error::EmptyModel)?;
         let on_gpu = result.details.certified().is_some_and(|details| details.cpu_cells < details.cells);
         Ok(DirectedRun {
@@ -147,12 +149,12 @@ impl DirectedRun {
 
     /// Returns the result of the direction from B to A, which was computed in A's
     /// own frame, in the frame of B.
-    pub(super) fn into_reverse(mut self, options: &Options) -> DistanceResult {
+    pub(super) fn into_reverse(mut self, options: &DistanceOptions) -> DistanceResult {
         let transform = &options.transform;
         let [from, to] = [&self.result.from, &self.result.to].map(|point| point.moved(transform));
         let witness = Witness { a: to, b: from };
-        for field in &mut self.result.field {
-            for points in [&mut field.points, &mut field.feet] {
+        for face in &mut self.result.deviations {
+            for points in [&mut face.points, &mut face.feet] {
                 for point in points.chunks_exact_mut(3) {
                     let [x, y, z] = [point[0], point[1], point[2]];
                     point.copy_from_slice(&transform.apply(DVec3::new(x, y, z)).to_array());
@@ -164,8 +166,8 @@ impl DirectedRun {
     }
 
     fn into_result(self, witness: Witness, patches: PatchCounts) -> DistanceResult {
-        let DirectedResult { computed, lower, upper, converged, details, mut field, .. } = self.result;
-        field.iter_mut().for_each(|field| field.limit(upper));
+        let DirectedResult { computed, lower, upper, converged, details, mut deviations, .. } = self.result;
+        deviations.iter_mut().for_each(|face| face.limit(upper));
         DistanceResult {
             details,
             backend: self.backend,
@@ -183,10 +185,10 @@ impl DirectedRun {
             patches,
             seconds: self.seconds,
             notice: self.notice,
-            statistics: Statistics::of(&field),
+            statistics: Statistics::of(&deviations),
             forward: None,
             reverse: None,
-            field,
+            deviations,
         }
     }
 }

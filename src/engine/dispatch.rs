@@ -1,7 +1,7 @@
 //! The engine: the choice of the backend, and recovery from lost devices.
 
 use super::direction::{DirectedRun, Direction};
-use super::{Backend, Computation, DistanceResult, Method, Options, PreparedModel};
+use super::{Backend, Computation, DistanceOptions, DistanceResult, Method, MethodName, PreparedModel};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::progress::Monitor;
@@ -105,7 +105,7 @@ impl Engine {
         &'a self,
         a: &'a PreparedModel,
         b: &'a PreparedModel,
-        options: &'a Options,
+        options: &'a DistanceOptions,
     ) -> Computation<'a, DistanceResult> {
         Computation::new(move |mut watched| {
             Box::pin(async move { self.distance_of(a, b, options, watched.monitor()).await })
@@ -116,7 +116,7 @@ impl Engine {
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
-        options: &Options,
+        options: &DistanceOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<DistanceResult> {
         options.validate()?;
@@ -141,14 +141,14 @@ impl Engine {
     async fn directed(
         &self,
         direction: &Direction<'_>,
-        options: &Options,
+        options: &DistanceOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
-        let mut run = self.run(direction, options.method, options, progress).await?;
-        if options.field && options.method != Method::Iteration && !run.is_cancelled() {
+        let mut run = self.run(direction, options, progress).await?;
+        if options.deviations && options.method.name() != MethodName::Iteration && !run.is_cancelled() {
             let started = Instant::now();
             let sampling = direction.from.sampling(options.samples, options.sampling);
-            run.result.field = direction.field(&sampling.sampling, progress).await?;
+            run.result.deviations = direction.deviations(&sampling.sampling, progress).await?;
             run.seconds.solve += started.elapsed().as_secs_f64();
         }
         Ok(run)
@@ -171,36 +171,36 @@ impl Engine {
     async fn run(
         &self,
         direction: &Direction<'_>,
-        method: Method,
-        options: &Options,
+        options: &DistanceOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
+        let method = options.method.name();
         let in_range = direction.is_in_float32_range();
-        if method != Method::Certified {
+        if method != MethodName::Certified {
             direction.require_surfaces("a method other than certified")?;
         }
-        if options.field {
-            direction.require_surfaces("a field")?;
-        }
-        if direction.is_of_facets() {
-            return direction.between_facets(options, progress).await;
+        if options.deviations {
+            direction.require_surfaces("deviations")?;
         }
         loop {
             let device = self.gpu_for(options.backend)?;
             let gpu = device.as_ref().filter(|_| in_range);
             // Method certified asks for its turn when its cells are many enough.
-            let turn = match gpu.filter(|_| method != Method::Certified) {
+            let turn = match gpu.filter(|_| method != MethodName::Certified) {
                 Some(gpu) => Some(gpu.turn().await),
                 None => None,
             };
-            let run = match method {
-                Method::Certified => {
+            let run = match &options.method {
+                Method::Certified(budgets) if direction.is_of_facets() => {
+                    direction.between_facets(options, budgets, progress).await
+                }
+                Method::Certified(budgets) => {
                     // A software adapter is about as fast as float64, which needs no set-up.
                     let helps = |gpu: &&Arc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
-                    direction.certified(gpu.filter(helps), options, progress).await
+                    direction.certified(gpu.filter(helps), options, budgets, progress).await
                 }
-                Method::Iteration => direction.iteration(gpu, options, progress).await,
-                Method::Hierarchy => direction.hierarchy(gpu, options, progress).await,
+                Method::Iteration(own) => direction.iteration(gpu, options, own, progress).await,
+                Method::Hierarchy(own) => direction.hierarchy(gpu, options, own, progress).await,
             };
             drop(turn);
             match run {
@@ -209,13 +209,14 @@ impl Engine {
                     None => return Err(Error::DeviceLost { found }),
                 },
                 Ok(mut run) => {
-                    if method != Method::Certified && device.is_none() && options.backend != Backend::Cpu {
+                    if method != MethodName::Certified && device.is_none() && options.backend != Backend::Cpu
+                    {
                         run.notice = self.notice();
                     }
-                    if method != Method::Certified && device.is_some() && !in_range {
+                    if method != MethodName::Certified && device.is_some() && !in_range {
                         run.add_notice(BEYOND_FLOAT32);
                     }
-                    let relative = method != Method::Iteration && options.permitted_width().is_relative();
+                    let relative = method != MethodName::Iteration && options.permitted_width().is_relative();
                     if relative && run.diagonal == 0.0 {
                         run.add_notice(NO_DIAGONAL);
                     }
@@ -278,7 +279,11 @@ mod tests {
         let Some(engine) = engine(test) else { return };
         let [a, b] =
             ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
-        let options = Options { method: Method::Iteration, samples: 16, ..Options::default() };
+        let options = DistanceOptions {
+            method: MethodName::Iteration.into(),
+            samples: 16,
+            ..DistanceOptions::default()
+        };
         let run = || engine.distance(&a, &b, &options).wait().unwrap();
         let lose = || locked(&engine.gpu).as_ref().unwrap().destroy();
         assert_eq!(run().backend, Processor::Gpu);
@@ -305,7 +310,7 @@ mod tests {
         // All of A is equally far from B, and no bound on whole patches shows it: many cells.
         let [a, b] = sphere_parts([1.0, 1.1]).unwrap().map(|model| PreparedModel::new(&model).unwrap());
         let run = |backend| {
-            let options = Options { backend, ..Options::default() };
+            let options = DistanceOptions { backend, ..DistanceOptions::default() };
             engine.distance(&a, &b, &options).wait()
         };
         let provoke_error = || locked(&engine.gpu).as_ref().unwrap().provoke_validation_error();

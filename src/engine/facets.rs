@@ -2,8 +2,11 @@
 
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};
+use super::options::CertifiedOptions;
 use super::result::DirectedResult;
-use super::{CertifiedDetails, Details, Options, PreparedModel, Processor, Seconds, Stop, SurfacePoint};
+use super::{
+    CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop, SurfacePoint,
+};
 use crate::bezier::BezierModel;
 use crate::certified::{Gains, Interval, Limit};
 use crate::error::{Error, Result};
@@ -28,7 +31,8 @@ impl Direction<'_> {
     /// Runs the search over facets.
     pub(super) async fn between_facets(
         &self,
-        options: &Options,
+        options: &DistanceOptions,
+        budgets: &CertifiedOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
@@ -59,7 +63,7 @@ impl Direction<'_> {
         let limit = options.limit.map(|at| Limit { at, gap: self.gap() });
         let mut search = FacetSearch::new(source, measured, self.transform, tolerance, limit);
         let prepare = started.elapsed().as_secs_f64();
-        let stop = search_within(&mut search, options, tolerance, progress).await?;
+        let stop = search_within(&mut search, budgets, tolerance, progress).await?;
         let result = self.result(&search, stop, options, tolerance)?;
         let count = |model: &PreparedModel| match model.facets() {
             Some(facets) => facets.target.len(),
@@ -85,7 +89,7 @@ impl Direction<'_> {
         &self,
         search: &FacetSearch<'_>,
         stop: Stop,
-        options: &Options,
+        options: &DistanceOptions,
         tolerance: f64,
     ) -> Result<DirectedResult> {
         let [lower, upper] = search.interval();
@@ -123,7 +127,7 @@ impl Direction<'_> {
                 stop,
                 within,
             }),
-            field: Vec::new(),
+            deviations: Vec::new(),
         })
     }
 
@@ -147,7 +151,7 @@ impl Direction<'_> {
 /// a budget too: the interval so far is returned.
 async fn search_within(
     search: &mut FacetSearch<'_>,
-    options: &Options,
+    budgets: &CertifiedOptions,
     tolerance: f64,
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
@@ -160,7 +164,7 @@ async fn search_within(
     let first = interval(search);
     let mut gains = Gains::new(first);
     // Validation rules out 0.
-    let max_cells = options.max_cells.unwrap_or(usize::MAX).max(1);
+    let max_cells = budgets.max_cells.unwrap_or(usize::MAX).max(1);
     let stop = loop {
         match search.advance(max_cells.saturating_sub(search.work().cells)) {
             Some(End::Searched) => break Stop::Converged,
@@ -170,7 +174,7 @@ async fn search_within(
         if search.work().cells >= max_cells {
             break Stop::Cells;
         }
-        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+        if budgets.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
             break Stop::Time;
         }
         if progress.is_due() {

@@ -28,10 +28,13 @@ pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FieldOptions, Statistics};
 pub use info::{FaceInfo, ModelInfo};
-pub use options::{Backend, Method, Options};
+pub use options::{
+    Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
+    NamedOptions,
+};
 pub use prepared::PreparedModel;
 pub use result::{
-    Bounds, CertifiedDetails, Details, DistanceResult, Field, HierarchyDetails, IterationDetails,
+    Bounds, CertifiedDetails, Details, DistanceResult, FaceDeviations, HierarchyDetails, IterationDetails,
     PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
 };
 pub use signs::Signs;

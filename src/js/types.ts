@@ -23,7 +23,11 @@ export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
 export type {
   Backend,
+  CertifiedOptions,
+  CommonOptions,
   DistanceOptions,
+  HierarchyOptions,
+  IterationOptions,
   OnProgress,
   Transform,
   Vector3,
@@ -31,7 +35,7 @@ export type {
 export type {
   CertifiedResult,
   DistanceResult,
-  Field,
+  FaceDeviations,
   HierarchyResult,
   IterationResult,
   Results,

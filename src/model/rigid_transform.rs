@@ -20,6 +20,12 @@ pub struct RigidTransform {
     translation: DVec3,
 }
 
+impl Default for RigidTransform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
 impl RigidTransform {
     /// The identity.
     pub const IDENTITY: Self = Self { rotation: DQuat::IDENTITY, translation: DVec3::ZERO };

@@ -42,7 +42,7 @@ pub(crate) fn pseudonormal(target: &Target, point: DVec3, reach: f64) -> Option<
 
 /// Returns the angle of a patch's tangent plane at these parameters that the patch fills.
 fn angle(jet: &Jet, parameters: [f64; 2]) -> f64 {
-    let on_border = parameters.map(|parameter| parameter < BORDER || parameter > 1.0 - BORDER);
+    let on_border = parameters.map(|parameter| !(BORDER..=1.0 - BORDER).contains(&parameter));
     match on_border {
         [false, false] => 2.0 * PI,
         [true, true] => {

@@ -2,8 +2,8 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceResult, Field,
-    FieldOptions, GapOptions, Options, Signs, Statistics,
+    ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceOptions,
+    DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs, Statistics,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -20,12 +20,12 @@ use wasm_bindgen::{JsCast, JsValue};
 /// transform is a value of its own, whose numbers have conditions.
 ///
 /// # Errors
-/// [`Error::OptionInvalid`] for an unknown name or a value of another type,
+/// [`Error::OptionInvalid`] for an unknown name, a value of another type or an option of another method,
 /// [`Error::TransformNotRigid`].
-pub(super) fn options(options: &JsValue, transform: &JsValue) -> Result<Options> {
+pub(super) fn options(options: &JsValue, transform: &JsValue) -> Result<DistanceOptions> {
     let transform = rigid_transform(transform)?;
-    let options: Options = properties(options).map_err(invalid)?;
-    Ok(Options { transform, ..options })
+    let named: NamedOptions = properties(options).map_err(invalid)?;
+    NamedOptions { transform, ..named }.try_into()
 }
 
 /// The options of a comparison of faces, as [`options`].
@@ -150,6 +150,11 @@ fn properties<T: DeserializeOwned>(value: &JsValue) -> std::result::Result<T, St
         (!value.is_undefined())
             .then(|| (entry.get(0).as_string().unwrap_or_default(), Deserializer::from(value)))
     });
+    // To serde null is an option that is not given.
+    let mut entries = Object::entries(object).into_iter().map(JsCast::unchecked_into::<Array>);
+    if let Some(null) = entries.find(|entry: &Array| entry.get(1).is_null()) {
+        return Err(format!("{}: found null", null.get(0).as_string().unwrap_or_default()));
+    }
     serde_path_to_error::deserialize(MapDeserializer::new(defined)).map_err(|error| {
         let path = error.path().to_string();
         format!("{path}: {}", message(error.into_inner()))
@@ -171,24 +176,24 @@ fn invalid(found: String) -> Error {
 /// As [`to_object`].
 pub(super) fn result(result: &DistanceResult) -> std::result::Result<JsValue, JsValue> {
     let object = to_object(result)?;
-    set_field(&object, result)?;
+    set_deviations(&object, result)?;
     for (name, directed) in [("forward", &result.forward), ("reverse", &result.reverse)] {
         if let Some(directed) = directed {
-            set_field(&Reflect::get(&object, &name.into())?, directed)?;
+            set_deviations(&Reflect::get(&object, &name.into())?, directed)?;
         }
     }
     Ok(object)
 }
 
-fn set_field(object: &JsValue, result: &DistanceResult) -> std::result::Result<(), JsValue> {
-    if !result.field.is_empty() {
-        Reflect::set(object, &"field".into(), &to_object(&field_arrays(&result.field))?)?;
+fn set_deviations(object: &JsValue, result: &DistanceResult) -> std::result::Result<(), JsValue> {
+    if !result.deviations.is_empty() {
+        Reflect::set(object, &"deviations".into(), &to_object(&arrays(&result.deviations))?)?;
     }
     Ok(())
 }
 
-fn field_arrays(field: &[Field]) -> Vec<FieldArrays> {
-    field.iter().map(FieldArrays::from).collect()
+fn arrays(deviations: &[FaceDeviations]) -> Vec<FaceArrays> {
+    deviations.iter().map(FaceArrays::from).collect()
 }
 
 /// A field with its statistics.
@@ -199,7 +204,7 @@ pub(super) fn deviation_field(found: &DeviationField) -> std::result::Result<JsV
     to_object(&DeviationArrays {
         diagonal: found.diagonal,
         statistics: found.statistics,
-        field: field_arrays(&found.field),
+        deviations: arrays(&found.deviations),
     })
 }
 
@@ -208,11 +213,11 @@ struct DeviationArrays {
     diagonal: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     statistics: Option<Statistics>,
-    field: Vec<FieldArrays>,
+    deviations: Vec<FaceArrays>,
 }
 
 #[derive(Serialize)]
-struct FieldArrays {
+struct FaceArrays {
     face: usize,
     counts: [usize; 2],
     #[serde(with = "serde_wasm_bindgen::preserve")]
@@ -230,8 +235,8 @@ struct FieldArrays {
     statuses: Uint8Array,
 }
 
-impl From<&Field> for FieldArrays {
-    fn from(field: &Field) -> Self {
+impl From<&FaceDeviations> for FaceArrays {
+    fn from(field: &FaceDeviations) -> Self {
         Self {
             face: field.face,
             counts: field.counts,

@@ -192,7 +192,7 @@ fn moves_and_turns_are_applied_to_a() {
 #[test]
 fn people_get_text() {
     let [a, b] = planes("text");
-    let output = run(&["distance", &a, &b, "--field", "--backend", "cpu"]);
+    let output = run(&["distance", &a, &b, "--deviations", "--backend", "cpu"]);
     let text = String::from_utf8(output.stdout).unwrap();
     for part in ["distance   3.0", "interval", "on A", "on B", "estimates  mean 3.0", "converged  yes"] {
         assert!(text.contains(part), "{part:?} is not in {text}");

@@ -160,13 +160,23 @@ fn a_relative_tolerance_of_points_is_reported() {
 #[test]
 fn bad_arguments_have_codes() {
     let good = shape_file("arguments", "cone");
-    let cases: [(&[&str], &str, &[&str]); 12] = [
-        (&["--samples", "1"], "OPTION_OUT_OF_RANGE", &["samples", "1", "2 to 1024"]),
-        (&["--iterations", "0"], "OPTION_OUT_OF_RANGE", &["iterations", "0"]),
-        (&["--step-tolerance", "inf"], "OPTION_OUT_OF_RANGE", &["step tolerance"]),
+    let cases: [(&[&str], &str, &[&str]); 14] = [
+        (&["--samples", "1", "--deviations"], "OPTION_OUT_OF_RANGE", &["samples", "1", "2 to 1024"]),
+        (
+            &["--grid", "8"],
+            "OPTION_INVALID",
+            &["grid is an option of method hierarchy, found method certified"],
+        ),
+        (&["--samples", "8"], "OPTION_INVALID", &["samples", "deviations", "method certified"]),
+        (&["--method", "iteration", "--iterations", "0"], "OPTION_OUT_OF_RANGE", &["iterations", "0"]),
+        (&["--method", "iteration", "--step-tolerance", "inf"], "OPTION_OUT_OF_RANGE", &["step tolerance"]),
         (&["--max-cells", "0"], "OPTION_OUT_OF_RANGE", &["max cells"]),
-        (&["--grid", "1"], "OPTION_OUT_OF_RANGE", &["grid", "1", "2 to 1024"]),
-        (&["--memory-budget", "0"], "OPTION_OUT_OF_RANGE", &["memory budget", "1 to 256 MiB"]),
+        (&["--method", "hierarchy", "--grid", "1"], "OPTION_OUT_OF_RANGE", &["grid", "1", "2 to 1024"]),
+        (
+            &["--method", "hierarchy", "--memory-budget", "0"],
+            "OPTION_OUT_OF_RANGE",
+            &["memory budget", "1 to 256 MiB"],
+        ),
         (&["--samples", "many"], "OPTION_INVALID", &["--samples", "many"]),
         (&["--flatness", "flat"], "OPTION_INVALID", &["--flatness", "none, loose, tight, curvature"]),
         (&["--translate", "1,2"], "OPTION_INVALID", &["--translate", "found 2 numbers, expected 3"]),

@@ -38,7 +38,7 @@ fn what_needs_surfaces_refuses_meshes_by_code() {
         vec!["info", &mesh],
         vec!["convert", &mesh, "unwritten.json"],
         vec!["diff", &mesh, &mesh],
-        vec!["distance", &mesh, &mesh, "--field"],
+        vec!["distance", &mesh, &mesh, "--deviations"],
     ] {
         let output = run(&arguments);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -6,6 +6,7 @@ import {
   Hausdorff,
   HausdorffError,
   type InterchangeModel,
+  type IterationOptions,
   type IterationResult,
   type NurbsModel,
   type ShapeInfo,
@@ -38,7 +39,7 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   using c: NurbsModel = hd.model(JSON.stringify(interchange));
   using d = hd.shape("sphere");
   const controller = new AbortController();
-  const options: DistanceOptions = {
+  const options: IterationOptions = {
     method: "iteration",
     samples: 128,
     sampling: "arc-length",
@@ -50,13 +51,14 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
     symmetric: true,
     transform: { translation: [0, 0, 1], rotation: [0, 0, 0, 1] },
     backend: "gpu",
-    field: true,
+    deviations: true,
     signal: controller.signal,
     onProgress: (fraction) => console.log(fraction.toFixed(2)),
   };
-  const result: DistanceResult = await hd.distance(a, b, options);
+  const any: DistanceOptions = options;
+  const result: DistanceResult = await hd.distance(a, b, any);
   const [x, y, z]: [number, number, number] = result.witness.a.point;
-  const feet: Float64Array | undefined = result.field?.[0]?.feet;
+  const feet: Float64Array | undefined = result.deviations?.[0]?.feet;
   const adapter: string | null = hd.adapter;
   const { min, max } = c.boundingBox;
   console.log(x, y, z, feet, adapter, min[0], max[2], hd.backend, hd.notice, d.name);
@@ -78,8 +80,8 @@ export async function elsewhere(text: string): Promise<number> {
   const points = new Float64Array(3);
   const { distances } = await hd.closestPoints(a, points, { transfer: true });
   const { transform, rms } = await hd.bestFit(a, a, { samples: 8 });
-  const { statistics, field } = await hd.field(a, a, { transform, upper: rms });
-  if (statistics !== undefined && field[0]?.areas.length === 0) return statistics.mean;
+  const { statistics, deviations } = await hd.field(a, a, { transform, upper: rms });
+  if (statistics !== undefined && deviations[0]?.areas.length === 0) return statistics.mean;
   // @ts-expect-error models are the worker's
   await hd.distance(a, inHere().shape("sphere"));
   return within ? (distances[0] ?? 0) : a.faceCount;
@@ -94,6 +96,8 @@ export async function narrowed(hd: Hausdorff, a: NurbsModel, b: NurbsModel): Pro
   const { samples } = await hd.distance(a, b, { method: "iteration" });
   const { pairs } = await hd.distance(a, b, { method: "hierarchy", grid: 32 });
   console.log(stop, samples, pairs.length);
+  // @ts-expect-error the grid is an option of another method
+  await hd.distance(a, b, { method: "iteration", grid: 32 });
   // @ts-expect-error method `iteration` decides no limit
   console.log((await hd.distance(a, b, { method: "iteration" })).within);
   return within ?? false;

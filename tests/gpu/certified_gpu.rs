@@ -1,10 +1,10 @@
 //! Method `certified` with its cells on the GPU, against truths and float64.
 
 use crate::support::gpu::{engine, measure};
-use nurbs_hausdorff::engine::{Backend, Options, Processor, Stop};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, Processor, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
-use nurbs_hausdorff::{Axis, Model, RigidTransform};
+use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform};
 
 /// Rounding of the truths below, of size 0 to 1.
 const ROUNDING: f64 = 1e-12;
@@ -13,8 +13,12 @@ const ROUNDING: f64 = 1e-12;
 fn both(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
     let Some(engine) = engine(name) else { return };
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let options =
-            Options { relative_tolerance: Some(tolerance), transform, backend, ..Options::default() };
+        let options = DistanceOptions {
+            relative_tolerance: Some(tolerance),
+            transform,
+            backend,
+            ..DistanceOptions::default()
+        };
         let result = measure(&engine, a, b, &options);
         let details = result.certified().unwrap();
         println!(
@@ -51,7 +55,8 @@ fn a_copy_by_other_parameters_takes_few_cells_on_either() {
     let [part, sphere] = sphere_parts([1.0, 1.0]).unwrap();
     let Some(engine) = engine("a part of a sphere") else { return };
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let options = Options { relative_tolerance: Some(1e-6), backend, ..Options::default() };
+        let options =
+            DistanceOptions { relative_tolerance: Some(1e-6), backend, ..DistanceOptions::default() };
         let result = measure(&engine, &part, &sphere, &options);
         let details = result.certified().unwrap();
         assert!(result.converged && result.lower <= ROUNDING, "{:?}", details.stop);
@@ -82,11 +87,11 @@ fn float64_does_what_float32_is_too_coarse_for() {
     let test = "float64_does_what_float32_is_too_coarse_for";
     let Some(engine) = engine(test) else { return };
     let [one, larger] = sphere_parts([1.0, 1.5]).unwrap();
-    let options = Options {
+    let options = DistanceOptions {
+        method: Method::Certified(CertifiedOptions { max_cells: Some(40_000), ..Default::default() }),
         relative_tolerance: Some(3e-8),
-        max_cells: Some(40_000),
         backend: Backend::Gpu,
-        ..Options::default()
+        ..DistanceOptions::default()
     };
     let result = measure(&engine, &one, &larger, &options);
     let details = result.certified().unwrap();

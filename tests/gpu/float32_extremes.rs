@@ -1,15 +1,16 @@
 //! The kernels where float32 is short of exponent, digits or loop turns: the
 //! interval must hold all the same.
 
+use crate::support::fixtures::with_grid;
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, MethodName};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::{shape, sphere};
-use nurbs_hausdorff::{Axis, Model, SurfaceArrays};
+use nurbs_hausdorff::{Axis, IterationOptions, Method, Model, SurfaceArrays};
 
 /// What the backends may differ by, relative to the diagonal: some tens of
 /// roundings of float32.
@@ -18,12 +19,12 @@ const FLOAT32: f64 = 1e-5;
 /// Rounding of float64 some 1e7 from the origin.
 const ROUNDING: f64 = 1e-8;
 
-fn iteration() -> Options {
-    Options { method: Method::Iteration, samples: 24, ..Options::default() }
+fn iteration() -> DistanceOptions {
+    DistanceOptions { method: MethodName::Iteration.into(), samples: 24, ..DistanceOptions::default() }
 }
 
-fn on(engine: &Engine, backend: Backend, a: &Model, b: &Model, options: &Options) -> DistanceResult {
-    measure(engine, a, b, &Options { backend, ..options.clone() })
+fn on(engine: &Engine, backend: Backend, a: &Model, b: &Model, options: &DistanceOptions) -> DistanceResult {
+    measure(engine, a, b, &DistanceOptions { backend, ..options.clone() })
 }
 
 /// `model` with every control point mapped.
@@ -83,7 +84,7 @@ fn models_of_any_size_are_measured() {
     let Some(engine) = engine("models_of_any_size_are_measured") else { return };
     let models = tilted_square();
     // More samples than float64 alone would put right.
-    let options = Options { samples: 64, ..iteration() };
+    let options = DistanceOptions { samples: 64, ..iteration() };
     // Lengths near 1e-100 and below are lost in the allowance for underflow.
     for exponent in [-90, -60, -30, -22, -20, -18, -15, -9, 9, 15, 18, 20, 30, 60, 99] {
         let size = 10_f64.powi(exponent);
@@ -102,8 +103,8 @@ fn a_point_and_models_of_very_different_sizes_are_measured() {
     let [to_point, to_dot] = [13.16_f64.sqrt(), 8.0_f64.sqrt()];
     for exponent in [-58, -30, -24, -15, -6, 0, 6, 15, 24, 30] {
         let size = 10_f64.powi(exponent);
-        for method in [Method::Iteration, Method::Hierarchy, Method::Certified] {
-            let options = Options { method, samples: 16, grid: 16, ..iteration() };
+        for method in [MethodName::Iteration, MethodName::Hierarchy, MethodName::Certified] {
+            let options = DistanceOptions { method: with_grid(method, 16), samples: 16, ..iteration() };
             for backend in [Backend::Gpu, Backend::Cpu] {
                 let name = format!("{method:?}, {backend:?}, size 1e{exponent}");
                 let result = on(&engine, backend, &scaled(&square, size), &point(size), &options);
@@ -136,10 +137,10 @@ fn weights_far_apart_leave_the_bound_of_the_boxes() {
     let [square, plane] = tilted_square();
     // From the corner (1, -1, 0.5) to (-2, 2, 0), the farthest of the boxes.
     let farthest = 18.25_f64.sqrt();
-    for method in [Method::Iteration, Method::Hierarchy] {
+    for method in [MethodName::Iteration, MethodName::Hierarchy] {
         for ratio in [1e12, 1e20] {
             let heavy = |model| mapped(model, |[x, y, z, w]| [x, y, z, if x > y { ratio * w } else { w }]);
-            let options = Options { method, samples: 4, grid: 4, ..iteration() };
+            let options = DistanceOptions { method: with_grid(method, 4), samples: 4, ..iteration() };
             let result = on(&engine, Backend::Gpu, &heavy(&square), &heavy(&plane), &options);
             let name = format!("{method:?}, weights 1 to {ratio:e}");
             assert_contains(&result, 0.5, &name);
@@ -152,7 +153,7 @@ fn weights_far_apart_leave_the_bound_of_the_boxes() {
 fn weights_of_any_scale_are_the_same_surface() {
     // The points do not change when all weights are multiplied by a number.
     // More samples than float64 alone would put right.
-    let options = Options { samples: 64, ..iteration() };
+    let options = DistanceOptions { samples: 64, ..iteration() };
     let Some(engine) = engine("weights_of_any_scale_are_the_same_surface") else { return };
     let models = tilted_square();
     for exponent in [-99, -42, -30, 30, 37, 99] {
@@ -169,9 +170,9 @@ fn far_from_the_origin_the_kernels_lose_no_digit() {
     let Some(engine) = engine("far_from_the_origin") else { return };
     // Float64 leaves 1e-9 between the points; float32 alone would see one point.
     let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::new(4e6, -3e6, 2e6), radius).unwrap());
-    let result = on(&engine, Backend::Gpu, &a, &b, &Options { field: true, ..iteration() });
+    let result = on(&engine, Backend::Gpu, &a, &b, &DistanceOptions { deviations: true, ..iteration() });
     assert!((result.computed - 0.5).abs() < ROUNDING, "{}", result.computed);
-    for &distance in &result.field[0].distances {
+    for &distance in &result.deviations[0].distances {
         assert!((distance - 0.5).abs() < FLOAT32, "{distance}");
     }
 }
@@ -193,10 +194,15 @@ fn degree_15_is_measured() {
     let (a, b) = (elevated(1.0), elevated(1.5));
     assert_eq!(a.surfaces()[0].degree(), [15, 15]);
     for culling in [Culling::Tree, Culling::None] {
-        let options = Options { samples: 12, culling, field: true, ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions { culling, ..Default::default() }),
+            samples: 12,
+            deviations: true,
+            ..iteration()
+        };
         let result = on(&engine, Backend::Gpu, &a, &b, &options);
         assert!((result.computed - 0.5).abs() < 1e-9, "{culling:?}: {}", result.computed);
-        for &distance in &result.field[0].distances {
+        for &distance in &result.deviations[0].distances {
             assert!((distance - 0.5).abs() < FLOAT32, "{culling:?}: {distance}");
         }
     }
@@ -215,7 +221,12 @@ fn many_samples_nearly_equally_near_to_many_patches() {
     let Some(engine) = engine("many_samples_nearly_equally_near_to_many_patches") else { return };
     let (speck, ball) = pieces_all_about();
     for projection in [Projection::Newton, Projection::TangentPlane] {
-        let options = Options { samples: 40, projection, field: true, ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions { projection, ..Default::default() }),
+            samples: 40,
+            deviations: true,
+            ..iteration()
+        };
         let result = on(&engine, Backend::Gpu, &speck, &ball, &options);
         let DistanceResult { computed, lower, upper, .. } = result;
         let truth = 2.0 - 1e-3;
@@ -223,7 +234,7 @@ fn many_samples_nearly_equally_near_to_many_patches() {
         assert!(lower <= truth + 1e-9 && truth - 1e-9 <= upper, "{projection:?}: [{lower}, {upper}]");
         // Samples 1e-4 apart on a ball of 1e-3: the bound is of that size.
         assert!(upper - lower < 1e-3, "{projection:?}: [{lower}, {upper}]");
-        for &distance in &result.field[0].distances {
+        for &distance in &result.deviations[0].distances {
             assert!((distance - truth).abs() <= FLOAT32, "{projection:?}: {distance}");
         }
     }
@@ -235,7 +246,10 @@ fn every_flatness_gives_the_same_distance() {
     let (a, b) = (shape("bottle").unwrap(), shape("glass").unwrap());
     // Enough steps that the few large patches are solved too.
     let measured = [Flatness::None, Flatness::Loose, Flatness::Tight, Flatness::Curvature].map(|flatness| {
-        let options = Options { flatness, iterations: 30, ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions { flatness, iterations: 30, ..Default::default() }),
+            ..iteration()
+        };
         let [gpu, cpu] = [Backend::Gpu, Backend::Cpu].map(|on_| on(&engine, on_, &a, &b, &options));
         assert!((gpu.computed - cpu.computed).abs() <= FLOAT32 * cpu.diagonal, "{flatness:?}");
         cpu

@@ -3,12 +3,14 @@
 use crate::support::gpu::{engine, measure};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
+use nurbs_hausdorff::engine::{
+    Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
+};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, shape, sphere, wavy_sheet};
-use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{IterationOptions, Method, Model, RigidTransform, SurfaceArrays};
 
 /// What rounding makes of a distance of about 1: the search for the foot begins where the
 /// projection ended, which is another point of the same neighbourhood with the tree.
@@ -18,8 +20,13 @@ const FLOAT64: f64 = 16.0 * f64::EPSILON;
 /// roundings of float32.
 const FLOAT32: f64 = 1e-5;
 
-fn iteration() -> Options {
-    Options { method: Method::Iteration, samples: 24, field: true, ..Options::default() }
+fn iteration() -> DistanceOptions {
+    DistanceOptions {
+        method: MethodName::Iteration.into(),
+        samples: 24,
+        deviations: true,
+        ..DistanceOptions::default()
+    }
 }
 
 /// A net over a square with heights, shifts and weights from a fixed recurrence.
@@ -65,16 +72,21 @@ fn mixed(seed: u64) -> Model {
     ])
 }
 
-fn on(backend: Backend, options: &Options) -> Options {
-    Options { backend, ..options.clone() }
+fn on(backend: Backend, options: &DistanceOptions) -> DistanceOptions {
+    DistanceOptions { backend, ..options.clone() }
 }
 
 fn distances(result: &DistanceResult) -> Vec<f64> {
-    result.field.iter().flat_map(|field| field.distances.clone()).collect()
+    result.deviations.iter().flat_map(|field| field.distances.clone()).collect()
 }
 
 /// Both backends' results, and the largest difference of a sample's distance.
-fn both(engine: &Engine, a: &Model, b: &Model, options: &Options) -> (DistanceResult, DistanceResult, f64) {
+fn both(
+    engine: &Engine,
+    a: &Model,
+    b: &Model,
+    options: &DistanceOptions,
+) -> (DistanceResult, DistanceResult, f64) {
     let gpu = measure(engine, a, b, &on(Backend::Gpu, options));
     let cpu = measure(engine, a, b, &on(Backend::Cpu, options));
     assert_eq!((gpu.backend, cpu.backend), (Processor::Gpu, Processor::Cpu));
@@ -97,7 +109,11 @@ fn kernels_find_the_distances_that_float64_finds() {
     let Some(engine) = engine("kernels_find_the_distances_that_float64_finds") else { return };
     for seed in 1..4 {
         // Enough steps that both precisions end at the same points.
-        let options = Options { iterations: 20, transform: moved(), ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions { iterations: 20, ..Default::default() }),
+            transform: moved(),
+            ..iteration()
+        };
         let (gpu, cpu, difference) = both(&engine, &mixed(seed), &mixed(seed + 100), &options);
         assert!(difference < FLOAT32, "seed {seed}: {difference}");
         assert!((gpu.computed - cpu.computed).abs() <= FLOAT32 * cpu.diagonal);
@@ -114,10 +130,13 @@ fn kernels_find_the_distances_that_float64_finds() {
 fn the_tangent_plane_step_takes_the_same_steps() {
     let Some(engine) = engine("the_tangent_plane_step_takes_the_same_steps") else { return };
     // Far enough above that the first step's errors are not amplified: distance times curvature below 1.
-    let options = Options {
-        projection: Projection::TangentPlane,
-        step_tolerance: 1e-4,
-        flatness: Flatness::Tight,
+    let options = DistanceOptions {
+        method: Method::Iteration(IterationOptions {
+            projection: Projection::TangentPlane,
+            step_tolerance: 1e-4,
+            flatness: Flatness::Tight,
+            ..Default::default()
+        }),
         transform: RigidTransform::translation(DVec3::new(0.0, 0.0, 0.1)).unwrap(),
         ..iteration()
     };
@@ -134,8 +153,11 @@ fn the_tree_leaves_out_no_patch_that_matters() {
     let (a, b) = (mixed(7), mixed(8));
     for projection in [Projection::Newton, Projection::TangentPlane] {
         for (backend, tolerance) in [(Backend::Cpu, FLOAT64), (Backend::Gpu, 1e-6)] {
-            let with =
-                |culling| Options { projection, culling, transform: moved(), ..on(backend, &iteration()) };
+            let with = |culling| DistanceOptions {
+                method: Method::Iteration(IterationOptions { projection, culling, ..Default::default() }),
+                transform: moved(),
+                ..on(backend, &iteration())
+            };
             let tree = measure(&engine, &a, &b, &with(Culling::Tree));
             let all = measure(&engine, &a, &b, &with(Culling::None));
             for (tree, all) in distances(&tree).iter().zip(distances(&all)) {
@@ -150,10 +172,10 @@ fn samples_lie_where_the_evaluator_puts_them() {
     let Some(engine) = engine("samples_lie_where_the_evaluator_puts_them") else { return };
     let (a, b) = (mixed(3), shape("sphere").unwrap());
     for sampling in [SamplingRule::Uniform, SamplingRule::ArcLength] {
-        let options = Options { sampling, ..iteration() };
+        let options = DistanceOptions { sampling, ..iteration() };
         // The sampling kernel shows in the distances to a sphere of radius 2 about the origin.
         let (gpu, _, _) = both(&engine, &a, &b, &options);
-        for field in &gpu.field {
+        for field in &gpu.deviations {
             for (point, distance) in field.points.chunks(3).zip(&field.distances) {
                 let expected = 2.0 - DVec3::from_slice(point).length();
                 assert!((distance - expected.abs()).abs() < FLOAT32 * gpu.diagonal, "{distance} {expected}");
@@ -180,7 +202,7 @@ fn many_pages_and_blocks_are_reduced_to_the_farthest() {
     let mut squares: Vec<SurfaceArrays> = (0..5).map(|index| flat(f64::from(index), 1.0)).collect();
     squares[4].control_points[3][2] = 1.5;
     let ground: Vec<SurfaceArrays> = (0..5).map(|index| flat(f64::from(index), 0.0)).collect();
-    let options = Options { samples: 300, field: false, ..iteration() };
+    let options = DistanceOptions { samples: 300, deviations: false, ..iteration() };
     let result = measure(&engine, &model(squares), &model(ground), &on(Backend::Gpu, &options));
     assert!(result.iteration().unwrap().samples > PAGE_SAMPLES);
     assert_eq!(result.computed, 1.5);
@@ -212,7 +234,7 @@ fn the_farthest_sample_is_found_wherever_it_is() {
     let ground = sheet(None);
     // Around the ends of threads' strides, blocks and the page.
     for raised in [0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 3000, 4095] {
-        let options = Options { samples: 64, field: false, ..on(Backend::Gpu, &iteration()) };
+        let options = DistanceOptions { samples: 64, deviations: false, ..on(Backend::Gpu, &iteration()) };
         let result = engine.distance(&sheet(Some(raised)), &ground, &options).wait().unwrap();
         assert_eq!(result.computed, 0.5, "{raised}");
         let at = [raised / 64, raised % 64].map(|place| place as f64);
@@ -230,7 +252,7 @@ fn moving_a_model_changes_nothing_that_is_kept() {
     let torus = PreparedModel::new(&shape("torus").unwrap()).unwrap();
     let run = |height: f64| {
         let transform = RigidTransform::translation(DVec3::new(0.0, 0.0, height)).unwrap();
-        let options = Options { transform, field: false, ..iteration() };
+        let options = DistanceOptions { transform, deviations: false, ..iteration() };
         engine.distance(&torus, &torus, &options).wait().unwrap()
     };
     let first = run(5.0);
@@ -248,7 +270,15 @@ fn few_samples_meet_many_patches() {
     let sheet = WavySheet { counts, size: [9.0, 8.0], amplitude: 0.3, waves: [3.0, 4.0], phase: 0.0 };
     let (a, b) = (wavy_sheet(&sheet).unwrap(), wavy_sheet(&WavySheet { phase: 0.7, ..sheet }).unwrap());
     for projection in [Projection::Newton, Projection::TangentPlane] {
-        let options = Options { samples: 8, culling: Culling::None, projection, ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions {
+                culling: Culling::None,
+                projection,
+                ..Default::default()
+            }),
+            samples: 8,
+            ..iteration()
+        };
         let (gpu, cpu, difference) = both(&engine, &a, &b, &options);
         assert!(gpu.patches.b > 6000);
         assert!(difference < FLOAT32, "{projection:?}: {difference}");
@@ -273,7 +303,7 @@ fn a_sample_equally_near_to_all_patches_is_finished_in_float64() {
             [1e-3, 1e-3, 0.0, 1.0],
         ],
     }]);
-    let options = Options { samples: 2, field: false, ..iteration() };
+    let options = DistanceOptions { samples: 2, deviations: false, ..iteration() };
     let result = measure(&engine, &speck, &ball, &on(Backend::Gpu, &options));
     assert!((result.computed - 2.0).abs() < 1e-9, "{}", result.computed);
     assert!(result.converged);

@@ -1,8 +1,9 @@
 //! Trimmed faces on the kernels: pieces with grids of different sizes.
 
+use crate::support::fixtures::with_grid;
 use crate::support::gpu::{engine, measure};
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
-use nurbs_hausdorff::{Backend, DistanceResult, Method, Model, ModelArrays, Options};
+use nurbs_hausdorff::{Backend, DistanceOptions, DistanceResult, MethodName, Model, ModelArrays};
 
 /// A square of side 8 with a hole of radius 3 and an island of radius 1 in it, and one whole.
 fn models() -> [Model; 2] {
@@ -20,16 +21,15 @@ fn models() -> [Model; 2] {
 fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
     let Some(engine) = engine("all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu") else { return };
     let [trimmed, whole] = models();
-    for method in [Method::Iteration, Method::Hierarchy, Method::Certified] {
+    for method in [MethodName::Iteration, MethodName::Hierarchy, MethodName::Certified] {
         let run = |backend| {
-            let options = Options {
-                method,
+            let options = DistanceOptions {
+                method: with_grid(method, 24),
                 backend,
                 symmetric: true,
                 samples: 30,
-                grid: 24,
-                field: true,
-                ..Options::default()
+                deviations: true,
+                ..DistanceOptions::default()
             };
             measure(&engine, &trimmed, &whole, &options)
         };
@@ -43,7 +43,7 @@ fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
         // The witness of `hierarchy` is a pair of middles, of which many are as good; its boxes
         // on the GPU are rounded outwards.
         let (numbers, room): (fn(&DistanceResult) -> [f64; 2], f64) = match method {
-            Method::Hierarchy => (|result| [result.lower, result.upper], 2e-4),
+            MethodName::Hierarchy => (|result| [result.lower, result.upper], 2e-4),
             _ => (|result| [result.computed; 2], 1e-5),
         };
         for (gpu, cpu) in numbers(&gpu).into_iter().zip(numbers(&cpu)) {
@@ -51,8 +51,8 @@ fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
         }
         for (gpu, cpu) in [(&gpu.forward, &cpu.forward), (&gpu.reverse, &cpu.reverse)] {
             let (gpu, cpu) = (gpu.as_deref().unwrap(), cpu.as_deref().unwrap());
-            assert_eq!(gpu.field.len(), cpu.field.len());
-            for (gpu, cpu) in gpu.field.iter().zip(&cpu.field) {
+            assert_eq!(gpu.deviations.len(), cpu.deviations.len());
+            for (gpu, cpu) in gpu.deviations.iter().zip(&cpu.deviations) {
                 assert_eq!((gpu.face, gpu.counts, &gpu.points), (cpu.face, cpu.counts, &cpu.points));
                 let largest = gpu.distances.iter().zip(&cpu.distances).map(|(gpu, cpu)| (gpu - cpu).abs());
                 assert!(largest.fold(0.0, f64::max) < 1e-6, "{method:?}");

@@ -1,7 +1,7 @@
 //! The files beside the project, when they are there.
 
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -33,7 +33,7 @@ fn distances_are_those_of_opencascade() {
     let rods = Model::from_step(&unpacked(&models, "step/linkrods.step")).unwrap().0;
     let bearing = Model::from_iges(&unpacked(&models, "iges/bearing.iges")).unwrap().0;
     let [rods, bearing] = [rods, bearing].map(|model| PreparedModel::new(&model).unwrap());
-    let options = Options { relative_tolerance: Some(1e-4), ..Options::default() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-4), ..DistanceOptions::default() };
     let distance = |a: &PreparedModel, b: &PreparedModel| {
         let engine = Engine::cpu();
         engine.distance(a, b, &options).wait().unwrap()

@@ -7,8 +7,8 @@
 mod models;
 
 use models::{bilinear, model, nets, repeated, shelf, surface, swept};
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Stop};
-use nurbs_hausdorff::{Model, SurfaceArrays};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel, Stop};
+use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, Method, Model, SurfaceArrays};
 
 /// Applies a macro that declares tests to the names of all pairs.
 macro_rules! for_each_pair {
@@ -32,22 +32,24 @@ const MAX_CELLS: usize = 200_000;
 const MAX_SECONDS: f64 = 60.0;
 
 /// The distance of two models on the CPU.
-async fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
+async fn measure(a: &Model, b: &Model, options: &DistanceOptions) -> DistanceResult {
     let engine = Engine::new(Backend::Cpu).await.unwrap();
     measure_by(&engine, a, b, options).await
 }
 
-async fn measure_by(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
+async fn measure_by(engine: &Engine, a: &Model, b: &Model, options: &DistanceOptions) -> DistanceResult {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     engine.distance(&a, &b, options).await.unwrap()
 }
 
-fn budgeted() -> Options {
-    Options {
+fn budgeted() -> DistanceOptions {
+    DistanceOptions {
+        method: Method::Certified(CertifiedOptions {
+            max_cells: Some(MAX_CELLS),
+            max_seconds: Some(MAX_SECONDS),
+        }),
         backend: Backend::Cpu,
-        max_cells: Some(MAX_CELLS),
-        max_seconds: Some(MAX_SECONDS),
-        ..Options::default()
+        ..DistanceOptions::default()
     }
 }
 
@@ -68,7 +70,7 @@ async fn assert_measured(a: Vec<SurfaceArrays>, b: Vec<SurfaceArrays>, truth: f6
     assert!(result.converged, "{name}: [{:e}, {:e}]", result.lower, result.upper);
     // A limit on the side of the false upper bound must not be accepted.
     let limit = Some(0.5 * truth);
-    let decided = measure(&a, &b, &Options { limit, ..budgeted() }).await;
+    let decided = measure(&a, &b, &DistanceOptions { limit, ..budgeted() }).await;
     assert_contains(&decided, truth, name);
     assert!(decided.upper > 0.5 * truth, "{name}: {}", decided.upper);
 }
@@ -154,7 +156,7 @@ pub(crate) async fn extract_weights() {
     let a = model(vec![surface([2, 1], [&knots, &[0.0, 0.0, 1.0, 1.0]], &points)]);
     let b = model(vec![bilinear([[1.613_619_770_716_730_4, -0.008_802_270_046_754_157, 0.0, 1.0]; 4])]);
     let truth = 1.302_298_531_963_835_4;
-    let result = measure(&a, &b, &Options { relative_tolerance: Some(1e-12), ..budgeted() }).await;
+    let result = measure(&a, &b, &DistanceOptions { relative_tolerance: Some(1e-12), ..budgeted() }).await;
     assert!(
         result.lower <= truth && truth <= result.upper,
         "{truth} in [{}, {}]",
@@ -167,7 +169,7 @@ pub(crate) async fn extract_weights() {
 /// end is from samples: no distance exceeds it.
 pub(crate) async fn overflow() {
     let [a, b] = nets!(overflow);
-    let options = Options { relative_tolerance: Some(1e-4), ..budgeted() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-4), ..budgeted() };
     let result = measure(&a, &b, &options).await;
     assert!(result.lower <= 6.575e68, "{:e}", result.lower);
     assert!(result.upper.is_finite() && result.upper >= result.lower, "{:e}", result.upper);
@@ -202,8 +204,11 @@ pub(crate) async fn underflow() {
 /// distance of a fine sampling of A from it, up to the sampling.
 pub(crate) async fn hierarchy_point(engine: &Engine) {
     let [a, b] = nets!(hierarchy_point);
-    let options =
-        Options { method: Method::Hierarchy, grid: 48, backend: Backend::Gpu, ..Options::default() };
+    let options = DistanceOptions {
+        method: Method::Hierarchy(HierarchyOptions { grid: 48, ..Default::default() }),
+        backend: Backend::Gpu,
+        ..DistanceOptions::default()
+    };
     let result = measure_by(engine, &a, &b, &options).await;
     assert!(result.lower <= 1.517_852 && 1.517_851 <= result.upper, "[{}, {}]", result.lower, result.upper);
 }
@@ -229,7 +234,7 @@ pub(crate) async fn points() {
     let details = result.certified().unwrap();
     assert_eq!((details.tolerance, details.stop, result.converged), (0.0, Stop::Precision, false));
     assert!(result.notice.unwrap().contains("single points"));
-    let absolute = Options { tolerance: Some(details.min_tolerance), ..budgeted() };
+    let absolute = DistanceOptions { tolerance: Some(details.min_tolerance), ..budgeted() };
     let result = measure(&a, &b, &absolute).await;
     assert_contains(&result, truth, "points");
     assert!(result.converged && result.notice.is_none());
@@ -245,8 +250,11 @@ pub(crate) async fn far() {
 /// Two cuts of one sheet; no bound holds across pieces that are cut elsewhere.
 pub(crate) async fn split_copies() {
     let [a, b] = nets!(split_copies);
-    let options =
-        |tolerance| Options { relative_tolerance: Some(tolerance), max_seconds: Some(5.0), ..budgeted() };
+    let options = |tolerance| DistanceOptions {
+        method: Method::Certified(CertifiedOptions { max_cells: Some(MAX_CELLS), max_seconds: Some(5.0) }),
+        relative_tolerance: Some(tolerance),
+        ..budgeted()
+    };
     let fine = measure(&a, &b, &options(1e-9)).await;
     let coarse = measure(&a, &b, &options(1e-4)).await;
     assert!(coarse.converged, "[{:e}, {:e}]", coarse.lower, coarse.upper);
@@ -272,7 +280,7 @@ async fn assert_ends(a: &Model, b: &Model, truth: Option<f64>, name: &str) {
 /// A patch of bidegree (5, 5) against the same with its numbers changed by 1e-4.
 pub(crate) async fn gpu_deep() {
     let [a, b] = nets!(gpu_deep);
-    let result = measure(&a, &b, &Options { relative_tolerance: Some(1e-5), ..budgeted() }).await;
+    let result = measure(&a, &b, &DistanceOptions { relative_tolerance: Some(1e-5), ..budgeted() }).await;
     assert!(result.converged, "[{}, {}]", result.lower, result.upper);
 }
 
@@ -281,9 +289,9 @@ pub(crate) async fn gpu_deep() {
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) async fn gpu_deep_with_kernels(engine: &Engine) {
     let [a, b] = nets!(gpu_deep);
-    let options = Options { relative_tolerance: Some(1e-5), ..budgeted() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-5), ..budgeted() };
     let on_cpu = measure(&a, &b, &options).await;
-    let on_gpu = measure_by(engine, &a, &b, &Options { backend: Backend::Gpu, ..options }).await;
+    let on_gpu = measure_by(engine, &a, &b, &DistanceOptions { backend: Backend::Gpu, ..options }).await;
     assert!(on_cpu.converged && on_gpu.converged, "[{}, {}]", on_gpu.lower, on_gpu.upper);
     assert!(on_cpu.lower <= on_gpu.upper && on_gpu.lower <= on_cpu.upper);
 }

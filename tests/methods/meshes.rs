@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    Backend, ClosestPointOptions, DistanceResult, Engine, Facets, FieldOptions, Method, Model, Options,
-    PointCloud, PreparedModel, RigidTransform, TriangleMesh,
+    Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets,
+    FieldOptions, Method, MethodName, Model, PointCloud, PreparedModel, RigidTransform, TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -12,13 +12,13 @@ fn engine() -> Engine {
     pollster::block_on(Engine::new(Backend::Cpu)).unwrap()
 }
 
-fn measure(a: &PreparedModel, b: &PreparedModel, options: &Options) -> DistanceResult {
+fn measure(a: &PreparedModel, b: &PreparedModel, options: &DistanceOptions) -> DistanceResult {
     pollster::block_on(engine().distance(a, b, options)).unwrap()
 }
 
 /// Checks that the interval is as narrow as requested and holds the distance.
 fn contains(a: &PreparedModel, b: &PreparedModel, distance: f64) -> DistanceResult {
-    let result = measure(a, b, &Options::default());
+    let result = measure(a, b, &DistanceOptions::default());
     let [lower, upper] = [result.lower, result.upper];
     assert!(result.converged && upper - lower <= 1e-6 * result.diagonal, "[{lower}, {upper}]");
     assert!(lower <= distance && distance <= upper, "{distance} is not in [{lower}, {upper}]");
@@ -137,12 +137,12 @@ fn a_torus_and_its_mesh_agree_with_samples() {
         }
     }
     let mesh = mesh(&vertices, &triangles);
-    let result = measure(&mesh, &exact, &Options::default());
+    let result = measure(&mesh, &exact, &DistanceOptions::default());
     assert!(
         result.converged && sampled <= result.upper && result.lower <= sampled * 1.002,
         "{sampled} {result:?}"
     );
-    let back = measure(&exact, &mesh, &Options { symmetric: true, ..Options::default() });
+    let back = measure(&exact, &mesh, &DistanceOptions { symmetric: true, ..DistanceOptions::default() });
     assert!(back.converged && back.upper >= result.lower);
     let [forward, reverse] = [back.forward.unwrap(), back.reverse.unwrap()];
     assert!((reverse.lower - result.lower).abs() < 2e-6 * result.diagonal && forward.converged);
@@ -171,7 +171,7 @@ fn options_hold_for_meshes() {
     let [a, b] = [1.0, 1.5].map(|radius| polyhedron(radius, 0));
     let turn = RigidTransform::new(DQuat::from_rotation_z(PI / 2.0), DVec3::new(0.0, 0.0, 0.25)).unwrap();
     // A turn by a right angle moves an octahedron onto itself: its top is 0.25 higher.
-    let options = Options { transform: turn, symmetric: true, ..Options::default() };
+    let options = DistanceOptions { transform: turn, symmetric: true, ..DistanceOptions::default() };
     let result = measure(&soup(&a), &soup(&b), &options);
     let reverse = result.reverse.as_deref().unwrap();
     assert!(reverse.lower <= 0.75 && 0.75 <= reverse.upper, "{reverse:?}");
@@ -180,7 +180,7 @@ fn options_hold_for_meshes() {
     let at = a[triangle][0] * u + a[triangle][1] * v + a[triangle][2] * w;
     assert!(turn.apply(at).distance(DVec3::from_array(result.witness.a.point)) < 1e-9);
     for (limit, within) in [(0.6, Some(false)), (0.8, Some(true))] {
-        let options = Options { limit: Some(limit), ..options.clone() };
+        let options = DistanceOptions { limit: Some(limit), ..options.clone() };
         assert_eq!(measure(&soup(&a), &soup(&b), &options).certified().unwrap().within, within, "{limit}");
     }
     let facets = |triangles: &[[DVec3; 3]], unit: f64, factor: f64| {
@@ -191,17 +191,18 @@ fn options_hold_for_meshes() {
         PreparedModel::of_facets(&Facets::Mesh(mesh), Some(unit)).unwrap()
     };
     let [metres, inches] = [facets(&b, 1.0, 1.0), facets(&b, 0.0254, 1.0 / 0.0254)];
-    let fails = pollster::block_on(engine().distance(&metres, &inches, &Options::default()));
+    let fails = pollster::block_on(engine().distance(&metres, &inches, &DistanceOptions::default()));
     assert_eq!(fails.unwrap_err().code(), "UNITS_DIFFER");
-    let result = measure(&metres, &inches, &Options { scale_units: true, ..Options::default() });
+    let result =
+        measure(&metres, &inches, &DistanceOptions { scale_units: true, ..DistanceOptions::default() });
     assert!(result.lower <= 1e-15 && result.upper <= 1e-6 * result.diagonal && result.unit == Some(1.0));
 }
 
 #[test]
 fn computations_without_facets_are_refused() {
     let [octahedron, exact] = [soup(&polyhedron(1.0, 0)), surfaces(&sphere(DVec3::ZERO, 1.0).unwrap())];
-    for method in [Method::Iteration, Method::Hierarchy] {
-        let options = Options { method, ..Options::default() };
+    for method in [MethodName::Iteration, MethodName::Hierarchy] {
+        let options = DistanceOptions { method: method.into(), ..DistanceOptions::default() };
         for (a, b) in [(&octahedron, &exact), (&exact, &octahedron)] {
             let result = pollster::block_on(engine().distance(a, b, &options));
             assert_eq!(result.unwrap_err().code(), "FACETS_UNSUPPORTED");
@@ -216,10 +217,19 @@ fn computations_without_facets_are_refused() {
 fn a_budget_leaves_a_valid_interval() {
     let exact = surfaces(&sphere(DVec3::ZERO, 2.0).unwrap());
     let polyhedron = soup(&polyhedron(2.0, 1));
-    let sound = measure(&exact, &polyhedron, &Options::default());
+    let sound = measure(&exact, &polyhedron, &DistanceOptions::default());
     for max_cells in [1, 40, 400] {
-        let result =
-            measure(&exact, &polyhedron, &Options { max_cells: Some(max_cells), ..Options::default() });
+        let result = measure(
+            &exact,
+            &polyhedron,
+            &DistanceOptions {
+                method: Method::Certified(CertifiedOptions {
+                    max_cells: Some(max_cells),
+                    ..Default::default()
+                }),
+                ..DistanceOptions::default()
+            },
+        );
         assert!(result.lower <= sound.upper && sound.lower <= result.upper);
         assert!(result.converged || result.certified().unwrap().cells >= max_cells);
     }

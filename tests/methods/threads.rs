@@ -1,8 +1,9 @@
 //! Engines and models shared between threads.
 
+use crate::support::fixtures::with_grid;
 use crate::support::gpu::engine;
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Backend, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::{Backend, DistanceOptions, Engine, MethodName, PreparedModel};
 use rayon::prelude::*;
 
 #[test]
@@ -13,7 +14,7 @@ fn engines_models_and_computations_may_move_between_threads() {
     let model = PreparedModel::new(&shape("sphere").unwrap()).unwrap();
     shared(&engine);
     shared(&model);
-    let options = Options::default();
+    let options = DistanceOptions::default();
     moved(&engine.distance(&model, &model, &options));
     moved(&Engine::new(Backend::Auto));
 }
@@ -23,8 +24,13 @@ fn engines_models_and_computations_may_move_between_threads() {
 #[test]
 fn models_are_shared_by_pairs_on_the_thread_pool() {
     let engine = Engine::cpu();
-    for method in [Method::Certified, Method::Iteration, Method::Hierarchy] {
-        let options = Options { method, samples: 24, grid: 16, symmetric: true, ..Options::default() };
+    for method in [MethodName::Certified, MethodName::Iteration, MethodName::Hierarchy] {
+        let options = DistanceOptions {
+            method: with_grid(method, 16),
+            samples: 24,
+            symmetric: true,
+            ..DistanceOptions::default()
+        };
         let models =
             || ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
         let [a, b] = models();
@@ -45,8 +51,13 @@ fn models_are_shared_by_pairs_on_the_thread_pool() {
 fn threads_share_a_gpu() {
     let Some(engine) = engine("threads_share_a_gpu") else { return };
     let [a, b] = ["sphere", "sphere-larger"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
-    for method in [Method::Iteration, Method::Hierarchy] {
-        let options = Options { method, samples: 24, grid: 16, backend: Backend::Gpu, ..Options::default() };
+    for method in [MethodName::Iteration, MethodName::Hierarchy] {
+        let options = DistanceOptions {
+            method: with_grid(method, 16),
+            samples: 24,
+            backend: Backend::Gpu,
+            ..DistanceOptions::default()
+        };
         let run = || engine.distance(&a, &b, &options).wait().unwrap();
         let expected = run();
         std::thread::scope(|scope| {

@@ -1,6 +1,7 @@
 //! Trimmed models whose distances follow from their geometry.
 
 use crate::support::evaluator;
+use crate::support::fixtures::with_grid;
 use crate::support::trims::{
     ball, circle, cylinder, ellipse, face, fitted, line, plane, polygon, quarter_parameter, rectangle,
     reversed,
@@ -10,7 +11,7 @@ use nurbs_hausdorff::model::ModelArrays;
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{
-    Backend, DistanceResult, Engine, Method, Model, Options, PreparedModel, SurfaceArrays,
+    Backend, DistanceOptions, DistanceResult, Engine, MethodName, Model, PreparedModel, SurfaceArrays,
 };
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
@@ -42,17 +43,17 @@ fn whole(surface: SurfaceArrays) -> FaceArrays {
     FaceArrays { trim: None, ..face(surface, vec![]) }
 }
 
-fn measure(a: &Model, b: &Model, options: &Options) -> DistanceResult {
+fn measure(a: &Model, b: &Model, options: &DistanceOptions) -> DistanceResult {
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     let engine = Engine::cpu();
-    let options = Options { symmetric: true, backend: Backend::Cpu, ..options.clone() };
+    let options = DistanceOptions { symmetric: true, backend: Backend::Cpu, ..options.clone() };
     engine.distance(&a, &b, &options).wait().unwrap()
 }
 
 /// Checks that the certified intervals of both directions contain these distances, known
 /// to `accuracy`, that they are narrow, and that the witnesses are points of their faces.
 fn check(a: &Model, b: &Model, expected: [f64; 2], accuracy: f64) {
-    let result = measure(a, b, &Options::default());
+    let result = measure(a, b, &DistanceOptions::default());
     let directions = [result.forward.as_deref().unwrap(), result.reverse.as_deref().unwrap()];
     for (directed, expected) in directions.into_iter().zip(expected) {
         let interval = [directed.lower, directed.upper];
@@ -96,8 +97,13 @@ fn plates_with_bores_of_different_radius_differ_by_the_difference() {
 
 #[test]
 fn the_other_methods_bound_the_distance_of_the_plates_too() {
-    for method in [Method::Iteration, Method::Hierarchy] {
-        let options = Options { method, samples: 24, grid: 16, field: true, ..Options::default() };
+    for method in [MethodName::Iteration, MethodName::Hierarchy] {
+        let options = DistanceOptions {
+            method: with_grid(method, 16),
+            samples: 24,
+            deviations: true,
+            ..DistanceOptions::default()
+        };
         let result = measure(&plate(10.0), &plate(10.5), &options);
         for directed in [result.forward.as_deref().unwrap(), result.reverse.as_deref().unwrap()] {
             let interval = [directed.lower, directed.upper];
@@ -110,7 +116,7 @@ fn the_other_methods_bound_the_distance_of_the_plates_too() {
             let area = 2.0 * (6000.0 - PI * radius * radius) + 40.0 * 160.0 + 20.0 * TAU * radius;
             let found = directed.statistics.unwrap().area;
             assert!((found - area).abs() < 5e-3 * area, "{method:?} {found}, expected {area}");
-            assert!(directed.field.iter().all(|field| field.face < 7));
+            assert!(directed.deviations.iter().all(|field| field.face < 7));
         }
     }
 }
@@ -320,22 +326,23 @@ fn the_gap_stands_beside_the_interval() {
     let mut stated = square();
     stated.gap = 1e-3;
     stated.trim.as_mut().unwrap()[0][0].gap = 2e-3;
-    let result = measure(&model(vec![stated.clone()]), &model(vec![square()]), &Options::default());
+    let result = measure(&model(vec![stated.clone()]), &model(vec![square()]), &DistanceOptions::default());
     assert!((result.gap - 3e-3).abs() < 1e-15);
     assert!(result.upper < 1e-5);
-    let both = measure(&model(vec![stated.clone()]), &model(vec![stated]), &Options::default());
+    let both = measure(&model(vec![stated.clone()]), &model(vec![stated]), &DistanceOptions::default());
     assert!((both.gap - 6e-3).abs() < 1e-15);
 }
 
 #[test]
 fn a_tolerance_below_the_deviation_stops_with_the_least_one_possible() {
     let (a, b) = (plate(10.0), plate(10.5));
-    let options = Options { relative_tolerance: Some(1e-14), ..Options::default() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-14), ..DistanceOptions::default() };
     let result = measure(&a, &b, &options);
     let details = result.certified().unwrap();
     assert!(!result.converged && details.min_tolerance > 1e-14 * result.diagonal);
     assert!(result.lower <= 0.5 && 0.5 <= result.upper, "[{}, {}]", result.lower, result.upper);
-    let options = Options { tolerance: Some(2.0 * details.min_tolerance), ..Options::default() };
+    let options =
+        DistanceOptions { tolerance: Some(2.0 * details.min_tolerance), ..DistanceOptions::default() };
     assert!(measure(&a, &b, &options).converged);
 }
 
@@ -350,7 +357,7 @@ fn models_of_different_unit_are_scaled_only_on_request() {
     let prepared = |size, unit| PreparedModel::new(&square(size, unit)).unwrap();
     let engine = Engine::cpu();
     let measure = |a: &PreparedModel, b: &PreparedModel, scale_units| {
-        let options = Options { scale_units, backend: Backend::Cpu, ..Options::default() };
+        let options = DistanceOptions { scale_units, backend: Backend::Cpu, ..DistanceOptions::default() };
         engine.distance(a, b, &options).wait()
     };
     let (inches, millimetres) = (prepared(1.0, Some(0.0254)), prepared(25.4, Some(0.001)));

@@ -2,8 +2,8 @@
 
 use crate::support::{gpu::engine, models::folder};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, Engine, Method, Options, PreparedModel};
-use nurbs_hausdorff::{Error, Model, RigidTransform};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, MethodName, PreparedModel};
+use nurbs_hausdorff::{Error, HierarchyOptions, Method, Model, RigidTransform};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -57,11 +57,11 @@ impl Shelf<'_> {
 }
 
 impl Reference {
-    fn options(&self, method: Method) -> Options {
-        Options {
-            method,
+    fn options(&self, method: MethodName) -> DistanceOptions {
+        DistanceOptions {
+            method: method.into(),
             transform: RigidTransform::translation(self.translation).unwrap(),
-            ..Options::default()
+            ..DistanceOptions::default()
         }
     }
 }
@@ -79,7 +79,8 @@ fn samples_and_bounds_agree_with_every_reference() {
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         let [gpu, cpu] = [Backend::Gpu, Backend::Cpu].map(|backend| {
-            let options = Options { backend, samples: SAMPLES, ..reference.options(Method::Iteration) };
+            let options =
+                DistanceOptions { backend, samples: SAMPLES, ..reference.options(MethodName::Iteration) };
             let result = engine.distance(a, b, &options).wait().unwrap();
             let rounding = ROUNDING * result.diagonal;
             let bounds = result.iteration().unwrap().bounds;
@@ -111,7 +112,7 @@ fn certified_intervals_overlap_every_reference() {
         shelf.load(&reference.b);
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
-        let options = reference.options(Method::Certified);
+        let options = reference.options(MethodName::Certified);
         let result = engine.distance(a, b, &options).wait().unwrap();
         let details = result.certified().unwrap();
         assert!(result.converged, "{name}: {:?}", details.stop);
@@ -133,7 +134,11 @@ fn boxes_contain_every_reference() {
         let (a, b) = (&shelf.prepared[&reference.a], &shelf.prepared[&reference.b]);
         let name = format!("{} to {} {}", reference.a, reference.b, reference.translation);
         for backend in [Backend::Gpu, Backend::Cpu] {
-            let options = Options { backend, grid: 8, ..reference.options(Method::Hierarchy) };
+            let options = DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid: 8, ..Default::default() }),
+                backend,
+                ..reference.options(MethodName::Hierarchy)
+            };
             match engine.distance(a, b, &options).wait() {
                 Ok(result) => {
                     measured += 1;

@@ -1,7 +1,7 @@
 //! Small models and transforms that several tests share.
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{HierarchyOptions, Method, MethodName, Model, RigidTransform, SurfaceArrays};
 
 /// A translation by finite amounts.
 pub fn translation(x: f64, y: f64, z: f64) -> RigidTransform {
@@ -45,4 +45,12 @@ pub fn peaked_sheet(weight: f64) -> Model {
 /// A model of surfaces that are known to be valid.
 pub fn model(surfaces: Vec<SurfaceArrays>) -> Model {
     Model::from_arrays(None, surfaces).unwrap()
+}
+
+/// Returns a method with its defaults but for the cells of method `hierarchy`.
+pub fn with_grid(method: MethodName, grid: usize) -> Method {
+    match method {
+        MethodName::Hierarchy => Method::Hierarchy(HierarchyOptions { grid, ..Default::default() }),
+        other => other.into(),
+    }
 }

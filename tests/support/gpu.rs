@@ -1,6 +1,6 @@
 //! The engine that tests of the kernels run on.
 
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use nurbs_hausdorff::{Error, Model};
 use std::io::Write;
 
@@ -22,7 +22,7 @@ pub fn engine(test: &str) -> Option<Engine> {
 }
 
 /// The distance of two models, prepared for this once.
-pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &Options) -> DistanceResult {
+pub fn measure(engine: &Engine, a: &Model, b: &Model, options: &DistanceOptions) -> DistanceResult {
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     engine.distance(&a, &b, options).wait().unwrap()
 }

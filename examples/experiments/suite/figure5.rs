@@ -5,7 +5,7 @@ use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, IterationOptions, Method, PreparedModel};
 use nurbs_hausdorff::iteration::Culling;
 use nurbs_hausdorff::shapes::{FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
 
@@ -22,12 +22,14 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
     let mut table = Table::new(&COLUMNS);
     let mut curves: [Vec<Option<[f64; 2]>>; 3] = Default::default();
     for samples in SAMPLES {
-        let options = Options {
-            method: Method::Iteration,
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions {
+                projection: Projection::TangentPlane,
+                culling: Culling::None,
+                ..Default::default()
+            }),
             samples,
-            projection: Projection::TangentPlane,
-            culling: Culling::None,
-            ..Options::default()
+            ..DistanceOptions::default()
         };
         let result = setup.measure(&a, &b, &options)?;
         let bounds = result.iteration().map(|details| details.bounds).ok_or("no bounds")?;

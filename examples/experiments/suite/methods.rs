@@ -1,7 +1,9 @@
 //! The methods compared.
 
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, Method, Options};
+use nurbs_hausdorff::engine::{
+    Backend, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
+};
 use nurbs_hausdorff::flatness::Flatness;
 use nurbs_hausdorff::iteration::Culling;
 
@@ -9,7 +11,7 @@ use nurbs_hausdorff::iteration::Culling;
 #[derive(Debug, Clone)]
 pub(crate) struct Entry {
     pub(crate) name: &'static str,
-    pub(crate) options: Options,
+    pub(crate) options: DistanceOptions,
     /// Whether every sample is projected on every patch, as in the 2012 paper.
     pub(crate) on_all_patches: bool,
 }
@@ -19,26 +21,33 @@ const FINER: usize = 4;
 
 /// Returns the options of method `certified` in float64 on the CPU, whose cells and
 /// times do not depend on a GPU or its substitute.
-pub(crate) fn certified() -> Options {
-    Options { backend: Backend::Cpu, ..Options::default() }
+pub(crate) fn certified() -> DistanceOptions {
+    DistanceOptions { backend: Backend::Cpu, ..DistanceOptions::default() }
 }
 
 /// Returns all methods, `certified` first, with `samples` along each axis of a surface.
 pub(crate) fn methods(samples: usize) -> Vec<Entry> {
-    let iteration = Options { method: Method::Iteration, samples, ..Options::default() };
+    let iteration =
+        DistanceOptions { method: MethodName::Iteration.into(), samples, ..DistanceOptions::default() };
     let published = |name, flatness| Entry {
         name,
-        options: Options {
-            flatness,
-            projection: Projection::TangentPlane,
-            culling: Culling::None,
+        options: DistanceOptions {
+            method: Method::Iteration(IterationOptions {
+                flatness,
+                projection: Projection::TangentPlane,
+                culling: Culling::None,
+                ..Default::default()
+            }),
             ..iteration.clone()
         },
         on_all_patches: true,
     };
     let boxes = |name, grid| Entry {
         name,
-        options: Options { method: Method::Hierarchy, grid, ..Options::default() },
+        options: DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid, ..Default::default() }),
+            ..DistanceOptions::default()
+        },
         on_all_patches: false,
     };
     vec![

@@ -13,7 +13,7 @@ mod split_rule;
 mod sweep;
 mod table;
 
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -49,7 +49,7 @@ impl Setup {
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
-        options: &Options,
+        options: &DistanceOptions,
     ) -> nurbs_hausdorff::Result<DistanceResult> {
         self.engine.distance(a, b, options).wait()
     }

@@ -5,9 +5,9 @@ use super::inputs::models::models_of;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, PreparedModel};
 use nurbs_hausdorff::shapes::{shape, sphere_parts};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 
 /// The number of tolerances per order of magnitude, the first, and their number.
 const STEPS_PER_DECADE: f64 = 2.0;
@@ -86,9 +86,9 @@ fn measure(setup: &Setup, case: &Case, table: &mut Table) -> Anyhow<Vec<Option<[
     let mut points = Vec::new();
     for step in 0..setup.choose(TOLERANCES, 5) {
         let tolerance = FIRST_TOLERANCE * 10_f64.powf(-(step as f64) / STEPS_PER_DECADE);
-        let options = Options {
+        let options = DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_cells: Some(MAX_CELLS), ..Default::default() }),
             relative_tolerance: Some(tolerance),
-            max_cells: Some(MAX_CELLS),
             transform: RigidTransform::translation(case.translation)?,
             ..certified()
         };

@@ -5,7 +5,7 @@ use super::inputs::models::shared;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, PreparedModel};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -40,7 +40,7 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let b = PreparedModel::new(&self::corner(&whole, part)?)?;
         // Relative to A, so that the problem is the same for every size of B.
         let tolerance = 1e-6 * corner.bounding_box().diagonal();
-        let options = Options {
+        let options = DistanceOptions {
             tolerance: Some(tolerance),
             transform: RigidTransform::translation(shift)?,
             ..certified()

@@ -6,7 +6,7 @@ use super::inputs::models::models_of;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, MethodName, PreparedModel};
 use nurbs_hausdorff::iteration::SamplingRule;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -26,14 +26,19 @@ pub(crate) fn run(setup: &Setup) -> Anyhow<()> {
         let [a, b] = &models;
         let (a, b) = (PreparedModel::new(a)?, PreparedModel::new(b)?);
         let transform = RigidTransform::translation(translation)?;
-        let found = setup.measure(&a, &b, &Options { transform, ..certified() })?;
+        let found = setup.measure(&a, &b, &DistanceOptions { transform, ..certified() })?;
         let truth = 0.5 * (found.lower + found.upper);
         let mut series = Vec::new();
         for (color, (sampling, rule)) in RULES.into_iter().enumerate() {
             let mut curves: [Vec<Option<[f64; 2]>>; 2] = Default::default();
             for &samples in &SAMPLES[..setup.choose(SAMPLES.len(), 3)] {
-                let options =
-                    Options { method: Method::Iteration, samples, sampling, transform, ..Options::default() };
+                let options = DistanceOptions {
+                    method: MethodName::Iteration.into(),
+                    samples,
+                    sampling,
+                    transform,
+                    ..DistanceOptions::default()
+                };
                 let result = setup.measure(&a, &b, &options)?;
                 let bounds = result.iteration().map(|details| details.bounds).ok_or("no bounds")?;
                 let error = truth - result.computed;

@@ -9,7 +9,7 @@ use super::surfaces::{Weights, surface, weights};
 use super::surfaces::{degenerate, direction, magnitude, surface_of_degree};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, Method};
+use nurbs_hausdorff::engine::{Backend, MethodName};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{lateral, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -102,9 +102,9 @@ fn with_options(seed: u64, kind: &'static str, models: Models, rng: &mut Rng) ->
         symmetric: truth.is_none() && rng.u8(0..4) == 0,
         limit: near_truth.or_else(|| random_limit(rng)),
         method: match rng.u8(0..8) {
-            0 => Method::Iteration,
-            1 => Method::Hierarchy,
-            _ => Method::Certified,
+            0 => MethodName::Iteration,
+            1 => MethodName::Hierarchy,
+            _ => MethodName::Certified,
         },
         backend: if seed % GPU_SHARE == 1 { Backend::Auto } else { Backend::Cpu },
         exponent,

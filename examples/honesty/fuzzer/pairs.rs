@@ -6,7 +6,7 @@ use super::refits::{Refit, refit};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, Method};
+use nurbs_hausdorff::engine::{Backend, MethodName};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
 /// The budgets of cells per direction, with which a pair takes milliseconds.
@@ -26,7 +26,7 @@ pub(crate) struct Pair {
     pub(crate) symmetric: bool,
     /// The limit relative to the diagonal.
     pub(crate) limit: Option<f64>,
-    pub(crate) method: Method,
+    pub(crate) method: MethodName,
     pub(crate) backend: Backend,
     /// The exponent of the power of two by which both models are scaled for the
     /// computation, and the result is scaled back.
@@ -60,7 +60,7 @@ pub(crate) fn pair(seed: u64) -> Pair {
         max_cells: BUDGETS[rng.usize(0..BUDGETS.len())],
         symmetric: rng.u8(0..4) == 0,
         limit: random_limit(rng),
-        method: Method::Certified,
+        method: MethodName::Certified,
         backend: Backend::Cpu,
         exponent: 0,
     }

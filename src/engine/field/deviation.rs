@@ -1,6 +1,6 @@
 //! Signed deviations, and their statistics over an area.
 
-use crate::engine::Field;
+use crate::engine::FaceDeviations;
 use serde::Serialize;
 
 /// Statistics of the deviation over the area of the sampled model. They are
@@ -28,7 +28,7 @@ pub struct Statistics {
 
 impl Statistics {
     /// Weighted by the samples' areas; `None` where there is no area. O(n log n).
-    pub(in crate::engine) fn of(field: &[Field]) -> Option<Self> {
+    pub(in crate::engine) fn of(field: &[FaceDeviations]) -> Option<Self> {
         let mut samples: Vec<(f64, f64)> = Vec::new();
         let (mut area, mut sum, mut squares) = (0.0, 0.0, 0.0);
         let (mut signed_area, mut signed_sum) = (0.0, 0.0);
@@ -69,7 +69,7 @@ impl Statistics {
     }
 }
 
-impl Field {
+impl FaceDeviations {
     /// Limits the distances to an upper bound on the distance of the whole model, which
     /// they may exceed by the gap of their search.
     pub(in crate::engine) fn limit(&mut self, upper: f64) {

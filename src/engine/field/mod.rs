@@ -5,7 +5,7 @@ mod deviation;
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
 use super::signs::{Known, SignRule, SignSource};
-use super::{Computation, Engine, Field, PreparedModel};
+use super::{Computation, Engine, FaceDeviations, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::{Status, Target, closest_above};
 use crate::error::{Error, Result};
@@ -66,7 +66,7 @@ pub struct DeviationField {
     /// Statistics over A's area, where it has one. Estimates.
     pub statistics: Option<Statistics>,
     /// One entry a surface of A, or a piece of a trimmed face.
-    pub field: Vec<Field>,
+    pub deviations: Vec<FaceDeviations>,
 }
 
 impl Engine {
@@ -107,12 +107,16 @@ impl Engine {
         let direction = Direction { from: a, to: b, transform: options.transform };
         direction.require_surfaces("a field")?;
         let sampling = a.sampling(options.samples, options.sampling);
-        let mut field = direction.field(&sampling.sampling, &mut progress).await?;
+        let mut deviations = direction.deviations(&sampling.sampling, &mut progress).await?;
         if let Some(upper) = options.upper {
-            field.iter_mut().for_each(|part| part.limit(upper));
+            deviations.iter_mut().for_each(|face| face.limit(upper));
         }
         progress.finish();
-        Ok(DeviationField { diagonal: direction.diagonal(), statistics: Statistics::of(&field), field })
+        Ok(DeviationField {
+            diagonal: direction.diagonal(),
+            statistics: Statistics::of(&deviations),
+            deviations,
+        })
     }
 }
 
@@ -121,7 +125,11 @@ impl Direction<'_> {
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub(super) async fn field(&self, sampling: &Sampling, progress: &mut Progress<'_>) -> Result<Vec<Field>> {
+    pub(super) async fn deviations(
+        &self,
+        sampling: &Sampling,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<FaceDeviations>> {
         let target = self.to.certified_target();
         let source = SignSource::new(self.to);
         let search = FieldSearch {
@@ -173,7 +181,7 @@ impl FieldSearch<'_> {
         &self,
         projected: Option<&[Projected]>,
         progress: &mut Progress<'_>,
-    ) -> Result<Vec<Field>> {
+    ) -> Result<Vec<FaceDeviations>> {
         let count = self.sampling.len();
         let mut samples: Vec<FieldSample> = Vec::with_capacity(count);
         while samples.len() < count {
@@ -222,9 +230,14 @@ impl FieldSearch<'_> {
         range.map(find).collect()
     }
 
-    fn of_surface(&self, surface: usize, grid: &SampleGrid, samples: &[FieldSample]) -> Field {
+    fn of_surface(&self, surface: usize, grid: &SampleGrid, samples: &[FieldSample]) -> FaceDeviations {
         let face = self.pieces.face(surface);
-        let mut field = Field { face, counts: grid.counts(), signs: self.signs.signs(), ..Field::default() };
+        let mut field = FaceDeviations {
+            face,
+            counts: grid.counts(),
+            signs: self.signs.signs(),
+            ..FaceDeviations::default()
+        };
         for sample in &samples[grid.first..grid.first + grid.len()] {
             field.points.extend_from_slice(&sample.point.to_array());
             field.feet.extend_from_slice(&sample.foot.to_array());

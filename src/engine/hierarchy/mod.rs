@@ -4,8 +4,9 @@ mod backend;
 mod cpu;
 
 use super::direction::{DirectedRun, Direction};
+use super::options::HierarchyOptions;
 use super::result::DirectedResult;
-use super::{Details, HierarchyDetails, Options, PreparedModel, Processor, Seconds};
+use super::{Details, DistanceOptions, HierarchyDetails, PreparedModel, Processor, Seconds};
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuHierarchy, Placement};
 use crate::hierarchy::{GridTree, Traversal};
@@ -36,12 +37,13 @@ impl Direction<'_> {
     pub(super) async fn hierarchy(
         &self,
         gpu: Option<&Arc<Gpu>>,
-        options: &Options,
+        options: &DistanceOptions,
+        own: &HierarchyOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
-        let a = self.from.cells(options.grid, progress).await?;
-        let b = self.to.cells(options.grid, progress).await?;
+        let a = self.from.cells(own.grid, progress).await?;
+        let b = self.to.cells(own.grid, progress).await?;
         let coordinate_error = self.box_error();
         let transform = self.transform;
         let prepared = Seconds { prepare: started.elapsed().as_secs_f64(), ..Seconds::default() };
@@ -74,7 +76,7 @@ impl Direction<'_> {
             diagonal: self.diagonal(),
             box_bound: self.box_bound(),
         };
-        let result = pair.run(stages, options, progress).await?;
+        let result = pair.run(stages, options, own, progress).await?;
         Ok(DirectedRun {
             result,
             backend: processor,
@@ -134,10 +136,11 @@ impl TreePair<'_> {
     async fn run(
         &self,
         mut backend: HierarchyBackend<'_>,
-        options: &Options,
+        options: &DistanceOptions,
+        own: &HierarchyOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedResult> {
-        let max_pairs = (options.memory_budget << 20) / PAIR_BYTES / PAIR_LISTS;
+        let max_pairs = (own.memory_budget << 20) / PAIR_BYTES / PAIR_LISTS;
         let levels = backend.levels();
         let mut pairs = vec![1];
         let (mut lower, mut upper) = (0.0_f64, self.box_bound);
@@ -151,7 +154,7 @@ impl TreePair<'_> {
                     level,
                     found,
                     expected,
-                    mebibytes: options.memory_budget,
+                    mebibytes: own.memory_budget,
                 });
             }
             pairs.push(bounds.pairs);
@@ -175,8 +178,8 @@ impl TreePair<'_> {
             converged: upper - lower <= tolerance,
             from: surface_point(0, a_parameters, a),
             to: surface_point(1, b_parameters, b),
-            details: Details::Hierarchy(HierarchyDetails { grid: options.grid, levels: pairs.len(), pairs }),
-            field: Vec::new(),
+            details: Details::Hierarchy(HierarchyDetails { grid: own.grid, levels: pairs.len(), pairs }),
+            deviations: Vec::new(),
         })
     }
 }

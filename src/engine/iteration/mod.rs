@@ -5,11 +5,12 @@ mod cpu;
 
 use super::direction::{DirectedRun, Direction};
 use super::field::FieldSearch;
+use super::options::IterationOptions;
 use super::result::DirectedResult;
 use super::signs::{SignRule, SignSource};
 use super::{
-    Bounds, Details, Field, IterationDetails, Options, PreparedModel, PreparedSampling, PreparedTarget,
-    Processor, Seconds, SurfacePoint,
+    Bounds, Details, DistanceOptions, FaceDeviations, IterationDetails, PreparedModel, PreparedSampling,
+    PreparedTarget, Processor, Seconds, SurfacePoint,
 };
 use crate::closest::{Closest, Projection, Status, closest, contraction, nearest_control};
 use crate::error::{Error, Result};
@@ -46,25 +47,26 @@ impl Direction<'_> {
     pub(super) async fn iteration(
         &self,
         gpu: Option<&Arc<Gpu>>,
-        options: &Options,
+        options: &DistanceOptions,
+        own: &IterationOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
         let started = Instant::now();
         let sampling = self.from.sampling(options.samples, options.sampling);
-        let target = self.to.target(options.flatness);
+        let target = self.to.target(own.flatness);
         let (prepared, mut backend) = match gpu {
             Some(gpu) => {
                 let upload = |gpu: &Gpu| gpu.upload_sampling(self.from.bezier(), &sampling.sampling);
                 let samples = sampling.resident.on(gpu, upload)?;
                 let patches = target.resident.on(gpu, |gpu| gpu.upload_target(&target.target))?;
                 let prepared = Instant::now();
-                let stages = GpuIteration::new(gpu, samples, patches, self.transform, options.rule()).await?;
+                let stages = GpuIteration::new(gpu, samples, patches, self.transform, own.rule()).await?;
                 (prepared, IterationBackend::Gpu(Box::new(stages)))
             }
             None => {
                 let (model, patches) = (self.from.bezier(), &target.target);
                 let stages =
-                    CpuIteration::new(model, &sampling.sampling, patches, self.transform, options.rule());
+                    CpuIteration::new(model, &sampling.sampling, patches, self.transform, own.rule());
                 (Instant::now(), IterationBackend::Cpu(stages))
             }
         };
@@ -79,6 +81,7 @@ impl Direction<'_> {
             diagonal,
             box_bound: self.box_bound(),
             options,
+            own,
         };
         let result = sampled.run(&mut backend, progress).await?.ok_or(Error::EmptyModel)?;
         Ok(DirectedRun {
@@ -112,7 +115,8 @@ struct SampledDirection<'a> {
     diagonal: f64,
     /// [`Direction::box_bound`].
     box_bound: f64,
-    options: &'a Options,
+    options: &'a DistanceOptions,
+    own: &'a IterationOptions,
 }
 
 /// The farthest sample found, with its foot.
@@ -153,18 +157,18 @@ impl SampledDirection<'_> {
             let largest = self.refine_page(backend, &mut farthest, progress).await?;
             unrefined = upper_max(unrefined, largest);
             statuses += backend.statuses();
-            if self.options.field {
+            if self.options.deviations {
                 projected.append(&mut backend.field().await?);
             }
         }
-        let field = if self.options.field {
+        let deviations = if self.options.deviations {
             let source = SignSource::new(self.to);
             self.field_search(source.rule()).run(Some(&projected), progress).await?
         } else {
             Vec::new()
         };
         Ok(farthest
-            .map(|farthest| self.bound(backend.distance_error(), farthest, unrefined, statuses, field)))
+            .map(|farthest| self.bound(backend.distance_error(), farthest, unrefined, statuses, deviations)))
     }
 
     /// Updates `farthest` by the page's farthest samples; returns the largest
@@ -187,7 +191,7 @@ impl SampledDirection<'_> {
             if !exceeds(largest, farthest) || within_error || refined >= MAX_REFINED {
                 return Ok(largest);
             }
-            if self.options.projection == Projection::TangentPlane {
+            if self.own.projection == Projection::TangentPlane {
                 *farthest = Some(self.as_published(first));
                 return Ok(largest);
             }
@@ -269,18 +273,17 @@ impl SampledDirection<'_> {
         farthest: FarthestSample,
         unrefined: f64,
         statuses: StatusCounts,
-        field: Vec<Field>,
+        deviations: Vec<FaceDeviations>,
     ) -> DirectedResult {
         let radius = self.sampling.radius(self.from);
         let patches = &self.target.target.patches;
         let patch = patches.patch(farthest.patch);
         let start = nearest_control(&patch, farthest.point);
-        let contraction = contraction(&patch, farthest.point, start, self.options.iterations);
-        let k_b =
-            (contraction < 1.0).then(|| contraction / (1.0 - contraction) * self.options.step_tolerance);
+        let contraction = contraction(&patch, farthest.point, start, self.own.iterations);
+        let k_b = (contraction < 1.0).then(|| contraction / (1.0 - contraction) * self.own.step_tolerance);
         let largest = upper_max(farthest.distance, unrefined + distance_error) + radius.rigorous;
         let rounding = self.point_errors() + gamma(DISTANCE_ROUNDINGS) * largest + VANISHING_LENGTH;
-        let converged = match self.options.projection {
+        let converged = match self.own.projection {
             Projection::Newton => {
                 unrefined <= farthest.distance + distance_error + CERTIFICATE_GAP * self.diagonal
             }
@@ -303,7 +306,7 @@ impl SampledDirection<'_> {
                 samples: self.sampling.sampling.len(),
                 statuses,
             }),
-            field,
+            deviations,
         }
     }
 

@@ -1,6 +1,6 @@
 //! The result of one direction, before it is named by model.
 
-use crate::engine::{Details, Field, SurfacePoint};
+use crate::engine::{Details, FaceDeviations, SurfacePoint};
 use crate::model::RigidTransform;
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ pub(in crate::engine) struct DirectedResult {
     /// The witness on the model `to`.
     pub(in crate::engine) to: SurfacePoint,
     pub(in crate::engine) details: Details,
-    pub(in crate::engine) field: Vec<Field>,
+    pub(in crate::engine) deviations: Vec<FaceDeviations>,
 }
 
 impl SurfacePoint {

@@ -4,7 +4,7 @@ mod directed_result;
 mod symmetric;
 mod with_gaps;
 
-use super::{Method, Signs, Statistics};
+use super::{MethodName, Signs, Statistics};
 pub use crate::certified::Stop;
 use crate::iteration::StatusCounts;
 pub(super) use directed_result::DirectedResult;
@@ -89,20 +89,20 @@ pub struct DistanceResult {
     /// With `symmetric`: from B to A.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reverse: Option<Box<DistanceResult>>,
-    /// With `field`: statistics of the deviation. Estimates.
+    /// With `deviations`: statistics of the deviation. Estimates.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub statistics: Option<Statistics>,
-    /// With `field`: every sample, one entry a surface of the sampled model, or a piece of
+    /// With `deviations`: every sample, one entry a surface of the sampled model, or a piece of
     /// a trimmed face.
     /// Not part of the JSON.
     #[serde(skip)]
-    pub field: Vec<Field>,
+    pub deviations: Vec<FaceDeviations>,
 }
 
 impl DistanceResult {
-    /// The method used.
+    /// Returns the name of the method used.
     #[must_use]
-    pub fn method(&self) -> Method {
+    pub fn method(&self) -> MethodName {
         self.details.method()
     }
 
@@ -138,11 +138,11 @@ pub enum Details {
 }
 
 impl Details {
-    pub(super) fn method(&self) -> Method {
+    pub(super) fn method(&self) -> MethodName {
         match self {
-            Self::Certified(_) => Method::Certified,
-            Self::Iteration(_) => Method::Iteration,
-            Self::Hierarchy(_) => Method::Hierarchy,
+            Self::Certified(_) => MethodName::Certified,
+            Self::Iteration(_) => MethodName::Iteration,
+            Self::Hierarchy(_) => MethodName::Hierarchy,
         }
     }
 
@@ -288,7 +288,7 @@ impl std::ops::AddAssign for Seconds {
 
 /// The samples of one face, or of a piece of a trimmed one, v fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Field {
+pub struct FaceDeviations {
     /// Index of the face in the sampled model.
     pub face: usize,
     /// Numbers of samples along u and v.

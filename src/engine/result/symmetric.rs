@@ -32,7 +32,7 @@ impl DistanceResult {
             seconds,
             notice,
             statistics: None,
-            field: Vec::new(),
+            deviations: Vec::new(),
             forward: Some(Box::new(forward)),
             reverse: Some(Box::new(reverse)),
         }

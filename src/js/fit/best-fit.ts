@@ -82,8 +82,8 @@ export async function bestFit<Model>(
   const most = positive("maxSteps", maxSteps ?? DEFAULTS.maxSteps);
   const options = { ...others, samples: samples ?? DEFAULTS.samples };
   const evaluate = async (transform: Rigid) => {
-    const { field, diagonal } = await engine.field(a, b, { ...options, transform });
-    return { diagonal, at: leastSquares(field) };
+    const { deviations, diagonal } = await engine.field(a, b, { ...options, transform });
+    return { diagonal, at: leastSquares(deviations) };
   };
   let position = complete(transform ?? {});
   const first = await evaluate(position);

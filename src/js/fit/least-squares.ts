@@ -1,6 +1,6 @@
 // The linear least-squares problem of one step of the best fit.
 import type { Vector3 } from "../measure/options.js";
-import type { Field } from "../measure/result.js";
+import type { FaceDeviations } from "../measure/result.js";
 import { cross } from "./rigid.js";
 
 /** The unknowns of a small rigid motion: three of the shift, three of the rotation vector. */
@@ -29,7 +29,7 @@ export interface LeastSquares {
  * as the foot moves orthogonally to u. Samples at the distance 0 have no u; they add
  * nothing. O(samples).
  */
-export function leastSquares(fields: readonly Field[]): LeastSquares {
+export function leastSquares(fields: readonly FaceDeviations[]): LeastSquares {
   let area = 0;
   const center: Vector3 = [0, 0, 0];
   forSamples(fields, (point, _foot, weight) => {
@@ -106,7 +106,7 @@ export function dampedStep(
 }
 
 function forSamples(
-  fields: readonly Field[],
+  fields: readonly FaceDeviations[],
   visit: (point: Vector3, foot: Vector3, weight: number) => void,
 ): void {
   for (const { points, feet, areas } of fields) {

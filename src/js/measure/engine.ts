@@ -43,7 +43,7 @@ export interface DistanceEngine<Model> {
 
   /**
    * The deviation of `a`, moved by `transform`, from `b` at a grid of samples: distances,
-   * signs, closest points, and statistics over the area. As `distance` with `field`, but
+   * signs, closest points, and statistics over the area. As `distance` with `deviations`, but
    * without the distance, so that a picture can follow a result, coarse and then fine.
    *
    * Guarantee: a sample's distance is not below its true one up to rounding, and exceeds it

@@ -1,5 +1,5 @@
 import type { OnProgress, Transform } from "./options.js";
-import type { Field, Statistics } from "./result.js";
+import type { FaceDeviations, Statistics } from "./result.js";
 
 /** Options of `Hausdorff.field`. */
 export interface FieldOptions {
@@ -29,5 +29,5 @@ export interface DeviationField {
   /** Where the samples stand for an area. */
   statistics?: Statistics;
   /** One entry a face of the sampled model, or a piece of a trimmed one. */
-  field: Field[];
+  deviations: FaceDeviations[];
 }

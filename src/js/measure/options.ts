@@ -12,51 +12,17 @@ export interface Transform {
   rotation?: readonly [x: number, y: number, z: number, w: number];
 }
 
-/**
- * Options of `Hausdorff.distance`. Those from `samples` to `stepTolerance` are
- * for method `iteration`, `samples` and `sampling` also for the `field`; their
- * defaults are the 2012 paper's.
- */
-export interface DistanceOptions {
-  /**
-   * The method that computes the distance: `certified` (default), the 2012
-   * paper's `iteration` or the 2011 paper's `hierarchy`.
-   */
-  method?: "certified" | "iteration" | "hierarchy";
-  /**
-   * `certified`: the permitted width of the interval, in model units. `hierarchy`
-   * only reports whether its interval is as narrow.
-   */
+/** Options of `Hausdorff.distance` with every method. */
+export interface CommonOptions {
+  /** The permitted width of the interval, in model units. Methods but `certified` only report whether theirs is as narrow. */
   tolerance?: number;
   /** The same as a fraction of the larger diagonal; 1e-6 if neither is given. Both at once are an error. */
   relativeTolerance?: number;
-  /** `certified`: only decide whether the distance is at most this; see `within` of the result. */
-  limit?: number;
-  /** `certified`: seconds per direction after which the interval reached is the result. */
-  maxSeconds?: number;
-  /** `certified`: cells per direction after which the interval reached is the result. */
-  maxCells?: number;
-  /** Samples along each direction of every surface, 2 to 1024; default 64. */
-  samples?: number;
-  /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
-  sampling?: "uniform" | "arc-length";
-  /** The flatness to which the other model's patches are cut; default `loose`, normals within 45°. */
-  flatness?: "none" | "loose" | "tight" | "curvature";
-  /** The step of the projection: damped Newton (default) or the paper's tangent-plane step. */
-  projection?: "newton" | "tangent-plane";
-  /** The patches on which a sample is projected: those near enough (default), or all as in the paper. */
-  culling?: "tree" | "none";
-  /** Largest number of steps on one patch, 1 to 300; default 5. */
-  iterations?: number;
-  /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
-  stepTolerance?: number;
   /**
-   * `hierarchy`: cells along each direction of every surface, 2 to 1024
-   * provided that a model has at most 2^22 cells; default 64.
+   * The length that the verdict is about: see `within` of the results. The search of `certified` ends
+   * as soon as it is known.
    */
-  grid?: number;
-  /** `hierarchy`: MiB for pairs of boxes, 1 to 256; default 256. */
-  memoryBudget?: number;
+  limit?: number;
   /** Whether the distance from B to A is computed too; default no. */
   symmetric?: boolean;
   /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
@@ -66,7 +32,14 @@ export interface DistanceOptions {
   /** The processor for this distance; default `auto`. */
   backend?: Backend;
   /** Whether every sample of a grid, its foot point and statistics are returned; default no. */
-  field?: boolean;
+  deviations?: boolean;
+  /**
+   * Samples along each direction of every surface, 2 to 1024; default 64. Only with method
+   * `iteration` or `deviations`.
+   */
+  samples?: number;
+  /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
+  sampling?: "uniform" | "arc-length";
   /**
    * Cancels the work, before it begins or while it is done: the promise rejects with code
    * `CANCELLED`, and the error has the interval reached, if there is one. Budgets resolve to it.
@@ -80,6 +53,45 @@ export interface DistanceOptions {
    */
   onProgress?: OnProgress;
 }
+
+/** Options of `Hausdorff.distance` by method `certified`, the default. */
+export interface CertifiedOptions extends CommonOptions {
+  method?: "certified";
+  /** Seconds per direction after which the interval reached is the result. */
+  maxSeconds?: number;
+  /** Cells per direction after which the interval reached is the result. */
+  maxCells?: number;
+}
+
+/** Options of `Hausdorff.distance` by the 2012 paper's method, with the defaults of the paper. */
+export interface IterationOptions extends CommonOptions {
+  method: "iteration";
+  /** The flatness to which the other model's patches are cut; default `loose`, normals within 45°. */
+  flatness?: "none" | "loose" | "tight" | "curvature";
+  /** The step of the projection: damped Newton (default) or the paper's tangent-plane step. */
+  projection?: "newton" | "tangent-plane";
+  /** The patches on which a sample is projected: those near enough (default), or all as in the paper. */
+  culling?: "tree" | "none";
+  /** Largest number of steps on one patch, 1 to 300; default 5. */
+  iterations?: number;
+  /** Change of distance that ends the tangent-plane iteration, in model units; default 0.01. */
+  stepTolerance?: number;
+}
+
+/** Options of `Hausdorff.distance` by the 2011 paper's method. */
+export interface HierarchyOptions extends CommonOptions {
+  method: "hierarchy";
+  /**
+   * Cells along each direction of every surface, 2 to 1024 provided that a model has at most
+   * 2^22 cells; default 64.
+   */
+  grid?: number;
+  /** MiB for pairs of boxes, 1 to 256; default 256. */
+  memoryBudget?: number;
+}
+
+/** Options of `Hausdorff.distance`, by the method that they name; those of another one are refused. */
+export type DistanceOptions = CertifiedOptions | IterationOptions | HierarchyOptions;
 
 /**
  * The type of `onProgress`. `stalled` is true while a search by method

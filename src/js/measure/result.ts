@@ -21,13 +21,14 @@ export interface SurfacePoint {
 /**
  * What the signs of deviations stand for. `solid`: negative inside the other model, positive
  * outside; where neither is certain, on its boundary and in its gaps, 0, and farther off NaN.
- * `faces`, where it is no solid: negative behind the normal of the face with the foot; NaN where
- * the foot is on an edge and the point not along the normal.
+ * `faces`, where it is no solid: negative behind the normal of the face with the foot; where the
+ * foot is on an edge, a corner or the rim, behind the angle-weighted normal of the faces there; NaN
+ * where no normal exists, where those of the faces cancel, and in the tangent plane beside the rim.
  */
 export type Signs = "solid" | "faces";
 
 /** All samples of one face, or of a piece of a trimmed one, v fastest. */
-export interface Field {
+export interface FaceDeviations {
   /** Index of the face in the sampled model. */
   face: number;
   /** Numbers of samples along u and v. */
@@ -109,10 +110,10 @@ interface Common {
    * a relative tolerance is 0 where both models are single points.
    */
   notice?: string;
-  /** With `field`, where there is an area. */
+  /** With `deviations`, where there is an area. */
   statistics?: Statistics;
-  /** With `field`: one entry a face of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
-  field?: Field[];
+  /** With `deviations`: one entry a face of the sampled model, or a piece of a trimmed one; with `symmetric`, in both directions' results. */
+  deviations?: FaceDeviations[];
 }
 
 /** A distance by method `certified`. */

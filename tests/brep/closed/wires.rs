@@ -4,7 +4,7 @@ use super::{Seams, TORUS, TORUS_AREA, orders};
 use crate::support::brep::{BrepText, minus, plus};
 use crate::{area_of, assert_near, read};
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use std::f64::consts::{PI, TAU};
 
 /// The seams of the torus that begins at the angle v of its tube.
@@ -136,7 +136,7 @@ fn the_distance_of_a_ball_to_a_torus_is_that_of_its_poles() {
     let ball = text.face(surface, &[]);
     let ball = PreparedModel::new(&read(&text, ball).0).unwrap();
     let engine = Engine::cpu();
-    let options = Options { relative_tolerance: Some(1e-6), ..Options::default() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-6), ..DistanceOptions::default() };
     let expected = (15.0_f64 * 15.0 + 1.0).sqrt() - 4.0;
     let torus = wholes(TORUS, &torus_seams(0.0), true, true);
     for model in [&torus[0], &torus[14]] {

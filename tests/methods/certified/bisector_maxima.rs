@@ -3,14 +3,14 @@
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DistanceResult, Options};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult};
 use nurbs_hausdorff::shapes::operations::reduce_degree;
 use nurbs_hausdorff::shapes::{shape, torus};
-use nurbs_hausdorff::{Axis, Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};
 
 const ROUNDING: f64 = 1e-12;
 
-fn measured(a: &Model, b: &Model, options: &Options) -> (DistanceResult, usize) {
+fn measured(a: &Model, b: &Model, options: &DistanceOptions) -> (DistanceResult, usize) {
     let result = measure(a, b, options);
     let cells = result.certified().unwrap().cells;
     (result, cells)
@@ -69,7 +69,11 @@ fn a_point_as_far_from_three_walls() {
             let (result, cells) = measured(
                 &across,
                 &walls,
-                &Options { relative_tolerance: Some(tolerance), transform, ..Options::default() },
+                &DistanceOptions {
+                    relative_tolerance: Some(tolerance),
+                    transform,
+                    ..DistanceOptions::default()
+                },
             );
             assert!(result.converged && result.lower <= truth + ROUNDING && truth - ROUNDING <= result.upper);
             assert!((result.computed - truth).abs() <= tolerance * result.diagonal);
@@ -89,8 +93,11 @@ fn a_point_as_far_from_a_circle_of_points() {
     let ring = torus(2.0, RADIUS).unwrap();
     let chords = Model::new(None, vec![reduce_degree(&ring.surfaces()[0], Axis::U).unwrap()]).unwrap();
     for tolerance in [1e-6, 1e-8, 1e-10] {
-        let options =
-            Options { relative_tolerance: Some(tolerance), max_cells: Some(6000), ..Options::default() };
+        let options = DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_cells: Some(6000), ..Default::default() }),
+            relative_tolerance: Some(tolerance),
+            ..DistanceOptions::default()
+        };
         let (result, cells) = measured(&chords, &ring, &options);
         println!("{tolerance:e}: {cells} cells");
         assert!(result.converged, "{result:?}");
@@ -108,7 +115,8 @@ fn a_moved_copy_is_as_far_as_it_was_moved() {
         for way in [DVec3::new(0.3, 0.1, 0.2), DVec3::new(-0.02, 0.01, 0.005), DVec3::new(0.0, 0.0, 1.5)] {
             let way = size * way;
             let transform = RigidTransform::translation(way).unwrap();
-            let (result, cells) = measured(&model, &model, &Options { transform, ..Options::default() });
+            let (result, cells) =
+                measured(&model, &model, &DistanceOptions { transform, ..DistanceOptions::default() });
             let DistanceResult { lower, upper, .. } = result;
             let truth = way.length();
             assert!(result.converged, "{name}");

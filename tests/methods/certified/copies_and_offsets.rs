@@ -3,10 +3,10 @@
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DistanceResult, Options};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Axis, Model, NurbsSurface, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, NurbsSurface, RigidTransform, SurfaceArrays};
 
 /// Cells that are few: halving down to cells of the tolerance takes some
 /// hundred thousand.
@@ -19,11 +19,11 @@ fn compared(a: &Model, b: &Model, transform: RigidTransform, tolerance: f64) -> 
     measure(
         a,
         b,
-        &Options {
+        &DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_seconds: Some(30.0), ..Default::default() }),
             relative_tolerance: Some(tolerance),
             transform,
-            max_seconds: Some(30.0),
-            ..Options::default()
+            ..DistanceOptions::default()
         },
     )
 }

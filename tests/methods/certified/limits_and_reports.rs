@@ -3,16 +3,18 @@
 
 use crate::support::fixtures::peaked_sheet;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{CertifiedDetails, DistanceResult, Engine, Options, PreparedModel, Stop};
+use nurbs_hausdorff::engine::{
+    CertifiedDetails, DistanceOptions, DistanceResult, Engine, PreparedModel, Stop,
+};
 use nurbs_hausdorff::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
-use nurbs_hausdorff::{Axis, Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
 const ROUNDING: f64 = 1e-12;
 
-fn measure(a: &Model, b: &Model, options: &Options, monitor: &mut dyn Monitor) -> DistanceResult {
+fn measure(a: &Model, b: &Model, options: &DistanceOptions, monitor: &mut dyn Monitor) -> DistanceResult {
     let engine = Engine::cpu();
     let (a, b) = (PreparedModel::new(a).unwrap(), PreparedModel::new(b).unwrap());
     engine.distance(&a, &b, options).monitored(monitor).wait().unwrap()
@@ -24,7 +26,8 @@ fn details(result: &DistanceResult) -> CertifiedDetails {
 
 /// Converges, is as narrow as requested, and contains the truth.
 fn contains(name: &str, a: &Model, b: &Model, transform: RigidTransform, tolerance: f64, truth: f64) {
-    let options = Options { relative_tolerance: Some(tolerance), transform, ..Options::default() };
+    let options =
+        DistanceOptions { relative_tolerance: Some(tolerance), transform, ..DistanceOptions::default() };
     let result = measure(a, b, &options, &mut NoMonitor);
     let DistanceResult { lower, upper, .. } = result;
     println!(
@@ -117,7 +120,7 @@ fn far_from_the_origin_and_tiny() {
     for (scale, shift) in [(1.0, 1e6), (1e-3, 1e3), (1e5, 1e6)] {
         let center = DVec3::new(shift, -shift, 0.5 * shift);
         let [one, larger] = [1.0, 1.5].map(|radius| sphere(center, scale * radius).unwrap());
-        let options = Options { relative_tolerance: Some(1e-3), ..Options::default() };
+        let options = DistanceOptions { relative_tolerance: Some(1e-3), ..DistanceOptions::default() };
         let result = measure(&one, &larger, &options, &mut NoMonitor);
         // The control points themselves are rounded.
         let rounding = 4.0 * f64::EPSILON * shift;
@@ -130,9 +133,19 @@ fn far_from_the_origin_and_tiny() {
 fn budgets_end_with_an_honest_interval_and_the_reason() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let budgets = [
-        (Options { max_cells: Some(2000), ..Options::default() }, Stop::Cells),
         (
-            Options { max_seconds: Some(0.02), relative_tolerance: Some(1e-9), ..Options::default() },
+            DistanceOptions {
+                method: Method::Certified(CertifiedOptions { max_cells: Some(2000), ..Default::default() }),
+                ..DistanceOptions::default()
+            },
+            Stop::Cells,
+        ),
+        (
+            DistanceOptions {
+                method: Method::Certified(CertifiedOptions { max_seconds: Some(0.02), ..Default::default() }),
+                relative_tolerance: Some(1e-9),
+                ..DistanceOptions::default()
+            },
             Stop::Time,
         ),
     ];
@@ -140,7 +153,8 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
         let result = measure(&one, &larger, &options, &mut NoMonitor);
         assert!(!result.converged);
         assert_eq!(details(&result).stop, stop);
-        assert!(options.max_cells.is_none_or(|most| details(&result).cells <= most), "{result:?}");
+        let Method::Certified(CertifiedOptions { max_cells, .. }) = options.method else { unreachable!() };
+        assert!(max_cells.is_none_or(|most| details(&result).cells <= most), "{result:?}");
         assert!(result.lower <= 0.1 + ROUNDING && 0.1 - ROUNDING <= result.upper);
         assert!(result.upper.is_finite());
     }
@@ -150,7 +164,7 @@ fn budgets_end_with_an_honest_interval_and_the_reason() {
 fn a_limit_is_decided_sooner_than_the_distance() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
     let ask = |limit: Option<f64>| {
-        let options = Options { limit, relative_tolerance: Some(1e-5), ..Options::default() };
+        let options = DistanceOptions { limit, relative_tolerance: Some(1e-5), ..DistanceOptions::default() };
         details(&measure(&one, &larger, &options, &mut NoMonitor))
     };
     let whole = ask(None);
@@ -161,7 +175,8 @@ fn a_limit_is_decided_sooner_than_the_distance() {
         assert!(decided.cells * 5 < whole.cells, "{} of {} cells", decided.cells, whole.cells);
     }
     // A limit inside the final interval cannot be decided.
-    let options = Options { limit: Some(0.1), relative_tolerance: Some(1e-3), ..Options::default() };
+    let options =
+        DistanceOptions { limit: Some(0.1), relative_tolerance: Some(1e-3), ..DistanceOptions::default() };
     let result = measure(&one, &larger, &options, &mut NoMonitor);
     assert_eq!((details(&result).within, result.converged), (None, false));
 }
@@ -189,7 +204,7 @@ impl Monitor for Watch {
 #[test]
 fn the_interval_never_widens_and_cancelling_returns_it() {
     let [one, larger] = sphere_parts([1.0, 1.1]).unwrap();
-    let options = Options { relative_tolerance: Some(1e-8), ..Options::default() };
+    let options = DistanceOptions { relative_tolerance: Some(1e-8), ..DistanceOptions::default() };
     let mut watch = Watch { intervals: Vec::new(), most: 8 };
     let result = measure(&one, &larger, &options, &mut watch);
     assert_eq!(details(&result).stop, Stop::Cancelled);
@@ -221,10 +236,13 @@ impl Monitor for StallWatch {
 fn a_search_that_gains_nothing_says_so() {
     let even = peaked_sheet(1.0);
     // Reports come by time: many cells, so that some come after the last halving.
-    let options = Options { max_cells: Some(200_000), ..Options::default() };
+    let options = DistanceOptions {
+        method: Method::Certified(CertifiedOptions { max_cells: Some(200_000), ..Default::default() }),
+        ..DistanceOptions::default()
+    };
     let stalled = |a: &Model, b: &Model, tolerance: f64| {
         let mut watch = StallWatch::default();
-        measure(a, b, &Options { relative_tolerance: Some(tolerance), ..options }, &mut watch);
+        measure(a, b, &DistanceOptions { relative_tolerance: Some(tolerance), ..options }, &mut watch);
         watch.0
     };
     let seen = stalled(&peaked_sheet(1e8), &even, 1e-6);
@@ -245,7 +263,7 @@ fn the_symmetric_interval_is_that_of_the_larger_direction() {
     };
     let square = Model::from_arrays(None, vec![square]).unwrap();
     let ball = sphere(DVec3::ZERO, 10.0).unwrap();
-    let options = Options { symmetric: true, ..Options::default() };
+    let options = DistanceOptions { symmetric: true, ..DistanceOptions::default() };
     let result = measure(&square, &ball, &options, &mut NoMonitor);
     let (forward, reverse) = (result.forward.unwrap(), result.reverse.unwrap());
     // From the square's corner; from the ball's poles, its middle being on the square.
@@ -259,7 +277,8 @@ fn the_symmetric_interval_is_that_of_the_larger_direction() {
 #[test]
 fn statistics_of_a_constant_deviation_are_that_constant() {
     let [one, larger] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
-    let options = Options { field: true, relative_tolerance: Some(1e-3), ..Options::default() };
+    let options =
+        DistanceOptions { deviations: true, relative_tolerance: Some(1e-3), ..DistanceOptions::default() };
     let result = measure(&one, &larger, &options, &mut NoMonitor);
     let statistics = result.statistics.unwrap();
     for value in [statistics.mean, statistics.rms, statistics.median, statistics.percentile_95] {

@@ -5,10 +5,10 @@ use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::bezier::extract;
 use nurbs_hausdorff::closest::{Target, closest};
-use nurbs_hausdorff::engine::Options;
+use nurbs_hausdorff::engine::DistanceOptions;
 use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
-use nurbs_hausdorff::{Model, RigidTransform};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 
 /// Cells that are few: those of a profile. Those of a surface are more than ten
 /// thousand in these tests.
@@ -21,7 +21,11 @@ fn cells(name: &str, a: &Model, b: &Model, truth: f64, tolerance: f64) -> usize 
     let result = measure(
         a,
         b,
-        &Options { relative_tolerance: Some(tolerance), max_seconds: Some(60.0), ..Options::default() },
+        &DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_seconds: Some(60.0), ..Default::default() }),
+            relative_tolerance: Some(tolerance),
+            ..DistanceOptions::default()
+        },
     );
     let cells = result.certified().unwrap().cells;
     println!("{name}: [{:e}, {:e}], {cells} cells", result.lower, result.upper);
@@ -151,10 +155,13 @@ fn a_dent_is_seen() {
             for (a, b) in [(&dented, &model), (&model, &dented)] {
                 let found = largest_sample(a, b);
                 for tolerance in [1e-6, 1e-8] {
-                    let options = Options {
+                    let options = DistanceOptions {
+                        method: Method::Certified(CertifiedOptions {
+                            max_cells: Some(20_000),
+                            ..Default::default()
+                        }),
                         relative_tolerance: Some(tolerance),
-                        max_cells: Some(20_000),
-                        ..Options::default()
+                        ..DistanceOptions::default()
                     };
                     let result = measure(a, b, &options);
                     println!("{name} {depth:e}: [{:e}, {:e}], {found:e}", result.lower, result.upper);

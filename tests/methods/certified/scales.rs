@@ -2,10 +2,11 @@
 //! and converged intervals are as narrow as requested.
 
 use crate::support::cpu::measure;
+use crate::support::fixtures::with_grid;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceResult, Method, Options};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, MethodName};
 use nurbs_hausdorff::shapes::{sphere, torus};
-use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};
 
 /// From where squares are lost to the largest that is accepted.
 const SIZES: [f64; 13] =
@@ -14,7 +15,7 @@ const SIZES: [f64; 13] =
 /// Those between which even fourth powers have all digits.
 const USUAL_SIZES: std::ops::Range<f64> = 1e-60..1e60;
 
-const METHODS: [Method; 3] = [Method::Certified, Method::Iteration, Method::Hierarchy];
+const METHODS: [MethodName; 3] = [MethodName::Certified, MethodName::Iteration, MethodName::Hierarchy];
 
 /// Cells after which a search may end where it must only be honest.
 const CELLS: usize = 300;
@@ -25,18 +26,16 @@ const ROUNDING: f64 = 1e-12;
 /// The permitted width, as a fraction of the diagonal.
 const TOLERANCE: f64 = 1e-6;
 
-fn options(method: Method) -> Options {
-    let symmetric = method != Method::Hierarchy;
+fn options(method: MethodName) -> DistanceOptions {
+    let symmetric = method != MethodName::Hierarchy;
     let relative_tolerance = Some(TOLERANCE);
-    Options {
-        method,
-        relative_tolerance,
-        symmetric,
-        samples: 8,
-        grid: 16,
-        max_cells: Some(CELLS),
-        ..Options::default()
-    }
+    let method = match method {
+        MethodName::Certified => {
+            Method::Certified(CertifiedOptions { max_cells: Some(CELLS), ..Default::default() })
+        }
+        other => with_grid(other, 16),
+    };
+    DistanceOptions { method, relative_tolerance, symmetric, samples: 8, ..DistanceOptions::default() }
 }
 
 /// The interval holds `truth`, and is as narrow as requested where the result says so.
@@ -72,11 +71,11 @@ fn spheres_of_any_size_are_measured() {
     for size in SIZES {
         let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::splat(size), radius * size).unwrap());
         for method in METHODS {
-            let options = Options { symmetric: false, ..options(method) };
+            let options = DistanceOptions { symmetric: false, ..options(method) };
             let result = measure(&a, &b, &options);
             let truth = 1.5 * size - size;
             assert_honest(&result, truth, TOLERANCE, &format!("{method:?}, {size:e}"));
-            if method == Method::Certified && USUAL_SIZES.contains(&size) {
+            if method == MethodName::Certified && USUAL_SIZES.contains(&size) {
                 assert!(result.converged, "{size:e}: [{:e}, {:e}]", result.lower, result.upper);
             }
         }
@@ -88,7 +87,7 @@ fn tori_of_any_size_are_measured() {
     for size in SIZES {
         // Of one circle, so everywhere as far apart as the tubes' radii.
         let [a, b] = [0.5, 0.75].map(|tube| torus(2.0 * size, tube * size).unwrap());
-        let options = options(Method::Certified);
+        let options = options(MethodName::Certified);
         let result = measure(&a, &b, &options);
         assert_honest(&result, 0.25 * size, TOLERANCE, &format!("{size:e}"));
     }
@@ -102,7 +101,7 @@ fn squares_of_any_weights_are_measured() {
         for (on_a, on_b) in [([near; 4], [1.0; 4]), ([far, 1.0, 2.0, 1.0], [1.0, 1.0, 1.0, far])] {
             let [a, b] = [square([0.0, 1.0], 1.0, on_a), square([-1.0, 2.0], 0.0, on_b)];
             for method in METHODS {
-                let options = Options { symmetric: false, ..options(method) };
+                let options = DistanceOptions { symmetric: false, ..options(method) };
                 let result = measure(&a, &b, &options);
                 assert_honest(&result, 1.0, TOLERANCE, &format!("{method:?}, {on_a:?}, {on_b:?}"));
             }
@@ -120,9 +119,10 @@ fn what_float64_cannot_tell_has_not_converged() {
         for tolerance in tolerances {
             let middle = DVec3::new(far, -far, far);
             let [a, b] = [1.0, 1.5].map(|radius| sphere(middle, radius).unwrap());
-            let options = Options { relative_tolerance: Some(tolerance), ..options(Method::Certified) };
+            let options =
+                DistanceOptions { relative_tolerance: Some(tolerance), ..options(MethodName::Certified) };
             let aside = RigidTransform::translation(DVec3::new(0.3, 0.0, -0.4)).unwrap();
-            let moved = Options { transform: aside, ..options.clone() };
+            let moved = DistanceOptions { transform: aside, ..options.clone() };
             for result in [measure(&a, &b, &options), measure(&a, &a, &moved)] {
                 assert_honest(&result, 0.5, tolerance, &format!("{far}, {tolerance}"));
                 converged += usize::from(result.converged);

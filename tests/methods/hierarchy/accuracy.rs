@@ -3,25 +3,27 @@
 use crate::support::fixtures::{model, square, translation, turned};
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel, Processor};
+use nurbs_hausdorff::engine::{
+    Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
+};
 use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::transformed;
 use nurbs_hausdorff::shapes::{figure5_cylinder, figure5_plane, shape, sphere};
-use nurbs_hausdorff::{Error, Model, RigidTransform};
+use nurbs_hausdorff::{Error, HierarchyOptions, Method, Model, RigidTransform};
 
 /// Rounding of a distance of models of size 1 to 10 in float64.
 const ROUNDING: f64 = 1e-9;
 
-fn hierarchy() -> Options {
-    Options { method: Method::Hierarchy, ..Options::default() }
+fn hierarchy() -> DistanceOptions {
+    DistanceOptions { method: MethodName::Hierarchy.into(), ..DistanceOptions::default() }
 }
 
 /// Runs on both backends; the interval must contain the truth.
-fn on_both(test: &str, a: &Model, b: &Model, options: &Options, truth: f64) -> Vec<DistanceResult> {
+fn on_both(test: &str, a: &Model, b: &Model, options: &DistanceOptions, truth: f64) -> Vec<DistanceResult> {
     let Some(engine) = engine(test) else { return Vec::new() };
     [Backend::Gpu, Backend::Cpu]
         .map(|backend| {
-            let result = measure(&engine, a, b, &Options { backend, ..options.clone() });
+            let result = measure(&engine, a, b, &DistanceOptions { backend, ..options.clone() });
             let contains = result.lower <= truth && truth <= result.upper;
             assert!(contains, "{backend:?}: {truth} not in [{}, {}]", result.lower, result.upper);
             assert!(result.lower <= result.computed && result.computed <= result.upper, "{backend:?}");
@@ -48,8 +50,8 @@ fn parallel_planes_are_their_heights_apart() {
 fn spheres_are_known() {
     let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
     on_both("concentric_spheres", &a, &b, &hierarchy(), 0.5);
-    on_both("a_turned_sphere", &a, &b, &Options { transform: rotation(), ..hierarchy() }, 0.5);
-    let options = Options { transform: translation(0.0, 0.3, 0.75), symmetric: true, ..hierarchy() };
+    on_both("a_turned_sphere", &a, &b, &DistanceOptions { transform: rotation(), ..hierarchy() }, 0.5);
+    let options = DistanceOptions { transform: translation(0.0, 0.3, 0.75), symmetric: true, ..hierarchy() };
     let moved = 0.75_f64.hypot(0.3);
     for result in on_both("a_moved_sphere", &a, &a, &options, moved) {
         let both: Vec<u64> = result.hierarchy().unwrap().pairs.clone();
@@ -79,7 +81,16 @@ fn figure_5_of_the_paper() {
 fn a_model_is_at_distance_0_from_itself() {
     for name in ["wavy-sheet", "glass"] {
         let this = shape(name).unwrap();
-        for result in on_both(name, &this, &this, &Options { grid: 24, ..hierarchy() }, 0.0) {
+        for result in on_both(
+            name,
+            &this,
+            &this,
+            &DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid: 24, ..Default::default() }),
+                ..hierarchy()
+            },
+            0.0,
+        ) {
             assert_eq!(result.lower, 0.0);
             assert!(!result.converged);
         }
@@ -92,8 +103,12 @@ fn moving_by_the_option_is_moving_the_control_points() {
     let transform = turned();
     let Some(engine) = engine("moving_by_the_option") else { return };
     for backend in [Backend::Gpu, Backend::Cpu] {
-        let options = Options { backend, grid: 32, ..hierarchy() };
-        let by_option = measure(&engine, &a, &b, &Options { transform, ..options.clone() });
+        let options = DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid: 32, ..Default::default() }),
+            backend,
+            ..hierarchy()
+        };
+        let by_option = measure(&engine, &a, &b, &DistanceOptions { transform, ..options.clone() });
         let by_points = measure(&engine, &transformed(&a, &transform).unwrap(), &b, &options);
         // Bounds of derivatives depend on the frame by a little.
         assert!((by_option.lower - by_points.lower).abs() < 1e-3 * by_option.diagonal);
@@ -110,7 +125,7 @@ fn models_far_from_the_origin_are_bounded_as_well() {
     let far = on_both("far", &far_a, &far_b, &hierarchy(), 0.5);
     // A at the origin, moved to B far away.
     let transform = RigidTransform::translation(away).unwrap();
-    let moved = on_both("moved", &a, &far_b, &Options { transform, ..hierarchy() }, 0.5);
+    let moved = on_both("moved", &a, &far_b, &DistanceOptions { transform, ..hierarchy() }, 0.5);
     for ((near, far), moved) in near.iter().zip(&far).zip(&moved) {
         for other in [far, moved] {
             assert!((near.lower - other.lower).abs() < 1e-4, "{} {}", near.lower, other.lower);
@@ -124,10 +139,19 @@ fn the_interval_narrows_with_the_square_of_the_cells() {
     // Where the distance is large against the cells and the farthest boxes lie
     // flat to an axis, as the spheres' poles, boxes are thick by their growth alone.
     let ball = sphere(DVec3::ZERO, 1.0).unwrap();
-    let away = Options { transform: translation(0.0, 0.0, 20.0), ..hierarchy() };
-    let width = |backend: Backend, options: &Options, b: &Model, grid: usize| {
+    let away = DistanceOptions { transform: translation(0.0, 0.0, 20.0), ..hierarchy() };
+    let width = |backend: Backend, options: &DistanceOptions, b: &Model, grid: usize| {
         let engine = Engine::new_blocking(backend).unwrap();
-        let result = measure(&engine, &ball, b, &Options { backend, grid, ..options.clone() });
+        let result = measure(
+            &engine,
+            &ball,
+            b,
+            &DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid, ..Default::default() }),
+                backend,
+                ..options.clone()
+            },
+        );
         result.upper - result.lower
     };
     let [coarse, fine] = [16, 128].map(|grid| width(Backend::Cpu, &away, &ball, grid));
@@ -148,8 +172,12 @@ fn both_backends_descend_alike() {
     for (a, b) in pairs {
         let (a, b) = (shape(a).unwrap(), shape(b).unwrap());
         for grid in [7, 64] {
-            let options = Options { transform: turned(), grid, ..hierarchy() };
-            let on = |backend| measure(&engine, &a, &b, &Options { backend, ..options.clone() });
+            let options = DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid, ..Default::default() }),
+                transform: turned(),
+                ..hierarchy()
+            };
+            let on = |backend| measure(&engine, &a, &b, &DistanceOptions { backend, ..options.clone() });
             let (gpu, cpu) = (on(Backend::Gpu), on(Backend::Cpu));
             assert_eq!((gpu.backend, cpu.backend), (Processor::Gpu, Processor::Cpu));
             // Boxes of the GPU contain those of the CPU, and not much more.
@@ -181,12 +209,20 @@ fn the_farthest_cell_is_on_the_surface_that_is_the_farthest() {
             assert_eq!(result.witness.a.face, raised);
             assert_eq!(result.witness.b.face, 0);
         }
-        let reversed =
-            on_both("reversed", &sheet, &tiles(Some(raised)), &Options { grid: 8, ..hierarchy() }, {
+        let reversed = on_both(
+            "reversed",
+            &sheet,
+            &tiles(Some(raised)),
+            &DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid: 8, ..Default::default() }),
+                ..hierarchy()
+            },
+            {
                 // From the sheet's corner to the nearest corner of the row, or over the raised tile.
                 let corner = 2.0_f64.sqrt();
                 if raised == 3 { corner } else { (2.0_f64 + 0.25).sqrt() }
-            });
+            },
+        );
         assert!(reversed.iter().all(|result| result.witness.a.face == 0));
     }
 }
@@ -197,7 +233,11 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
     let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
     let requested = [Backend::Gpu, Backend::Cpu].map(|backend| {
         let run = |memory_budget| {
-            let options = Options { backend, memory_budget, grid: 128, ..hierarchy() };
+            let options = DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { memory_budget, grid: 128 }),
+                backend,
+                ..hierarchy()
+            };
             engine.distance(&ball, &ball, &options).wait()
         };
         let error = run(1).unwrap_err();
@@ -220,16 +260,49 @@ fn a_budget_of_memory_ends_the_descent_with_the_pairs_wanted() {
 fn options_out_of_range_are_named() {
     let engine = Engine::cpu();
     let many = PreparedModel::new(&model((0..5).map(|x| square(f64::from(x), 0.0)).collect())).unwrap();
-    let refused = |options: Options| match engine.distance(&many, &many, &options).wait().unwrap_err() {
+    let refused = |options: DistanceOptions| match engine.distance(&many, &many, &options).wait().unwrap_err()
+    {
         Error::OptionOutOfRange { option, found, .. } => (option, found),
         other => panic!("{other}"),
     };
-    assert_eq!(refused(Options { grid: 1, ..hierarchy() }), ("grid", "1".to_owned()));
-    assert_eq!(refused(Options { grid: 1025, ..hierarchy() }), ("grid", "1025".to_owned()));
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid: 1, ..Default::default() }),
+            ..hierarchy()
+        }),
+        ("grid", "1".to_owned())
+    );
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid: 1025, ..Default::default() }),
+            ..hierarchy()
+        }),
+        ("grid", "1025".to_owned())
+    );
     // Five million cells.
-    assert_eq!(refused(Options { grid: 1024, ..hierarchy() }), ("grid", "1024".to_owned()));
-    assert_eq!(refused(Options { memory_budget: 0, ..hierarchy() }).0, "memory budget");
-    assert_eq!(refused(Options { memory_budget: 257, ..hierarchy() }).0, "memory budget");
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid: 1024, ..Default::default() }),
+            ..hierarchy()
+        }),
+        ("grid", "1024".to_owned())
+    );
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { memory_budget: 0, ..Default::default() }),
+            ..hierarchy()
+        })
+        .0,
+        "memory budget"
+    );
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { memory_budget: 257, ..Default::default() }),
+            ..hierarchy()
+        })
+        .0,
+        "memory budget"
+    );
 }
 
 /// Records its calls, and cancels once the progress passes a fraction.
@@ -259,7 +332,12 @@ fn progress_rises_intervals_narrow_and_cancelling_stops_on_the_way() {
     let Some(engine) = engine("progress_rises") else { return };
     let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
     for backend in [Backend::Gpu, Backend::Cpu] {
-        let options = Options { backend, grid: 128, transform: translation(0.0, 0.0, 0.5), ..hierarchy() };
+        let options = DistanceOptions {
+            method: Method::Hierarchy(HierarchyOptions { grid: 128, ..Default::default() }),
+            backend,
+            transform: translation(0.0, 0.0, 0.5),
+            ..hierarchy()
+        };
         let mut watch = Watch::default();
         let result = engine.distance(&ball, &ball, &options).monitored(&mut watch).wait().unwrap();
         assert!(watch.fractions.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.fractions);

@@ -3,17 +3,19 @@
 use crate::support::gpu::{engine, measure};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceResult, Engine, Method, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel};
 use nurbs_hausdorff::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::{elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{FIGURE5_SAMPLES, figure5_cylinder, figure5_plane, shape, sphere};
-use nurbs_hausdorff::{Axis, Error, Model, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{
+    Axis, CertifiedOptions, Error, IterationOptions, Method, Model, RigidTransform, SurfaceArrays,
+};
 
 /// Rounding of a distance of models of size 1 to 10 in float64.
 const ROUNDING: f64 = 1e-9;
 
-fn iteration() -> Options {
-    Options { method: Method::Iteration, ..Options::default() }
+fn iteration() -> DistanceOptions {
+    DistanceOptions { method: MethodName::Iteration.into(), ..DistanceOptions::default() }
 }
 
 fn translation(x: f64, y: f64, z: f64) -> RigidTransform {
@@ -21,11 +23,11 @@ fn translation(x: f64, y: f64, z: f64) -> RigidTransform {
 }
 
 /// Runs on both backends; the interval must contain the truth.
-fn on_both(test: &str, a: &Model, b: &Model, options: &Options, truth: f64) -> Vec<DistanceResult> {
+fn on_both(test: &str, a: &Model, b: &Model, options: &DistanceOptions, truth: f64) -> Vec<DistanceResult> {
     let Some(engine) = engine(test) else { return Vec::new() };
     [Backend::Gpu, Backend::Cpu]
         .map(|backend| {
-            let result = measure(&engine, a, b, &Options { backend, ..options.clone() });
+            let result = measure(&engine, a, b, &DistanceOptions { backend, ..options.clone() });
             let contains = result.lower <= truth + ROUNDING && truth - ROUNDING <= result.upper;
             assert!(contains, "{backend:?}: {truth} not in [{}, {}]", result.lower, result.upper);
             assert!(result.lower <= result.computed && result.computed <= result.upper);
@@ -56,7 +58,7 @@ fn parallel_planes_are_their_heights_apart() {
 #[test]
 fn concentric_spheres_are_their_radii_apart() {
     let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
-    let options = Options { symmetric: true, ..iteration() };
+    let options = DistanceOptions { symmetric: true, ..iteration() };
     for result in on_both("concentric_spheres", &a, &b, &options, 0.5) {
         assert!((result.computed - 0.5).abs() < ROUNDING, "{}", result.computed);
         let (forward, reverse) = (result.forward.unwrap(), result.reverse.unwrap());
@@ -68,7 +70,7 @@ fn concentric_spheres_are_their_radii_apart() {
 #[test]
 fn a_sphere_moved_along_the_axis_is_as_far_as_it_moved() {
     let ball = sphere(DVec3::ZERO, 1.0).unwrap();
-    let options = Options { transform: translation(0.0, 0.0, 0.75), symmetric: true, ..iteration() };
+    let options = DistanceOptions { transform: translation(0.0, 0.0, 0.75), symmetric: true, ..iteration() };
     // The pole is a sample, and the farthest point of the moved sphere.
     for result in on_both("a_sphere_moved", &ball, &ball, &options, 0.75) {
         assert!((result.computed - 0.75).abs() < ROUNDING, "{}", result.computed);
@@ -86,7 +88,7 @@ fn turning_a_sphere_about_its_middle_changes_nothing() {
     let [a, b] = [1.0, 1.5].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
     let rotation = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), 0.8);
     let transform = RigidTransform::new(rotation, DVec3::ZERO).unwrap();
-    for result in on_both("turning_a_sphere", &a, &b, &Options { transform, ..iteration() }, 0.5) {
+    for result in on_both("turning_a_sphere", &a, &b, &DistanceOptions { transform, ..iteration() }, 0.5) {
         assert!((result.computed - 0.5).abs() < ROUNDING, "{}", result.computed);
     }
 }
@@ -97,7 +99,7 @@ fn moving_by_the_option_is_moving_the_control_points() {
     let transform = RigidTransform::new(rotation, DVec3::new(0.5, 0.1, -0.3)).unwrap();
     let (a, b) = (shape("wavy-sheet").unwrap(), shape("wavy-sheet-b").unwrap());
     let Some(engine) = engine("moving_by_the_option") else { return };
-    let by_option = measure(&engine, &a, &b, &Options { transform, ..iteration() });
+    let by_option = measure(&engine, &a, &b, &DistanceOptions { transform, ..iteration() });
     let by_points = measure(&engine, &transformed(&a, &transform).unwrap(), &b, &iteration());
     assert!((by_option.computed - by_points.computed).abs() < ROUNDING);
 }
@@ -122,7 +124,8 @@ fn points_at_the_centre_of_curvature_find_the_nearest_point() {
     // tangent-plane step no longer contracts, with every point equally near.
     let square = plane(0.0);
     let ball = sphere(DVec3::ZERO, 4.0).unwrap();
-    for result in on_both("points_on_the_axis", &square, &ball, &Options { samples: 65, ..iteration() }, 4.0)
+    for result in
+        on_both("points_on_the_axis", &square, &ball, &DistanceOptions { samples: 65, ..iteration() }, 4.0)
     {
         assert!((result.computed - 4.0).abs() < ROUNDING, "{}", result.computed);
     }
@@ -132,10 +135,14 @@ fn points_at_the_centre_of_curvature_find_the_nearest_point() {
 fn figure_5_of_the_paper() {
     let (plane, cylinder) = (figure5_plane().unwrap(), figure5_cylinder().unwrap());
     for projection in [Projection::Newton, Projection::TangentPlane] {
-        let options = Options { samples: FIGURE5_SAMPLES, projection, ..iteration() };
+        let options = DistanceOptions {
+            method: Method::Iteration(IterationOptions { projection, ..Default::default() }),
+            samples: FIGURE5_SAMPLES,
+            ..iteration()
+        };
         let Some(engine) = engine("figure_5") else { return };
         for backend in [Backend::Gpu, Backend::Cpu] {
-            let result = measure(&engine, &plane, &cylinder, &Options { backend, ..options.clone() });
+            let result = measure(&engine, &plane, &cylinder, &DistanceOptions { backend, ..options.clone() });
             let bounds = result.iteration().unwrap().bounds;
             assert!((result.computed - 310.42).abs() < 0.01, "{}", result.computed);
             // Half the diagonal of a flat cell of side 16.
@@ -167,7 +174,7 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
     let Some(engine) = engine("progress") else { return };
     let [a, b] = ["bottle", "glass"].map(|name| PreparedModel::new(&shape(name).unwrap()).unwrap());
     for backend in [Backend::Gpu, Backend::Cpu] {
-        let options = Options { backend, samples: 192, symmetric: true, ..iteration() };
+        let options = DistanceOptions { backend, samples: 192, symmetric: true, ..iteration() };
         let mut watch = Watch { cancel_at: 2.0, seen: Vec::new() };
         let whole = engine.distance(&a, &b, &options).monitored(&mut watch).wait().unwrap();
         assert!(watch.seen.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", watch.seen);
@@ -193,7 +200,7 @@ fn progress_rises_to_one_and_cancelling_stops_on_the_way() {
 fn options_out_of_range_are_named() {
     let engine = Engine::cpu();
     let model = PreparedModel::new(&plane(0.0)).unwrap();
-    let refused = |options: Options| {
+    let refused = |options: DistanceOptions| {
         let error = engine
             .distance(&model, &model, &options)
             .monitored(&mut Watch { cancel_at: 2.0, seen: vec![] })
@@ -203,23 +210,50 @@ fn options_out_of_range_are_named() {
             other => panic!("{other}"),
         }
     };
-    let base = Options::default;
-    assert_eq!(refused(Options { samples: 1, ..base() }), "samples");
-    assert_eq!(refused(Options { samples: 1025, ..base() }), "samples");
-    assert_eq!(refused(Options { iterations: 0, ..base() }), "iterations");
-    assert_eq!(refused(Options { step_tolerance: 0.0, ..base() }), "step tolerance");
-    assert_eq!(refused(Options { relative_tolerance: Some(f64::NAN), ..base() }), "relative tolerance");
-    assert_eq!(refused(Options { tolerance: Some(0.0), ..base() }), "tolerance");
-    assert_eq!(refused(Options { limit: Some(-1.0), ..base() }), "limit");
-    assert_eq!(refused(Options { max_seconds: Some(0.0), ..base() }), "max seconds");
-    assert_eq!(refused(Options { max_cells: Some(0), ..base() }), "max cells");
+    let base = DistanceOptions::default;
+    assert_eq!(refused(DistanceOptions { samples: 1, ..base() }), "samples");
+    assert_eq!(refused(DistanceOptions { samples: 1025, ..base() }), "samples");
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Iteration(IterationOptions { iterations: 0, ..Default::default() }),
+            ..base()
+        }),
+        "iterations"
+    );
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Iteration(IterationOptions { step_tolerance: 0.0, ..Default::default() }),
+            ..base()
+        }),
+        "step tolerance"
+    );
+    assert_eq!(
+        refused(DistanceOptions { relative_tolerance: Some(f64::NAN), ..base() }),
+        "relative tolerance"
+    );
+    assert_eq!(refused(DistanceOptions { tolerance: Some(0.0), ..base() }), "tolerance");
+    assert_eq!(refused(DistanceOptions { limit: Some(-1.0), ..base() }), "limit");
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_seconds: Some(0.0), ..Default::default() }),
+            ..base()
+        }),
+        "max seconds"
+    );
+    assert_eq!(
+        refused(DistanceOptions {
+            method: Method::Certified(CertifiedOptions { max_cells: Some(0), ..Default::default() }),
+            ..base()
+        }),
+        "max cells"
+    );
 }
 
 #[test]
 fn an_engine_without_a_gpu_refuses_to_pretend() {
     let engine = Engine::cpu();
     let model = PreparedModel::new(&plane(0.0)).unwrap();
-    let options = Options { backend: Backend::Gpu, ..iteration() };
+    let options = DistanceOptions { backend: Backend::Gpu, ..iteration() };
     let refused = engine
         .distance(&model, &model, &options)
         .monitored(&mut Watch { cancel_at: 2.0, seen: vec![] })

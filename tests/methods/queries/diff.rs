@@ -3,7 +3,7 @@
 use crate::support::cpu;
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DiffOptions, DiffResult, Engine, FaceState, Options};
+use nurbs_hausdorff::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
 
@@ -93,7 +93,7 @@ fn the_farthest_face_is_as_far_as_the_model() {
     for [one, other] in [["bottle", "torus"], ["sphere", "sphere-larger"], ["wavy-sheet", "wavy-sheet-b"]] {
         let (a, b) = (shape(one).unwrap(), shape(other).unwrap());
         let result = diff(&a, &b, &DiffOptions { limit: 1e-4, ..DiffOptions::default() });
-        let whole = cpu::measure(&a, &b, &Options::default());
+        let whole = cpu::measure(&a, &b, &DistanceOptions::default());
         let largest = |bound: fn(&nurbs_hausdorff::FaceDifference) -> f64| {
             result.faces_of_a.iter().map(bound).fold(0.0_f64, f64::max)
         };
@@ -105,7 +105,7 @@ fn the_farthest_face_is_as_far_as_the_model() {
 #[test]
 fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     let [a, b] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
-    let whole = cpu::measure(&a, &b, &Options::default());
+    let whole = cpu::measure(&a, &b, &DistanceOptions::default());
     // At the distance itself no search of a few cells can decide.
     let limit = 0.5 * (whole.lower + whole.upper);
     let result = diff(&a, &b, &DiffOptions { limit, max_cells: 1, ..DiffOptions::default() });

@@ -1,7 +1,7 @@
 //! The field: distances of samples, finished on the whole of the other model.
 
 use crate::support::{cpu, models};
-use nurbs_hausdorff::engine::{DistanceResult, Method, Options};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, MethodName};
 
 /// The largest number of Bézier patches of the models measured here, to keep the time short.
 const MAX_PATCHES: usize = 3000;
@@ -9,13 +9,13 @@ const MAX_PATCHES: usize = 3000;
 /// Samples along each direction of a surface.
 const SAMPLES: usize = 8;
 
-fn measured(a: &nurbs_hausdorff::Model, b: &nurbs_hausdorff::Model, method: Method) -> DistanceResult {
-    let options = Options {
-        method,
+fn measured(a: &nurbs_hausdorff::Model, b: &nurbs_hausdorff::Model, method: MethodName) -> DistanceResult {
+    let options = DistanceOptions {
+        method: method.into(),
         relative_tolerance: Some(1e-4),
         samples: SAMPLES,
-        field: true,
-        ..Options::default()
+        deviations: true,
+        ..DistanceOptions::default()
     };
     cpu::measure(a, b, &options)
 }
@@ -34,9 +34,9 @@ fn no_sample_of_a_model_is_farther_from_the_model_itself_than_the_upper_bound() 
         {
             continue;
         }
-        let result = measured(&model, &model, Method::Certified);
-        assert!(!result.field.is_empty(), "{name}");
-        for field in &result.field {
+        let result = measured(&model, &model, MethodName::Certified);
+        assert!(!result.deviations.is_empty(), "{name}");
+        for field in &result.deviations {
             let largest = field.distances.iter().fold(0.0_f64, |largest, &distance| largest.max(distance));
             assert!(largest <= result.upper, "{name}: {largest} above {}", result.upper);
             assert!(largest <= 1e-9 * result.diagonal, "{name}: {largest}");
@@ -50,8 +50,8 @@ fn no_sample_of_a_model_is_farther_from_the_model_itself_than_the_upper_bound() 
 fn distances_are_those_of_the_nearest_points() {
     use nurbs_hausdorff::shapes::{sphere, torus};
     let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
-    let result = measured(&ball, &ring, Method::Certified);
-    for field in &result.field {
+    let result = measured(&ball, &ring, MethodName::Certified);
+    for field in &result.deviations {
         for (point, &distance) in field.points.chunks_exact(3).zip(&field.distances) {
             let [x, y, z] = [point[0], point[1], point[2]];
             let truth = ((x.hypot(y) - 3.0).hypot(z) - 0.5).abs();
@@ -67,20 +67,20 @@ fn a_field_without_its_distance_is_that_of_the_distance() {
     use nurbs_hausdorff::engine::{Engine, FieldOptions};
     use nurbs_hausdorff::shapes::{sphere, torus};
     let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
-    let with_distance = measured(&ball, &ring, Method::Certified);
+    let with_distance = measured(&ball, &ring, MethodName::Certified);
     let engine = Engine::new_blocking(nurbs_hausdorff::Backend::Cpu).unwrap();
     let [a, b] = [&ball, &ring].map(|model| PreparedModel::new(model).unwrap());
     let field = |options| engine.field(&a, &b, &options).wait();
     let options = FieldOptions { samples: SAMPLES, ..FieldOptions::default() };
 
     let limited = field(FieldOptions { upper: Some(with_distance.upper), ..options.clone() }).unwrap();
-    assert_eq!(limited.field, with_distance.field);
+    assert_eq!(limited.deviations, with_distance.deviations);
     assert_eq!(limited.statistics, with_distance.statistics);
     assert_eq!(limited.diagonal.to_bits(), with_distance.diagonal.to_bits());
 
     let upper = 0.5 * with_distance.upper;
     let cut = field(FieldOptions { upper: Some(upper), ..options.clone() }).unwrap();
-    let largest = cut.field.iter().flat_map(|field| &field.distances).fold(0.0_f64, |a, &b| a.max(b));
+    let largest = cut.deviations.iter().flat_map(|field| &field.distances).fold(0.0_f64, |a, &b| a.max(b));
     assert_eq!(largest.to_bits(), upper.to_bits());
 
     for wrong in

@@ -4,9 +4,7 @@ use glam::DVec3;
 use nurbs_hausdorff::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
-use nurbs_hausdorff::{
-    ClosestPointOptions, DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays,
-};
+use nurbs_hausdorff::{DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays};
 
 /// Numbers in [0, 1) from a seed, by SplitMix64.
 struct Random(u64);
@@ -204,7 +202,7 @@ fn deviations_from_a_tetrahedron_have_the_sign_of_the_solid() {
     let (inner, outer) = (sphere(DVec3::ZERO, 0.5).unwrap(), sphere(DVec3::ZERO, 2.0).unwrap());
     for (ball, sign) in [(outer, 1.0), (inner, -1.0)] {
         let found = field(&ball, &tetrahedron(1.0));
-        for part in &found.field {
+        for part in &found.deviations {
             assert_eq!(part.signs, Signs::Solid);
             for (signed, distance) in part.signed.iter().zip(&part.distances) {
                 assert_eq!(*signed, sign * distance);
@@ -221,7 +219,7 @@ fn samples_that_cross_the_boundary_change_their_sign() {
     let cutting = cylinder(0.9, 6.0).unwrap();
     let found = field(&cutting, &Model::from_arrays(None, cube(1.0)).unwrap());
     let mut counts = [0, 0];
-    for part in &found.field {
+    for part in &found.deviations {
         for (point, signed) in part.points.chunks_exact(3).zip(&part.signed) {
             let expected = depth_of_cube(DVec3::new(point[0], point[1], point[2]));
             counts[usize::from(expected > 0.0)] += 1;

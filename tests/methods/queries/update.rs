@@ -1,8 +1,8 @@
 //! Models whose control points change on the same knots.
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceResult, Engine, Method, Options, PreparedModel};
-use nurbs_hausdorff::{Model, shapes};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::{HierarchyOptions, Method, Model, shapes};
 
 /// The sheet with every control point moved by a wave of this phase.
 fn waved(model: &Model, phase: f64) -> Vec<[f64; 4]> {
@@ -10,7 +10,7 @@ fn waved(model: &Model, phase: f64) -> Vec<[f64; 4]> {
     model.surfaces()[0].control_points().iter().map(wave).collect()
 }
 
-fn distance(a: &PreparedModel, b: &PreparedModel, options: &Options) -> DistanceResult {
+fn distance(a: &PreparedModel, b: &PreparedModel, options: &DistanceOptions) -> DistanceResult {
     let engine = Engine::cpu();
     engine.distance(a, b, options).wait().unwrap()
 }
@@ -30,13 +30,17 @@ fn an_updated_model_is_measured_as_a_new_one() {
         let model = source.with_control_points(0, waved(&source, 0.2 * f64::from(frame))).unwrap();
         updated = updated.updated(&model).unwrap();
         let new = PreparedModel::new(&model).unwrap();
-        let options = Options { relative_tolerance: Some(1e-6), symmetric: true, ..Options::default() };
+        let options =
+            DistanceOptions { relative_tolerance: Some(1e-6), symmetric: true, ..DistanceOptions::default() };
         let (refitted, prepared) = (distance(&updated, &fixed, &options), distance(&new, &fixed, &options));
         assert!(refitted.converged && prepared.converged && overlap(&refitted, &prepared), "frame {frame}");
         assert_eq!(updated.bounding_box(), new.bounding_box());
         if frame % 8 == 0 {
             grids += 1;
-            let options = Options { method: Method::Hierarchy, grid: 16, ..options };
+            let options = DistanceOptions {
+                method: Method::Hierarchy(HierarchyOptions { grid: 16, ..Default::default() }),
+                ..options
+            };
             let [kept, fresh] = [&updated, &new].map(|model| distance(model, &fixed, &options));
             // The same tree of the same cells.
             assert_eq!([kept.lower, kept.upper], [fresh.lower, fresh.upper], "frame {frame}");
@@ -56,7 +60,7 @@ fn large_changes_of_shape_keep_the_bounds_true() {
     };
     let start = flat.with_control_points(0, points(0.0, DVec3::ZERO)).unwrap();
     let prepared = PreparedModel::new(&start).unwrap();
-    let options = Options::default();
+    let options = DistanceOptions::default();
     distance(&prepared, &prepared, &options);
     for (height, shift) in [(2.0, DVec3::ZERO), (5.0, DVec3::new(1e3, -1e3, 7.0)), (0.0, DVec3::Z)] {
         let model = start.with_control_points(0, points(height, shift)).unwrap();

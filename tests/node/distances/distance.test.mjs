@@ -28,7 +28,7 @@ test("parallel squares are their offset apart", async () => {
   assert.equal(result.witness.a.point[2], 0);
   assert.equal(result.witness.b.point[2], 0.25);
   assert.equal(result.forward, undefined);
-  assert.equal(result.field, undefined);
+  assert.equal(result.deviations, undefined);
 });
 
 for (const [nameA, nameB] of [
@@ -126,9 +126,9 @@ test("a transform moves A", async () => {
 test("every sample comes back with field", async () => {
   const a = hd.model([square(0), square(1)]);
   const b = hd.model([square(4)]);
-  const result = await hd.distance(a, b, { method: "iteration", samples: 5, field: true });
-  assert.equal(result.field.length, 2);
-  result.field.forEach((field, index) => {
+  const result = await hd.distance(a, b, { method: "iteration", samples: 5, deviations: true });
+  assert.equal(result.deviations.length, 2);
+  result.deviations.forEach((field, index) => {
     assert.equal(field.face, index);
     assert.deepEqual(field.counts, [5, 5]);
     assert.ok(field.points instanceof Float64Array && field.feet instanceof Float64Array);
@@ -145,9 +145,9 @@ test("every sample comes back with field", async () => {
       assert.equal(field.feet[i], 4);
     }
   });
-  const both = await hd.distance(a, b, { ...iteration, symmetric: true, field: true });
-  assert.equal(both.forward.field.length, 2);
-  assert.equal(both.reverse.field.length, 1);
+  const both = await hd.distance(a, b, { ...iteration, symmetric: true, deviations: true });
+  assert.equal(both.forward.deviations.length, 2);
+  assert.equal(both.reverse.deviations.length, 1);
 });
 
 test("every choice of the paper's is taken", async () => {
@@ -167,6 +167,6 @@ test("every choice of the paper's is taken", async () => {
 
 test("the results are plain data", async () => {
   const a = hd.model([square(0)]);
-  const result = await hd.distance(a, a, { ...iteration, symmetric: true, field: true });
+  const result = await hd.distance(a, a, { ...iteration, symmetric: true, deviations: true });
   assert.deepEqual(structuredClone(result), result);
 });

@@ -16,9 +16,9 @@ after(() => {
 test("the field of a square below another is their distance, by area", async () => {
   const fractions = [];
   const options = { samples: 5, onProgress: (fraction) => fractions.push(fraction) };
-  const { field, statistics, diagonal } = await hd.field(...models, options);
-  assert.equal(field.length, 1);
-  const [{ face, counts, distances, signed, areas }] = field;
+  const { deviations, statistics, diagonal } = await hd.field(...models, options);
+  assert.equal(deviations.length, 1);
+  const [{ face, counts, distances, signed, areas }] = deviations;
   assert.deepEqual([face, counts, distances.length], [0, [5, 5], 25]);
   for (const distance of distances) near(distance, 2, 1e-8);
   // The square looks up, and the samples lie below it.
@@ -36,9 +36,9 @@ test("the field of a square below another is their distance, by area", async () 
 test("the transform moves the samples, and an upper bound limits them", async () => {
   const transform = { translation: [0, 0, 1.5] };
   const moved = await hd.field(...models, { samples: 2, transform });
-  for (const distance of moved.field[0].distances) near(distance, 0.5, 1e-8);
+  for (const distance of moved.deviations[0].distances) near(distance, 0.5, 1e-8);
   const limited = await hd.field(...models, { samples: 2, transform, upper: 0.25 });
-  assert.deepEqual([...limited.field[0].distances], [0.25, 0.25, 0.25, 0.25]);
+  assert.deepEqual([...limited.deviations[0].distances], [0.25, 0.25, 0.25, 0.25]);
 });
 
 test("wrong options of a field are refused", async () => {

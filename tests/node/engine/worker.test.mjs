@@ -45,7 +45,7 @@ test("a field is that of the main entry", async () => {
 
 for (const options of [
   { symmetric: true },
-  { method: "iteration", samples: 12, field: true },
+  { method: "iteration", samples: 12, deviations: true },
   { method: "hierarchy", grid: 8, transform: { translation: [0, 0, 1] } },
 ]) {
   test(`a distance by ${options.method ?? "certified"} is that of the main entry`, async () => {
@@ -181,7 +181,7 @@ test("nothing blocks the caller's thread for more than 50 ms", async () => {
   const work = async () => {
     const [a, b] = await Promise.all(names.map((name) => hd.shape(name)));
     await hd.distance(a, b, { method: "hierarchy" });
-    await hd.distance(a, b, { method: "iteration", field: true });
+    await hd.distance(a, b, { method: "iteration", deviations: true });
     await hd.closestPoints(a, points, { relativeTolerance: 1e-3 });
   };
   await blocksAtMost(50, work);

@@ -97,7 +97,7 @@ const VALUES = {
   "scale-units": [],
   translate: ["-0.25,0.5,1"],
   rotate: ["1,0,0,90"],
-  field: [],
+  deviations: [],
   backend: ["cpu", "--method", "iteration"],
   json: [],
 };
@@ -131,7 +131,7 @@ test("both print the same lines for people", () => {
     stdout.split("\n").filter((line) => !/^(seconds|search|notice|on [AB])/.test(line));
   for (const options of [
     ["--symmetric"],
-    ["--method", "iteration", "--backend", "cpu", "--field"],
+    ["--method", "iteration", "--backend", "cpu", "--deviations"],
     ["--method", "hierarchy", "--backend", "cpu", "--grid", "8"],
     ["--limit", "5"],
   ]) {

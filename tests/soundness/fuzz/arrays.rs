@@ -5,12 +5,12 @@ use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::surfaces::{any_arrays, plane};
 use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::{Method, Model, Options};
+use nurbs_hausdorff::{CertifiedOptions, DistanceOptions, HierarchyOptions, Method, MethodName, Model};
 
 pub fn check(bytes: &[u8]) {
     let mut bytes = Bytes::new(bytes);
     let count = bytes.below(3);
-    let method = bytes.choose(&[Method::Certified, Method::Iteration, Method::Hierarchy]);
+    let method = bytes.choose(&[MethodName::Certified, MethodName::Iteration, MethodName::Hierarchy]);
     let other = Model::from_arrays(None, vec![plane(&mut bytes, 4.0)]).unwrap();
     let Ok(model) = Model::from_arrays(None, (0..count).map(|_| any_arrays(&mut bytes)).collect()) else {
         return;
@@ -18,8 +18,14 @@ pub fn check(bytes: &[u8]) {
     for patch in extract(&model).patches.iter() {
         assert!(patch.controls.iter().all(|control| !control.is_nan()), "{patch:?}");
     }
-    let options =
-        Options { method, max_cells: Some(32), samples: 4, grid: 4, symmetric: true, ..Options::default() };
+    let method = match method {
+        MethodName::Certified => {
+            Method::Certified(CertifiedOptions { max_cells: Some(32), ..Default::default() })
+        }
+        MethodName::Hierarchy => Method::Hierarchy(HierarchyOptions { grid: 4, ..Default::default() }),
+        MethodName::Iteration => method.into(),
+    };
+    let options = DistanceOptions { method, samples: 4, symmetric: true, ..DistanceOptions::default() };
     let result = distance(&model, &other, &options);
     assert_numbers(&result.unwrap_or_else(|error| panic!("{error}")));
 }

@@ -4,7 +4,7 @@ use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::sampling::Samples;
 use super::support::surfaces::{plane, scaled, tame_arrays};
-use nurbs_hausdorff::{DistanceResult, Model, Options};
+use nurbs_hausdorff::{CertifiedOptions, DistanceOptions, DistanceResult, Method, Model};
 
 /// Half the width of the plane: every sheet is over its inside.
 const HALF_WIDTH: f64 = 32.0;
@@ -42,8 +42,12 @@ pub fn check(bytes: &[u8]) {
         sampled.directed_distance(&Samples::new(&b, STEPS))
     };
     let limit = limited.then_some(bytes.unit() * largest);
-    let options =
-        Options { max_cells: Some(cells), relative_tolerance: Some(tolerance), limit, ..Options::default() };
+    let options = DistanceOptions {
+        method: Method::Certified(CertifiedOptions { max_cells: Some(cells), ..Default::default() }),
+        relative_tolerance: Some(tolerance),
+        limit,
+        ..DistanceOptions::default()
+    };
     let result = distance(&a, &b, &options).unwrap();
     assert_numbers(&result);
     let DistanceResult { lower, upper, .. } = result;

@@ -9,7 +9,9 @@ use crate::support::evaluator;
 use nurbs_hausdorff::model::ModelArrays;
 use nurbs_hausdorff::model::trim::{FaceArrays, Trim, TrimCurveArrays};
 use nurbs_hausdorff::untrim::untrim;
-use nurbs_hausdorff::{Axis, Error, Model, NurbsSurface, Options, PreparedModel};
+use nurbs_hausdorff::{
+    Axis, CertifiedOptions, DistanceOptions, Error, Method, Model, NurbsSurface, PreparedModel,
+};
 
 /// The deviations permitted, as fractions of the model's diagonal, which is at most 20.
 const DEVIATIONS: [f64; 3] = [1e-9, 1e-6, 1e-3];
@@ -68,7 +70,11 @@ pub fn check(bytes: &[u8]) {
     let text = model.to_json().unwrap();
     assert_eq!(Model::from_json(&text).unwrap().to_json().unwrap(), text);
     let other = Model::from_arrays(None, vec![plane(&mut bytes, 4.0)]).unwrap();
-    let options = Options { max_cells: Some(MAX_CELLS), symmetric: true, ..Options::default() };
+    let options = DistanceOptions {
+        method: Method::Certified(CertifiedOptions { max_cells: Some(MAX_CELLS), ..Default::default() }),
+        symmetric: true,
+        ..DistanceOptions::default()
+    };
     if PreparedModel::new(&model).is_ok() {
         assert_numbers(&distance(&model, &other, &options).unwrap());
     }

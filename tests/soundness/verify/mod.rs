@@ -7,7 +7,7 @@ mod remainders;
 
 use crate::proof::{self, Claim, Motion, Report, Settings, Verdict, Witness};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use std::path::Path;
@@ -141,7 +141,7 @@ fn results_of_the_search_are_proved_also_of_moved_models() {
     for [a, b] in [["cylinder", "cone"], ["glass", "bottle"], ["wavy-sheet", "torus"]] {
         let [a, b] = [a, b].map(|name| shape(name).unwrap());
         let transform = RigidTransform::new(turn, shift).unwrap();
-        let options = Options { transform, ..Options::default() };
+        let options = DistanceOptions { transform, ..DistanceOptions::default() };
         let (prepared_a, prepared_b) = (PreparedModel::new(&a).unwrap(), PreparedModel::new(&b).unwrap());
         let result = engine.distance(&prepared_a, &prepared_b, &options).wait().unwrap();
         let motion =

@@ -23,12 +23,12 @@ const needsField = (): boolean => deviation.checked || lines.checked;
 /** The options of a measurement except the transform. */
 export function distanceOptions(): PlainOptions {
   return {
-    method: method.value as NonNullable<PlainOptions["method"]>,
+    method: method.value as PlainOptions["method"],
     relativeTolerance: Number(tolerance.value),
     samples: Number(samples.value),
-    flatness: flatness.value as NonNullable<PlainOptions["flatness"]>,
+    flatness: flatness.value as PlainOptions["flatness"],
     symmetric: symmetric.checked,
-    field: needsField(),
+    deviations: needsField(),
   };
 }
 

@@ -1,7 +1,8 @@
 // The queue of measurements: one runs, and only the newest request waits.
 import type {
+  DistanceOptions,
   DistanceResult,
-  Field,
+  FaceDeviations,
   Hausdorff,
   NurbsModel,
   OnProgress,
@@ -19,9 +20,6 @@ import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
  * nothing, so they are given time to finish.
  */
 const GRACE = { certified: 120, others: 4000 };
-
-/** The number of samples of a side of a surface unless the options name another. */
-const DEFAULT_SAMPLES = 64;
 
 /** More samples than these take so long that coarse ones are shown first. */
 const MANY_SAMPLES = 20_000;
@@ -43,7 +41,7 @@ export class Measurements {
   readonly #reply: (reply: Reply, transfer?: Transferable[]) => void;
   readonly #fail: (error: unknown, run: number) => void;
   #models: Sides<NurbsModel> = {};
-  #fields: Field[] | undefined;
+  #fields: FaceDeviations[] | undefined;
   #waiting: Requested | undefined;
   #running: Requested | undefined;
 
@@ -72,7 +70,7 @@ export class Measurements {
   }
 
   /** The samples of the last measurement; undefined if it had none. */
-  get fields(): Field[] | undefined {
+  get fields(): FaceDeviations[] | undefined {
     return this.#fields;
   }
 
@@ -104,13 +102,11 @@ export class Measurements {
     this.#fields = undefined;
     // Method `iteration` has its samples at once; those of the others come after the
     // distance, of A only, which alone the page draws.
-    const colours = options.field === true && options.method !== "iteration";
+    const colours = options.deviations && options.method !== "iteration";
     const part = colours ? 0.5 : 1;
     try {
       const result = await this.#engine.distance(a, b, {
-        ...options,
-        ...(requested.hurried && { maxSeconds: GRACE.certified / 1000 }),
-        field: options.field === true && !colours,
+        ...searchOptions(options, requested.hurried),
         signal: abort.signal,
         onProgress: this.#progress(requested, graceOf(requested), { begin: 0, part }),
       });
@@ -118,7 +114,7 @@ export class Measurements {
       // The last of a row has its time.
       if (again) this.#waiting = { ...requested, hurried: false };
       const pending = again || (colours && !abort.signal.aborted);
-      this.#show(requested, result, (result.forward ?? result).field, pending);
+      this.#show(requested, result, (result.forward ?? result).deviations, pending);
       if (pending && !again) await this.#colour(requested, result);
     } catch (error) {
       if (isCancelled(error)) {
@@ -132,7 +128,7 @@ export class Measurements {
     const { a, b } = this.#models;
     const { options, abort } = requested;
     if (a === undefined || b === undefined) return;
-    const { samples = DEFAULT_SAMPLES, transform, scaleUnits } = options;
+    const { samples, transform, scaleUnits } = options;
     const { upper } = result.forward ?? result;
     const common = { upper, ...(transform && { transform }), ...(scaleUnits && { scaleUnits }) };
     const many = a.faceCount * samples ** 2 > MANY_SAMPLES;
@@ -150,7 +146,7 @@ export class Measurements {
             part: fine ? 0.5 : 0,
           }),
         });
-        this.#show(requested, withStatistics(result, found.statistics), found.field, !fine);
+        this.#show(requested, withStatistics(result, found.statistics), found.deviations, !fine);
       }
     } catch (error) {
       if (!isCancelled(error)) throw error;
@@ -181,14 +177,14 @@ export class Measurements {
   #show(
     { run, options }: Requested,
     result: DistanceResult,
-    fields: Field[] | undefined,
+    fields: FaceDeviations[] | undefined,
     pending: boolean,
   ): void {
     const transform = options.transform ?? {};
     this.#fields = fields;
     const field = fields && fieldDisplay(fields, transform);
     const engine = engineState(this.#engine);
-    const plain = withoutField(result);
+    const plain = withoutDeviations(result);
     this.#reply(
       { kind: "measured", run, result: plain, field, pending, transform, engine },
       field && buffersOf(field),
@@ -196,9 +192,24 @@ export class Measurements {
   }
 }
 
+/** Returns the options of the search that its method has. */
+function searchOptions(options: PlainOptions, hurried: boolean): DistanceOptions {
+  const { method, samples, flatness, deviations, maxSeconds, ...common } = options;
+  switch (method) {
+    case "certified": {
+      const seconds = hurried ? GRACE.certified / 1000 : maxSeconds;
+      return { ...common, method, ...(seconds !== undefined && { maxSeconds: seconds }) };
+    }
+    case "iteration":
+      return { ...common, method, samples, flatness, deviations };
+    case "hierarchy":
+      return { ...common, method };
+  }
+}
+
 /** Whether a budget of time may end the method early, with an interval. */
 const isHurriable = ({ method, maxSeconds }: PlainOptions): boolean =>
-  (method ?? "certified") === "certified" && maxSeconds === undefined;
+  method === "certified" && maxSeconds === undefined;
 
 /** Whether a budget of time ended the search. */
 const isUnfinished = (result: DistanceResult): boolean =>
@@ -215,12 +226,12 @@ function withStatistics(result: DistanceResult, statistics?: Statistics): Distan
   return { ...result, forward: { ...forward, statistics } } as DistanceResult;
 }
 
-function withoutField<Result extends DistanceResult>(result: Result): Result {
-  const { field, forward, reverse, ...rest } = result;
+function withoutDeviations<Result extends DistanceResult>(result: Result): Result {
+  const { deviations, forward, reverse, ...rest } = result;
   return {
     ...rest,
-    ...(forward && { forward: withoutField(forward) }),
-    ...(reverse && { reverse: withoutField(reverse) }),
+    ...(forward && { forward: withoutDeviations(forward) }),
+    ...(reverse && { reverse: withoutDeviations(reverse) }),
   } as Result;
 }
 

@@ -4,9 +4,9 @@ import type {
   BestFitOptions,
   DiffOptions,
   DiffResult,
-  DistanceOptions,
   DistanceResult,
   ErrorCode,
+  IterationOptions,
   ShapeInfo,
   Tessellation,
   Transform,
@@ -35,7 +35,18 @@ export interface Placement {
 }
 
 /** The options that can be posted to a worker. */
-export type PlainOptions = Omit<DistanceOptions, "signal" | "onProgress">;
+export interface PlainOptions {
+  method: keyof Results;
+  relativeTolerance: number;
+  samples: number;
+  flatness: NonNullable<IterationOptions["flatness"]>;
+  symmetric: boolean;
+  deviations: boolean;
+  limit?: number;
+  maxSeconds?: number;
+  scaleUnits?: boolean;
+  transform?: Transform;
+}
 
 /** The options of a comparison face by face that can be posted to a worker. */
 export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;

@@ -6,7 +6,7 @@ use super::chart::{Axis, Panel, Series, Style};
 use super::inputs::pairs::{Pair, pairs};
 use super::inputs::plan::Plan;
 use super::{Anyhow, Setup};
-use nurbs_hausdorff::engine::{DistanceResult, Method};
+use nurbs_hausdorff::engine::{DistanceResult, MethodName};
 use positions::{Curve, sweep, table};
 
 /// `sweep-NAME`: runs every requested pair.
@@ -98,7 +98,7 @@ fn bounds(curves: &[Curve]) -> Vec<Series> {
 fn sizes(curves: &[Curve]) -> Vec<Series> {
     let truth = truth(curves);
     each(curves, Style::Line, |result, index| match result.method() {
-        Method::Certified => Some(0.5 * (result.upper - result.lower)),
+        MethodName::Certified => Some(0.5 * (result.upper - result.lower)),
         _ => truth[index].map(|truth| (result.computed - truth).abs()),
     })
 }

@@ -5,7 +5,7 @@ use super::super::inputs::plan::Plan;
 use super::super::methods::{Entry, methods};
 use super::super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
-use nurbs_hausdorff::engine::{DistanceResult, Options, PreparedModel};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, IterationOptions, Method, PreparedModel};
 use nurbs_hausdorff::flatness::Flatness;
 use std::time::Instant;
 
@@ -32,15 +32,15 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
     let positions = pair.positions(setup.choose(21, 5));
     let mut curves = Vec::new();
     for method in methods(setup.choose(64, 12)) {
-        let at = |position| -> Anyhow<Options> {
-            Ok(Options { transform: pair.at(position)?, ..method.options.clone() })
+        let at = |position| -> Anyhow<DistanceOptions> {
+            Ok(DistanceOptions { transform: pair.at(position)?, ..method.options.clone() })
         };
         let mut outcomes = Vec::new();
         for (index, &position) in positions.iter().enumerate() {
             let is_middle = index == positions.len() / 2;
             let options = at(position)?;
             let is_large = method.on_all_patches && projections(&a, &b, &options) > plan.most_projections;
-            let result = if !is_large || (is_middle && options.flatness == Flatness::None) {
+            let result = if !is_large || (is_middle && is_uncut(options.method)) {
                 repeated(setup, plan, &a, &b, &options).map_err(|error| error.code())
             } else {
                 Err("left-out")
@@ -63,7 +63,7 @@ pub(crate) fn sweep(setup: &Setup, plan: &Plan, pair: &Pair) -> Anyhow<Vec<Curve
 
 /// Returns the number of projections of a method that tries every patch of the
 /// extraction; subdivision adds patches.
-fn projections(a: &PreparedModel, b: &PreparedModel, options: &Options) -> usize {
+fn projections(a: &PreparedModel, b: &PreparedModel, options: &DistanceOptions) -> usize {
     let patches: usize = b.patch_counts().map(|[rows, columns]| rows * columns).sum();
     a.patch_counts().len() * options.samples * options.samples * patches
 }
@@ -75,7 +75,7 @@ fn repeated(
     plan: &Plan,
     a: &PreparedModel,
     b: &PreparedModel,
-    options: &Options,
+    options: &DistanceOptions,
 ) -> Result<DistanceResult, Error> {
     let begun = Instant::now();
     let mut result = setup.measure(a, b, options)?;
@@ -116,4 +116,9 @@ pub(crate) fn table(plan: &Plan, curves: &[Curve]) -> Table {
         }
     }
     table
+}
+
+/// Whether B is projected on as it is.
+fn is_uncut(method: Method) -> bool {
+    matches!(method, Method::Iteration(IterationOptions { flatness: Flatness::None, .. }))
 }

@@ -5,7 +5,7 @@ use crate::proof;
 use crate::support::evaluator::point;
 use fastrand::Rng;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceResult, Options, SurfacePoint};
+use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, SurfacePoint};
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::{Cell, OnceCell};
 
@@ -46,7 +46,7 @@ impl<'a> Direction<'a> {
     pub(super) fn new(
         pair: &'a Pair,
         result: &'a DistanceResult,
-        options: &Options,
+        options: &DistanceOptions,
         reversed: bool,
         deviations: [f64; 2],
     ) -> Self {

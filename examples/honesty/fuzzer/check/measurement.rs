@@ -2,7 +2,7 @@
 
 use super::super::pairs::Pair;
 use super::super::partners::scale_and_shift;
-use nurbs_hausdorff::engine::{Backend, Details, DistanceResult, Engine, Options, PreparedModel};
+use nurbs_hausdorff::engine::{Backend, Details, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use nurbs_hausdorff::{Error, Model, RigidTransform};
 
 thread_local! {
@@ -13,7 +13,7 @@ thread_local! {
 
 /// Measures a pair scaled by its power of two, and returns the result scaled back, with the
 /// deviations of the pieces of both models' trimmed faces.
-pub(super) fn measure(pair: &Pair, options: &Options) -> Result<(DistanceResult, [f64; 2]), Error> {
+pub(super) fn measure(pair: &Pair, options: &DistanceOptions) -> Result<(DistanceResult, [f64; 2]), Error> {
     let scale = 2.0_f64.powi(pair.exponent);
     let mut scaled = [pair.a.clone(), pair.b.clone()];
     let mut options = options.clone();

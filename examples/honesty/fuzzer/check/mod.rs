@@ -11,7 +11,8 @@ use super::attacks;
 use super::pairs::{Pair, pair};
 use super::trims;
 use fastrand::Rng;
-use nurbs_hausdorff::engine::Options;
+use nurbs_hausdorff::engine::DistanceOptions;
+use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, IterationOptions, Method, MethodName};
 use std::time::Instant;
 
 /// Samples of method `iteration` and cells of method `hierarchy` along each direction.
@@ -72,22 +73,32 @@ pub(crate) fn check_trimmed(seed: u64) -> Outcome {
     )
 }
 
+fn method(pair: &Pair) -> Method {
+    match pair.method {
+        MethodName::Certified => {
+            Method::Certified(CertifiedOptions { max_cells: Some(pair.max_cells), ..Default::default() })
+        }
+        MethodName::Iteration => Method::Iteration(IterationOptions::default()),
+        MethodName::Hierarchy => {
+            Method::Hierarchy(HierarchyOptions { grid: GRID_OF_HIERARCHY, ..Default::default() })
+        }
+    }
+}
+
 fn check_pair(seed: u64, pair: &Pair) -> Outcome {
     let started = Instant::now();
     let diagonal = pair.a.bounding_box().diagonal().max(pair.b.bounding_box().diagonal());
-    let options = Options {
+    let options = DistanceOptions {
         // Two points have no diagonal for a relative tolerance.
         tolerance: (diagonal == 0.0).then_some(pair.tolerance),
         relative_tolerance: (diagonal != 0.0).then_some(pair.tolerance),
-        max_cells: Some(pair.max_cells),
         transform: pair.transform,
         symmetric: pair.symmetric,
         limit: pair.limit.map(|limit| limit * diagonal),
-        method: pair.method,
+        method: method(pair),
         samples: SAMPLES_OF_ITERATION,
-        grid: GRID_OF_HIERARCHY,
         backend: pair.backend,
-        ..Options::default()
+        ..DistanceOptions::default()
     };
     let (result, deviations) = match measure(pair, &options) {
         Ok(measured) => measured,

@@ -12,7 +12,7 @@ use super::surfaces::{Weights, direction, magnitude, surface, surface_of_degree,
 use fastrand::Rng;
 use glam::{DQuat, DVec2, DVec3};
 use loops::Ring;
-use nurbs_hausdorff::engine::{Backend, Method};
+use nurbs_hausdorff::engine::{Backend, MethodName};
 use nurbs_hausdorff::shapes::{lateral, sphere, torus};
 use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
@@ -45,9 +45,9 @@ pub(crate) fn pair(seed: u64) -> Option<Pair> {
         if turns { DQuat::from_axis_angle(direction(rng), rng.f64() * 0.2) } else { DQuat::IDENTITY };
     let corner = DVec3::from_slice(&a[0].surface.control_points[0][..3]);
     let method = match rng.u8(0..16) {
-        0 => Method::Iteration,
-        1 => Method::Hierarchy,
-        _ => Method::Certified,
+        0 => MethodName::Iteration,
+        1 => MethodName::Hierarchy,
+        _ => MethodName::Certified,
     };
     Some(Pair {
         kind,

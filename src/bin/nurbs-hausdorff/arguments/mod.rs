@@ -9,7 +9,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
-use nurbs_hausdorff::{Backend, ClearanceOptions, DiffOptions, Method, Options, Result, RigidTransform};
+use nurbs_hausdorff::{
+    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Result, RigidTransform,
+};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
@@ -58,12 +60,12 @@ pub(crate) struct DistanceArguments {
     /// The model to which the distances are measured; - is standard input.
     pub(crate) b: PathBuf,
     /// The method that computes the distance.
-    #[arg(long, value_enum, default_value_t = MethodName::Certified)]
-    method: MethodName,
-    /// certified: permitted width of the interval, in model units.
+    #[arg(long, value_enum, default_value_t = MethodChoice::Certified)]
+    method: MethodChoice,
+    /// Permitted width of the interval, in model units.
     #[arg(long, value_name = "LENGTH")]
     tolerance: Option<f64>,
-    /// certified: the same as a fraction of the larger diagonal; 1e-6 if neither is given.
+    /// The same as a fraction of the larger diagonal; 1e-6 if neither is given.
     #[arg(long, value_name = "FRACTION")]
     relative_tolerance: Option<f64>,
     /// Decides whether the distance is at most LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
@@ -81,33 +83,33 @@ pub(crate) struct DistanceArguments {
     /// certified: cells per direction after which the interval reached is the result.
     #[arg(long, value_name = "CELLS")]
     max_cells: Option<usize>,
-    /// iteration: samples along each parameter direction of every surface.
-    #[arg(long, default_value_t = 64)]
-    samples: usize,
-    /// iteration: the rule by which the samples are spread.
-    #[arg(long, value_enum, default_value_t = SamplingName::Uniform)]
-    sampling: SamplingName,
-    /// iteration: the flatness to which the patches of B are cut.
-    #[arg(long, value_enum, default_value_t = FlatnessName::Loose)]
-    flatness: FlatnessName,
-    /// iteration: the step of the projection, damped Newton or the tangent-plane step of the 2012 paper.
-    #[arg(long, value_enum, default_value_t = ProjectionName::Newton)]
-    projection: ProjectionName,
-    /// iteration: the patches on which a sample is projected, those near enough or all as in the paper.
-    #[arg(long, value_enum, default_value_t = CullingName::Tree)]
-    culling: CullingName,
-    /// iteration: largest number of steps on one patch.
-    #[arg(long, default_value_t = 5)]
-    iterations: u32,
-    /// iteration: change of distance that ends the tangent-plane step, in model units.
-    #[arg(long, default_value_t = 0.01)]
-    step_tolerance: f64,
-    /// hierarchy: cells along each parameter direction of every surface.
-    #[arg(long, default_value_t = 64)]
-    grid: usize,
-    /// hierarchy: memory for the pairs of boxes, in MiB.
-    #[arg(long, value_name = "MIB", default_value_t = 256)]
-    memory_budget: usize,
+    /// iteration and --deviations: samples along each parameter direction of every surface; 64 if not given.
+    #[arg(long)]
+    samples: Option<usize>,
+    /// iteration and --deviations: the rule by which the samples are spread; uniform if not given.
+    #[arg(long, value_enum)]
+    sampling: Option<SamplingName>,
+    /// iteration: the flatness to which the patches of B are cut; loose if not given.
+    #[arg(long, value_enum)]
+    flatness: Option<FlatnessName>,
+    /// iteration: the step of the projection, damped Newton (if not given) or the tangent-plane step of the 2012 paper.
+    #[arg(long, value_enum)]
+    projection: Option<ProjectionName>,
+    /// iteration: the patches on which a sample is projected, those near enough (if not given) or all as in the paper.
+    #[arg(long, value_enum)]
+    culling: Option<CullingName>,
+    /// iteration: largest number of steps on one patch; 5 if not given.
+    #[arg(long)]
+    iterations: Option<u32>,
+    /// iteration: change of distance that ends the tangent-plane step, in model units; 0.01 if not given.
+    #[arg(long)]
+    step_tolerance: Option<f64>,
+    /// hierarchy: cells along each parameter direction of every surface; 64 if not given.
+    #[arg(long)]
+    grid: Option<usize>,
+    /// hierarchy: memory for the pairs of boxes, in MiB; 256 if not given.
+    #[arg(long, value_name = "MIB")]
+    memory_budget: Option<usize>,
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
     symmetric: bool,
@@ -115,7 +117,7 @@ pub(crate) struct DistanceArguments {
     placement: Placement,
     /// Adds statistics of the deviation at a grid of samples; they are estimates.
     #[arg(long)]
-    field: bool,
+    deviations: bool,
     /// The processor for the kernels; auto is the GPU if there is one, except for method certified.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
@@ -267,9 +269,10 @@ impl DistanceArguments {
     /// The library's options.
     ///
     /// # Errors
-    /// As [`RigidTransform::new`]; the library checks the ranges.
-    pub(crate) fn options(&self) -> Result<Options> {
-        Ok(Options {
+    /// As [`RigidTransform::new`]; [`nurbs_hausdorff::Error::OptionInvalid`] for an option of
+    /// another method. The library checks the ranges.
+    pub(crate) fn options(&self) -> Result<DistanceOptions> {
+        DistanceOptions::try_from(NamedOptions {
             method: self.method.into(),
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
@@ -277,10 +280,10 @@ impl DistanceArguments {
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
             samples: self.samples,
-            sampling: self.sampling.into(),
-            flatness: self.flatness.into(),
-            projection: self.projection.into(),
-            culling: self.culling.into(),
+            sampling: self.sampling.map(Into::into),
+            flatness: self.flatness.map(Into::into),
+            projection: self.projection.map(Into::into),
+            culling: self.culling.map(Into::into),
             iterations: self.iterations,
             step_tolerance: self.step_tolerance,
             grid: self.grid,
@@ -289,7 +292,7 @@ impl DistanceArguments {
             scale_units: self.placement.scale_units,
             transform: self.placement.transform()?,
             backend: self.backend.into(),
-            field: self.field,
+            deviations: self.deviations,
         })
     }
 }
@@ -307,7 +310,7 @@ macro_rules! named {
     };
 }
 
-named!(MethodName, Method, Certified, Iteration, Hierarchy);
+named!(MethodChoice, MethodName, Certified, Iteration, Hierarchy);
 named!(SamplingName, SamplingRule, Uniform, ArcLength);
 named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
 named!(ProjectionName, Projection, Newton, TangentPlane);

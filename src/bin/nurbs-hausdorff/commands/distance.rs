@@ -7,7 +7,7 @@ use crate::output::json::{OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report;
-use nurbs_hausdorff::{Backend, Details, DistanceResult, Engine, Method};
+use nurbs_hausdorff::{Backend, Details, DistanceResult, Engine, MethodName};
 
 /// Exit statuses with `--limit`.
 const WITHIN: u8 = 0;
@@ -20,7 +20,7 @@ pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     options.validate()?;
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     // Method certified usually ends in float64 before a GPU could be initialised.
-    let staged = options.method != Method::Certified || options.field;
+    let staged = options.method.name() != MethodName::Certified || options.deviations;
     let uses_gpu = staged || options.backend == Backend::Gpu;
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
     let engine = Engine::new_blocking(backend)?;

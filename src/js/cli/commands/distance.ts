@@ -20,7 +20,7 @@ type Values = Invocation["values"];
 export async function distance(values: Values): Promise<number> {
   const options: DistanceOptions = libraryOptions(values);
   // Method certified usually ends in float64 before a GPU could be initialised.
-  const staged = (options.method ?? "certified") !== "certified" || options.field === true;
+  const staged = (options.method ?? "certified") !== "certified" || options.deviations === true;
   const backend = options.backend ?? "auto";
   using hd = await Hausdorff.create({ backend: staged || backend === "gpu" ? backend : "cpu" });
   using a = await readModel(String(values.get("a")));
@@ -33,7 +33,7 @@ export async function distance(values: Values): Promise<number> {
   const { limit } = options;
   const judged = limit === undefined || isJudged(a, b, values.has("allow-skipped"));
   if (!judged) forgetVerdict(result);
-  if (values.has("json")) printJson(ofFiles(withoutField(result), a, b));
+  if (values.has("json")) printJson(ofFiles(withoutDeviations(result), a, b));
   else print(text(result));
   if (limit === undefined) return WITHIN;
   if (!judged) return UNDECIDED;
@@ -41,11 +41,11 @@ export async function distance(values: Values): Promise<number> {
 }
 
 /** The result without its samples, which the native command does not print either. */
-function withoutField({ field: _, forward, reverse, ...rest }: DistanceResult): object {
+function withoutDeviations({ deviations: _, forward, reverse, ...rest }: DistanceResult): object {
   return {
     ...rest,
-    ...(forward ? { forward: withoutField(forward) } : {}),
-    ...(reverse ? { reverse: withoutField(reverse) } : {}),
+    ...(forward ? { forward: withoutDeviations(forward) } : {}),
+    ...(reverse ? { reverse: withoutDeviations(reverse) } : {}),
   };
 }
 

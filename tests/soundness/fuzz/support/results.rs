@@ -1,9 +1,9 @@
 //! What every result must satisfy.
 
-use nurbs_hausdorff::{DistanceResult, Engine, Model, Options, PreparedModel, Result};
+use nurbs_hausdorff::{DistanceOptions, DistanceResult, Engine, Model, PreparedModel, Result};
 
 /// The distance on the CPU.
-pub fn distance(a: &Model, b: &Model, options: &Options) -> Result<DistanceResult> {
+pub fn distance(a: &Model, b: &Model, options: &DistanceOptions) -> Result<DistanceResult> {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     let engine = Engine::cpu();
     engine.distance(&a, &b, options).wait()

@@ -1,10 +1,10 @@
 // The samples of A as a table of comma-separated values.
-import type { Field } from "nurbs-hausdorff";
+import type { FaceDeviations } from "nurbs-hausdorff";
 
 const HEADER = "face,x,y,z,foot_x,foot_y,foot_z,distance,signed,area";
 
 /** Returns one line a sample. The sign is empty where the closest point has no normal. */
-export function csvOf(fields: Field[]): Blob {
+export function csvOf(fields: FaceDeviations[]): Blob {
   const parts = [`${HEADER}\n`];
   for (const { face, points, feet, distances, signed, areas } of fields) {
     for (const [index, distance] of distances.entries()) {

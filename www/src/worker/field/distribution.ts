@@ -1,5 +1,5 @@
 // The distribution of the deviation over the area of the samples: estimates.
-import type { Field } from "nurbs-hausdorff";
+import type { FaceDeviations } from "nurbs-hausdorff";
 
 /** Deviations in ascending order, each with the area up to it. */
 export interface Cumulative {
@@ -15,7 +15,7 @@ export interface Distribution {
 }
 
 /** O(n log n) in the number of samples, which are sorted once: |signed| is the distance. */
-export function distributionOf(fields: Field[]): Distribution {
+export function distributionOf(fields: FaceDeviations[]): Distribution {
   const distances = joined(fields, ({ distances }) => distances);
   const signed = joined(fields, ({ signed }) => signed);
   const areas = joined(fields, ({ areas }) => areas);
@@ -33,7 +33,10 @@ export function distributionOf(fields: Field[]): Distribution {
   };
 }
 
-function joined(fields: Field[], valuesOf: (field: Field) => Float64Array): Float64Array {
+function joined(
+  fields: FaceDeviations[],
+  valuesOf: (field: FaceDeviations) => Float64Array,
+): Float64Array {
   const all = new Float64Array(fields.reduce((sum, { areas }) => sum + areas.length, 0));
   let first = 0;
   for (const field of fields) {

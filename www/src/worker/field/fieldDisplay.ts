@@ -1,5 +1,5 @@
 // What the page draws of the samples of A: triangles, lines and the distribution.
-import type { Field, Transform, Vector3 } from "nurbs-hausdorff";
+import type { FaceDeviations, Transform, Vector3 } from "nurbs-hausdorff";
 import { backwards, movedBack, placeBack } from "../rigid.ts";
 import { type Distribution, distributionOf } from "./distribution.ts";
 
@@ -25,7 +25,7 @@ export interface FieldDisplay {
 }
 
 /** Returns what to draw of fields that were measured after `transform` of A. */
-export function fieldDisplay(fields: Field[], transform: Transform): FieldDisplay {
+export function fieldDisplay(fields: FaceDeviations[], transform: Transform): FieldDisplay {
   const count = fields.reduce((sum, { distances }) => sum + distances.length, 0);
   const lineOrigin = pointAt(fields[0]?.points, 0);
   const origin = movedBack(lineOrigin, transform);
@@ -61,7 +61,7 @@ export function buffersOf(display: FieldDisplay): ArrayBuffer[] {
   return arrays.map(({ buffer }) => buffer);
 }
 
-function linesOf(fields: Field[], lineOrigin: Vector3) {
+function linesOf(fields: FaceDeviations[], lineOrigin: Vector3) {
   const count = fields.reduce((sum, { distances }) => sum + distances.length, 0);
   const step = Math.max(1, Math.ceil(Math.sqrt(count / MAX_LINES)));
   const [ends, samples]: number[][] = [[], []];
