@@ -55,8 +55,7 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
     signal: controller.signal,
     onProgress: (fraction) => console.log(fraction.toFixed(2)),
   };
-  const any: DistanceOptions = options;
-  const result: DistanceResult = await hd.distance(a, b, any);
+  const result: DistanceResult = await hd.distance(a, b, ofAnyMethod(options));
   const [x, y, z]: [number, number, number] = result.witness.a.point;
   const feet: Float64Array | undefined = result.deviations?.[0]?.feet;
   const adapter: string | null = hd.adapter;
@@ -66,6 +65,11 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   if (result.method === "hierarchy") return result.pairs[0] ?? 0;
   const within: boolean | undefined = result.within;
   return within ? result.lower : result.upper;
+}
+
+/** Options of which the type does not say the method. */
+function ofAnyMethod(options: DistanceOptions): DistanceOptions {
+  return options;
 }
 
 function ofIteration({ bounds, forward }: IterationResult): number {

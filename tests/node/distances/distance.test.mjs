@@ -62,7 +62,7 @@ test("concentric spheres are the difference of their radii apart", async () => {
   for (const method of ["iteration", "certified"]) {
     const result = await hd.distance(a, b, {
       method,
-      samples: 16,
+      ...(method === "iteration" && { samples: 16 }),
       relativeTolerance: 1e-3,
       symmetric: true,
     });

@@ -14,7 +14,11 @@ after(() => {
 });
 
 const refusals = [
-  ["OPTION_INVALID", { samples: 8 }, /samples is an option of method iteration and of deviations, found method certified/],
+  [
+    "OPTION_INVALID",
+    { samples: 8 },
+    /samples is an option of method iteration and of deviations, found method certified/,
+  ],
   [
     "OPTION_INVALID",
     { iterations: 8 },

@@ -183,7 +183,7 @@ test("after cancelled and refused work the next is right", async () => {
   };
   const controller = new AbortController();
   const cancelled = hd.distance(a, b, { ...long, signal: controller.signal });
-  const refused = hd.distance(a, b, { samples: 0 });
+  const refused = hd.distance(a, b, { method: "iteration", samples: 0 });
   const next = [near1(), near1({ backend: "cpu" }), near1({ symmetric: true })];
   setTimeout(() => controller.abort(), 20);
   await assert.rejects(cancelled, withCode("CANCELLED"));

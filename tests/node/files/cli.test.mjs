@@ -274,7 +274,7 @@ const refusals = [
   [["distance", "A", "B", "--translate", "1,2"], "OPTION_INVALID"],
   [["distance", "A", "B", "--translate", "1,2,inf"], "OPTION_INVALID"],
   [["distance", "A", "B", "--rotate", "0,0,0,5"], "OPTION_INVALID"],
-  [["distance", "A", "B", "--samples", "1"], "OPTION_OUT_OF_RANGE"],
+  [["distance", "A", "B", "--deviations", "--samples", "1"], "OPTION_OUT_OF_RANGE"],
   [["distance", "A", "B", "--tolerance", "0"], "OPTION_OUT_OF_RANGE"],
   [["distance", "A", "B", "--tolerance", "nan"], "OPTION_OUT_OF_RANGE"],
   [["distance", "A", "B", "--limit=-1"], "OPTION_OUT_OF_RANGE"],
@@ -302,7 +302,7 @@ test("values with an equals sign, a sign, or behind two hyphens", () => {
   for (const args of [
     ["distance", squares[0], squares[3], "--tolerance=1e-3", "--translate=-1,-2,+3"],
     ["distance", "--translate", "-1,-2,3", "--json", "--", squares[0], squares[3]],
-    ["distance", squares[0], squares[3], "--tolerance", "+.5", "--samples", "+8"],
+    ["distance", squares[0], squares[3], "--tolerance", "+.5", "--max-cells", "+8"],
   ]) {
     assert.equal(both(...args)[0].status, 0);
   }

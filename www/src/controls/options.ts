@@ -1,7 +1,10 @@
 // The options of a measurement that are set in the panel.
+import type { IterationOptions } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import type { Overlays } from "../scene/view.ts";
 import type { PlainOptions } from "../worker/protocol.ts";
+
+type Flatness = NonNullable<IterationOptions["flatness"]>;
 
 const input = (id: string) => element(id, HTMLInputElement);
 const select = (id: string) => element(id, HTMLSelectElement);
@@ -22,14 +25,21 @@ const needsField = (): boolean => deviation.checked || lines.checked;
 
 /** The options of a measurement except the transform. */
 export function distanceOptions(): PlainOptions {
-  return {
-    method: method.value as PlainOptions["method"],
+  const sampled = { samples: Number(samples.value) };
+  const deviations = needsField();
+  const common = {
     relativeTolerance: Number(tolerance.value),
-    samples: Number(samples.value),
-    flatness: flatness.value as PlainOptions["flatness"],
     symmetric: symmetric.checked,
-    deviations: needsField(),
+    ...(deviations && { deviations, ...sampled }),
   };
+  switch (method.value) {
+    case "iteration":
+      return { ...common, ...sampled, method: "iteration", flatness: flatness.value as Flatness };
+    case "hierarchy":
+      return { ...common, method: "hierarchy" };
+    default:
+      return { ...common, method: "certified" };
+  }
 }
 
 /** Calls back on every change of an option. */

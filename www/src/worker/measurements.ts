@@ -21,6 +21,9 @@ import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
  */
 const GRACE = { certified: 120, others: 4000 };
 
+/** The number of samples of a side of a surface unless the options name another. */
+const DEFAULT_SAMPLES = 64;
+
 /** More samples than these take so long that coarse ones are shown first. */
 const MANY_SAMPLES = 20_000;
 
@@ -102,7 +105,7 @@ export class Measurements {
     this.#fields = undefined;
     // Method `iteration` has its samples at once; those of the others come after the
     // distance, of A only, which alone the page draws.
-    const colours = options.deviations && options.method !== "iteration";
+    const colours = options.deviations === true && options.method !== "iteration";
     const part = colours ? 0.5 : 1;
     try {
       const result = await this.#engine.distance(a, b, {
@@ -128,7 +131,7 @@ export class Measurements {
     const { a, b } = this.#models;
     const { options, abort } = requested;
     if (a === undefined || b === undefined) return;
-    const { samples, transform, scaleUnits } = options;
+    const { samples = DEFAULT_SAMPLES, transform, scaleUnits } = options;
     const { upper } = result.forward ?? result;
     const common = { upper, ...(transform && { transform }), ...(scaleUnits && { scaleUnits }) };
     const many = a.faceCount * samples ** 2 > MANY_SAMPLES;
@@ -192,24 +195,20 @@ export class Measurements {
   }
 }
 
-/** Returns the options of the search that its method has. */
+/** Returns the options of a search without samples, and within a budget of time if it is hurried. */
 function searchOptions(options: PlainOptions, hurried: boolean): DistanceOptions {
-  const { method, samples, flatness, deviations, maxSeconds, ...common } = options;
-  switch (method) {
-    case "certified": {
-      const seconds = hurried ? GRACE.certified / 1000 : maxSeconds;
-      return { ...common, method, ...(seconds !== undefined && { maxSeconds: seconds }) };
-    }
-    case "iteration":
-      return { ...common, method, samples, flatness, deviations };
-    case "hierarchy":
-      return { ...common, method };
-  }
+  if (options.method === "iteration") return options;
+  const { deviations, samples, sampling, ...rest } = options;
+  if (rest.method === "hierarchy" || !hurried) return rest;
+  return { ...rest, maxSeconds: GRACE.certified / 1000 };
 }
 
 /** Whether a budget of time may end the method early, with an interval. */
-const isHurriable = ({ method, maxSeconds }: PlainOptions): boolean =>
-  method === "certified" && maxSeconds === undefined;
+function isHurriable(options: PlainOptions): boolean {
+  const { method } = options;
+  if (method === "iteration" || method === "hierarchy") return false;
+  return options.maxSeconds === undefined;
+}
 
 /** Whether a budget of time ended the search. */
 const isUnfinished = (result: DistanceResult): boolean =>

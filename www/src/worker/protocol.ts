@@ -4,9 +4,9 @@ import type {
   BestFitOptions,
   DiffOptions,
   DiffResult,
+  DistanceOptions,
   DistanceResult,
   ErrorCode,
-  IterationOptions,
   ShapeInfo,
   Tessellation,
   Transform,
@@ -34,19 +34,13 @@ export interface Placement {
   turn: number;
 }
 
+/** What of options of each method can be posted to a worker. */
+export type Plain<Options> = Options extends unknown
+  ? Omit<Options, "signal" | "onProgress">
+  : never;
+
 /** The options that can be posted to a worker. */
-export interface PlainOptions {
-  method: keyof Results;
-  relativeTolerance: number;
-  samples: number;
-  flatness: NonNullable<IterationOptions["flatness"]>;
-  symmetric: boolean;
-  deviations: boolean;
-  limit?: number;
-  maxSeconds?: number;
-  scaleUnits?: boolean;
-  transform?: Transform;
-}
+export type PlainOptions = Plain<DistanceOptions>;
 
 /** The options of a comparison face by face that can be posted to a worker. */
 export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;

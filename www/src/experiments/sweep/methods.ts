@@ -1,5 +1,6 @@
 // The methods compared, with the names that the command line's experiments use.
-import type { PlainOptions } from "../../worker/protocol.ts";
+import type { IterationOptions } from "nurbs-hausdorff";
+import type { Plain, PlainOptions } from "../../worker/protocol.ts";
 
 export interface Entry {
   name: string;
@@ -22,6 +23,13 @@ export interface Settings {
   memoryBudget: number;
 }
 
+type Iteration = Plain<IterationOptions>;
+
+const cut = (options: Iteration, flatness: NonNullable<Iteration["flatness"]>): Iteration => ({
+  ...options,
+  flatness,
+});
+
 /** Returns all methods, the certified one first. */
 export function methods({ samples, memoryBudget }: Settings): Entry[] {
   const entry = (name: string, options: PlainOptions, byDefault = true): Entry => ({
@@ -29,20 +37,24 @@ export function methods({ samples, memoryBudget }: Settings): Entry[] {
     options,
     byDefault,
   });
-  const iteration: PlainOptions = { method: "iteration", samples };
-  const published: PlainOptions = { ...iteration, projection: "tangent-plane", culling: "none" };
-  const boxes: PlainOptions = { method: "hierarchy", memoryBudget };
+  const iteration: Iteration = { method: "iteration", samples };
+  const published: Iteration = {
+    ...iteration,
+    projection: "tangent-plane",
+    culling: "none",
+  };
+  const boxes = { method: "hierarchy", memoryBudget } as const;
   return [
     // On the CPU, so that its times do not depend on the GPU or its emulation.
     entry(CERTIFIED, { method: "certified", backend: "cpu" }),
     entry("iteration", iteration),
-    entry("2012 paper: none", { ...published, flatness: "none" }),
-    entry("2012 paper: loose", { ...published, flatness: "loose" }),
-    entry("2012 paper: tight", { ...published, flatness: "tight" }),
+    entry("2012 paper: none", cut(published, "none")),
+    entry("2012 paper: loose", cut(published, "loose")),
+    entry("2012 paper: tight", cut(published, "tight")),
     entry("hierarchy", { ...boxes, grid: samples }),
     entry("hierarchy: finer", { ...boxes, grid: FINER * samples }, false),
     // Flatness changes the time of `iteration` but not its result.
-    entry("iteration: none", { ...iteration, flatness: "none" }, false),
-    entry("iteration: tight", { ...iteration, flatness: "tight" }, false),
+    entry("iteration: none", cut(iteration, "none"), false),
+    entry("iteration: tight", cut(iteration, "tight"), false),
   ];
 }

@@ -1,8 +1,8 @@
 // A sweep: all methods, in turn, at every position of one pair.
-import type { DistanceResult, Transform } from "nurbs-hausdorff";
+import type { DistanceResult, IterationOptions, Transform } from "nurbs-hausdorff";
 import settings from "../../../../examples/experiments/sweep.json";
 import { grouped } from "../../common/numbers.ts";
-import type { DisplayModel, Sides } from "../../worker/protocol.ts";
+import type { DisplayModel, Plain, PlainOptions, Sides } from "../../worker/protocol.ts";
 import type { Entry } from "./methods.ts";
 import { type Pair, positions, transformAt } from "./pairs.ts";
 import type { Answer, Runs } from "./runs.ts";
@@ -53,7 +53,9 @@ export class Sweep {
     const along = positions(pair, a, b, count);
     const curves = methods.map((method): Curve => ({ method, points: [] }));
     listener.onBegin(along, curves);
-    const patches = methods.some(onAllPatches) ? await this.#countPatches() : { value: 0 };
+    const patches = methods.some(({ options }) => isOnAllPatches(options))
+      ? await this.#countPatches()
+      : { value: 0 };
     const middle = along[Math.floor(along.length / 2)];
     for (const position of along) {
       const transform = transformAt(pair, a, b, position);
@@ -87,9 +89,10 @@ export class Sweep {
    * is still run once, at the middle position.
    */
   #leftOut(method: Entry, patches: Answer<number>, atMiddle: boolean): Failure | undefined {
-    if (!onAllPatches(method)) return undefined;
+    const { options } = method;
+    if (!isOnAllPatches(options)) return undefined;
     if ("failure" in patches) return patches.failure;
-    const { samples = 0, flatness } = method.options;
+    const { samples = 0, flatness } = options;
     const all = this.#models.a.faceCount * samples ** 2;
     if (all * patches.value <= settings.most_projections) return undefined;
     const found = `${grouped(all)} samples on ${grouped(patches.value)} patches`;
@@ -119,7 +122,8 @@ export class Sweep {
 }
 
 /** Returns whether every sample is projected on every patch, as in the 2012 paper. */
-const onAllPatches = ({ options }: Entry): boolean => options.culling === "none";
+const isOnAllPatches = (options: PlainOptions): options is Plain<IterationOptions> =>
+  options.method === "iteration" && options.culling === "none";
 
 function pointOf(position: number, answer: Answer<DistanceResult>): SweepPoint {
   if ("value" in answer) return { position, result: answer.value };
