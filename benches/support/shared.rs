@@ -37,7 +37,7 @@ pub(crate) fn load_file(path: &Path) -> PreparedModel {
     let is_iges = path.extension().is_some_and(|extension| extension == "iges");
     let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };
     let (model, mut report) = read.expect("a CAD file");
-    PreparedModel::of_read(model, &mut report).expect("faces that can be cut").1
+    PreparedModel::new_skipping(model, &mut report).expect("faces that can be cut").1
 }
 
 /// All lines of `reference.jsonl`.

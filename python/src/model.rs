@@ -107,7 +107,7 @@ fn read(bytes: &[u8], path: &str) -> nurbs_hausdorff::Result<Model> {
             let prepared = PreparedModel::new(&model)?;
             (model, prepared)
         }
-        _ => PreparedModel::of_read(model, &mut report)?,
+        _ => PreparedModel::new_skipping(model, &mut report)?,
     };
     Ok(Model { model, prepared, report, kind })
 }

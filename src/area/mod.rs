@@ -40,6 +40,7 @@ const MAX_WORK: usize = 1 << 29;
 
 /// An interval that contains an area, in squares of the model unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct Area {
     /// A lower bound on the area.
     pub lower: f64,

@@ -7,6 +7,7 @@ use crate::read::ReadReport;
 
 /// The kind of a model's file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum FileKind {
     /// STEP: ISO 10303-21.
     Step,

@@ -35,7 +35,7 @@ impl Model {
     /// and as plane sections of ruled surfaces; others are fitted, with the deviation in
     /// their gap. Edges without a curve in the parameters are projected. A face
     /// that cannot be read is in the report, never dropped silently; a face that cannot be cut
-    /// into patches is left out by [`crate::PreparedModel::of_read`]. O(size).
+    /// into patches is left out by [`crate::PreparedModel::new_skipping`]. O(size).
     ///
     /// # Errors
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],

@@ -49,6 +49,7 @@ impl Default for ClosestPointOptions {
 
 /// The closest points of a model to given points, one entry a point in each list.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct ClosestPoints {
     /// The distances from the points to their feet.
     pub distances: Vec<f64>,

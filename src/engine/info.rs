@@ -11,6 +11,7 @@ use serde::Serialize;
 /// The faces, patches and bounding box of a model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct ModelInfo {
     /// The model's name.
     pub name: Option<String>,
@@ -39,6 +40,7 @@ pub struct ModelInfo {
 /// A face in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct FaceInfo {
     /// The face's name in its source.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -181,7 +181,7 @@ impl PreparedModel {
     ///
     /// # Errors
     /// [`crate::Error::FaceNotCut`] if no face can be cut.
-    pub fn of_read(model: Model, report: &mut ReadReport) -> Result<(Model, Self)> {
+    pub fn new_skipping(model: Model, report: &mut ReadReport) -> Result<(Model, Self)> {
         let Cuttable { model, pieces, untrimmed, refused } = FacePieces::of_cuttable(model)?;
         report.leave_out(&refused);
         let prepared = Self::of_pieces(&model, pieces, &untrimmed);

@@ -25,6 +25,7 @@ const BALL: f64 = 1.0 - 1e-9;
 /// What the signs of deviations stand for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Signs {
     /// Negative inside the solid, positive outside. Where neither is certain, on the boundary and in
     /// its gaps, 0; farther off NaN.

@@ -9,6 +9,7 @@ use serde::Serialize;
 /// Whether a model's faces close, and where not.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct Solid {
     /// Whether every edge of a face has a partner, so that points lie inside or outside.
     pub closed: bool,
@@ -21,6 +22,7 @@ pub struct Solid {
 /// A set of faces that joined edges connect.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct Shell {
     /// The indices of its faces, in order.
     pub faces: Vec<usize>,
@@ -31,6 +33,7 @@ pub struct Shell {
 /// An edge of a face that no other edge joins, or a part of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct FreeEdge {
     /// The index of the face.
     pub face: usize,

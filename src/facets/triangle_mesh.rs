@@ -20,6 +20,7 @@ pub struct TriangleMesh {
 /// The findings about a mesh that do not make it invalid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct MeshReport {
     /// The number of vertices that were joined with an equal one.
     pub joined_vertices: usize,

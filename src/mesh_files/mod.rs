@@ -41,6 +41,7 @@ pub enum MeshFormat {
 
 /// A mesh or a cloud as its file states it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MeshFile {
     /// The mesh or cloud.
     pub facets: Facets,

@@ -95,6 +95,7 @@ impl ReadReport {
 
 /// A face that could not be read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Skipped {
     /// The number of the face in the file, from 0, in the order of OpenCASCADE's
     /// `TopExp_Explorer`, each face once at its place.
@@ -110,6 +111,7 @@ pub struct Skipped {
 
 /// What the file leaves open of a face that was read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Note {
     /// The number of the face in the file, as of [`Skipped`].
     pub face: usize,

@@ -32,6 +32,7 @@ pub struct TessellationOptions {
 
 /// A triangulation with normals.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Tessellation {
     /// The vertices relative to `origin`, x y z each.
     pub positions: Vec<f32>,

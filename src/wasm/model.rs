@@ -72,7 +72,7 @@ impl PreparedModel {
     /// unit that the file states comes before this one.
     #[wasm_bindgen(js_name = fromRead)]
     pub fn from_read(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
-        Self::of_read(read_model(bytes, name, unit)?)
+        Self::of_file(read_model(bytes, name, unit)?)
     }
 
     /// The report on reading the text, or undefined.
@@ -95,7 +95,7 @@ impl PreparedModel {
     /// report, by their index.
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
-        Self::of_read(reader_model(text)?)
+        Self::of_file(reader_model(text)?)
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
@@ -197,8 +197,8 @@ impl PreparedModel {
 
 impl PreparedModel {
     /// Makes the model of a file without the faces that cannot be cut.
-    fn of_read((model, mut report): (Model, ReadReport)) -> Result<Self> {
-        let (source, prepared) = engine::PreparedModel::of_read(model, &mut report)?;
+    fn of_file((model, mut report): (Model, ReadReport)) -> Result<Self> {
+        let (source, prepared) = engine::PreparedModel::new_skipping(model, &mut report)?;
         Ok(Self { prepared: Rc::new(prepared), source: Some(source), report: Some(report) })
     }
 
@@ -229,7 +229,7 @@ struct Interchange {
 
 /// The interchange JSON of what was read, without the faces that cannot be cut.
 fn interchange((model, mut report): (Model, ReadReport)) -> std::result::Result<JsValue, JsValue> {
-    let (model, _) = engine::PreparedModel::of_read(model, &mut report)?;
+    let (model, _) = engine::PreparedModel::new_skipping(model, &mut report)?;
     to_object(&Interchange { json: model.to_json()?, report })
 }
 

@@ -43,6 +43,7 @@ const MAX_ROUNDING_PART: f64 = 0.5;
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Stop {
     /// The interval is as narrow as requested, or the limit is decided.
     Converged,

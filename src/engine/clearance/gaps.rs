@@ -17,6 +17,7 @@ use web_time::Instant;
 /// Guarantee: the least distance of their points is in `[lower, upper]`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct FaceGap {
     /// A lower bound on the least distance of the two faces.
     pub lower: f64,
@@ -31,6 +32,7 @@ pub struct FaceGap {
 /// The pairs of faces of two models that come nearer to each other than a distance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct GapsResult {
     /// The distance.
     pub below: f64,

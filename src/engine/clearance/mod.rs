@@ -26,6 +26,7 @@ use web_time::Instant;
 /// not. As JSON the names are in camelCase.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct ClearanceResult {
     /// A lower bound on the least distance, 0 where the models may meet.
     pub lower: f64,

@@ -24,6 +24,7 @@ const DEPTHS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 /// The way in which two solids share space.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", rename_all_fields = "camelCase")]
+#[non_exhaustive]
 pub enum Overlap {
     /// The boundaries are certainly apart, and each solid is outside the other.
     None,

@@ -11,6 +11,7 @@ use serde::Serialize;
 /// differ by at most the sum of both gaps.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct ClearanceWithGaps {
     /// A lower bound on the least distance of the sources.
     pub lower: f64,

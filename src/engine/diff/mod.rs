@@ -82,6 +82,7 @@ pub enum FaceState {
 /// `[lower, upper]`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct FaceDifference {
     /// The index of the face in its model.
     pub face: usize,
@@ -105,6 +106,7 @@ pub struct FaceDifference {
 /// The difference of two models, face by face.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct DiffResult {
     /// The state of both models together.
     pub state: FaceState,

@@ -7,6 +7,7 @@ use serde::Serialize;
 /// estimates: sums over samples without error bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct Statistics {
     /// Always true: a reminder in the data that these are not certified.
     pub estimate: bool,

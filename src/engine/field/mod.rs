@@ -60,6 +60,7 @@ impl Default for FieldOptions {
 
 /// The deviation of A from B at samples of A.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct DeviationField {
     /// The larger diagonal of the two models' control-net boxes.
     pub diagonal: f64,

@@ -15,6 +15,7 @@ pub use with_gaps::WithGaps;
 /// The processor that computed a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Processor {
     /// A GPU, at least in part.
     Gpu,
@@ -39,6 +40,7 @@ impl Display for Processor {
 /// fields stand next to those here.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct DistanceResult {
     /// The method, with the results that only it has.
     #[serde(flatten)]
@@ -128,6 +130,7 @@ impl DistanceResult {
 /// The results that only one method has.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "method", rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Details {
     /// The details of method `certified`.
     Certified(CertifiedDetails),
@@ -162,6 +165,7 @@ impl Details {
 /// The results that only method `iteration` has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct IterationDetails {
     /// The paper's bounds, and the rigorous one.
     pub bounds: Bounds,
@@ -174,6 +178,7 @@ pub struct IterationDetails {
 /// The results that only method `certified` has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct CertifiedDetails {
     /// The requested width of the interval, in model units.
     pub tolerance: f64,
@@ -198,6 +203,7 @@ pub struct CertifiedDetails {
 /// The results that only method `hierarchy` has.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct HierarchyDetails {
     /// Cells along each direction of every surface.
     pub grid: usize,
@@ -210,6 +216,7 @@ pub struct HierarchyDetails {
 /// Bounds on the difference between `computed` and the true distance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct Bounds {
     /// The 2012 paper's `K_A`, half the largest diagonal of a cell's box. Not rigorous.
     pub k_a: f64,
@@ -222,6 +229,7 @@ pub struct Bounds {
 
 /// Two points, one a model, that are the distance apart.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Witness {
     /// On A, after its transform.
     pub a: SurfacePoint,
@@ -232,6 +240,7 @@ pub struct Witness {
 /// A point of a model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct SurfacePoint {
     /// Index of the face.
     pub face: usize,
@@ -260,6 +269,7 @@ pub struct SurfacePoint {
 
 /// Numbers of patches after cutting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct PatchCounts {
     /// The number of patches of A.
     pub a: usize,
@@ -269,6 +279,7 @@ pub struct PatchCounts {
 
 /// Where the time went.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct Seconds {
     /// Cutting, trees, samples, upload; 0 if kept from before.
     pub prepare: f64,
@@ -288,6 +299,7 @@ impl std::ops::AddAssign for Seconds {
 
 /// The samples of one face, or of a piece of a trimmed one, v fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct FaceDeviations {
     /// Index of the face in the sampled model.
     pub face: usize,

@@ -11,6 +11,7 @@ use serde::Serialize;
 /// the models by at most the sum of both gaps. Where the gap is not proven it is an estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct WithGaps {
     /// A lower bound on the distance of the sources.
     pub lower: f64,

@@ -17,7 +17,7 @@ fn of(faces: Vec<FaceArrays>) -> PreparedModel {
 
 /// Asserts that an area contains `expected`, which `off` may be wrong by, and is narrow.
 fn assert_area(found: Area, expected: f64, off: f64) {
-    let Area { lower, upper } = found;
+    let Area { lower, upper, .. } = found;
     assert!(lower - off <= expected && expected <= upper + off, "{found:?} without {expected}");
     assert!(upper - lower <= MAX_RELATIVE_WIDTH * expected, "{found:?} is wide");
 }

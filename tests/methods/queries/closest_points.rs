@@ -74,8 +74,6 @@ fn points_and_options_out_of_range_are_refused() {
     assert_eq!(code(&[0.0; 3], &zero), "OPTION_OUT_OF_RANGE");
     let both = ClosestPointOptions { tolerance: Some(1.0), relative_tolerance: Some(1.0), ..valid.clone() };
     assert_eq!(code(&[0.0; 3], &both), "OPTION_INVALID");
-    assert_eq!(
-        closest(&ball, &[], &valid).unwrap(),
-        ClosestPoints { signs: Signs::Solid, ..ClosestPoints::default() }
-    );
+    let none = closest(&ball, &[], &valid).unwrap();
+    assert!(none.distances.is_empty() && none.feet.is_empty() && none.signs == Signs::Solid);
 }

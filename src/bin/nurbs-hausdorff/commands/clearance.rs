@@ -60,7 +60,7 @@ fn lines(out: &mut String, result: &ClearanceResult, limit: Option<f64>) -> Resu
         Some(Overlap::Touching) => "touching".to_owned(),
         Some(Overlap::Intersecting { inside_both }) => format!("intersecting{}", place(inside_both)),
         Some(Overlap::Contained { inside_both }) => format!("contained{}", place(inside_both)),
-        None => "unknown".to_owned(),
+        _ => "unknown".to_owned(),
     };
     writeln!(out, "overlap    {overlap}")?;
     let stop = if result.converged { "converged" } else { "not converged" };

@@ -71,7 +71,7 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
             (model, prepared)
         }
         // Faces of a CAD file that cannot be cut into patches are left out.
-        _ => PreparedModel::of_read(model, &mut read)?,
+        _ => PreparedModel::new_skipping(model, &mut read)?,
     };
     let report = CadReport { kind: kind.name(), reader: READER, read };
     Ok(Input { model: Some(model), prepared, report, source })
@@ -79,7 +79,7 @@ fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
 
 /// Prepares a mesh or a cloud of points.
 fn of_mesh(source: Source, bytes: &[u8], format: MeshFormat) -> Result<Input> {
-    let MeshFile { facets, unit } = MeshFile::read(bytes, format)?;
+    let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format)?;
     let prepared = PreparedModel::of_facets(&facets, unit)?;
     let read = ReadReport::of_facets(unit);
     Ok(Input { model: None, prepared, report: CadReport { kind: "mesh", reader: READER, read }, source })

@@ -36,6 +36,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
         Details::Certified(details) => certified(out, details, result.with_gaps.within)?,
         Details::Iteration(details) => iteration(out, details)?,
         Details::Hierarchy(details) => hierarchy(out, details)?,
+        _ => {}
     }
     statistics(out, result)?;
     writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
@@ -57,7 +58,7 @@ fn interval(out: &mut String, result: &DistanceResult) -> Result {
 }
 
 fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
-    let SurfacePoint { face, face_name, u, v, triangle, barycentric, index, point: [x, y, z] } = point;
+    let SurfacePoint { face, face_name, u, v, triangle, barycentric, index, point: [x, y, z], .. } = point;
     if let Some(index) = index {
         return writeln!(out, "{name}       point {index}: {x:?} {y:?} {z:?}");
     }
@@ -75,6 +76,7 @@ fn certified(out: &mut String, details: &CertifiedDetails, with_gaps: Option<boo
         Stop::Time => "ended by the budget of time",
         Stop::Precision => "ended by the precision of float64",
         Stop::Cancelled => "cancelled",
+        _ => "ended",
     };
     writeln!(out, "search     {} cells, {} levels, {stop}", details.cells, details.levels)?;
     if details.stop == Stop::Precision {
