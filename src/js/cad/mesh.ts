@@ -1,6 +1,7 @@
 import { HausdorffError, translating } from "../error.js";
 import { checkKeys } from "../keys.js";
 import { load, loadModule } from "../load.js";
+import { requireGoing } from "../measure/cancelled.js";
 import { NurbsModel } from "../model/model.js";
 import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import init, { readMesh as read } from "../wasm/nurbs_hausdorff_meshes.js";
@@ -26,6 +27,11 @@ const FORMATS: readonly MeshFormat[] = [
 export interface MeshOptions {
   /** Metres per unit of the file's coordinates, where the file does not state it. */
   unit?: number;
+  /**
+   * Cancels the reading, before it begins or between its steps: the promise rejects with code
+   * `CANCELLED`. A worker's rejects at once.
+   */
+  signal?: AbortSignal;
 }
 
 /**
@@ -42,7 +48,7 @@ export function meshFormatOf(name: string): MeshFormat | undefined {
  * with embedded buffers, GLB, 3MF, or points as text. Scenes are placed, polygons cut from their
  * first corner and equal vertices joined. glTF and 3MF state their unit.
  *
- * @throws {HausdorffError} `MESH_SYNTAX`, `FILE_TOO_LARGE`, `MODULE_FAILED`, and the errors of
+ * @throws {HausdorffError} `CANCELLED`, `MESH_SYNTAX`, `FILE_TOO_LARGE`, `MODULE_FAILED`, and the errors of
  * `Hausdorff.mesh`.
  */
 export async function readMesh(
@@ -50,7 +56,9 @@ export async function readMesh(
   format: MeshFormat,
   options: MeshOptions = {},
 ): Promise<NurbsModel> {
-  checkKeys("options", options, ["unit"]);
+  checkKeys("options", options, ["unit", "signal"]);
+  const { signal } = options;
+  requireGoing(signal);
   if (!FORMATS.includes(format)) {
     const expected = FORMATS.join(", ");
     throw new HausdorffError("ARGUMENT_INVALID", `format is ${format}, expected ${expected}`);
@@ -58,6 +66,7 @@ export async function readMesh(
   const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
   await load();
   await loadModule("nurbs_hausdorff_meshes", init);
+  requireGoing(signal);
   return translating(() => {
     const mesh = read(content, format);
     try {

@@ -16,6 +16,11 @@ export interface CadOptions {
    * `@bitbybit-dev/occt`; elsewhere there is none.
    */
   occt?: PeerLoader;
+  /**
+   * Cancels the reading, before it begins or between its steps: the promise rejects with code
+   * `CANCELLED`. A worker's rejects at once.
+   */
+  signal?: AbortSignal;
   /** Loads rhino3dm for 3DM. Default in Node: the package `rhino3dm`; elsewhere there is none. */
   rhino?: PeerLoader;
 }

@@ -1,6 +1,7 @@
 import { HausdorffError, translating } from "../error.js";
 import { checkKeys } from "../keys.js";
 import { load } from "../load.js";
+import { requireGoing } from "../measure/cancelled.js";
 import { NurbsModel } from "../model/model.js";
 import { type BrepText, isBrepText } from "../model/surface.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
@@ -14,7 +15,14 @@ import type { CadReport } from "./report.js";
 import { type Translation, translation } from "./translation.js";
 
 /** The names of the options. */
-const OPTIONS = ["name", "unit", "reader", "occt", "rhino"] as const satisfies (keyof CadOptions)[];
+const OPTIONS = [
+  "name",
+  "unit",
+  "reader",
+  "occt",
+  "rhino",
+  "signal",
+] as const satisfies (keyof CadOptions)[];
 
 /** The most bytes that are read: as much text as the module parses. */
 const MAX_BYTES = 256 * 2 ** 20;
@@ -26,7 +34,7 @@ const MAX_BYTES = 256 * 2 ** 20;
  * says what was kept, approximated and left out, and by which reader. The modules that a
  * file needs are loaded when it comes; no engine is needed.
  *
- * @throws {HausdorffError} `FORMAT_UNSUPPORTED` with the way to convert,
+ * @throws {HausdorffError} `CANCELLED`; `FORMAT_UNSUPPORTED` with the way to convert,
  * `PEER_MISSING` with the package to install, `CAD_UNREADABLE`, `STEP_SYNTAX`, `BREP_SYNTAX` and
  * the others of the formats, `FILE_TOO_LARGE`, `EMPTY_MODEL`, `MODULE_FAILED`, and the errors of
  * `Hausdorff.model`.
@@ -36,6 +44,7 @@ export async function readCad(
   options: CadOptions = {},
 ): Promise<NurbsModel> {
   const file = await translatedFile(bytes, options);
+  requireGoing(options.signal);
   return translating(() => {
     if ("read" in file) return modelOf(prepareRead(file, options.name));
     if ("model" in file) return modelOf(prepareFaces(file));
@@ -53,6 +62,7 @@ export async function convertCad(
   options: CadOptions = {},
 ): Promise<{ json: string; report: CadReport }> {
   const file = await translatedFile(bytes, options);
+  requireGoing(options.signal);
   return translating(() => {
     if ("read" in file) return readInterchange(file, options.name);
     return "model" in file ? facesInterchange(file) : rewritten(file.text);
@@ -68,6 +78,7 @@ async function translatedFile(
   options: CadOptions,
 ): Promise<Translation> {
   checkKeys("options", options, OPTIONS);
+  requireGoing(options.signal);
   if (isBrepText(bytes)) return ofShape(bytes, options);
   let content = asBytes(bytes);
   if (isGzip(content)) content = await inflate(content, "gzip");
@@ -79,6 +90,7 @@ async function translatedFile(
   }
   const kind = kindByContent(content);
   await load();
+  requireGoing(options.signal);
   return translation(content, kind, options);
 }
 

@@ -48,3 +48,25 @@ export function requireWhole<Result>(result: Result, signal: AbortSignal | undef
     lower === undefined || upper === undefined ? undefined : [lower, upper];
   throw new HausdorffError("CANCELLED", "cancelled", { cause: signal?.reason, interval });
 }
+
+/**
+ * Ends a call between two of its steps if its signal is aborted.
+ *
+ * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause; `OPTION_INVALID` for
+ * what is no signal.
+ * @internal
+ */
+export function requireGoing(signal: AbortSignal | undefined): void {
+  requireSignal(signal);
+  requireWhole(undefined, signal);
+}
+
+/**
+ * @throws {HausdorffError} `OPTION_INVALID` for what is no signal.
+ * @internal
+ */
+export function requireSignal(signal: AbortSignal | undefined): void {
+  if (signal !== undefined && typeof signal?.aborted !== "boolean") {
+    throw new HausdorffError("OPTION_INVALID", "signal is not an AbortSignal");
+  }
+}

@@ -1,4 +1,5 @@
 import { HausdorffError } from "../error.js";
+import { requireSignal } from "./cancelled.js";
 
 /** The processor to compute on: `auto` is the GPU if there is one, else the CPU. */
 export type Backend = "auto" | "gpu" | "cpu";
@@ -135,9 +136,7 @@ export function split<Report extends (...progress: never[]) => void>(
     throw invalid(`options are ${options === null ? "null" : typeof options}, expected an object`);
   }
   const { transform, signal, onProgress, ...plain } = options;
-  if (signal !== undefined && typeof signal?.aborted !== "boolean") {
-    throw invalid("signal is not an AbortSignal");
-  }
+  requireSignal(signal);
   if (onProgress !== undefined && typeof onProgress !== "function") {
     throw invalid(`onProgress is ${typeof onProgress}, expected a function`);
   }

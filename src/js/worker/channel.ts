@@ -9,6 +9,11 @@ export interface CallOptions {
   onProgress?: ((...progress: never[]) => void) | undefined;
   /** Buffers that are transferred, not copied. */
   transfer?: ArrayBuffer[];
+  /**
+   * Whether the result is a model, which the worker cannot stop making at any moment: an aborted
+   * signal then rejects at once, and the worker drops what it makes.
+   */
+  makesModel?: boolean;
 }
 
 interface Pending extends CallOptions {
@@ -48,7 +53,12 @@ export class Channel {
     if (signal?.aborted) throw failed({ code: "CANCELLED", message: "cancelled" }, signal);
     this.#calls += 1;
     const id = this.#calls;
-    const cancel = () => this.#port.post({ cancel: id }, []);
+    const cancel = () => {
+      this.#port.post({ cancel: id }, []);
+      if (options.makesModel !== true) return;
+      this.drop(id);
+      this.#pending.get(id)?.reject(failed({ code: "CANCELLED", message: "cancelled" }, signal));
+    };
     const answer = new Promise<unknown>((resolve, reject) => {
       this.#pending.set(id, { ...options, resolve, reject, cancel });
     });

@@ -7,6 +7,7 @@ import { HausdorffError } from "../error.js";
 import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
+import { requireSignal } from "../measure/cancelled.js";
 import type {
   ClearanceOptions,
   ClearanceResult,
@@ -28,7 +29,7 @@ import {
   type Numbers,
   type SurfaceArrays,
 } from "../model/surface.js";
-import { Channel } from "./channel.js";
+import { type CallOptions, Channel } from "./channel.js";
 import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";
 
@@ -149,14 +150,17 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     bytes: Uint8Array | ArrayBuffer | BrepText,
     options: WorkerCadOptions = {},
   ): Promise<NurbsModel> {
-    const { transfer, occt, rhino, ...rest } = options;
+    const { transfer, occt, rhino, signal, ...rest } = options;
     const libraries = {
       ...(occt === undefined ? {} : { occt: address("occt", occt) }),
       ...(rhino === undefined ? {} : { rhino: address("rhino", rhino) }),
     };
     const buffer = bytes instanceof Uint8Array ? bytes.buffer : bytes;
     const moved = transfer === true && buffer instanceof ArrayBuffer ? [buffer] : [];
-    return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], moved);
+    return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], {
+      transfer: moved,
+      signal,
+    });
   }
 
   async readMesh(
@@ -164,7 +168,8 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     format: MeshFormat,
     options: MeshOptions = {},
   ): Promise<NurbsModel> {
-    return this.#newModel("readMesh", [bytes, format, options]);
+    const { signal, ...rest } = options;
+    return this.#newModel("readMesh", [bytes, format, rest], { signal });
   }
 
   async distance<Method extends keyof Results = "certified">(
@@ -235,10 +240,11 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async #newModel(
     method: "model" | "mesh" | "shape" | "readCad" | "readMesh",
     args: unknown[],
-    transfer: ArrayBuffer[] = [],
+    options: CallOptions = {},
   ): Promise<NurbsModel> {
     const channel = this.#channel;
-    const [facts, id] = await channel.call(method, args, { transfer });
+    requireSignal(options.signal);
+    const [facts, id] = await channel.call(method, args, { ...options, makesModel: true });
     return NurbsModel.of(channel, id, facts as ModelFacts);
   }
 

@@ -51,6 +51,8 @@ class Server {
     }
     try {
       const result = await this.#methods[method]?.([id, ...args], watch);
+      // Nobody waits for a model whose reading was cancelled.
+      if (controller.signal.aborted) this.#drop(id);
       this.#post({ id, result, engine: this.#facts() }, buffers(result));
     } catch (error) {
       const { code, interval } = error instanceof HausdorffError ? error : {};
@@ -70,13 +72,12 @@ class Server {
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     mesh: ([id, input]) => this.#keep(id, this.#open.mesh(input as MeshArrays)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
-    readCad: async ([id, bytes, options]) =>
-      this.#keep(id, await readCad(bytes as ArrayBuffer, options as CadOptions)),
-    readMesh: async ([id, bytes, format, options]) =>
-      this.#keep(
-        id,
-        await readMesh(bytes as ArrayBuffer, format as MeshFormat, options as MeshOptions),
-      ),
+    readCad: async ([id, bytes, options], { signal }) =>
+      this.#keep(id, await readCad(bytes as ArrayBuffer, { ...(options as CadOptions), signal })),
+    readMesh: async ([id, bytes, format, options], { signal }) => {
+      const given = { ...(options as MeshOptions), signal };
+      return this.#keep(id, await readMesh(bytes as ArrayBuffer, format as MeshFormat, given));
+    },
     area: ([, model]) => this.#model(model).area(),
     solid: ([, model]) => this.#model(model).solid(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),

@@ -48,6 +48,32 @@ test("errors have the codes of the main thread's reader", async () => {
   );
 });
 
+test("an aborted signal ends the reading of a file, here at once, and the worker goes on", async () => {
+  const reason = new Error("enough");
+  const cancelled = (error) => withCode("CANCELLED")(error) && error.cause === reason;
+  for (const engine of [hd, direct]) {
+    const controller = new AbortController();
+    const { signal } = controller;
+    const order = [];
+    const reads = [
+      engine.readCad(text(interchangeSquare()), { signal }),
+      engine.readMesh(new TextEncoder().encode("0 0 0\n"), "xyz", { signal }),
+    ].map((read) =>
+      assert.rejects(read, cancelled).then(() => {
+        order.push("cancelled");
+      }),
+    );
+    const next = engine.readCad(text(interchangeSquare())).then(() => {
+      order.push("next");
+    });
+    controller.abort(reason);
+    await Promise.all([...reads, next]);
+    if (engine === hd) assert.deepEqual(order, ["cancelled", "cancelled", "next"]);
+    await assert.rejects(engine.readCad(text({}), { signal }), cancelled);
+    await assert.rejects(engine.readCad(text({}), { signal: 1 }), withCode("OPTION_INVALID"));
+  }
+});
+
 test("a STEP file is read without blocking the caller", { skip: missing }, async () => {
   const step = sharedGzip("step/linkrods.step");
   const expected = await direct.readCad(step, { name: "linkrods" });
