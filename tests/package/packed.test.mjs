@@ -156,29 +156,38 @@ test("the README's lines run in Node as they stand", () => {
   assert.ok(Number(lower) <= 0.25 && 0.25 <= Number(upper), stderr);
 });
 
-test("a strict consumer's types are right by both resolutions, without further libraries", () => {
-  const folder = join(packed.folder, "consumer");
-  cpSync(inRoot("tests", "consumer", "main.ts"), join(folder, "main.ts"));
-  for (const [module, moduleResolution] of [
-    ["esnext", "bundler"],
-    ["node16", "node16"],
-  ]) {
-    const compilerOptions = {
-      target: "es2022",
-      module,
-      moduleResolution,
-      strict: true,
-      noEmit: true,
-    };
-    const config = join(folder, `tsconfig.${moduleResolution}.json`);
-    writeFileSync(config, JSON.stringify({ compilerOptions, files: ["main.ts"] }));
-    const { status, stdout } = spawnSync("tsc", ["--project", config], {
-      env: environment(),
-      encoding: "utf8",
-    });
-    assert.equal(status, 0, stdout);
-  }
-});
+/** The compilers by which a consumer's types are checked: the newest, and the oldest that works. */
+const COMPILERS = {
+  tsc: ["tsc"],
+  "TypeScript 5.7": [process.execPath, inRoot("node_modules", "typescript-oldest", "bin", "tsc")],
+};
+
+for (const [name, [compiler, ...before]] of Object.entries(COMPILERS)) {
+  test(`a strict consumer's types are right by both resolutions with ${name}`, () => {
+    const folder = join(packed.folder, "consumer");
+    cpSync(inRoot("tests", "consumer", "main.ts"), join(folder, "main.ts"));
+    for (const [module, moduleResolution] of [
+      ["esnext", "bundler"],
+      ["node16", "node16"],
+    ]) {
+      const compilerOptions = {
+        target: "es2022",
+        module,
+        moduleResolution,
+        strict: true,
+        exactOptionalPropertyTypes: true,
+        noEmit: true,
+      };
+      const config = join(folder, `tsconfig.${moduleResolution}.json`);
+      writeFileSync(config, JSON.stringify({ compilerOptions, files: ["main.ts"] }));
+      const { status, stdout } = spawnSync(compiler, [...before, "--project", config], {
+        env: environment(),
+        encoding: "utf8",
+      });
+      assert.equal(status, 0, stdout);
+    }
+  });
+}
 
 test("publint finds nothing", async () => {
   const { messages, pkg } = await publint({ pkgDir: packed.installed, strict: true });
