@@ -1,6 +1,10 @@
 //! The command line of `nurbs-hausdorff`.
 
+// The engine that threads share owns a device, whose type is nested deeply.
+#![recursion_limit = "256"]
+
 mod arguments;
+mod batch;
 mod commands;
 mod failure;
 mod input;
@@ -21,6 +25,7 @@ fn main() -> std::process::ExitCode {
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
+        Command::Batch(arguments) => batch::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };

@@ -5,6 +5,7 @@ import { meshFormatOf, readMesh } from "../cad/mesh.js";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
+import type { DistanceEngine } from "../measure/engine.js";
 import type { NurbsModel } from "../model/model.js";
 
 /** An error in a model's file, with the file's path. */
@@ -28,19 +29,37 @@ export interface Source {
   sha256: string;
 }
 
+/** What the commands need of a model, of the main class or of a worker. */
+interface ReadModel {
+  readonly report: CadReport | null;
+  dispose(): void;
+}
+
+/** What reads models. */
+export type ModelReader<Model> = Pick<DistanceEngine<Model>, "readCad" | "readMesh">;
+
 /** A model that was read, and its file. */
-export interface Input extends Disposable {
-  model: NurbsModel;
+export interface Input<Model extends ReadModel = NurbsModel> extends Disposable {
+  model: Model;
   source: Source;
 }
 
 /** The model in a file; the faces left out are listed on standard error. */
-export async function readModel(path: string): Promise<Input> {
+export const readModel = (path: string): Promise<Input> =>
+  readModelBy<NurbsModel>({ readCad, readMesh }, path);
+
+/** The same by one of the classes. */
+export async function readModelBy<Model extends ReadModel>(
+  reader: ModelReader<Model>,
+  path: string,
+): Promise<Input<Model>> {
   return naming(path, async () => {
     const bytes = await bytesOf(path);
     const format = meshFormatOf(path);
     const model =
-      format === undefined ? await readCad(bytes, { name: path }) : await readMesh(bytes, format);
+      format === undefined
+        ? await reader.readCad(bytes, { name: path })
+        : await reader.readMesh(bytes, format);
     warn(path, model.report);
     return { model, source: sourceOf(path, bytes), [Symbol.dispose]: () => model.dispose() };
   });
@@ -109,16 +128,16 @@ async function bytesOf(path: string): Promise<Uint8Array> {
 }
 
 /** An error of the operating system, whose message names the path. */
-class SystemError extends Error {
+export class SystemError extends Error {
   readonly code: string;
 
-  constructor(code: string, message: string, cause: unknown) {
+  constructor(code: string, message: string, cause?: unknown) {
     super(message, { cause });
     this.code = code;
   }
 }
 
-function failed(code: string, path: string, cause: unknown): SystemError {
+export function failed(code: string, path: string, cause: unknown): SystemError {
   return new SystemError(code, `${path}: ${cause instanceof Error ? cause.message : cause}`, cause);
 }
 

@@ -6,6 +6,7 @@ import "../node.js";
 import { type Invocation, parseArguments } from "./arguments/arguments.js";
 import { help } from "./arguments/help.js";
 import { table } from "./arguments/table.js";
+import { batch } from "./batch/batch.js";
 import { clearance } from "./commands/clearance.js";
 import { convert } from "./commands/convert.js";
 import { diff } from "./commands/diff.js";
@@ -21,6 +22,7 @@ async function run({ command, values }: Invocation): Promise<number> {
   if (command.name === "distance") return distance(values);
   if (command.name === "diff") return diff(values);
   if (command.name === "clearance") return clearance(values);
+  if (command.name === "batch") return batch(values);
   if (command.name === "completions") {
     const native = "completions are printed by the native command, cargo install nurbs-hausdorff";
     throw new HausdorffError("OPTION_INVALID", native);

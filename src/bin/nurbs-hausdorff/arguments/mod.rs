@@ -42,6 +42,15 @@ pub(crate) enum Command {
     /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
     /// faces were left out.
     Clearance(ClearanceArguments),
+    /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
+    ///
+    /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
+    /// none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
+    /// "limit": 0.1}. The answer has the id and what the command prints with --json, or an error.
+    ///
+    /// Exit status: 0 if all pairs have a result, 1 if one has an error, 2 for bad usage, 130 if
+    /// interrupted.
+    Batch(BatchArguments),
     /// Prints the faces, patches and bounding box of a model.
     Info(InfoArguments),
     /// Writes a model as interchange JSON, and prints what reading it kept and left out.
@@ -240,6 +249,30 @@ impl ClearanceArguments {
             transform: self.placement.transform()?,
         })
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BatchArguments {
+    /// The pairs, a line of JSON each; - is standard input.
+    pub(crate) pairs: PathBuf,
+    /// The file of the answers; standard output if not given.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Goes on with the output: pairs whose id it answers are left out.
+    #[arg(long, requires = "output")]
+    pub(crate) resume: bool,
+    /// Replaces the output if it is there already.
+    #[arg(long, conflicts_with = "resume")]
+    pub(crate) overwrite: bool,
+    /// Pairs compared at the same time; the number of cores if not given.
+    #[arg(long, value_name = "PAIRS")]
+    pub(crate) jobs: Option<usize>,
+    /// Models kept prepared, those used last.
+    #[arg(long, value_name = "MODELS", default_value_t = 16)]
+    pub(crate) cache: usize,
+    /// Seconds per search for pairs that state none, after which the interval reached is the result.
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) max_seconds: Option<f64>,
 }
 
 #[derive(Debug, Args)]

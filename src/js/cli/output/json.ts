@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
-import type { Input, Source } from "../files.js";
+import type { CadReport } from "../../cad/report.js";
+import type { Source } from "../files.js";
 import { print } from "./output.js";
 
 /**
@@ -16,8 +17,14 @@ export function version(): string {
 
 const head = () => ({ schemaVersion: SCHEMA_VERSION, version: version() });
 
+/** What a result says of a model: its file, and the report on reading it. */
+interface Origin {
+  source: Source;
+  model: { report: CadReport | null };
+}
+
 /** A result of the files of A and B, with its origin and the faces left out of them. */
-export function ofFiles(result: object, a: Input, b: Input): object {
+export function ofFiles(result: object, a: Origin, b: Origin): object {
   const files = { a: a.source, b: b.source };
   const [leftOfA, leftOfB] = [a, b].map(({ model }) => model.report?.skipped ?? []);
   return { ...head(), files, ...result, skipped: { a: leftOfA, b: leftOfB } };

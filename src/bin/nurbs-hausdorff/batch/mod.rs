@@ -1,0 +1,233 @@
+//! The command `batch`: many pairs, one line of JSON each.
+//!
+//! Threads take lines in turn, share prepared models through a [`Cache`], and give their answers to
+//! [`Answers`], which writes them in the order of the input.
+
+mod answers;
+mod cache;
+mod request;
+
+use crate::arguments::BatchArguments;
+use crate::failure::Failure;
+use crate::input::{Input, STANDARD_STREAM};
+use crate::output::json::{OfFiles, line};
+use answers::{Answers, key, resumed};
+use cache::Cache;
+use nurbs_hausdorff::{Backend, Engine, Error, MethodName, Monitor};
+use request::{Question, Request};
+use serde::Serialize;
+use serde_json::Value;
+use std::collections::HashSet;
+use std::fs::OpenOptions;
+use std::io::{BufRead, BufReader, Write};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// Exit statuses: all pairs have a result; a pair has an error; ended by SIGINT, as shells count it.
+const ANSWERED: u8 = 0;
+const FAILED: u8 = 1;
+const INTERRUPTED: u8 = 130;
+
+/// Answers all pairs, and returns the exit status.
+pub(crate) fn run(arguments: &BatchArguments) -> Result<u8, Failure> {
+    let lines = lines(arguments)?;
+    let (output, answered) = output(arguments)?;
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    // Without a handler the process ends between two lines as well, but at once.
+    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+    let batch = Batch {
+        lines: Mutex::new(lines.lines().enumerate()),
+        answered,
+        answers: Answers::new(output),
+        cache: Cache::new(arguments.cache),
+        max_seconds: arguments.max_seconds,
+        interrupted: &interrupted,
+        unread: AtomicBool::new(false),
+        failures: AtomicUsize::new(0),
+        cpu: Engine::cpu(),
+        gpu: OnceLock::new(),
+    };
+    let jobs = arguments.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.max(1) {
+            scope.spawn(|| batch.work());
+        }
+    });
+    batch.answers.finish().map_err(Failure::Output)?;
+    Ok(match batch.failures.into_inner() {
+        _ if interrupted.load(Ordering::Relaxed) => INTERRUPTED,
+        0 => ANSWERED,
+        _ => FAILED,
+    })
+}
+
+fn lines(arguments: &BatchArguments) -> Result<Box<dyn BufRead + Send>, Failure> {
+    let path = &arguments.pairs;
+    if path.as_os_str() == STANDARD_STREAM {
+        return Ok(Box::new(BufReader::new(std::io::stdin())));
+    }
+    let file = std::fs::File::open(path).map_err(|error| Error::FileUnreadable {
+        path: path.display().to_string(),
+        found: error.to_string(),
+    })?;
+    Ok(Box::new(BufReader::new(file)))
+}
+
+/// Returns where answers go, and the ids that are answered there already.
+fn output(arguments: &BatchArguments) -> Result<(Box<dyn Write + Send>, HashSet<String>), Failure> {
+    let Some(path) = &arguments.output else {
+        return Ok((Box::new(std::io::stdout()), HashSet::new()));
+    };
+    if arguments.resume {
+        let (file, answered) = resumed(path)?;
+        return Ok((Box::new(file), answered));
+    }
+    let file = match arguments.overwrite {
+        true => std::fs::File::create(path),
+        false => OpenOptions::new().write(true).create_new(true).open(path),
+    };
+    let file = file.map_err(|error| match error.kind() {
+        std::io::ErrorKind::AlreadyExists => Failure::Exists(path.clone()),
+        _ => Failure::File { path: path.clone(), error },
+    })?;
+    Ok((Box::new(file), HashSet::new()))
+}
+
+/// The lines of the input with their indices.
+type Numbered = std::iter::Enumerate<std::io::Lines<Box<dyn BufRead + Send>>>;
+
+/// What the threads share.
+struct Batch<'a> {
+    lines: Mutex<Numbered>,
+    answered: HashSet<String>,
+    answers: Answers<'a>,
+    cache: Cache,
+    max_seconds: Option<f64>,
+    interrupted: &'a AtomicBool,
+    /// Whether nobody reads the answers any more.
+    unread: AtomicBool,
+    failures: AtomicUsize,
+    cpu: Engine,
+    gpu: OnceLock<Option<Engine>>,
+}
+
+/// An answer with the id of its pair.
+#[derive(Serialize)]
+struct OfPair<'a, T> {
+    id: &'a Value,
+    #[serde(flatten)]
+    answer: T,
+}
+
+/// The answer to a pair that failed.
+#[derive(Serialize)]
+struct Failed {
+    error: Reason,
+}
+
+#[derive(Serialize)]
+struct Reason {
+    code: &'static str,
+    message: String,
+}
+
+impl Batch<'_> {
+    /// Answers pairs until there are no more, nobody reads the answers or the process is interrupted.
+    fn work(&self) {
+        loop {
+            let next = self.lines.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((index, text)) = next else { return };
+            let answer = match text {
+                Ok(text) if text.trim().is_empty() => None,
+                Ok(text) => self.answer(&text),
+                Err(error) => {
+                    let found = format!("the input cannot be read: {error}");
+                    Some(self.failed(&Value::Null, &Error::OptionInvalid { found }.into()))
+                }
+            };
+            if self.is_over() {
+                return;
+            }
+            self.answers.answer(index, answer);
+            if self.answers.has_ended() {
+                self.unread.store(true, Ordering::Relaxed);
+                return;
+            }
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed) || self.unread.load(Ordering::Relaxed)
+    }
+
+    /// Returns the line that answers a pair; none if it was answered before.
+    fn answer(&self, text: &str) -> Option<String> {
+        let (id, request) = request::parse(text, self.max_seconds);
+        if self.answered.contains(&key(&id)) {
+            return None;
+        }
+        let answer = match request {
+            Ok(request) => self.compare(&id, &request),
+            Err(error) => Err(Arc::new(Failure::Plain(error))),
+        };
+        Some(answer.unwrap_or_else(|failure| self.failed(&id, &failure)))
+    }
+
+    fn failed(&self, id: &Value, failure: &Failure) -> String {
+        self.failures.fetch_add(1, Ordering::Relaxed);
+        let error = Reason { code: failure.code(), message: failure.to_string() };
+        // An id and two texts are JSON.
+        line(&OfPair { id, answer: Failed { error } }).unwrap_or_default()
+    }
+
+    fn compare(&self, id: &Value, request: &Request) -> Result<String, Arc<Failure>> {
+        let (a, b) = (self.cache.get(&request.a)?, self.cache.get(&request.b)?);
+        self.question(id, &a, &b, &request.question).map_err(Arc::new)
+    }
+
+    fn question(&self, id: &Value, a: &Input, b: &Input, question: &Question) -> Result<String, Failure> {
+        let models = (&a.prepared, &b.prepared);
+        let monitor = &mut Interrupt([self.interrupted, &self.unread]);
+        match question {
+            Question::Distance(options) => {
+                let staged = options.method.name() != MethodName::Certified || options.deviations;
+                let engine = match options.backend {
+                    Backend::Cpu => &self.cpu,
+                    Backend::Auto if !staged => &self.cpu,
+                    _ => self.with_gpu()?,
+                };
+                let result = engine.distance(models.0, models.1, options).monitored(monitor).wait()?;
+                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+            }
+            Question::Diff(options) => {
+                let result = self.cpu.diff(models.0, models.1, options).monitored(monitor).wait()?;
+                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+            }
+            Question::Clearance(options) => {
+                let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;
+                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+            }
+        }
+    }
+
+    /// Returns the engine with the GPU, if there is one.
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] if the GPU cannot be had.
+    fn with_gpu(&self) -> Result<&Engine, Failure> {
+        let engine = self.gpu.get_or_init(|| Engine::new_blocking(Backend::Auto).ok());
+        engine.as_ref().ok_or_else(|| Error::NoAdapter { found: "no engine".to_owned() }.into())
+    }
+}
+
+/// Cancels a computation whose answer nobody waits for.
+struct Interrupt<'a>([&'a AtomicBool; 2]);
+
+impl Monitor for Interrupt<'_> {
+    fn progress(&mut self, _fraction: f64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.iter().any(|flag| flag.load(Ordering::Relaxed))
+    }
+}

@@ -1,0 +1,112 @@
+//! One line of the input: two files, a command and its options.
+
+use glam::{DQuat, DVec3};
+use nurbs_hausdorff::{
+    ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result, RigidTransform,
+};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+use std::path::PathBuf;
+
+/// A pair to be compared.
+pub(super) struct Request {
+    pub(super) a: PathBuf,
+    pub(super) b: PathBuf,
+    pub(super) question: Question,
+}
+
+/// The command, with its checked options.
+pub(super) enum Question {
+    Distance(Box<DistanceOptions>),
+    Diff(DiffOptions),
+    Clearance(ClearanceOptions),
+}
+
+/// The keys of a line that are no options.
+#[derive(Deserialize)]
+struct Line {
+    id: Value,
+    a: PathBuf,
+    b: PathBuf,
+    #[serde(default)]
+    command: CommandName,
+    #[serde(default)]
+    transform: Motion,
+    #[serde(flatten)]
+    options: Map<String, Value>,
+}
+
+#[derive(Deserialize, Clone, Copy, Default)]
+#[serde(rename_all = "kebab-case")]
+enum CommandName {
+    #[default]
+    Distance,
+    Diff,
+    Clearance,
+}
+
+/// A motion of A.
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Motion {
+    rotation: [f64; 4],
+    translation: [f64; 3],
+}
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self { rotation: DQuat::IDENTITY.to_array(), translation: [0.0; 3] }
+    }
+}
+
+/// Parses a line: its id, null if it has none, and the pair. `max_seconds` is the budget of searches
+/// that state none.
+pub(super) fn parse(text: &str, max_seconds: Option<f64>) -> (Value, Result<Request>) {
+    match serde_json::from_str::<Line>(text) {
+        Ok(line) => (line.id.clone(), request(line, max_seconds)),
+        Err(error) => {
+            let value: Map<String, Value> = serde_json::from_str(text).unwrap_or_default();
+            let found = format!("the line is no pair: {error}");
+            (value.get("id").cloned().unwrap_or_default(), Err(Error::OptionInvalid { found }))
+        }
+    }
+}
+
+fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
+    let Line { a, b, command, transform, options, .. } = line;
+    let Motion { rotation, translation } = transform;
+    let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
+    let question = match command {
+        CommandName::Distance => {
+            let named: NamedOptions = named(options)?;
+            let mut options = DistanceOptions::try_from(NamedOptions { transform, ..named })?;
+            if let nurbs_hausdorff::Method::Certified(budgets) = &mut options.method {
+                budgets.max_seconds = budgets.max_seconds.or(max_seconds);
+            }
+            options.validate()?;
+            Question::Distance(Box::new(options))
+        }
+        CommandName::Diff => {
+            let options = DiffOptions { transform, ..named(options)? };
+            options.validate()?;
+            Question::Diff(options)
+        }
+        CommandName::Clearance => {
+            let mut options = ClearanceOptions { transform, ..named(options)? };
+            options.max_seconds = options.max_seconds.or(max_seconds);
+            options.validate()?;
+            Question::Clearance(options)
+        }
+    };
+    Ok(Request { a, b, question })
+}
+
+/// Returns options by their names.
+///
+/// # Errors
+/// [`Error::OptionInvalid`] for an unknown name or another type.
+fn named<T: DeserializeOwned>(options: Map<String, Value>) -> Result<T> {
+    serde_json::from_value(Value::Object(options))
+        .map_err(|error| Error::OptionInvalid { found: error.to_string() })
+}

@@ -1,0 +1,190 @@
+//! The command `batch`: pairs as lines of JSON.
+
+use nurbs_hausdorff::{Model, SurfaceArrays};
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Write};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+fn command() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_nurbs-hausdorff"))
+}
+
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("batch-{name}"))
+}
+
+/// The path of a file with a square at this height.
+fn square(test: &str, height: f64) -> String {
+    let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+    let arrays = SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: corners.map(|[x, y]| [x, y, height, 1.0]).to_vec(),
+    };
+    let path = path(&format!("{test}-{height}.json"));
+    std::fs::write(&path, Model::from_arrays(None, vec![arrays]).unwrap().to_json().unwrap()).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Runs `batch` on these lines as standard input.
+fn batch(lines: &[Value], more: &[&str]) -> Output {
+    let arguments = [&["batch", "-"], more].concat();
+    let mut child = command()
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    for line in lines {
+        // A command that refuses its arguments reads nothing.
+        let _ = writeln!(input, "{line}");
+    }
+    drop(input);
+    child.wait_with_output().unwrap()
+}
+
+fn answers(text: &[u8]) -> Vec<Value> {
+    let text = std::str::from_utf8(text).unwrap();
+    assert!(text.is_empty() || text.ends_with('\n'), "{text}");
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+/// Pairs of squares whose distances are their indices.
+fn pairs(test: &str, count: usize) -> Vec<Value> {
+    let ground = square(test, 0.0);
+    (0..count).map(|index| json!({ "id": index, "a": ground, "b": square(test, index as f64) })).collect()
+}
+
+fn assert_distances(answers: &[Value], expected: impl Iterator<Item = usize>) {
+    let expected: Vec<usize> = expected.collect();
+    assert_eq!(answers.len(), expected.len());
+    for (answer, index) in answers.iter().zip(expected) {
+        assert_eq!(answer["id"], index);
+        let end = |name: &str| answer[name].as_f64().unwrap();
+        let distance = index as f64;
+        assert!(end("lower") <= distance && distance <= end("upper") && answer["converged"] == true);
+        assert_eq!(answer["files"]["b"]["sha256"].as_str().unwrap().len(), 64);
+    }
+}
+
+#[test]
+fn answers_are_in_the_order_of_the_pairs() {
+    for more in [&["--jobs", "3"][..], &["--jobs", "1", "--cache", "1"]] {
+        let output = batch(&pairs("order", 12), more);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert_distances(&answers(&output.stdout), 0..12);
+    }
+}
+
+#[test]
+fn a_pair_that_fails_is_one_line_with_its_error() {
+    let mut lines = pairs("errors", 2);
+    lines.insert(1, json!({ "id": "lost", "a": "nowhere.step", "b": "nowhere.step" }));
+    lines.push(json!({ "id": "grid", "a": "x", "b": "y", "grid": 8 }));
+    lines.push(json!({ "id": "unknown", "a": "x", "b": "y", "symetric": true }));
+    lines.push(json!({ "id": "no file", "a": "x" }));
+    lines.push(json!({ "id": "moved", "a": "x", "b": "y", "transform": { "rotation": [0, 0, 0, 2] } }));
+    let output = batch(&lines, &[]);
+    assert_eq!(output.status.code(), Some(1));
+    let found = answers(&output.stdout);
+    let codes: Vec<&Value> = found.iter().map(|answer| &answer["error"]["code"]).collect();
+    let [fine, invalid] = [Value::Null, json!("OPTION_INVALID")];
+    let expected = [fine.clone(), json!("FILE_UNREADABLE"), fine, invalid.clone(), invalid.clone(), invalid];
+    assert_eq!(codes[..6], expected.iter().collect::<Vec<_>>()[..]);
+    assert_eq!(codes[6], "TRANSFORM_NOT_RIGID");
+    assert_eq!(found[5]["id"], "no file");
+    assert!(found[3]["error"]["message"].as_str().unwrap().contains("an option of method hierarchy"));
+}
+
+#[test]
+fn every_command_answers_as_it_does_alone() {
+    let (a, b) = (square("commands", 0.0), square("commands", 0.5));
+    let lines = [
+        json!({ "id": 1, "a": a, "b": b, "limit": 1.0, "symmetric": true }),
+        json!({ "id": 2, "a": a, "b": b, "command": "diff", "limit": 0.1 }),
+        json!({ "id": 3, "a": a, "b": b, "command": "clearance" }),
+        json!({ "id": 4, "a": a, "b": b, "method": "hierarchy", "grid": 8, "backend": "cpu" }),
+        json!({ "id": 5, "a": a, "b": b, "transform": { "translation": [0, 0, 0.5] } }),
+    ];
+    let output = batch(&lines, &["--max-seconds", "60"]);
+    let found = answers(&output.stdout);
+    assert_eq!((found[0]["within"].clone(), found[1]["state"].clone()), (json!(true), json!("changed")));
+    assert!((found[2]["upper"].as_f64().unwrap() - 0.5).abs() < 1e-5);
+    assert_eq!((&found[3]["method"], &found[3]["grid"]), (&json!("hierarchy"), &json!(8)));
+    assert!(found[4]["upper"].as_f64().unwrap() < 1e-6);
+    let alone = command().args(["diff", &a, &b, "--limit", "0.1", "--json"]).output().unwrap();
+    let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
+    assert_eq!(alone["facesOfA"][0]["state"], found[1]["facesOfA"][0]["state"]);
+    assert_eq!(alone["files"], found[1]["files"]);
+}
+
+/// An output whose last line was cut off is gone on with: each pair is answered once.
+#[test]
+fn an_output_is_resumed_after_its_last_whole_line() {
+    let file = path("resumed.jsonl");
+    let name = file.to_str().unwrap();
+    let lines = pairs("resume", 6);
+    let first = batch(&lines[..4], &["--output", name, "--overwrite"]);
+    assert_eq!(first.status.code(), Some(0));
+    let whole = std::fs::read(&file).unwrap();
+    std::fs::write(&file, &whole[..whole.len() - 20]).unwrap();
+    let again = batch(&lines, &["--output", name, "--resume"]);
+    assert_eq!((again.status.code(), again.stdout.len()), (Some(0), 0));
+    assert_distances(&answers(&std::fs::read(&file).unwrap()), 0..6);
+    let refused = batch(&lines, &["--output", name]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OUTPUT_EXISTS]"));
+}
+
+/// A command on the pairs of which the last takes minutes.
+#[cfg(unix)]
+fn endless(test: &str) -> (Command, PathBuf) {
+    use nurbs_hausdorff::shapes::sphere_parts;
+    let mut lines = pairs(test, 2);
+    let files = sphere_parts([1.0, 1.1]).unwrap().map(|model| model.to_json().unwrap());
+    let [a, b] = std::array::from_fn(|side| {
+        let file = path(&format!("{test}-sphere-{side}.json"));
+        std::fs::write(&file, &files[side]).unwrap();
+        file
+    });
+    lines.push(json!({ "id": 2, "a": a, "b": b, "relativeTolerance": 1e-13 }));
+    let input = path(&format!("{test}.jsonl"));
+    std::fs::write(&input, lines.iter().map(|line| format!("{line}\n")).collect::<String>()).unwrap();
+    let mut command = command();
+    command.args(["batch", input.to_str().unwrap(), "--jobs", "1"]);
+    (command, input)
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_batch_leaves_whole_lines() {
+    let (mut command, _) = endless("interrupted");
+    let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    let read: Vec<Value> =
+        (0..2).map(|_| serde_json::from_str(&lines.next().unwrap().unwrap()).unwrap()).collect();
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(lines.next().is_none());
+    assert_distances(&read, 0..2);
+}
+
+#[test]
+fn a_closed_pipe_ends_the_batch() {
+    let input = path("closed.jsonl");
+    let lines: String = pairs("closed", 400).iter().map(|line| format!("{line}\n")).collect();
+    std::fs::write(&input, lines).unwrap();
+    let mut child =
+        command().args(["batch", input.to_str().unwrap()]).stdout(Stdio::piped()).spawn().unwrap();
+    let mut output = BufReader::new(child.stdout.take().unwrap());
+    let mut first = String::new();
+    output.read_line(&mut first).unwrap();
+    drop(output);
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_distances(&answers(first.as_bytes()), 0..1);
+}
