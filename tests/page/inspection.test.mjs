@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { validateBytes } from "gltf-validator";
+import { Box3 } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { modelFile, planes } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
 
@@ -14,10 +17,13 @@ before(async () => {
 
 after(() => opened.close());
 
-async function openPlanes(a, b) {
+/** Opens squares at these heights; `more` is of each model, and `each` of each of its surfaces. */
+async function openPlanes(a, b, more = {}, each = {}) {
   for (const [side, heights] of Object.entries({ a, b })) {
+    const surfaces = planes(...heights).surfaces.map((surface) => ({ ...surface, ...each }));
+    const model = { surfaces, ...more };
     await opened.until("done", () =>
-      opened.page.setInputFiles(`#file-${side}`, modelFile(`${side}.json`, planes(...heights))),
+      opened.page.setInputFiles(`#file-${side}`, modelFile(`${side}.json`, model)),
     );
   }
 }
@@ -57,6 +63,22 @@ test("an allowed distance passes or fails by the interval, and is undecided insi
   }
   await page.locator("#limit").fill("");
   assert.equal(await text("#verdict"), "");
+});
+
+test("a verdict says that the files' gaps could change it", async () => {
+  const { page } = opened;
+  await openPlanes([0], [0.25], {}, { gap: 0.03 });
+  for (const [allowed, verdict, doubt] of [
+    ["0.3", "pass", true],
+    ["0.4", "pass", false],
+    ["0.2", "fail", true],
+    ["0.1", "fail", false],
+  ]) {
+    await page.locator("#limit").fill(allowed);
+    assert.equal(await page.locator("#verdict").getAttribute("data-verdict"), verdict);
+    assert.equal(/gaps of the files \(.*0\.06/.test(await text("#verdict")), doubt, allowed);
+  }
+  await page.locator("#limit").fill("");
 });
 
 test("the area beyond the limit and the histogram follow the samples", async () => {
@@ -203,16 +225,39 @@ test("a result is exported as JSON, CSV, PNG, glTF and a report", async () => {
   assert.match(csv[0], /^face,x,y,z,foot_x/);
   const [, x, y, z, fx, fy, fz, distance] = csv[1].split(",").map(Number);
   assert.ok(Math.abs(Math.hypot(x - fx, y - fy, z - fz) - distance) < 1e-9);
+  // The farthest point is a sample, wherever it is between those of the grid.
+  const distances = csv.slice(1).map((line) => Number(line.split(",")[7]));
+  assert.equal(Math.max(...distances), (result.forward ?? result).computed);
   const png = await exported("#export-png");
   assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
   const gltf = await exported("#export-gltf");
   assert.equal(gltf.bytes.subarray(0, 4).toString(), "glTF");
   const scene = JSON.parse(gltf.bytes.subarray(20, 20 + gltf.bytes.readUInt32LE(12)).toString());
   assert.ok(scene.meshes.some(({ primitives }) => "COLOR_0" in primitives[0].attributes));
+  assert.ok(scene.materials.every(({ doubleSided }) => doubleSided));
+  const { issues } = await validateBytes(new Uint8Array(gltf.bytes));
+  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages));
   const report = (await exported("#export-report")).bytes.toString();
   for (const part of ["data:image/png;base64,", "<svg", "torus", "Symmetric distance"]) {
     assert.ok(report.includes(part), part);
   }
+});
+
+/** The box of a glTF file, as three's loader places it. */
+async function gltfBox(bytes) {
+  const { scene } = await new GLTFLoader().parseAsync(new Uint8Array(bytes).buffer, "");
+  scene.updateMatrixWorld(true);
+  return new Box3().setFromObject(scene);
+}
+
+test("glTF has metres, y up and the models' own place", async () => {
+  // Squares of side 2 about (0, 0, 0) and 2 above it, in units of half a metre.
+  await openPlanes([0, 2], [0], { unit: 0.5 });
+  const { min, max } = await gltfBox((await exported("#export-gltf")).bytes);
+  assert.deepEqual(
+    [...min.toArray(), ...max.toArray()].map((value) => Math.round(1e6 * value) / 1e6 + 0),
+    [-0.5, 0, -0.5, 0.5, 1, 0.5],
+  );
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

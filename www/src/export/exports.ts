@@ -1,5 +1,6 @@
 // What each export contains.
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
+import { metresPerUnit } from "../files/fileNotes.ts";
 import { deviationSummary, painted } from "../inspection/deviationPanel.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
@@ -40,7 +41,7 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
       download(`${NAME}.png`, await picture(state));
       break;
     case "gltf":
-      download(`${NAME}.glb`, await gltfOf(state.view.models, painted()));
+      download(`${NAME}.glb`, await gltfOf(state.view.models, painted(), metresPerUnit()));
       break;
     case "report": {
       const image = await dataUrl(await picture(state));

@@ -15,6 +15,7 @@ const mismatch = element("units-differ");
 const mismatchText = element("units-text");
 const scaling = element("scale-units", HTMLInputElement);
 const units: Sides<number | null> = {};
+const skipped: Sides<number> = {};
 
 /** Shows the notes of models that were loaded. */
 export function showFileNotes(models: Sides<DisplayModel>): void {
@@ -23,6 +24,7 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
     if (model === undefined) continue;
     const { report } = model;
     units[side] = model.unit;
+    skipped[side] = report?.skipped.length ?? 0;
     notes[side].replaceChildren(...(report === null ? [] : [note(report)]));
     notes[side].hidden = report === null;
   }
@@ -47,6 +49,12 @@ export function unitScale(): number {
   const { a = null, b = null } = units;
   return scaling.checked && a !== null && b !== null ? b / a : 1;
 }
+
+/** Returns how many faces of both files were skipped. */
+export const skippedFaces = (): number => (skipped.a ?? 0) + (skipped.b ?? 0);
+
+/** Returns the metres in a unit of the scene, 1 where no file states it. */
+export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
 
 /** Returns the unit of the results, or undefined where it is unknown. */
 export function commonUnit(): string | undefined {

@@ -114,7 +114,7 @@ function draw({ field, result, extent }: Shown): ColorScale {
     ? "Distance of A from B"
     : "Signed deviation of A (+ along B’s normals)";
   element("histogram").replaceChildren(histogram(field.distribution, scale, chosen.absolute));
-  element("beyond-limit").textContent = beyondLimit(field, diagonal);
+  element("beyond-limit").textContent = beyondLimit(field, extent.largest, diagonal);
   showDetails(element("statistics"), [
     ...statisticsOf(result),
     ["maximum of the samples", `≈ ${distanceText(extent.largest, diagonal)}`],
@@ -125,12 +125,14 @@ function draw({ field, result, extent }: Shown): ColorScale {
   return scale;
 }
 
-function beyondLimit({ distribution }: FieldDisplay, diagonal: number): string {
+function beyondLimit({ distribution }: FieldDisplay, largest: number, diagonal: number): string {
   const allowed = limit();
   const total = totalArea(distribution.absolute);
   if (allowed === undefined || total === 0) return "";
   const area = areaBeyond(distribution, allowed);
   const unit = commonUnit();
   const size = `${distanceText(area, diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
-  return `Beyond the limit: ≈ ${((100 * area) / total).toFixed(1)} % of A’s area (${size})`;
+  const share = `Beyond the limit: ≈ ${((100 * area) / total).toFixed(1)} % of A’s area (${size})`;
+  // Less area than the samples resolve is not none.
+  return area === 0 && largest > allowed ? `${share}, but the farthest point is beyond` : share;
 }

@@ -3,7 +3,7 @@
 import type { DistanceResult } from "nurbs-hausdorff";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { certifiedText, intervalText, twoDigits } from "../common/numbers.ts";
+import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
 import { commonUnit } from "../files/fileNotes.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
@@ -63,6 +63,12 @@ export function showResult(
   const ends = [result.lower, result.upper] as const;
   distance.textContent = certifiedText(result.computed, ends, result.diagonal);
   showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
+  const { withGaps } = result;
+  showVerdict({
+    interval: ends,
+    withGaps: [withGaps.lower, withGaps.upper],
+    gap: gapText(result),
+  });
   showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
   Object.assign(section.dataset, {
@@ -76,6 +82,12 @@ export function showResult(
     from: farthestSide(result),
     state: stateOf(last, pending),
   });
+}
+
+/** The gap of both files, with its unit and whether it is proven. */
+function gapText({ gap, gapProven }: DistanceResult): string {
+  const known = commonUnit();
+  return `${upperText(gap)}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
 }
 
 function stateOf(last: boolean, pending: boolean): string {
@@ -118,7 +130,7 @@ function showInterval(lower: number, upper: number, diagonal: number, note: stri
   interval.textContent = intervalText(lower, upper, diagonal);
   width.textContent = `${note} · width ${twoDigits(upper - lower)}`;
   // One direction's interval decides nothing about the larger of both.
-  showVerdict(note === ONE_DIRECTION ? undefined : [lower, upper]);
+  showVerdict(note === ONE_DIRECTION ? undefined : { interval: [lower, upper] });
 }
 
 /** The meaning of the interval. It contains the distance whether the method converged or not. */

@@ -1,5 +1,6 @@
 // The verdict on a limit that the user types, from the interval that contains the distance.
 import { element } from "../common/elements.ts";
+import { skippedFaces } from "../files/fileNotes.ts";
 
 export type Verdict = "pass" | "fail" | "undecided";
 
@@ -17,7 +18,17 @@ const WORDS: Readonly<Record<Verdict, string>> = {
 
 const input = element("limit", HTMLInputElement);
 const output = element("verdict");
-let current: readonly [number, number] | undefined;
+let current: Judged | undefined;
+
+/** What a verdict is about. */
+export interface Judged {
+  /** The interval that contains the distance. */
+  interval: readonly [lower: number, upper: number];
+  /** The interval for every reading of the files within their gaps. */
+  withGaps?: readonly [lower: number, upper: number];
+  /** The sum of the files' gaps, as text with its unit. */
+  gap?: string;
+}
 
 /** Calls back when the user changes the limit. */
 export function onLimit(callback: () => void): void {
@@ -33,9 +44,9 @@ export function limit(): number | undefined {
   return Number.isFinite(value) && value >= 0 ? value : undefined;
 }
 
-/** Shows the verdict on a distance in this interval; without one, none. */
-export function showVerdict(interval?: readonly [number, number]): void {
-  current = interval;
+/** Shows the verdict on a distance; without one, none. */
+export function showVerdict(judged?: Judged): void {
+  current = judged;
   draw();
 }
 
@@ -46,7 +57,15 @@ function draw(): void {
     delete output.dataset.verdict;
     return;
   }
-  const verdict = verdictOn(current[0], current[1], typed);
-  output.textContent = WORDS[verdict];
+  const { interval, withGaps = interval, gap = "" } = current;
+  const skipped = skippedFaces();
+  const verdict = skipped > 0 ? "undecided" : verdictOn(...interval, typed);
+  output.textContent = skipped > 0 ? skippedText(skipped) : WORDS[verdict];
+  if (verdict !== "undecided" && verdictOn(...withGaps, typed) !== verdict) {
+    output.textContent += `, but the gaps of the files (${gap}) could change that`;
+  }
   output.dataset.verdict = verdict;
 }
+
+const skippedText = (count: number): string =>
+  `? undecided: ${count} ${count === 1 ? "face was" : "faces were"} skipped on reading`;

@@ -10,6 +10,7 @@ import type {
 } from "nurbs-hausdorff";
 import { isCancelled } from "./failure.ts";
 import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
+import { withWitness } from "./field/witness.ts";
 import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
 
 /**
@@ -184,8 +185,8 @@ export class Measurements {
     pending: boolean,
   ): void {
     const transform = options.transform ?? {};
-    this.#fields = fields;
-    const field = fields && fieldDisplay(fields, transform);
+    this.#fields = fields && withWitness(fields, result);
+    const field = this.#fields && fieldDisplay(this.#fields, transform);
     const engine = engineState(this.#engine);
     const plain = withoutDeviations(result);
     this.#reply(

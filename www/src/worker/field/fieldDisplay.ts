@@ -2,6 +2,7 @@
 import type { FaceDeviations, Transform, Vector3 } from "nurbs-hausdorff";
 import { backwards, movedBack, placeBack } from "../rigid.ts";
 import { type Distribution, distributionOf } from "./distribution.ts";
+import { fanAround } from "./witness.ts";
 
 /** The largest number of lines drawn; more would hide the models. */
 const MAX_LINES = 4096;
@@ -32,16 +33,20 @@ export function fieldDisplay(fields: FaceDeviations[], transform: Transform): Fi
   const positions = new Float32Array(3 * count);
   const [signed, distances] = [new Float32Array(count), new Float32Array(count)];
   const cells = fields.reduce((sum, { counts: [u, v] }) => sum + (u - 1) * (v - 1), 0);
-  const indices = new Uint32Array(6 * cells);
+  const grids = new Uint32Array(6 * cells);
   const back = backwards(transform);
   let [first, cell] = [0, 0];
   for (const field of fields) {
     placeBack(field.points, back, origin, positions.subarray(3 * first));
     signed.set(field.signed, first);
     distances.set(field.distances, first);
-    cell = setTriangles(indices, cell, first, field.counts);
+    cell = setTriangles(grids, cell, first, field.counts);
     first += field.distances.length;
   }
+  const around = fanAround(fields, grids);
+  const indices = new Uint32Array(grids.length + around.length);
+  indices.set(grids);
+  indices.set(around, grids.length);
   return {
     ...{ positions, normals: normalsOf(positions, indices), signed, distances },
     ...{ indices, origin },
