@@ -81,6 +81,17 @@ test("a verdict says that the files' gaps could change it", async () => {
   await page.locator("#limit").fill("");
 });
 
+test("the address of a pair of files does not judge another pair", async () => {
+  const { page } = opened;
+  await openPlanes([0], [0.25]);
+  await page.locator("#limit").fill("0.6");
+  await opened.until("done", () => page.locator("#symmetric").check());
+  await page.waitForFunction(() => location.hash.includes("symmetric="));
+  assert.doesNotMatch(await page.evaluate(() => location.hash), /limit/);
+  await page.locator("#limit").fill("");
+  await opened.until("done", () => page.locator("#symmetric").uncheck());
+});
+
 test("the area beyond the limit and the histogram follow the samples", async () => {
   const { page } = opened;
   // One square of A lies on B's, the other 0.5 above: half of A's area is out of 0.1.

@@ -166,6 +166,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   measure();
   view.fit();
   const fromFile = Object.values(models).some(({ source }) => "file" in source);
+  past.ofFiles = fromFile;
   if (fromFile) past.reset();
   else past.record();
 }

@@ -22,12 +22,21 @@ export function applyFormState(text: string, excluded: readonly string[] = []): 
   for (const control of controls()) {
     if (excluded.includes(control.name)) continue;
     const value = parameters.get(control.name) ?? defaultOf(control);
-    if (value === currentValue(control)) continue;
+    if (value === currentValue(control) || !takes(control, value)) continue;
     if (control instanceof HTMLInputElement && isCheckBox(control))
       control.checked = value === "on";
     else control.value = value;
     control.dispatchEvent(new Event("input", { bubbles: true }));
   }
+}
+
+/** Whether a control can have a value: an address may hold anything. */
+function takes(control: Control, value: string): boolean {
+  if (control instanceof HTMLSelectElement) {
+    return [...control.options].some((option) => option.value === value);
+  }
+  const isNumber = control.type === "number" || control.type === "range";
+  return !isNumber || value === "" || Number.isFinite(Number(value));
 }
 
 const isCheckBox = (control: Control): boolean => control.type === "checkbox";

@@ -7,11 +7,19 @@ const PAUSE = 150;
 /** The largest number of states kept. */
 const MAX_STATES = 200;
 
+/** Controls whose values are about one pair of models. */
+const OF_PAIR = [
+  ...["a", "b", "limit", "range", "section-at"],
+  ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
+];
+
 const undoButton = element("undo", HTMLButtonElement);
 const redoButton = element("redo", HTMLButtonElement);
 
 export class History {
   readonly #restore: (state: string) => void;
+  /** Whether a model is of a file, which no address opens. */
+  ofFiles = false;
   #past: string[] = [];
   #future: string[] = [];
   #current: string | undefined;
@@ -74,7 +82,8 @@ export class History {
 
   #show(state: string): void {
     this.#current = state;
-    history.replaceState(null, "", state === "" ? location.pathname : `#${state}`);
+    const shared = this.ofFiles ? withoutPair(state) : state;
+    history.replaceState(null, "", shared === "" ? location.pathname : `#${shared}`);
     this.#showButtons();
   }
 
@@ -82,6 +91,13 @@ export class History {
     undoButton.disabled = this.#past.length === 0;
     redoButton.disabled = this.#future.length === 0;
   }
+}
+
+/** The state that holds for any pair: another one is not judged by this one's limit. */
+function withoutPair(state: string): string {
+  const parameters = new URLSearchParams(state);
+  for (const name of OF_PAIR) parameters.delete(name);
+  return parameters.toString();
 }
 
 /** Whether the browser's own undo applies. */
