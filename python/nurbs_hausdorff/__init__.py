@@ -102,13 +102,16 @@ def diff(
     *,
     limit: float = 1e-3,
     max_cells: int | None = None,
+    max_seconds: float | None = None,
     scale_units: bool = False,
     transform: Transform | ArrayLike | None = None,
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> DiffResult:
     """Return the state of every face of both models at a limit, in model units."""
-    options = _names.options(limit=limit, max_cells=max_cells, scale_units=scale_units)
+    options = _names.options(
+        limit=limit, max_cells=max_cells, max_seconds=max_seconds, scale_units=scale_units
+    )
     data = _native.diff(
         model(a)._native, model(b)._native, options,
         _transform.native(transform), reporter(progress, cancel),

@@ -6,6 +6,7 @@ mod search;
 use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
+use crate::tolerance::positive;
 use serde::{Deserialize, Serialize};
 
 /// The largest limit: coordinates are at most as large.
@@ -22,6 +23,9 @@ pub struct DiffOptions {
     pub limit: f64,
     /// The cells after which a face is given up as undecided, 1 or more.
     pub max_cells: usize,
+    /// Seconds after which the faces that are not decided yet are given up as undecided, positive.
+    /// Each has been begun by then, and has the interval reached.
+    pub max_seconds: Option<f64>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are
     /// an error.
     pub scale_units: bool,
@@ -37,6 +41,7 @@ impl Default for DiffOptions {
         Self {
             limit: 1e-3,
             max_cells: DEFAULT_MAX_CELLS,
+            max_seconds: None,
             scale_units: false,
             transform: RigidTransform::IDENTITY,
         }
@@ -56,7 +61,7 @@ impl DiffOptions {
         if self.max_cells == 0 {
             return Err(Error::out_of_range("max cells", 0, "at least 1"));
         }
-        Ok(())
+        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
     }
 }
 

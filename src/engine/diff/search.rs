@@ -76,6 +76,7 @@ impl Engine {
         let faces_b = Face::all(b, &flat_b);
         let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
+        let budget = Budget { started, max_cells: options.max_cells, max_seconds: options.max_seconds };
         let forward = Side {
             whole: whole_a,
             faces: &faces_a,
@@ -84,6 +85,7 @@ impl Engine {
             pieces: [a.pieces(), b.pieces()],
             gaps: (a.face_gaps(), b.gap()),
             transform,
+            budget,
         };
         let of_a = forward.differences(options, &mut progress).await?;
         progress.second_half();
@@ -96,6 +98,7 @@ impl Engine {
             pieces: [b.pieces(), a.pieces()],
             gaps: (b.face_gaps(), a.gap()),
             transform: inverse,
+            budget,
         };
         let of_b = reverse.differences(options, &mut progress).await?;
         progress.finish();
@@ -129,6 +132,7 @@ struct Side<'a> {
     /// The gaps of the faces, and the largest of the other model.
     gaps: (&'a [f64], f64),
     transform: RigidTransform,
+    budget: Budget,
 }
 
 impl FaceDifference {
@@ -194,15 +198,16 @@ impl<'a> Side<'a> {
         progress: &mut Progress<'_>,
     ) -> Result<FaceDifference> {
         let fraction = face as f64 / self.faces.len() as f64;
-        exhaust(&mut decision, options.max_cells, fraction, progress).await?;
+        exhaust(&mut decision, self.budget, fraction, progress).await?;
         let interval = decision.interval();
         let decided = self.difference(face, &decision, interval, options)?;
         let is_narrow = interval.upper - interval.lower <= CHANGE_PART * interval.lower;
-        if decided.state != FaceState::Changed || is_narrow {
+        if decided.state != FaceState::Changed || is_narrow || self.budget.is_over() {
             return Ok(decided);
         }
         let mut narrowing = BranchAndBound::new(self.pair(face), CHANGE_PART * interval.lower, None, 0.0);
-        exhaust(&mut narrowing, NARROWING_CELLS.min(options.max_cells), fraction, progress).await?;
+        let max_cells = NARROWING_CELLS.min(options.max_cells);
+        exhaust(&mut narrowing, Budget { max_cells, ..self.budget }, fraction, progress).await?;
         // Both intervals hold, and the witness is the farther one.
         let Interval { lower, upper } = narrowing.interval();
         let farther = if lower >= interval.lower { &narrowing } else { &decision };
@@ -228,14 +233,34 @@ impl<'a> Side<'a> {
     }
 }
 
-/// Runs a search to its end, or until it has bounded `max_cells` cells.
+/// What ends the search of a face.
+#[derive(Clone, Copy)]
+struct Budget {
+    /// When the comparison began.
+    started: Instant,
+    max_cells: usize,
+    max_seconds: Option<f64>,
+}
+
+impl Budget {
+    fn is_spent(&self, search: &BranchAndBound<'_>) -> bool {
+        search.work().cells >= self.max_cells || self.is_over()
+    }
+
+    /// Returns whether the time is over.
+    fn is_over(&self) -> bool {
+        self.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+    }
+}
+
+/// Runs a search to its end, or until the budget is spent.
 async fn exhaust(
     search: &mut BranchAndBound<'_>,
-    max_cells: usize,
+    budget: Budget,
     fraction: f64,
     progress: &mut Progress<'_>,
 ) -> Result<()> {
-    while !advance(search, FIRST_CELLS.min(max_cells)) && search.work().cells < max_cells {
+    while !budget.is_spent(search) && !advance(search, FIRST_CELLS.min(budget.max_cells)) {
         progress.checkpoint(fraction).await?;
     }
     search.finish();

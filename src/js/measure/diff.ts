@@ -7,6 +7,8 @@ export interface DiffOptions {
   limit?: number;
   /** Cells after which a face is given up as undecided; default 1,000,000. */
   maxCells?: number;
+  /** Seconds after which the faces that are not decided yet are given up as undecided. */
+  maxSeconds?: number;
   /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
   scaleUnits?: boolean;
   /** Moves A before it is compared. */

@@ -114,6 +114,20 @@ fn a_budget_of_one_cell_leaves_a_face_undecided_and_the_interval_true() {
     assert!(face.lower <= whole.upper && whole.lower <= face.upper);
 }
 
+#[test]
+fn without_time_faces_are_undecided_and_the_interval_true() {
+    let [a, b] = ["wavy-sheet", "wavy-sheet-b"].map(|name| shape(name).unwrap());
+    let whole = cpu::measure(&a, &b, &DistanceOptions::default());
+    let limit = 0.5 * (whole.lower + whole.upper);
+    let at_once = DiffOptions { limit, max_seconds: Some(f64::MIN_POSITIVE), ..DiffOptions::default() };
+    let result = diff(&a, &b, &at_once);
+    let face = &result.faces_of_a[0];
+    assert_eq!((result.state, face.state), (FaceState::Undecided, FaceState::Undecided));
+    assert!(face.lower <= whole.upper && whole.lower <= face.upper);
+    let in_time = diff(&a, &b, &DiffOptions { max_seconds: Some(1e9), ..at_once });
+    assert!(in_time.faces_of_a[0].cells > face.cells, "{} {}", in_time.faces_of_a[0].cells, face.cells);
+}
+
 /// A plate whose hole moved: the farthest points are on the hole's edge, and no bound but one over
 /// tiny cells tells them from those beside it.
 #[test]
@@ -138,6 +152,8 @@ fn options_out_of_range_are_refused() {
         let options = DiffOptions { limit, ..DiffOptions::default() };
         assert_eq!(options.validate().unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     }
+    let options = DiffOptions { max_seconds: Some(0.0), ..DiffOptions::default() };
+    assert_eq!(options.validate().unwrap_err().code(), "OPTION_OUT_OF_RANGE");
     let options = DiffOptions { max_cells: 0, ..DiffOptions::default() };
     assert_eq!(options.validate().unwrap_err().code(), "OPTION_OUT_OF_RANGE");
 }

@@ -177,6 +177,9 @@ pub(crate) struct DiffArguments {
     /// Cells after which a face is given up as undecided.
     #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
+    /// Seconds after which faces that are not decided are given up as undecided.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
     #[command(flatten)]
     placement: Placement,
     /// Prints the result as one JSON object.
@@ -193,6 +196,7 @@ impl DiffArguments {
         Ok(DiffOptions {
             limit: self.limit,
             max_cells: self.max_cells,
+            max_seconds: self.max_seconds,
             scale_units: self.placement.scale_units,
             transform: self.placement.transform()?,
         })

@@ -88,7 +88,8 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
             Question::Distance(Box::new(options))
         }
         CommandName::Diff => {
-            let options = DiffOptions { transform, ..named(options)? };
+            let mut options = DiffOptions { transform, ..named(options)? };
+            options.max_seconds = options.max_seconds.or(max_seconds);
             options.validate()?;
             Question::Diff(options)
         }

@@ -120,7 +120,7 @@ class Run {
   /** The budget of a search that may have one. */
   #budget(command: string, { method = "certified" }: Partial<DistanceOptions>): object {
     const maxSeconds = this.#values.get("max-seconds");
-    const has = command === "clearance" || (command === "distance" && method === "certified");
+    const has = command !== "distance" || method === "certified";
     return has && maxSeconds !== undefined ? { maxSeconds } : {};
   }
 }
