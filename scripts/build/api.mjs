@@ -21,7 +21,9 @@ export async function buildApi() {
   }
   await must("tsc", ["--project", "tsconfig.json"]);
   await must("tsc", ["--project", "tsconfig.cli.json"]);
-  copyFileSync(inRoot("src/js/cli/options.json"), inRoot("dist/cli/options.json"));
+  for (const file of ["options.json", "reports/report.css"]) {
+    copyFileSync(inRoot(`src/js/cli/${file}`), inRoot(`dist/cli/${file}`));
+  }
   // npm makes the command executable when it installs the package.
   chmodSync(inRoot("dist/cli/main.js"), 0o755);
   stamp(made, sources);

@@ -10,4 +10,5 @@ mod commands;
 mod edge_cases;
 mod gaps;
 mod meshes;
+mod pairs;
 mod trimmed;

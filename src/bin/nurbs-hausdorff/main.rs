@@ -9,6 +9,8 @@ mod commands;
 mod failure;
 mod input;
 mod output;
+mod pairs;
+mod reports;
 
 /// Exit status of bad arguments, bad input or a failed machine.
 const FAILED: u8 = 2;

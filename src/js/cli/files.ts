@@ -53,16 +53,42 @@ export async function readModelBy<Model extends ReadModel>(
   reader: ModelReader<Model>,
   path: string,
 ): Promise<Input<Model>> {
-  return naming(path, async () => {
+  return (await ModelFile.open(path)).readBy(reader);
+}
+
+/** A file whose bytes are read. */
+export class ModelFile {
+  readonly source: Source;
+  readonly #bytes: Uint8Array;
+
+  private constructor(source: Source, bytes: Uint8Array) {
+    this.source = source;
+    this.#bytes = bytes;
+  }
+
+  static async open(path: string): Promise<ModelFile> {
     const bytes = await bytesOf(path);
-    const format = meshFormatOf(path);
-    const model =
-      format === undefined
-        ? await reader.readCad(bytes, { name: path })
-        : await reader.readMesh(bytes, format);
-    warn(path, model.report);
-    return { model, source: sourceOf(path, bytes), [Symbol.dispose]: () => model.dispose() };
-  });
+    return new ModelFile(sourceOf(path, bytes), bytes);
+  }
+
+  /** The model in the file; the faces left out are listed on standard error. */
+  read(): Promise<Input> {
+    return this.readBy<NurbsModel>({ readCad, readMesh });
+  }
+
+  /** The same by one of the classes. */
+  readBy<Model extends ReadModel>(reader: ModelReader<Model>): Promise<Input<Model>> {
+    const { path } = this.source;
+    return naming(path, async () => {
+      const format = meshFormatOf(path);
+      const model =
+        format === undefined
+          ? await reader.readCad(this.#bytes, { name: path })
+          : await reader.readMesh(this.#bytes, format);
+      warn(path, model.report);
+      return { model, source: this.source, [Symbol.dispose]: () => model.dispose() };
+    });
+  }
 }
 
 /** The interchange JSON of the model in a file, and the report on reading it. */

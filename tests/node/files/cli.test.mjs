@@ -100,6 +100,9 @@ const VALUES = {
   deviations: [],
   backend: ["cpu", "--method", "iteration"],
   json: [],
+  format: ["json"],
+  include: ["*.step"],
+  reuse: ["answers"],
 };
 
 const command = (name) => table.commands.find((command) => command.name === name);
@@ -114,7 +117,7 @@ for (const [name, value] of Object.entries(VALUES)) {
     const rest =
       value.some((one) => one === "--method") || name === "method" ? ["--backend", "cpu"] : [];
     const backend = name === "backend" ? [] : rest;
-    const json = name === "json" ? [] : ["--json"];
+    const json = name === "json" || name === "format" ? [] : ["--json"];
     const args = ["distance", squares[0], squares[3], `--${name}`, ...value, ...json, ...backend];
     const [ours, theirs] = both(...args);
     const results = [ours, theirs].map(({ stdout }) => JSON.parse(stdout));

@@ -5,6 +5,7 @@ pub(crate) mod motion;
 mod table;
 pub(crate) mod usage;
 
+use crate::reports::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use motion::{Rotation, Translation};
@@ -64,10 +65,8 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct DistanceArguments {
-    /// The model whose points are measured; - is standard input.
-    pub(crate) a: PathBuf,
-    /// The model to which the distances are measured; - is standard input.
-    pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) pair: Pair,
     /// The method that computes the distance.
     #[arg(long, value_enum, default_value_t = MethodChoice::Certified)]
     method: MethodChoice,
@@ -130,9 +129,40 @@ pub(crate) struct DistanceArguments {
     /// The processor for the kernels; auto is the GPU if there is one, except for method certified.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
-    /// Prints the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) reporting: Reporting,
+}
+
+/// Two models, or two directories.
+#[derive(Debug, Args)]
+pub(crate) struct Pair {
+    /// The model A, from which directed distances are measured, or a directory of models; - is standard input.
+    pub(crate) a: PathBuf,
+    /// The model B, or a directory whose files are compared with those of A of the same relative path.
+    pub(crate) b: PathBuf,
+}
+
+/// The files compared and the form of the output.
+#[derive(Debug, Args)]
+pub(crate) struct Reporting {
+    /// The form of the output; text if not given.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Prints the result as one JSON object, as --format json.
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+    /// Of directories, the files whose relative path matches PATTERN, such as *.step or parts/**/*.{brep,iges}; all models if not given.
+    #[arg(long, value_name = "PATTERN")]
+    pub(crate) include: Option<String>,
+    /// Keeps answers in FOLDER, and reads those to pairs of the same content and options from it.
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) reuse: Option<PathBuf>,
+}
+
+impl Reporting {
+    pub(crate) fn format(&self) -> Format {
+        self.format.unwrap_or(if self.json { Format::Json } else { Format::Text })
+    }
 }
 
 /// The position and the unit in which the models are measured.
@@ -161,10 +191,8 @@ impl Placement {
 
 #[derive(Debug, Args)]
 pub(crate) struct DiffArguments {
-    /// The one model; - is standard input.
-    pub(crate) a: PathBuf,
-    /// The other model; - is standard input.
-    pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) pair: Pair,
     /// Distance, in model units, up to which a face counts as unchanged.
     #[arg(long, default_value_t = 1e-3)]
     limit: f64,
@@ -182,9 +210,8 @@ pub(crate) struct DiffArguments {
     max_seconds: Option<f64>,
     #[command(flatten)]
     placement: Placement,
-    /// Prints the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) reporting: Reporting,
 }
 
 impl DiffArguments {

@@ -26,6 +26,7 @@ fn kind(argument: &Arg) -> &'static str {
         (TypeId::of::<usize>(), "integer"),
         (TypeId::of::<u32>(), "integer"),
         (TypeId::of::<PathBuf>(), "path"),
+        (TypeId::of::<String>(), "text"),
         (TypeId::of::<Translation>(), "translation"),
         (TypeId::of::<Rotation>(), "rotation"),
     ];

@@ -2,82 +2,134 @@
 
 use crate::arguments::DiffArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read};
-use crate::output::json::{OfFiles, print_json};
-use crate::output::print;
+use crate::input::{Input, is_judged};
+use crate::output::json::{OfFiles, raw};
 use crate::output::progress::Bar;
 use crate::output::report::GAPS_DECIDE;
-use nurbs_hausdorff::{DiffResult, Engine, FaceState};
-use std::fmt::{Result, Write};
+use crate::pairs::{self, Comparison};
+use crate::reports::{Answer, Verdict};
+use nurbs_hausdorff::{DiffOptions, DiffResult, Engine, FaceDifference, FaceState};
+use std::fmt::Write;
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.
 const MAX_LISTED: usize = 100;
 
 /// Compares the models face by face, prints the differences and returns the exit status.
-pub(crate) fn run(arguments: &DiffArguments) -> std::result::Result<u8, Failure> {
+pub(crate) fn run(arguments: &DiffArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let mut result = engine.diff(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
-    if !is_judged(&a, &b, arguments.allow_skipped) {
-        (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);
-    }
-    if arguments.json {
-        print_json(&OfFiles::new(&result, &a, &b))?;
-    } else {
-        let mut text = String::new();
-        // Writing to a string does not fail.
-        let _ = lines(&mut text, &result);
-        print(&text)?;
-    }
-    Ok(match if arguments.strict_gaps { result.with_gaps } else { result.state } {
-        FaceState::Unchanged => 0,
-        FaceState::Changed => 1,
-        FaceState::Undecided => 3,
-    })
+    let comparison = Diff { arguments, options, engine: Engine::cpu() };
+    pairs::run(&arguments.pair, &arguments.reporting, &comparison)
 }
 
-fn lines(out: &mut String, result: &DiffResult) -> Result {
-    let state = |state| match state {
+struct Diff<'a> {
+    arguments: &'a DiffArguments,
+    options: DiffOptions,
+    engine: Engine,
+}
+
+impl Comparison for Diff<'_> {
+    const NAME: &'static str = "diff";
+
+    fn options(&self) -> String {
+        let DiffArguments { allow_skipped, strict_gaps, .. } = self.arguments;
+        format!("{:?} {allow_skipped} {strict_gaps}", self.options)
+    }
+
+    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure> {
+        let mut bar = Bar::new();
+        let diff = self.engine.diff(&a.prepared, &b.prepared, &self.options);
+        let mut result = diff.monitored(&mut bar).wait()?;
+        drop(bar);
+        let is_timed = self.options.max_seconds.is_some() && result.state == FaceState::Undecided;
+        if !is_judged(a, b, self.arguments.allow_skipped) {
+            (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);
+        }
+        let state = if self.arguments.strict_gaps { result.with_gaps } else { result.state };
+        Ok(Answer {
+            verdict: match state {
+                FaceState::Unchanged => Verdict::Passed,
+                FaceState::Changed => Verdict::Failed,
+                FaceState::Undecided => Verdict::Undecided,
+            },
+            word: word(state).to_owned(),
+            summary: summary(&result),
+            findings: findings(&result),
+            text: text(&result),
+            seconds: result.seconds.prepare + result.seconds.solve,
+            repeatable: !is_timed,
+            json: raw(&OfFiles::new(&result, a, b))?,
+        })
+    }
+}
+
+fn word(state: FaceState) -> &'static str {
+    match state {
         FaceState::Unchanged => "unchanged",
         FaceState::Undecided => "undecided",
         FaceState::Changed => "changed",
-    };
-    let doubt = if result.with_gaps == result.state { "" } else { GAPS_DECIDE };
-    writeln!(out, "models     {} at a limit of {:?}{doubt}", state(result.state), result.limit)?;
-    let listed = [FaceState::Changed, FaceState::Undecided];
-    for (index, (name, faces)) in
-        [("A", &result.faces_of_a), ("B", &result.faces_of_b)].into_iter().enumerate()
-    {
-        let [changed, undecided] = listed.map(|state| result.faces_in(state)[index].len());
-        let unchanged = faces.len() - changed - undecided;
-        writeln!(
-            out,
-            "faces of {name} {} unchanged, {} changed, {} undecided",
-            unchanged, changed, undecided
-        )?;
     }
-    for listed in listed {
+}
+
+/// Ends a line with a verdict that does not hold for every reading of the files.
+fn doubt(result: &DiffResult) -> &'static str {
+    if result.with_gaps == result.state { "" } else { GAPS_DECIDE }
+}
+
+/// The numbers of faces in each state.
+fn counts(faces: &[FaceDifference]) -> String {
+    let count = |state| faces.iter().filter(|face| face.state == state).count();
+    let [unchanged, changed, undecided] =
+        [FaceState::Unchanged, FaceState::Changed, FaceState::Undecided].map(count);
+    format!("{unchanged} unchanged, {changed} changed, {undecided} undecided")
+}
+
+fn summary(result: &DiffResult) -> String {
+    let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
+    format!("faces of A: {a}; of B: {b}; limit {:?}{}", result.limit, doubt(result))
+}
+
+/// A line for each face that is not unchanged, those that changed first.
+fn findings(result: &DiffResult) -> Vec<String> {
+    let mut findings = Vec::new();
+    for state in [FaceState::Changed, FaceState::Undecided] {
         for (index, name) in ["A", "B"].into_iter().enumerate() {
-            let faces = &result.faces_in(listed)[index];
+            let faces = &result.faces_in(state)[index];
             for face in faces.iter().take(MAX_LISTED) {
-                let [x, y, z] = if index == 0 { face.witness.a.point } else { face.witness.b.point };
-                writeln!(
-                    out,
-                    "{:<10} {name} face {}: [{:?}, {:?}] at {x:?} {y:?} {z:?}",
-                    state(listed),
+                let point = if index == 0 { &face.witness.a } else { &face.witness.b };
+                let [x, y, z] = point.point;
+                let face_name = point.face_name.as_ref().map_or(String::new(), |name| format!(" ({name})"));
+                findings.push(format!(
+                    "{name} face {}{face_name} {}: [{:?}, {:?}] at {x:?} {y:?} {z:?}",
                     face.face,
+                    word(state),
                     face.lower,
                     face.upper
-                )?;
+                ));
             }
             if faces.len() > MAX_LISTED {
-                writeln!(out, "           and {} more faces of {name}", faces.len() - MAX_LISTED)?;
+                findings.push(format!(
+                    "and {} more faces of {name} {}",
+                    faces.len() - MAX_LISTED,
+                    word(state)
+                ));
             }
         }
     }
-    writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)
+    findings
+}
+
+fn text(result: &DiffResult) -> String {
+    let mut out =
+        format!("models     {} at a limit of {:?}{}\n", word(result.state), result.limit, doubt(result));
+    for (name, faces) in [("A", &result.faces_of_a), ("B", &result.faces_of_b)] {
+        // Writing to a string does not fail.
+        let _ = writeln!(out, "faces of {name} {}", counts(faces));
+    }
+    for finding in findings(result) {
+        let _ = writeln!(out, "{finding}");
+    }
+    let _ =
+        writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve);
+    out
 }

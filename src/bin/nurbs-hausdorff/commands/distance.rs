@@ -2,48 +2,82 @@
 
 use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read};
-use crate::output::json::{OfFiles, print_json};
-use crate::output::print;
+use crate::input::{Input, is_judged};
+use crate::output::json::{OfFiles, raw};
 use crate::output::progress::Bar;
 use crate::output::report;
-use nurbs_hausdorff::{Backend, Details, DistanceResult, Engine, MethodName};
-
-/// Exit statuses with `--limit`.
-const WITHIN: u8 = 0;
-const BEYOND: u8 = 1;
-const UNDECIDED: u8 = 3;
+use crate::pairs::{self, Comparison};
+use crate::reports::{Answer, Verdict};
+use nurbs_hausdorff::{Backend, Details, DistanceOptions, DistanceResult, Engine, MethodName};
 
 /// Computes and prints the distance, and returns the exit status.
 pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     // Method certified usually ends in float64 before a GPU could be initialised.
     let staged = options.method.name() != MethodName::Certified || options.deviations;
     let uses_gpu = staged || options.backend == Backend::Gpu;
     let backend = if uses_gpu { options.backend } else { Backend::Cpu };
-    let engine = Engine::new_blocking(backend)?;
-    let mut bar = Bar::new();
-    let mut result = engine.distance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
-    let is_judged = arguments.limit.is_none() || is_judged(&a, &b, arguments.allow_skipped);
-    if !is_judged {
-        forget_verdict(&mut result);
+    let comparison = Distance { arguments, options, engine: Engine::new_blocking(backend)? };
+    pairs::run(&arguments.pair, &arguments.reporting, &comparison)
+}
+
+struct Distance<'a> {
+    arguments: &'a DistanceArguments,
+    options: DistanceOptions,
+    engine: Engine,
+}
+
+impl Comparison for Distance<'_> {
+    const NAME: &'static str = "distance";
+
+    fn options(&self) -> String {
+        let DistanceArguments { limit, allow_skipped, strict_gaps, .. } = self.arguments;
+        format!("{:?} {limit:?} {allow_skipped} {strict_gaps}", self.options)
     }
-    if arguments.json {
-        print_json(&OfFiles::new(&result, &a, &b))?;
-    } else {
-        print(&report::text(&result))?;
-    }
-    let Some(limit) = arguments.limit else { return Ok(WITHIN) };
-    Ok(match result.with_gaps.within {
-        _ if !is_judged => UNDECIDED,
-        within if arguments.strict_gaps => {
-            within.map_or(UNDECIDED, |within| if within { WITHIN } else { BEYOND })
+
+    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure> {
+        let mut bar = Bar::new();
+        let distance = self.engine.distance(&a.prepared, &b.prepared, &self.options);
+        let mut result = distance.monitored(&mut bar).wait()?;
+        drop(bar);
+        let limit = self.arguments.limit;
+        let is_judged = limit.is_none() || is_judged(a, b, self.arguments.allow_skipped);
+        if !is_judged {
+            forget_verdict(&mut result);
         }
-        _ => verdict(&result, limit),
-    })
+        let within = match (limit, result.with_gaps.within) {
+            (None, _) => Some(true),
+            _ if !is_judged => None,
+            (_, within) if self.arguments.strict_gaps => within,
+            (Some(limit), _) => within(&result, limit),
+        };
+        let gap = if result.gap > 0.0 { format!(", gap {:?}", result.gap) } else { String::new() };
+        let seconds = &result.seconds;
+        Ok(Answer {
+            verdict: match within {
+                Some(true) => Verdict::Passed,
+                Some(false) => Verdict::Failed,
+                None => Verdict::Undecided,
+            },
+            word: word(limit, within).to_owned(),
+            summary: format!("distance in [{:?}, {:?}]{gap}", result.lower, result.upper),
+            findings: Vec::new(),
+            text: report::text(&result),
+            seconds: seconds.prepare + seconds.compile + seconds.solve,
+            repeatable: result.converged || limit.is_some() && within.is_some(),
+            json: raw(&OfFiles::new(&result, a, b))?,
+        })
+    }
+}
+
+fn word(limit: Option<f64>, within: Option<bool>) -> &'static str {
+    match (limit, within) {
+        (None, _) => "computed",
+        (_, Some(true)) => "within",
+        (_, Some(false)) => "beyond",
+        (_, None) => "undecided",
+    }
 }
 
 /// Takes the verdict out of a result, and out of those of both directions.
@@ -57,13 +91,13 @@ fn forget_verdict(result: &mut DistanceResult) {
     }
 }
 
-/// The exit status that follows from the interval and the limit, for all methods.
-fn verdict(result: &DistanceResult, limit: f64) -> u8 {
+/// The verdict that follows from the interval and the limit, for all methods.
+fn within(result: &DistanceResult, limit: f64) -> Option<bool> {
     if result.upper <= limit {
-        WITHIN
+        Some(true)
     } else if result.lower > limit {
-        BEYOND
+        Some(false)
     } else {
-        UNDECIDED
+        None
     }
 }

@@ -22,13 +22,26 @@ pub(crate) struct Source {
 
 impl Source {
     pub(super) fn new(path: &Path, bytes: &[u8]) -> Self {
-        let mut sha256 = String::new();
-        for byte in Sha256::digest(bytes) {
-            // Writing to a string does not fail.
-            let _ = write!(sha256, "{byte:02x}");
-        }
-        Self { path: path.display().to_string(), sha256 }
+        Self { path: path.display().to_string(), sha256: hexadecimal(&Sha256::digest(bytes)) }
     }
+
+    pub(crate) fn path(&self) -> &str {
+        &self.path
+    }
+
+    pub(crate) fn sha256(&self) -> &str {
+        &self.sha256
+    }
+}
+
+/// Returns two digits for each byte.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    let mut digits = String::new();
+    for byte in bytes {
+        // Writing to a string does not fail.
+        let _ = write!(digits, "{byte:02x}");
+    }
+    digits
 }
 
 /// Returns the bytes of a file, or of standard input for [`STANDARD_STREAM`].

@@ -3,10 +3,10 @@
 mod bytes;
 
 use crate::failure::Failure;
-pub(crate) use bytes::{STANDARD_STREAM, Source};
+pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{Error, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result};
 use serde::Serialize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Reads the model in a file, or in standard input for `-`, of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
 /// content, and prints the faces left out and the notes on others.
@@ -14,8 +14,47 @@ use std::path::Path;
 /// # Errors
 /// Those of [`bytes::bytes`], [`Model::from_file`] and [`PreparedModel`], all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
-    let input = bytes::bytes(path).and_then(|bytes| parse(path, bytes));
-    let input = input.map_err(|error| Failure::Model { path: path.to_owned(), error })?;
+    File::open(path)?.read()
+}
+
+/// A file whose bytes are read.
+pub(crate) struct File {
+    path: PathBuf,
+    bytes: Vec<u8>,
+    source: Source,
+}
+
+impl File {
+    /// Reads the bytes.
+    ///
+    /// # Errors
+    /// Those of [`bytes::bytes`], with the path.
+    pub(crate) fn open(path: &Path) -> std::result::Result<Self, Failure> {
+        let bytes = bytes::bytes(path).map_err(|error| Failure::Model { path: path.to_owned(), error })?;
+        let source = Source::new(path, &bytes);
+        Ok(Self { path: path.to_owned(), bytes, source })
+    }
+
+    /// The path and the hash.
+    pub(crate) fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Reads the model, as [`read`].
+    ///
+    /// # Errors
+    /// Those of [`Model::from_file`] and [`PreparedModel`], all with the path.
+    pub(crate) fn read(self) -> std::result::Result<Input, Failure> {
+        let Self { path, bytes, source } = self;
+        let input = parse(&path, bytes, source);
+        let input = input.map_err(|error| Failure::Model { path: path.clone(), error })?;
+        print_notes(&path, &input);
+        Ok(input)
+    }
+}
+
+/// Prints the faces left out and the notes on others on standard error.
+fn print_notes(path: &Path, input: &Input) {
     for skipped in &input.report.read.skipped {
         let (path, face, why) = (path.display(), skipped.face, &skipped.why);
         let entity = skipped.entity.map(|entity| format!(" (#{entity})")).unwrap_or_default();
@@ -24,7 +63,6 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     for note in &input.report.read.notes {
         eprintln!("note: {}: face {}: {}", path.display(), note.face, note.why);
     }
-    Ok(input)
 }
 
 /// A model that was read.
@@ -59,8 +97,7 @@ pub(crate) struct CadReport {
     pub(crate) read: ReadReport,
 }
 
-fn parse(path: &Path, bytes: Vec<u8>) -> Result<Input> {
-    let source = Source::new(path, &bytes);
+fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
     if let Some(format) = path.to_str().and_then(MeshFormat::of_name) {
         return of_mesh(source, &bytes, format);
     }

@@ -5,17 +5,31 @@ use crate::failure::Failure;
 use crate::input::{Input, Source};
 use nurbs_hausdorff::{Error, Skipped};
 use serde::Serialize;
+use serde_json::value::{RawValue, to_raw_value};
 
 /// The version of the names and meanings in the JSON. It rises when one is removed or
 /// changes, not when one is added.
 const SCHEMA_VERSION: u32 = 1;
 
-/// A result of the files of A and B.
-#[derive(Serialize)]
+/// The versions, with which every object begins.
+#[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct OfFiles<'a, R> {
+pub(crate) struct Head {
     schema_version: u32,
     version: &'static str,
+}
+
+impl Head {
+    pub(crate) fn new() -> Self {
+        Self { schema_version: SCHEMA_VERSION, version: env!("CARGO_PKG_VERSION") }
+    }
+}
+
+/// A result of the files of A and B.
+#[derive(Serialize)]
+pub(crate) struct OfFiles<'a, R> {
+    #[serde(flatten)]
+    head: Head,
     files: Both<&'a Source>,
     #[serde(flatten)]
     result: &'a R,
@@ -33,8 +47,7 @@ struct Both<T> {
 impl<'a, R> OfFiles<'a, R> {
     pub(crate) fn new(result: &'a R, a: &'a Input, b: &'a Input) -> Self {
         Self {
-            schema_version: SCHEMA_VERSION,
-            version: env!("CARGO_PKG_VERSION"),
+            head: Head::new(),
             files: Both { a: &a.source, b: &b.source },
             result,
             skipped: Both { a: &a.report.read.skipped, b: &b.report.read.skipped },
@@ -44,10 +57,9 @@ impl<'a, R> OfFiles<'a, R> {
 
 /// A result of one file.
 #[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
 pub(crate) struct OfFile<'a, R> {
-    schema_version: u32,
-    version: &'static str,
+    #[serde(flatten)]
+    head: Head,
     file: &'a Source,
     #[serde(flatten)]
     result: &'a R,
@@ -55,8 +67,7 @@ pub(crate) struct OfFile<'a, R> {
 
 impl<'a, R> OfFile<'a, R> {
     pub(crate) fn new(result: &'a R, source: &'a Source) -> Self {
-        let version = env!("CARGO_PKG_VERSION");
-        Self { schema_version: SCHEMA_VERSION, version, file: source, result }
+        Self { head: Head::new(), file: source, result }
     }
 }
 
@@ -73,6 +84,14 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
 /// # Errors
 /// [`Error::JsonShape`] for what JSON cannot hold.
 pub(crate) fn line(value: &impl Serialize) -> Result<String, Failure> {
-    let json = serde_json::to_string(value).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-    Ok(format!("{json}\n"))
+    Ok(format!("{}\n", raw(value)?))
+}
+
+/// One JSON object, written once.
+///
+/// # Errors
+/// As [`line`].
+pub(crate) fn raw(value: &impl Serialize) -> Result<Box<RawValue>, Failure> {
+    let found = |error: serde_json::Error| Error::JsonShape { found: error.to_string() };
+    Ok(to_raw_value(value).map_err(found)?)
 }

@@ -6,6 +6,7 @@ export type ArgumentType =
   | "number"
   | "integer"
   | "path"
+  | "text"
   | "translation"
   | "rotation"
   | "choice";

@@ -1,65 +1,102 @@
 import type { DiffOptions, DiffResult, FaceDifference, FaceState } from "../../measure/diff.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { isJudged, readModel } from "../files.js";
-import { ofFiles, printJson } from "../output/json.js";
+import { isJudged } from "../files.js";
+import { ofFiles } from "../output/json.js";
 import { full } from "../output/numbers.js";
-import { print } from "../output/output.js";
 import { Progress } from "../output/progress.js";
 import { GAPS_DECIDE } from "../output/report.js";
+import { comparePairs } from "../pairs/pairs.js";
+import type { Verdict } from "../reports/answer.js";
 import { libraryOptions } from "./library-options.js";
 
 /** The largest number of faces of one model and state that the table lists; JSON has all. */
 const MAX_LISTED = 100;
 
-const STATUSES: Readonly<Record<FaceState, number>> = { unchanged: 0, changed: 1, undecided: 3 };
+const VERDICTS: Readonly<Record<FaceState, Verdict>> = {
+  unchanged: "passed",
+  changed: "failed",
+  undecided: "undecided",
+};
 
 /** Compares the models face by face, prints the differences and returns the exit status. */
 export async function diff(values: Invocation["values"]): Promise<number> {
   using hd = await Hausdorff.create({ backend: "cpu" });
-  using a = await readModel(String(values.get("a")));
-  using b = await readModel(String(values.get("b")));
-  const progress = new Progress();
-  const options: DiffOptions = { ...libraryOptions(values), onProgress: progress.report };
-  const result = await hd.diff(a.model, b.model, options).finally(() => progress.end());
-  const state = isJudged(a, b, values.has("allow-skipped")) ? result.state : "undecided";
-  const withGaps = state === result.state ? result.withGaps : state;
-  const shown = { ...result, state, withGaps };
-  if (values.has("json")) printJson(ofFiles(shown, a, b));
-  else print(text(shown));
-  return STATUSES[values.has("strict-gaps") ? withGaps : state];
+  const options: DiffOptions = libraryOptions(values);
+  const [allowsSkipped, isStrict] = [values.has("allow-skipped"), values.has("strict-gaps")];
+  return await comparePairs(values, {
+    command: "diff",
+    options: { ...options, allowsSkipped, isStrict },
+    compare: async (a, b) => {
+      const progress = new Progress();
+      const onProgress = progress.report;
+      const result = await hd
+        .diff(a.model, b.model, { ...options, onProgress })
+        .finally(() => progress.end());
+      const state = isJudged(a, b, allowsSkipped) ? result.state : "undecided";
+      const withGaps = state === result.state ? result.withGaps : state;
+      const shown = { ...result, state, withGaps };
+      const word = isStrict ? withGaps : state;
+      const isTimed = options.maxSeconds !== undefined && result.state === "undecided";
+      return {
+        verdict: VERDICTS[word],
+        word,
+        summary: summary(shown),
+        findings: findings(shown),
+        text: text(shown),
+        seconds: result.seconds.prepare + result.seconds.solve,
+        repeatable: !isTimed,
+        json: ofFiles(shown, a, b),
+      };
+    },
+  });
+}
+
+/** Ends a line with a verdict that does not hold for every reading of the files. */
+const doubt = ({ state, withGaps }: DiffResult): string => (withGaps === state ? "" : GAPS_DECIDE);
+
+/** The numbers of faces in each state. */
+function counts(faces: FaceDifference[]): string {
+  return (["unchanged", "changed", "undecided"] as const)
+    .map((state) => `${faces.filter((face) => face.state === state).length} ${state}`)
+    .join(", ");
+}
+
+function summary(result: DiffResult): string {
+  const [a, b] = [result.facesOfA, result.facesOfB].map(counts);
+  return `faces of A: ${a}; of B: ${b}; limit ${full(result.limit)}${doubt(result)}`;
+}
+
+/** A line for each face that is not unchanged, those that changed first. */
+function findings({ facesOfA, facesOfB }: DiffResult): string[] {
+  const models = [
+    ["A", facesOfA, "a"],
+    ["B", facesOfB, "b"],
+  ] as const;
+  return (["changed", "undecided"] as const).flatMap((state) =>
+    models.flatMap(([name, faces, side]) => {
+      const listed = largestFirst(faces.filter((face) => face.state === state));
+      const lines = listed.slice(0, MAX_LISTED).map(({ face, lower, upper, witness }) => {
+        const { point, faceName } = witness[side];
+        const named = faceName ? ` (${faceName})` : "";
+        const interval = `[${full(lower)}, ${full(upper)}]`;
+        return `${name} face ${face}${named} ${state}: ${interval} at ${point.map(full).join(" ")}`;
+      });
+      const more = listed.length - MAX_LISTED;
+      return more > 0 ? [...lines, `and ${more} more faces of ${name} ${state}`] : lines;
+    }),
+  );
 }
 
 function text(result: DiffResult): string {
-  const models = [
-    ["A", result.facesOfA, "a"],
-    ["B", result.facesOfB, "b"],
-  ] as const;
-  const doubt = result.withGaps === result.state ? "" : GAPS_DECIDE;
-  const lines = [`models     ${result.state} at a limit of ${full(result.limit)}${doubt}`];
-  for (const [name, faces] of models) {
-    const [unchanged, changed, undecided] = (["unchanged", "changed", "undecided"] as const).map(
-      (state) => faces.filter((face) => face.state === state).length,
-    );
-    lines.push(
-      `faces of ${name} ${unchanged} unchanged, ${changed} changed, ${undecided} undecided`,
-    );
-  }
-  for (const state of ["changed", "undecided"] as const) {
-    for (const [name, faces, side] of models) {
-      const listed = largestFirst(faces.filter((face) => face.state === state));
-      lines.push(
-        ...listed.slice(0, MAX_LISTED).map(({ face, lower, upper, witness }) => {
-          const place = witness[side].point.map(full).join(" ");
-          return `${state.padEnd(10)} ${name} face ${face}: [${full(lower)}, ${full(upper)}] at ${place}`;
-        }),
-      );
-      const more = listed.length - MAX_LISTED;
-      if (more > 0) lines.push(`           and ${more} more faces of ${name}`);
-    }
-  }
   const { prepare, solve } = result.seconds;
-  lines.push(`seconds    ${prepare.toFixed(3)} prepare, ${solve.toFixed(3)} solve`);
+  const lines = [
+    `models     ${result.state} at a limit of ${full(result.limit)}${doubt(result)}`,
+    `faces of A ${counts(result.facesOfA)}`,
+    `faces of B ${counts(result.facesOfB)}`,
+    ...findings(result),
+    `seconds    ${prepare.toFixed(3)} prepare, ${solve.toFixed(3)} solve`,
+  ];
   return `${lines.join("\n")}\n`;
 }
 

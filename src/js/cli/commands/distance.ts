@@ -2,17 +2,14 @@ import type { DistanceOptions } from "../../measure/options.js";
 import type { DistanceResult } from "../../measure/result.js";
 import { Hausdorff } from "../../node.js";
 import type { Invocation } from "../arguments/arguments.js";
-import { isJudged, readModel } from "../files.js";
-import { ofFiles, printJson } from "../output/json.js";
-import { print } from "../output/output.js";
+import { isJudged } from "../files.js";
+import { ofFiles } from "../output/json.js";
+import { full } from "../output/numbers.js";
 import { Progress } from "../output/progress.js";
 import { text } from "../output/report.js";
+import { comparePairs } from "../pairs/pairs.js";
+import type { Answer } from "../reports/answer.js";
 import { libraryOptions } from "./library-options.js";
-
-/** Exit statuses with `--limit`. */
-const WITHIN = 0;
-const BEYOND = 1;
-const UNDECIDED = 3;
 
 type Values = Invocation["values"];
 
@@ -23,21 +20,51 @@ export async function distance(values: Values): Promise<number> {
   const staged = (options.method ?? "certified") !== "certified" || options.deviations === true;
   const backend = options.backend ?? "auto";
   using hd = await Hausdorff.create({ backend: staged || backend === "gpu" ? backend : "cpu" });
-  using a = await readModel(String(values.get("a")));
-  using b = await readModel(String(values.get("b")));
-  const progress = new Progress();
-  const onProgress = progress.report;
-  const result = await hd
-    .distance(a.model, b.model, { ...options, onProgress })
-    .finally(() => progress.end());
+  const [allowsSkipped, isStrict] = [values.has("allow-skipped"), values.has("strict-gaps")];
   const { limit } = options;
-  const judged = limit === undefined || isJudged(a, b, values.has("allow-skipped"));
-  if (!judged) forgetVerdict(result);
-  if (values.has("json")) printJson(ofFiles(withoutDeviations(result), a, b));
-  else print(text(result));
-  if (limit === undefined) return WITHIN;
-  if (!judged) return UNDECIDED;
-  return values.has("strict-gaps") ? strict(result.withGaps.within) : verdict(result, limit);
+  return await comparePairs(values, {
+    command: "distance",
+    options: { ...options, allowsSkipped, isStrict },
+    compare: async (a, b) => {
+      const progress = new Progress();
+      const onProgress = progress.report;
+      const result = await hd
+        .distance(a.model, b.model, { ...options, onProgress })
+        .finally(() => progress.end());
+      const judged = limit === undefined || isJudged(a, b, allowsSkipped);
+      if (!judged) forgetVerdict(result);
+      const within = !judged
+        ? undefined
+        : isStrict
+          ? result.withGaps.within
+          : verdict(result, limit);
+      const { prepare, compile, solve } = result.seconds;
+      return {
+        ...(limit === undefined ? COMPUTED : judgement(within)),
+        summary: summary(result),
+        findings: [],
+        text: text(result),
+        seconds: prepare + compile + solve,
+        repeatable: result.converged || (limit !== undefined && within !== undefined),
+        json: ofFiles(withoutDeviations(result), a, b),
+      };
+    },
+  });
+}
+
+/** The judgement of a distance without a limit. */
+const COMPUTED: Judgement = { verdict: "passed", word: "computed" };
+
+type Judgement = Pick<Answer, "verdict" | "word">;
+
+function judgement(within: boolean | undefined): Judgement {
+  if (within === undefined) return { verdict: "undecided", word: "undecided" };
+  return within ? { verdict: "passed", word: "within" } : { verdict: "failed", word: "beyond" };
+}
+
+function summary({ lower, upper, gap }: DistanceResult): string {
+  const gaps = gap > 0 ? `, gap ${full(gap)}` : "";
+  return `distance in [${full(lower)}, ${full(upper)}]${gaps}`;
 }
 
 /** The result without its samples, which the native command does not print either. */
@@ -58,14 +85,8 @@ function forgetVerdict(result: DistanceResult): void {
   }
 }
 
-/** The exit status of a verdict that holds for every reading of the files. */
-function strict(within: boolean | undefined): number {
-  if (within === undefined) return UNDECIDED;
-  return within ? WITHIN : BEYOND;
-}
-
-/** The exit status that follows from the interval and the limit, for all methods. */
-function verdict({ lower, upper }: DistanceResult, limit: number): number {
-  if (upper <= limit) return WITHIN;
-  return lower > limit ? BEYOND : UNDECIDED;
+/** The verdict that follows from the interval and the limit, for all methods. */
+function verdict({ lower, upper }: DistanceResult, limit = Infinity): boolean | undefined {
+  if (upper <= limit) return true;
+  return lower > limit ? false : undefined;
 }

@@ -2,7 +2,10 @@ import type { Transform } from "../../measure/options.js";
 import type { Invocation } from "../arguments/arguments.js";
 
 /** The arguments that are no options of the library. */
-const OWN = new Set(["a", "b", "json", "allow-skipped", "strict-gaps", "translate", "rotate"]);
+const OWN = new Set([
+  ...["a", "b", "json", "format", "include", "reuse"],
+  ...["allow-skipped", "strict-gaps", "translate", "rotate"],
+]);
 
 /** The library's options; their names are the arguments' in camel case. */
 export function libraryOptions(values: Invocation["values"]): object {

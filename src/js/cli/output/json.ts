@@ -23,6 +23,9 @@ interface Origin {
   model: { report: CadReport | null };
 }
 
+/** A result with the versions. */
+export const ofVersion = (result: object): object => ({ ...head(), ...result });
+
 /** A result of the files of A and B, with its origin and the faces left out of them. */
 export function ofFiles(result: object, a: Origin, b: Origin): object {
   const files = { a: a.source, b: b.source };

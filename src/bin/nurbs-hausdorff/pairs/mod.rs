@@ -1,0 +1,95 @@
+//! Two files, or the files of two directories, compared by one command.
+
+mod earlier;
+mod tree;
+
+use crate::arguments::{Pair, Reporting};
+use crate::failure::Failure;
+use crate::input::{File, Input};
+use crate::output::{json::print_json, print};
+use crate::reports::{Answer, Format, Outcome, Row, Rows, print_report};
+use earlier::Earlier;
+use nurbs_hausdorff::Error;
+use std::path::Path;
+
+/// What a command does with a pair.
+pub(crate) trait Comparison {
+    /// The command's name.
+    const NAME: &'static str;
+
+    /// Everything but the files on which the answer depends.
+    fn options(&self) -> String;
+
+    /// Compares two models.
+    ///
+    /// # Errors
+    /// Those of the computation.
+    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure>;
+}
+
+/// Compares, prints and returns the exit status.
+///
+/// # Errors
+/// Those of a pair of files, unless the format has a place for them; of a directory beside a file.
+pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison: &C) -> Result<u8, Failure> {
+    let Pair { a, b } = pair;
+    let comparer =
+        Comparer { comparison, earlier: reporting.reuse.as_deref().map(Earlier::new).transpose()? };
+    let format = reporting.format();
+    let rows = match (a.is_dir(), b.is_dir()) {
+        (true, true) => tree::pairs(a, b, reporting.include.as_deref())?
+            .into_iter()
+            .map(|pair| comparer.row(pair.path, pair.a.as_deref(), pair.b.as_deref()))
+            .collect(),
+        (false, false) if format.is_report() => {
+            vec![comparer.row(b.display().to_string(), Some(a), Some(b))]
+        }
+        (false, false) => {
+            let answer = comparer.answer(a, b)?;
+            match format {
+                Format::Json => print_json(&answer.json)?,
+                _ => print(&answer.text)?,
+            }
+            return Ok(answer.verdict.status());
+        }
+        _ => {
+            let found = format!("{} and {} are a directory and a file", a.display(), b.display());
+            return Err(Error::OptionInvalid { found }.into());
+        }
+    };
+    let names = [a, b].map(|path| path.display().to_string());
+    print_report(&Rows::new(C::NAME, names, rows), format)
+}
+
+struct Comparer<'a, C> {
+    comparison: &'a C,
+    earlier: Option<Earlier>,
+}
+
+impl<C: Comparison> Comparer<'_, C> {
+    fn row(&self, path: String, a: Option<&Path>, b: Option<&Path>) -> Row {
+        let outcome = match (a, b) {
+            (Some(a), Some(b)) => match self.answer(a, b) {
+                Ok(answer) => Outcome::Answered(Box::new(answer)),
+                Err(failure) => Outcome::Failed { code: failure.code(), message: failure.to_string() },
+            },
+            (None, _) => Outcome::Added,
+            (_, None) => Outcome::Removed,
+        };
+        Row { path, outcome }
+    }
+
+    fn answer(&self, a: &Path, b: &Path) -> Result<Answer, Failure> {
+        let (a, b) = (File::open(a)?, File::open(b)?);
+        let Some(earlier) = &self.earlier else {
+            return self.comparison.compare(&a.read()?, &b.read()?);
+        };
+        let key = earlier::key(C::NAME, &self.comparison.options(), [&a, &b]);
+        if let Some(answer) = earlier.find(&key) {
+            return Ok(answer);
+        }
+        let answer = self.comparison.compare(&a.read()?, &b.read()?)?;
+        earlier.keep(&key, &answer)?;
+        Ok(answer)
+    }
+}

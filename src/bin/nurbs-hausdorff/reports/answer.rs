@@ -1,0 +1,47 @@
+//! The answer to one pair, in words and as JSON.
+
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+
+/// How a pair was judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Verdict {
+    /// Within the limit, or there was none to judge by.
+    Passed,
+    /// Beyond the limit.
+    Failed,
+    /// Neither is certain.
+    Undecided,
+}
+
+impl Verdict {
+    /// The exit status.
+    pub(crate) fn status(self) -> u8 {
+        match self {
+            Self::Passed => 0,
+            Self::Failed => 1,
+            Self::Undecided => 3,
+        }
+    }
+}
+
+/// The answer to one pair.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Answer {
+    pub(crate) verdict: Verdict,
+    /// The verdict in the command's word, such as `unchanged`.
+    pub(crate) word: String,
+    /// The answer in one line.
+    pub(crate) summary: String,
+    /// A line for each place that matters, such as a face that changed.
+    pub(crate) findings: Vec<String>,
+    /// The lines for people who compare one pair.
+    pub(crate) text: String,
+    /// Seconds of preparing and searching.
+    pub(crate) seconds: f64,
+    /// Whether the same call on another machine gives the same verdict: no budget ended the search.
+    pub(crate) repeatable: bool,
+    /// What `--format json` prints.
+    pub(crate) json: Box<RawValue>,
+}

@@ -1,0 +1,47 @@
+//! The report as a page for browsers, in one file.
+
+use super::{Row, Rows};
+use quick_xml::escape::escape;
+use std::fmt::Write;
+
+/// The style, which the report of the npm package has as well.
+const STYLE: &str = include_str!("../../../js/cli/reports/report.css");
+
+/// The page up to its style.
+const HEAD: &str = r#"<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<style>
+"#;
+
+/// Returns the page: the counts, and a table of the pairs with their findings.
+pub(super) fn report(rows: &Rows) -> String {
+    let title = format!("nurbs-hausdorff {}: {}", rows.command, rows.counts());
+    let mut text = HEAD.to_owned();
+    // Writing to a string does not fail.
+    let _ = write!(
+        text,
+        "{STYLE}</style>\n<title>{title}</title>\n<h1>{title}</h1>\n<p>A: {} <br>B: {}</p>\n",
+        escape(&rows.a),
+        escape(&rows.b)
+    );
+    text.push_str("<table>\n<thead><tr><th>File</th><th>Result</th><th></th></tr></thead>\n<tbody>\n");
+    rows.rows.iter().for_each(|row| line(&mut text, row));
+    text.push_str("</tbody>\n</table>\n</html>\n");
+    text
+}
+
+fn line(text: &mut String, row: &Row) {
+    let (path, word, summary) = (escape(&row.path), row.word(), row.summary());
+    let findings: String =
+        row.findings().iter().map(|finding| format!("<li>{}</li>", escape(finding.as_str()))).collect();
+    let list = if findings.is_empty() { String::new() } else { format!("<ul>{findings}</ul>") };
+    // Writing to a string does not fail.
+    let _ = writeln!(
+        text,
+        "<tr class=\"status-{}\"><td>{path}</td><td>{word}</td><td>{}{list}</td></tr>",
+        row.status(),
+        escape(&summary)
+    );
+}

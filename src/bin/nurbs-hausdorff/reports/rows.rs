@@ -1,0 +1,129 @@
+//! The rows of a report, a pair of files each.
+
+use super::{Answer, Verdict};
+use crate::output::json::Head;
+use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
+
+/// All pairs of a call.
+#[derive(Debug, Serialize)]
+pub(crate) struct Rows {
+    #[serde(flatten)]
+    head: Head,
+    /// The command that compared them.
+    pub(crate) command: &'static str,
+    /// What was compared, as given.
+    pub(crate) a: String,
+    /// What it was compared with, as given.
+    pub(crate) b: String,
+    #[serde(rename = "pairs")]
+    pub(crate) rows: Vec<Row>,
+}
+
+/// A pair of files, or a file without a partner.
+#[derive(Debug)]
+pub(crate) struct Row {
+    /// The path relative to both directories, with `/` between its parts; or the path of B.
+    pub(crate) path: String,
+    pub(crate) outcome: Outcome,
+}
+
+/// The end of a comparison.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    /// It was answered.
+    Answered(Box<Answer>),
+    /// It failed.
+    Failed { code: &'static str, message: String },
+    /// The file is in B alone.
+    Added,
+    /// The file is in A alone.
+    Removed,
+}
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Error<'a> {
+            code: &'static str,
+            message: &'a str,
+        }
+        let mut row = serializer.serialize_struct("Row", 3)?;
+        row.serialize_field("path", &self.path)?;
+        row.serialize_field("state", self.word())?;
+        match &self.outcome {
+            Outcome::Answered(answer) => row.serialize_field("result", &answer.json)?,
+            Outcome::Failed { code, message } => row.serialize_field("error", &Error { code, message })?,
+            Outcome::Added | Outcome::Removed => {}
+        }
+        row.end()
+    }
+}
+
+impl Row {
+    /// The outcome in a word.
+    pub(crate) fn word(&self) -> &str {
+        match &self.outcome {
+            Outcome::Answered(answer) => &answer.word,
+            Outcome::Failed { .. } => "error",
+            Outcome::Added => "added",
+            Outcome::Removed => "removed",
+        }
+    }
+
+    /// The outcome in a line.
+    pub(crate) fn summary(&self) -> String {
+        match &self.outcome {
+            Outcome::Answered(answer) => answer.summary.clone(),
+            Outcome::Failed { code, message } => format!("{code}: {message}"),
+            Outcome::Added => "the file is in B alone".to_owned(),
+            Outcome::Removed => "the file is in A alone".to_owned(),
+        }
+    }
+
+    /// The lines on places.
+    pub(crate) fn findings(&self) -> &[String] {
+        match &self.outcome {
+            Outcome::Answered(answer) => &answer.findings,
+            _ => &[],
+        }
+    }
+
+    /// The exit status of this pair alone.
+    pub(crate) fn status(&self) -> u8 {
+        match &self.outcome {
+            Outcome::Answered(answer) => answer.verdict.status(),
+            Outcome::Failed { .. } => crate::FAILED,
+            Outcome::Added | Outcome::Removed => Verdict::Failed.status(),
+        }
+    }
+}
+
+impl Rows {
+    pub(crate) fn new(command: &'static str, [a, b]: [String; 2], rows: Vec<Row>) -> Self {
+        Self { head: Head::new(), command, a, b, rows }
+    }
+
+    /// The exit status: of a pair that failed, else of one that is beyond the limit, was added or
+    /// removed, else of one that is undecided.
+    pub(crate) fn status(&self) -> u8 {
+        let has = |status: u8| self.rows.iter().any(|row| row.status() == status);
+        [crate::FAILED, Verdict::Failed.status(), Verdict::Undecided.status()]
+            .into_iter()
+            .find(|&status| has(status))
+            .unwrap_or(Verdict::Passed.status())
+    }
+
+    /// The words of all rows with their numbers, in the order of their first row: `3 unchanged, 1 added`.
+    pub(crate) fn counts(&self) -> String {
+        let mut counts: Vec<(&str, usize)> = Vec::new();
+        for row in &self.rows {
+            match counts.iter_mut().find(|(word, _)| *word == row.word()) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((row.word(), 1)),
+            }
+        }
+        let counts: Vec<String> = counts.iter().map(|(word, count)| format!("{count} {word}")).collect();
+        counts.join(", ")
+    }
+}
