@@ -1,13 +1,9 @@
-"""Models: files, shapes of CAD kernels and arrays, read and prepared once."""
+"""Models, read and prepared once."""
 
 from __future__ import annotations
 
-import io
-import json
-import os
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,6 +53,18 @@ class ReadReport:
 
 
 @dataclass(frozen=True)
+class MeshReport:
+    """Findings about a mesh that do not make it invalid: the numbers of vertices that were joined
+    with an equal one and of those without a triangle, of triangles with two equal corners and of
+    others whose corners lie on a line."""
+
+    joined_vertices: int
+    unused_vertices: int
+    collapsed_triangles: int
+    flat_triangles: int
+
+
+@dataclass(frozen=True)
 class Mesh:
     """Triangles of a model.
 
@@ -78,44 +86,68 @@ class Mesh:
     face_of_triangle: NDArray[np.int64]
 
 
+@dataclass(frozen=True, eq=False)
+class Facets:
+    """Vertices of shape (n, 3) with triangles of shape (m, 3), or points without, and the metres
+    per unit."""
+
+    vertices: NDArray[np.float64]
+    triangles: NDArray[np.uint32] | None = None
+    unit: float | None = None
+
+
 class Model:
     """A model that is ready for measurements, made by `read` or `model`.
 
-    It does not change, can be used by several threads at once, and pickles by its file's bytes.
+    It does not change, can be used by several threads at once, and pickles by its file's bytes
+    or by its arrays.
     """
 
-    __slots__ = ("_file", "_native", "_path", "__weakref__")
+    __slots__ = ("_source", "_native", "_path", "__weakref__")
 
-    def __init__(self, file: bytes, path: str = "model") -> None:
+    def __init__(self, source: bytes | Facets, path: str = "model") -> None:
         try:
-            self._native = _native.Model(file, path)
+            if isinstance(source, Facets):
+                self._native = _native.Model.of_facets(
+                    source.vertices.reshape(-1),
+                    None if source.triangles is None else source.triangles.reshape(-1),
+                    source.unit,
+                )
+            else:
+                self._native = _native.Model(source, path)
         except NurbsHausdorffError as error:
             message = error.message if path in error.message else f"{path}: {error.message}"
             raise NurbsHausdorffError(error.code, message) from None
-        self._file = file
+        self._source = source
         self._path = path
 
-    def __reduce__(self) -> tuple[type[Model], tuple[bytes, str]]:
-        return Model, (self._file, self._path)
+    def __reduce__(self) -> tuple[type[Model], tuple[bytes | Facets, str]]:
+        return Model, (self._source, self._path)
 
     def __repr__(self) -> str:
-        return f"<Model {self.name or self._path!r}: {self.face_count} faces>"
+        return f"<Model {self.name or self._path!r}: {self._size()}>"
+
+    def _size(self) -> str:
+        count = self.facet_count
+        if count is None:
+            return f"{self.face_count} faces"
+        return f"{count} {'triangles' if self.kind == 'mesh' else 'points'}"
 
     def _repr_html_(self) -> str:
-        from ._results import _table
+        from ._results.common import table
 
         low, high = self.bounding_box.tolist()
         rows = [
             ("model", self.name or self._path),
-            ("faces", f"{self.face_count}, {len(self.report.skipped)} left out"),
+            ("size", f"{self._size()}, {len(self.report.skipped)} faces left out"),
             ("box", f"{low} to {high}"),
             ("unit", "unknown" if self.unit is None else f"{self.unit!r} m"),
         ]
-        return _table(rows)
+        return table(rows)
 
     @property
     def kind(self) -> str:
-        """Kind of the source: ``step``, ``iges``, ``brep`` or ``json``."""
+        """Kind of the source: ``step``, ``iges``, ``brep``, ``json``, ``mesh`` or ``points``."""
         return self._native.kind
 
     @property
@@ -132,6 +164,17 @@ class Model:
     def gap(self) -> float:
         """Largest distance between the model and its source, in model units."""
         return self._native.gap
+
+    @property
+    def facet_count(self) -> int | None:
+        """Number of triangles of a mesh or of points; None of surfaces."""
+        return self._native.facet_count
+
+    @property
+    def mesh_report(self) -> MeshReport | None:
+        """Findings about a mesh; None of anything else."""
+        report = self._native.mesh_report()
+        return None if report is None else MeshReport(**_names.snake(report))
 
     @property
     def face_count(self) -> int:
@@ -185,137 +228,3 @@ class Model:
             made["triangles"].reshape(-1, 3),
             np.repeat(np.arange(len(ends)), np.diff(ends, prepend=0)),
         )
-
-
-def read(source: str | os.PathLike[str] | bytes | BinaryIO) -> Model:
-    """Read a file of STEP, IGES, OpenCASCADE's BREP text or interchange JSON, by its content.
-
-    Parameters
-    ----------
-    source : path, bytes or binary file object
-        The file.
-
-    Raises
-    ------
-    NurbsHausdorffError
-        ``FILE_UNREADABLE``, or a code of the format, such as ``STEP_SYNTAX``.
-    """
-    if isinstance(source, (bytes, bytearray, memoryview)):
-        return Model(bytes(source))
-    if hasattr(source, "read"):
-        found = source.read()
-        data = found.encode() if isinstance(found, str) else bytes(found)
-        return Model(data, str(getattr(source, "name", "model")))
-    path = os.fspath(source)
-    try:
-        with open(path, "rb") as file:
-            return Model(file.read(), str(path))
-    except OSError as error:
-        raise NurbsHausdorffError("FILE_UNREADABLE", f"{path}: {error.strerror}") from error
-
-
-def model(part: Any) -> Model:
-    """Make a model of anything that has NURBS surfaces.
-
-    Parameters
-    ----------
-    part : Model, path, bytes, file object, shape, mapping or iterable of mappings
-        A shape of build123d, CadQuery or OCP; interchange JSON as a mapping, or its surfaces:
-        ``degree`` (2,), ``knots_u``, ``knots_v``, and ``ctrl`` of shape (m, n, 4) with weights
-        that are not multiplied in, or (m, n, 3); the arrays may be NumPy's.
-
-    Raises
-    ------
-    NurbsHausdorffError
-        ``ARGUMENT_INVALID`` for anything else, and the codes of `read`.
-    """
-    if isinstance(part, Model):
-        return part
-    if isinstance(part, (str, os.PathLike, bytes)) or hasattr(part, "read"):
-        return read(part)
-    if isinstance(part, Mapping):
-        document = part if "surfaces" in part else {"surfaces": [part]}
-        return _of_arrays(document)
-    shape = _ocp_shape(part)
-    if shape is not None:
-        return Model(_brep_text(shape), type(part).__name__)
-    if isinstance(part, Iterable) and not hasattr(part, "dtype"):
-        surfaces = list(part)
-        if surfaces and all(isinstance(surface, Mapping) for surface in surfaces):
-            return _of_arrays({"surfaces": surfaces})
-    raise NurbsHausdorffError(
-        "ARGUMENT_INVALID",
-        f"found {type(part).__name__}, expected a path, bytes, a file object, a shape of "
-        "build123d, CadQuery or OCP, or surfaces as mappings",
-    )
-
-
-#: Keys of a surface in the interchange JSON.
-_SURFACE_KEYS = frozenset(
-    "degree knots_u knots_v ctrl trim reversed part kind gap gap_measured".split()
-)
-
-
-def _of_arrays(document: Mapping[str, Any]) -> Model:
-    def surface(index: int, given: Mapping[str, Any]) -> dict[str, Any]:
-        unknown = set(given) - _SURFACE_KEYS
-        if unknown:
-            raise NurbsHausdorffError(
-                "ARGUMENT_INVALID",
-                f"surface {index} has {sorted(unknown)}, expected keys of {sorted(_SURFACE_KEYS)}",
-            )
-        points = np.asarray(given.get("ctrl"), dtype=object if "ctrl" not in given else np.float64)
-        if points.ndim == 3 and points.shape[2] == 3:
-            weights = np.ones((*points.shape[:2], 1))
-            points = np.concatenate([points, weights], axis=2)
-        return {**given, "ctrl": points}
-
-    try:
-        surfaces = [surface(index, given) for index, given in enumerate(document["surfaces"])]
-        text = json.dumps({**document, "surfaces": surfaces}, default=_plain, allow_nan=False)
-    except (TypeError, ValueError) as error:
-        raise NurbsHausdorffError("ARGUMENT_INVALID", f"surfaces: {error}") from error
-    return Model(text.encode(), str(document.get("name") or "model"))
-
-
-def _plain(value: Any) -> Any:
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    raise TypeError(f"found {type(value).__name__}, expected numbers and arrays")
-
-
-def _ocp_shape(part: Any) -> Any:
-    """Return the shape of OCP that a part has, or None."""
-    if hasattr(part, "toCompound"):
-        part = part.toCompound()
-    elif callable(getattr(part, "vals", None)):
-        return _compound([_ocp_shape(value) for value in part.vals()])
-    elif hasattr(part, "part") and hasattr(part, "_obj"):
-        # A builder of build123d.
-        part = part.part
-    shape = getattr(part, "wrapped", part)
-    return shape if type(shape).__module__.startswith("OCP.") else None
-
-
-def _compound(shapes: list[Any]) -> Any:
-    if any(shape is None for shape in shapes):
-        return None
-    if len(shapes) == 1:
-        return shapes[0]
-    from OCP.BRep import BRep_Builder
-    from OCP.TopoDS import TopoDS_Compound
-
-    compound, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(compound)
-    for shape in shapes:
-        builder.Add(compound, shape)
-    return compound
-
-
-def _brep_text(shape: Any) -> bytes:
-    from OCP.BRepTools import BRepTools
-
-    write = getattr(BRepTools, "Write_s", None) or BRepTools.Write
-    stream = io.BytesIO()
-    write(shape, stream)
-    return stream.getvalue()

@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::measure::{closest_points, diff, distance, field};
+    use crate::measure::{clearance, closest_points, diff, distance, field, gaps};
     #[pymodule_export]
     use crate::model::Model;
 }

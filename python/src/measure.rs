@@ -1,4 +1,4 @@
-//! The four measurements.
+//! The measurements.
 
 use crate::convert::{self, Motion, to_dict};
 use crate::failure;
@@ -7,7 +7,8 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, NamedOptions, ClosestPointOptions, DiffOptions, DistanceResult, Engine, FieldOptions, MethodName, DistanceOptions,
+    Backend, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine,
+    FieldOptions, GapOptions, MethodName, NamedOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -82,6 +83,40 @@ pub(crate) fn diff<'py>(
     let engine = cpu(py);
     let compute =
         |caller: &mut Caller| engine.diff(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    to_dict(py, &run(py, report, compute, |_| false)?)
+}
+
+#[pyfunction]
+pub(crate) fn clearance<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: ClearanceOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.clearance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
+}
+
+#[pyfunction]
+pub(crate) fn gaps<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: GapOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.gaps(a.prepared(), b.prepared(), &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |_| false)?)
 }
 

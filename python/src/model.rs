@@ -3,30 +3,49 @@
 use crate::convert::to_dict;
 use crate::failure;
 use crate::running::on_live_threads;
-use numpy::IntoPyArray;
+use glam::DVec3;
+use numpy::{IntoPyArray, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
-use nurbs_hausdorff::{FileKind, ModelInfo, PreparedModel, ReadReport};
+use nurbs_hausdorff::{
+    Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport,
+    TriangleMesh,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 /// A model that was read and prepared, with the report on reading it.
 #[pyclass(frozen, module = "nurbs_hausdorff._native")]
 pub(crate) struct Model {
-    model: nurbs_hausdorff::Model,
+    content: Content,
     prepared: PreparedModel,
     report: ReadReport,
-    kind: FileKind,
+    kind: &'static str,
+}
+
+/// What is measured.
+enum Content {
+    Surfaces(nurbs_hausdorff::Model),
+    Facets { count: usize, mesh: Option<MeshReport>, unit: Option<f64> },
 }
 
 impl Model {
     pub(crate) fn prepared(&self) -> &PreparedModel {
         &self.prepared
     }
+
+    /// # Errors
+    /// `FACETS_UNSUPPORTED` of a mesh or a cloud, with what needs surfaces.
+    fn surfaces(&self, py: Python<'_>, found: &'static str) -> PyResult<&nurbs_hausdorff::Model> {
+        match &self.content {
+            Content::Surfaces(model) => Ok(model),
+            Content::Facets { .. } => Err(failure::of_error(py, &Error::FacetsUnsupported { found })),
+        }
+    }
 }
 
 #[pymethods]
 impl Model {
-    /// Reads and prepares a file; `path` names it in errors.
+    /// Reads and prepares a file; `path` names it in errors, and its ending tells meshes.
     #[new]
     fn new(py: Python<'_>, file: &Bound<'_, PyBytes>, path: &str) -> PyResult<Self> {
         let bytes = file.as_bytes();
@@ -34,19 +53,57 @@ impl Model {
         read.map_err(|error| failure::of_error(py, &error))
     }
 
+    /// Prepares triangles, or points if there are none.
+    #[staticmethod]
+    fn of_facets(
+        py: Python<'_>,
+        vertices: PyReadonlyArray1<'_, f64>,
+        triangles: Option<PyReadonlyArray1<'_, u32>>,
+        unit: Option<f64>,
+    ) -> PyResult<Self> {
+        // Copied, because other threads may write to the arrays meanwhile.
+        let vertices: Vec<f64> = vertices.as_array().to_vec();
+        let triangles: Option<Vec<u32>> = triangles.map(|triangles| triangles.as_array().to_vec());
+        let made = py.detach(|| on_live_threads(|| of_facets(&vertices, triangles.as_deref(), unit)))?;
+        made.map_err(|error| failure::of_error(py, &error))
+    }
+
     #[getter]
     fn kind(&self) -> &'static str {
-        self.kind.name()
+        self.kind
     }
 
     #[getter]
     fn name(&self) -> Option<&str> {
-        self.model.name()
+        match &self.content {
+            Content::Surfaces(model) => model.name(),
+            Content::Facets { .. } => None,
+        }
     }
 
     #[getter]
     fn unit(&self) -> Option<f64> {
-        self.model.unit()
+        match &self.content {
+            Content::Surfaces(model) => model.unit(),
+            Content::Facets { unit, .. } => *unit,
+        }
+    }
+
+    /// The number of triangles or points; none of surfaces.
+    #[getter]
+    fn facet_count(&self) -> Option<usize> {
+        match &self.content {
+            Content::Surfaces(_) => None,
+            Content::Facets { count, .. } => Some(*count),
+        }
+    }
+
+    /// The findings about a mesh; none of anything else.
+    fn mesh_report<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        match &self.content {
+            Content::Facets { mesh: Some(mesh), .. } => to_dict(py, mesh).map(Some),
+            _ => Ok(None),
+        }
     }
 
     #[getter]
@@ -62,7 +119,10 @@ impl Model {
 
     #[getter]
     fn face_names(&self) -> Vec<Option<String>> {
-        self.model.faces().map(|face| face.name().map(str::to_owned)).collect()
+        match &self.content {
+            Content::Surfaces(model) => model.faces().map(|face| face.name().map(str::to_owned)).collect(),
+            Content::Facets { .. } => vec![None],
+        }
     }
 
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -70,18 +130,21 @@ impl Model {
     }
 
     fn info<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let info = py.detach(|| on_live_threads(|| ModelInfo::of_prepared(&self.model, &self.prepared)))?;
+        let model = self.surfaces(py, "a description of faces and patches")?;
+        let info = py.detach(|| on_live_threads(|| ModelInfo::of_prepared(model, &self.prepared)))?;
         to_dict(py, &info)
     }
 
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        py.detach(|| self.model.to_json()).map_err(|error| failure::of_error(py, &error))
+        let model = self.surfaces(py, "a conversion to interchange JSON")?;
+        py.detach(|| model.to_json()).map_err(|error| failure::of_error(py, &error))
     }
 
     /// Returns triangles within the options' tolerance, as flat arrays.
     fn tessellate<'py>(&self, py: Python<'py>, options: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
         let options: TessellationOptions = crate::convert::options(options)?;
-        let made = py.detach(|| on_live_threads(|| tessellate(&self.model, &options)))?;
+        let model = self.surfaces(py, "a tessellation")?;
+        let made = py.detach(|| on_live_threads(|| tessellate(model, &options)))?;
         let made = made.map_err(|error| failure::of_error(py, &error))?;
         let mut vertices = Vec::with_capacity(made.positions.len());
         for position in made.positions.as_chunks::<3>().0 {
@@ -101,13 +164,41 @@ impl Model {
 
 /// Faces of a CAD file that cannot be cut into patches are left out, and reported.
 fn read(bytes: &[u8], path: &str) -> nurbs_hausdorff::Result<Model> {
+    if let Some(format) = MeshFormat::of_name(path) {
+        let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format)?;
+        return prepared(&facets, unit);
+    }
     let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes.to_vec(), path)?;
     let (model, prepared) = match kind {
-        FileKind::Json => {
+        nurbs_hausdorff::FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;
             (model, prepared)
         }
         _ => PreparedModel::new_skipping(model, &mut report)?,
     };
-    Ok(Model { model, prepared, report, kind })
+    Ok(Model { content: Content::Surfaces(model), prepared, report, kind: kind.name() })
+}
+
+fn of_facets(
+    vertices: &[f64],
+    triangles: Option<&[u32]>,
+    unit: Option<f64>,
+) -> nurbs_hausdorff::Result<Model> {
+    let vertices: Vec<DVec3> = vertices.as_chunks::<3>().0.iter().map(|&point| point.into()).collect();
+    let facets = match triangles {
+        Some(triangles) => Facets::Mesh(TriangleMesh::new(&vertices, triangles.as_chunks::<3>().0)?),
+        None => Facets::Cloud(PointCloud::new(vertices)?),
+    };
+    prepared(&facets, unit)
+}
+
+fn prepared(facets: &Facets, unit: Option<f64>) -> nurbs_hausdorff::Result<Model> {
+    let prepared = PreparedModel::of_facets(facets, unit)?;
+    let (kind, count, mesh) = match facets {
+        Facets::Mesh(mesh) => ("mesh", mesh.triangles().len(), Some(mesh.report())),
+        Facets::Cloud(cloud) => ("points", cloud.points().len(), None),
+        _ => return Err(Error::FacetsUnsupported { found: "a model of another kind" }),
+    };
+    let content = Content::Facets { count, mesh, unit };
+    Ok(Model { content, prepared, report: ReadReport::of_facets(unit), kind })
 }

@@ -57,8 +57,11 @@ def test_wrong_arguments_are_refused_by_a_code():
         with pytest.raises(nh.NurbsHausdorffError) as raised:
             nh.model(part)
         assert raised.value.code == code
-    with pytest.raises(nh.NurbsHausdorffError) as raised:
+    with pytest.raises(TypeError, match="tolerence"):
         nh.distance(sheet(), sheet(), tolerence=1e-3)
+    # Of another method.
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.distance(sheet(), sheet(), grid=8)
     assert raised.value.code == "OPTION_INVALID"
     with pytest.raises(nh.NurbsHausdorffError) as raised:
         nh.closest_points(sheet(), [1.0, 2.0])

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from ._results import Statistics
-
 Floats = NDArray[np.float64]
 Signs = Literal["solid", "faces"]
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Estimates over the area of the sampled model, without error bounds; ``area`` is in squares
+    of the model unit, all others are lengths."""
+
+    estimate: bool
+    area: float
+    mean: float
+    rms: float
+    signed_mean: float
+    median: float
+    percentile_95: float
+    percentile_99: float
 
 
 @dataclass(frozen=True)

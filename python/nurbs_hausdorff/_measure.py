@@ -1,0 +1,229 @@
+"""The measurements."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _names, _native, _transform
+from ._errors import NurbsHausdorffError
+from ._progress import Event, ProgressBar, reporter
+from ._results.clearance import ClearanceResult, GapsResult, clearance_result, gaps_result
+from ._results.closest import ClosestPoints
+from ._results.diff import DiffResult, diff_result
+from ._results.distance import DistanceResult, distance_result
+from ._results.field import Field, Statistics, field_parts
+from ._sources import model
+from ._transform import Transform
+
+Sampling = Literal["uniform", "arc-length"]
+
+
+def distance(
+    a: Any,
+    b: Any,
+    *,
+    symmetric: bool = False,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    limit: float | None = None,
+    max_seconds: float | None = None,
+    max_cells: int | None = None,
+    method: Literal["certified", "iteration", "hierarchy"] = "certified",
+    deviations: bool = False,
+    samples: int | None = None,
+    sampling: Sampling | None = None,
+    flatness: Literal["none", "loose", "tight", "curvature"] | None = None,
+    projection: Literal["newton", "tangent-plane"] | None = None,
+    culling: Literal["tree", "none"] | None = None,
+    iterations: int | None = None,
+    step_tolerance: float | None = None,
+    grid: int | None = None,
+    memory_budget: int | None = None,
+    backend: Literal["auto", "gpu", "cpu"] | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> DistanceResult:
+    """Return an interval that contains the directed distance from A to B.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    symmetric : bool
+        The larger of both directions.
+    tolerance, relative_tolerance : float, optional
+        Permitted width of the interval, in model units or as a fraction of the larger diagonal;
+        1e-6 of it if neither is given.
+    limit : float, optional
+        Length that the verdict ``within`` is about, in model units; the search ends with it.
+    max_seconds, max_cells : optional
+        Budgets of each direction, after which the interval reached is returned.
+    method : {"certified", "iteration", "hierarchy"}
+        The two others replicate papers. ``samples``, ``sampling``, ``flatness``, ``projection``,
+        ``culling``, ``iterations`` and ``step_tolerance`` are for ``iteration``, ``grid`` and
+        ``memory_budget`` (in MiB) for ``hierarchy``.
+    deviations : bool
+        Adds the deviation at a grid of ``samples``.
+    backend : {"auto", "gpu", "cpu"}, optional
+        Processor of the kernels.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` with the interval reached.
+    """
+    options = _names.options(
+        symmetric=symmetric, tolerance=tolerance, relative_tolerance=relative_tolerance,
+        limit=limit, max_seconds=max_seconds, max_cells=max_cells, method=method,
+        deviations=deviations, samples=samples, sampling=sampling, flatness=flatness,
+        projection=projection, culling=culling, iterations=iterations,
+        step_tolerance=step_tolerance, grid=grid, memory_budget=memory_budget, backend=backend,
+        scale_units=scale_units,
+    )  # fmt: skip
+    data = _native.distance(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    parts = data.pop("deviations")
+    return distance_result(_names.snake(data), parts)
+
+
+def diff(
+    a: Any,
+    b: Any,
+    *,
+    limit: float = 1e-3,
+    max_cells: int | None = None,
+    max_seconds: float | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> DiffResult:
+    """Return the state of every face of both models at a limit, in model units."""
+    options = _names.options(
+        limit=limit, max_cells=max_cells, max_seconds=max_seconds, scale_units=scale_units
+    )
+    data = _native.diff(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    return diff_result(_names.snake(data))
+
+
+def clearance(
+    a: Any,
+    b: Any,
+    *,
+    limit: float | None = None,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    max_seconds: float | None = None,
+    max_cells: int | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> ClearanceResult:
+    """Return an interval that contains the least distance of both boundaries, and whether the
+    solids overlap. With ``limit`` the search ends when it is known whether they are that far
+    apart."""
+    options = _names.options(
+        limit=limit, tolerance=tolerance, relative_tolerance=relative_tolerance,
+        max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
+    )  # fmt: skip
+    data = _native.clearance(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    return clearance_result(_names.snake(data))
+
+
+def gaps(
+    a: Any,
+    b: Any,
+    *,
+    below: float,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    max_seconds: float | None = None,
+    max_cells: int | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> GapsResult:
+    """Return the pairs of faces that come nearer to each other than ``below``, in model units."""
+    options = _names.options(
+        below=below, tolerance=tolerance, relative_tolerance=relative_tolerance,
+        max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
+    )  # fmt: skip
+    data = _native.gaps(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    return gaps_result(_names.snake(data))
+
+
+def field(
+    a: Any,
+    b: Any,
+    *,
+    samples: int | None = None,
+    sampling: Sampling | None = None,
+    upper: float | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> Field:
+    """Return the deviation of A from B at a grid of samples of every surface of A."""
+    options = _names.options(
+        samples=samples, sampling=sampling, upper=upper, scale_units=scale_units
+    )
+    data = _native.field(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    statistics = _names.snake(data["statistics"])
+    return Field(
+        data["diagonal"],
+        None if statistics is None else Statistics(**statistics),
+        field_parts(data["deviations"]),
+    )
+
+
+def closest_points(
+    part: Any,
+    points: ArrayLike,
+    *,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> ClosestPoints:
+    """Return the closest points of a model to points of shape (n, 3), in model units."""
+    given = np.asarray(points, dtype=np.float64)
+    if given.ndim != 2 or given.shape[1] != 3:
+        raise NurbsHausdorffError(
+            "ARGUMENT_INVALID", f"points have shape {given.shape}, expected (n, 3)"
+        )
+    options = _names.options(tolerance=tolerance, relative_tolerance=relative_tolerance)
+    found = _native.closest_points(
+        model(part)._native, np.ascontiguousarray(given).reshape(-1), options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    found["feet"] = found["feet"].reshape(-1, 3)
+    found["parameters"] = found["parameters"].reshape(-1, 2)
+    return ClosestPoints(**found)

@@ -1,0 +1,1 @@
+"""Results, as frozen dataclasses. Lengths are in model units."""

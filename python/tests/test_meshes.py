@@ -1,0 +1,121 @@
+"""Meshes and points with known answers."""
+
+import io
+import pickle
+import struct
+
+import numpy as np
+import pytest
+
+import nurbs_hausdorff as nh
+
+#: A square of side 2 about the origin, as two triangles.
+CORNERS = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def flat(height):
+    """The same square, at a height, as a surface."""
+    ctrl = (CORNERS + [0, 0, height])[[0, 3, 1, 2]].reshape(2, 2, 3)
+    return {"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1], "ctrl": ctrl}
+
+
+def stl():
+    facets = b"".join(
+        struct.pack("<12fH", 0, 0, 1, *CORNERS[triangle].ravel(), 0) for triangle in TRIANGLES
+    )
+    return bytes(80) + struct.pack("<I", len(TRIANGLES)) + facets
+
+
+def contains(result, expected):
+    return result.lower <= expected <= result.upper and result.upper - result.lower < 1e-5
+
+
+def test_meshes_and_points_at_either_side():
+    mesh = nh.model((CORNERS, TRIANGLES))
+    assert (mesh.kind, mesh.facet_count, mesh.mesh_report.joined_vertices) == ("mesh", 2, 0)
+    points = nh.model(np.array([[0, 0, 5], [3, 0, 0]], float))
+    assert (points.kind, points.facet_count, points.mesh_report) == ("points", 2, None)
+    assert contains(nh.distance(mesh, flat(3.0), symmetric=True), 3.0)
+    assert contains(nh.distance(flat(3.0), mesh), 3.0)
+    to_mesh = nh.distance(points, mesh)
+    assert contains(to_mesh, 5.0)
+    assert to_mesh.witness.a.index == 0 and to_mesh.witness.b.triangle in (0, 1)
+    assert sum(to_mesh.witness.b.barycentric) == pytest.approx(1.0)
+    # From the farthest corner to the nearer point.
+    assert contains(nh.distance(mesh, points), np.hypot(4.0, 1.0))
+    found = nh.closest_points(mesh, [[0, 0, 2], [2, 0, 0]])
+    assert np.allclose(found.distances, [2.0, 1.0])
+
+
+def test_an_inscribed_polyhedron_has_the_sag_of_its_chords():
+    count, radius = 12, 2.0
+    angles = 2 * np.pi * np.arange(count) / count
+    ring = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    vertices = np.vstack([np.insert(ring, 2, height, axis=1) for height in (0.0, 1.0)])
+    here, there = np.arange(count), (np.arange(count) + 1) % count
+    triangles = np.vstack(
+        [np.stack([here, there, there + count], 1), np.stack([here, there + count, here + count], 1)]
+    )
+    # The cylinder as four rational quadratic arcs of 90 degrees.
+    square = radius * np.array([[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]])
+    weights = np.where(np.arange(9) % 2, np.sqrt(0.5), 1.0)
+    ctrl = np.array([[[x, y, z, w] for z in (0.0, 1.0)] for (x, y), w in zip(square, weights, strict=True)])
+    cylinder = {
+        "degree": [2, 1],
+        "knots_u": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4],
+        "knots_v": [0, 0, 1, 1],
+        "ctrl": ctrl,
+    }
+    sag = radius * (1 - np.cos(np.pi / count))
+    mesh = (vertices, triangles)
+    assert contains(nh.distance(mesh, cylinder), sag)
+    assert contains(nh.distance(cylinder, mesh), sag)
+
+
+def test_files_of_meshes_are_known_by_their_ending(tmp_path):
+    path = tmp_path / "square.stl"
+    path.write_bytes(stl())
+    named = io.BytesIO(stl())
+    named.name = str(path)
+    for model in (nh.read(path), nh.read(stl(), format="stl"), nh.read(named)):
+        assert (model.kind, model.facet_count) == ("mesh", 2)
+        # Corners of an STL file stand in every triangle.
+        assert model.mesh_report.joined_vertices == 2
+    again = pickle.loads(pickle.dumps(nh.model((CORNERS, TRIANGLES))))
+    assert again.facet_count == 2 and "2 triangles" in repr(again)
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.read(b"no mesh", format="stl")
+    assert raised.value.code == "MESH_SYNTAX"
+
+
+def test_wrong_arrays_are_refused():
+    for part, code in [
+        (np.zeros((3, 2)), "ARGUMENT_INVALID"),
+        ((CORNERS, TRIANGLES + 0.5), "ARGUMENT_INVALID"),
+        ((CORNERS, TRIANGLES - 1), "TRIANGLE_INDEX"),
+        ((CORNERS, TRIANGLES + 2), "TRIANGLE_INDEX"),
+        (np.full((1, 3), np.nan), "POINT_OUT_OF_RANGE"),
+        (np.zeros((0, 3)), "NO_FACETS"),
+    ]:
+        with pytest.raises(nh.NurbsHausdorffError) as raised:
+            nh.model(part)
+        assert raised.value.code == code
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.model((CORNERS, TRIANGLES)).to_json()
+    assert raised.value.code == "FACETS_UNSUPPORTED"
+
+
+def test_meshes_of_trimesh_are_taken():
+    trimesh = pytest.importorskip("trimesh")
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    assert nh.model(ball).facet_count == len(ball.faces)
+    assert contains(nh.distance(trimesh.PointCloud([[0.0, 0.0, 4.0]]), flat(1.0)), 3.0)
+
+
+def test_meshes_of_pyvista_are_taken():
+    pyvista = pytest.importorskip("pyvista")
+    square = pyvista.Plane(i_size=2, j_size=2, i_resolution=3, j_resolution=2)
+    model = nh.model(square)
+    assert model.facet_count == 12 and contains(nh.distance(model, flat(0.5)), 0.5)
+    assert nh.model(pyvista.PolyData(CORNERS)).kind == "points"

@@ -1,0 +1,67 @@
+"""Clearances, gaps and fits with known answers."""
+
+import numpy as np
+import pytest
+
+import nurbs_hausdorff as nh
+
+
+def face(origin, u, v):
+    """A parallelogram, whose normal is along u x v."""
+    origin, u, v = (np.array(vector, float) for vector in (origin, u, v))
+    ctrl = np.array([[origin, origin + v], [origin + u, origin + u + v]])
+    return {"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1], "ctrl": ctrl}
+
+
+def box(low, size=(1.0, 1.0, 1.0)):
+    """The six faces of a box, their normals outward."""
+    low, size = np.array(low, float), np.array(size, float)
+    x, y, z = np.diag(size)
+    faces = [face(low, one, other) for one, other in ((y, x), (x, z), (z, y))]
+    high = low + size
+    return faces + [face(high, -one, -other) for one, other in ((x, y), (z, x), (y, z))]
+
+
+def test_clearance_of_boxes():
+    apart = nh.clearance(box((0, 0, 0)), box((2, 3, 0)))
+    # Along the diagonal of a gap of 1 by 2.
+    assert apart.lower <= np.sqrt(5.0) <= apart.upper and apart.upper - apart.lower < 1e-5
+    assert apart.converged and apart.overlap == nh.Overlap("none")
+    assert np.linalg.norm(np.subtract(apart.witness.a.point, apart.witness.b.point)) < apart.upper + 1e-9
+    for limit, expected in [(2.0, True), (2.5, False)]:
+        assert nh.clearance(box((0, 0, 0)), box((2, 3, 0)), limit=limit).at_least is expected
+    crossing = nh.clearance(box((0, 0, 0)), box((0.5, 0.5, 0.5)), limit=0.0)
+    assert crossing.overlap.kind == "intersecting" and crossing.at_least is False
+    assert all(0.5 < coordinate < 1.0 for coordinate in crossing.overlap.inside_both)
+    inside = nh.clearance(box((0, 0, 0), (4, 4, 4)), box((1, 1, 1)))
+    assert inside.overlap.kind == "contained" and inside.lower <= 1.0 <= inside.upper
+    assert "clearance" in inside._repr_html_()
+    moved = nh.clearance(box((0, 0, 0)), box((2, 0, 0)), transform=nh.Transform(translation=(0.5, 0, 0)))
+    assert moved.lower <= 0.5 <= moved.upper
+
+
+def test_gaps_list_the_pairs_of_faces():
+    found = nh.gaps(box((0, 0, 0)), box((1.25, 0, 0)), below=0.5)
+    nearest = found.pairs[0]
+    assert found.complete and nearest.lower <= 0.25 <= nearest.upper
+    # The face of A that looks at B is near five faces of B, all but the far one. Each of the four
+    # beside it is near the one that looks at A, and near three beside that: all but the opposite.
+    assert all(pair.lower <= 0.5 for pair in found.pairs) and len(found.pairs) == 5 + 4 * 4
+    assert nh.gaps(box((0, 0, 0)), box((1.25, 0, 0)), below=0.2).pairs == ()
+
+
+def test_best_fit_finds_a_known_motion():
+    turn = nh.Transform.from_matrix(
+        [[0.96, -0.28, 0, 0.1], [0.28, 0.96, 0, -0.05], [0, 0, 1, 0.02], [0, 0, 0, 1]]
+    )
+    body = box((0, 0, 0), (3, 2, 1))
+    moved = [
+        {**one, "ctrl": one["ctrl"] @ turn.matrix()[:3, :3].T + turn.translation} for one in body
+    ]
+    fit = nh.best_fit(body, moved)
+    assert fit.converged and fit.rms < 1e-8 < fit.rms_before
+    assert np.allclose(fit.transform.matrix(), turn.matrix(), atol=1e-7)
+    assert nh.distance(body, moved, transform=fit.transform, symmetric=True).upper < 1e-5
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.best_fit(body, moved, tolerance=1.0, relative_tolerance=1.0)
+    assert raised.value.code == "OPTION_INVALID"
