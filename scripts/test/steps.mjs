@@ -10,6 +10,7 @@ import { environment, Failure, must, which } from "../process.mjs";
 import { vulkan } from "../setup/lavapipe.mjs";
 import { toolsEnvironment } from "../setup/tools.mjs";
 import { checkBudget } from "./budget.mjs";
+import { testEngines } from "./engines.mjs";
 import { testPython } from "./python.mjs";
 
 // The command line is native only.
@@ -91,6 +92,12 @@ export const steps = [
     name: "python",
     what: "the Python package's wheel, its types and tests",
     run: testPython,
+  },
+  {
+    name: "engines",
+    what: "many pairs on Ray and on Spark, with a worker killed",
+    needs: ["python"],
+    run: testEngines,
   },
   {
     name: "wasm",

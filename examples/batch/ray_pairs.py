@@ -1,0 +1,39 @@
+"""Compares many pairs on a Ray cluster: python ray_pairs.py pairs.jsonl answers/
+
+The lines are those of `nurbs-hausdorff batch`; all nodes must see the files that they name. Ray
+repeats the batches of a worker that died, and writes each batch once.
+"""
+
+import os
+import sys
+
+import pairs
+import ray
+
+#: Lines that a worker takes at once: what is repeated if it dies.
+BATCH = 64
+
+
+class Compare:
+    """A worker, whose prepared models live as long as it does."""
+
+    def __call__(self, batch):
+        return {"answer": [pairs.answer(line) for line in batch["text"]]}
+
+
+def run(source, target, workers, compare=Compare):
+    """Answer the lines of a file into JSON files in a folder; `workers` is the least and the
+    largest number of processes, a core each."""
+    answers = ray.data.read_text(source).map_batches(
+        compare,
+        batch_size=BATCH,
+        num_cpus=1,
+        compute=ray.data.ActorPoolStrategy(min_size=workers[0], max_size=workers[1]),
+    )
+    answers.write_json(target)
+
+
+if __name__ == "__main__":
+    here = os.path.dirname(os.path.abspath(__file__))
+    ray.init(runtime_env={"working_dir": here})
+    run(sys.argv[1], sys.argv[2], (1, int(ray.cluster_resources()["CPU"])))
