@@ -22,8 +22,9 @@ class Compare:
 
 
 def run(source, target, workers, compare=Compare):
-    """Answer the lines of a file into JSON files in a folder; `workers` is the least and the
-    largest number of processes, a core each."""
+    """Answer the lines of a file into JSON files in a folder. `workers` is the least and the
+    largest number of processes, a core each: fewer than the cluster has, since reading and
+    writing need one."""
     answers = ray.data.read_text(source).map_batches(
         compare,
         batch_size=BATCH,
@@ -36,4 +37,4 @@ def run(source, target, workers, compare=Compare):
 if __name__ == "__main__":
     here = os.path.dirname(os.path.abspath(__file__))
     ray.init(runtime_env={"working_dir": here})
-    run(sys.argv[1], sys.argv[2], (1, int(ray.cluster_resources()["CPU"])))
+    run(sys.argv[1], sys.argv[2], (1, max(1, int(ray.cluster_resources()["CPU"]) - 1)))

@@ -80,8 +80,8 @@ def test_ray_with_two_nodes_and_a_killed_worker(lines, tmp_path):
                 die_once(marker, line)
             return super().__call__(batch)
 
-    cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
-    cluster.add_node(num_cpus=1)
+    cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 2})
+    cluster.add_node(num_cpus=2)
     path = os.pathsep.join([str(HERE), os.environ.get("PYTHONPATH", "")])
     ray.init(address=cluster.address, runtime_env={"env_vars": {"PYTHONPATH": path}})
     # The class of the test is sent by value: its module is not on the workers' path.
