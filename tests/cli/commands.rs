@@ -266,7 +266,7 @@ fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any()
     assert_eq!(status(&output), 1);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("faces of A 0 unchanged, 1 changed, 0 undecided"), "{text}");
-    assert!(text.contains("changed    B face 0: ["), "{text}");
+    assert!(text.contains("B face 0 changed: ["), "{text}");
     let output = run(&["diff", &a, &b, "--json"]);
     let result: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(result["state"], "changed");
