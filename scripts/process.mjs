@@ -1,4 +1,5 @@
 // Running programs, with their output shown, hidden or returned.
+import { AsyncLocalStorage } from "node:async_hooks";
 import { spawn, spawnSync } from "node:child_process";
 import { accessSync, constants } from "node:fs";
 import { homedir } from "node:os";
@@ -52,6 +53,30 @@ export function ask(program, args, options = {}) {
   return done.status === 0 ? done.stdout : undefined;
 }
 
+const beside = new AsyncLocalStorage();
+
+/**
+ * Runs `work` with its output held back, so that it does not mix with that of other work, and
+ * shows all of it when the work is done.
+ */
+export async function heldBack(work) {
+  const held = [];
+  try {
+    return await beside.run(held, work);
+  } finally {
+    for (const text of held) process.stdout.write(text);
+  }
+}
+
+/** The function by which the work that calls this shows text on a stream, or holds it back. */
+function shower() {
+  const held = beside.getStore();
+  return (text, stream) => (held === undefined ? stream.write(text) : held.push(text));
+}
+
+/** Shows a line. */
+export const say = (line) => shower()(`${line}\n`, process.stdout);
+
 const running = new Set();
 
 function endAll(signal) {
@@ -86,6 +111,7 @@ export function run(program, args, { env = environment(), cwd = root, minutes = 
       stdio: ["ignore", "pipe", "pipe"],
     });
     running.add(child);
+    const show = shower();
     let output = "";
     let why;
     for (const [from, to] of [
@@ -95,7 +121,7 @@ export function run(program, args, { env = environment(), cwd = root, minutes = 
       from.setEncoding("utf8");
       from.on("data", (text) => {
         output += text;
-        to.write(text);
+        show(text, to);
       });
     }
     const limit = setTimeout(() => {

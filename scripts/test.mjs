@@ -2,7 +2,7 @@
 // with the steps that they need: npm test -- --only rust,page
 // Those that answer within two minutes while one works: npm test -- --quick
 import { parseArgs } from "node:util";
-import { Failure } from "./process.mjs";
+import { Failure, heldBack, say } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
 import { count } from "./test/count.mjs";
 import { steps } from "./test/steps.mjs";
@@ -37,7 +37,7 @@ function quickSteps(only) {
 }
 
 async function runStep(step, results) {
-  console.log(`\n=== ${step.name}: ${step.what}`);
+  say(`\n=== ${step.name}: ${step.what}`);
   const failedNeeds = (step.needs ?? []).filter((name) => !results.get(name).ok);
   const start = performance.now();
   let ok = true;
@@ -54,10 +54,10 @@ async function runStep(step, results) {
     ok = false;
     output = error.output ?? "";
     why = error instanceof Failure ? error.message : error.stack;
-    console.log(`FAILED: ${why}`);
+    say(`FAILED: ${why}`);
   }
   const seconds = (performance.now() - start) / 1000;
-  console.log(`--- ${step.name}: ${ok ? "passed" : "FAILED"} in ${seconds.toFixed(1)} s`);
+  say(`--- ${step.name}: ${ok ? "passed" : "FAILED"} in ${seconds.toFixed(1)} s`);
   const counts = count(output);
   // A step without tests, such as a lint, counts as one test.
   if (ok && counts.passed === 0) counts.passed = 1;
@@ -89,7 +89,20 @@ try {
   const plan = chosen();
   await setUpForTests();
   const results = new Map();
-  for (const step of plan) results.set(step.name, await runStep(step, results));
+  const started = new Map();
+  for (const step of plan.filter(({ beside }) => beside)) {
+    started.set(
+      step.name,
+      heldBack(() => runStep(step, results)),
+    );
+  }
+  for (const step of plan.filter(({ beside }) => !beside)) {
+    for (const name of step.needs ?? []) {
+      results.set(name, results.get(name) ?? (await started.get(name)));
+    }
+    results.set(step.name, await runStep(step, results));
+  }
+  for (const [name, result] of started) results.set(name, await result);
   process.exitCode = summary(results) ? 0 : 1;
 } catch (error) {
   if (!(error instanceof Failure)) throw error;

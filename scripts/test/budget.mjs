@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { modules, wasmFile } from "../build/wasm.mjs";
 import { inRoot } from "../paths.mjs";
-import { Failure } from "../process.mjs";
+import { Failure, say } from "../process.mjs";
 
 /**
  * The largest sizes, in KiB, with about 5 % of room. The core has what every use needs. Gzipped,
@@ -28,7 +28,7 @@ function check(module) {
   const parts = Object.keys(budget).map(
     (kind) => `${kind} ${size[kind].toFixed(1)} of ${budget[kind]} KiB`,
   );
-  console.log(`${wasmFile(module)}: ${parts.join(", ")}`);
+  say(`${wasmFile(module)}: ${parts.join(", ")}`);
   return Object.keys(budget).every((kind) => size[kind] <= budget[kind]);
 }
 
