@@ -1,4 +1,4 @@
-//! Curves and surfaces of the file: evaluation, and exact conversion to NURBS.
+//! Curves and surfaces of the file: evaluation, and conversion to NURBS.
 
 mod basis;
 mod conic;
@@ -6,6 +6,7 @@ mod conversion;
 mod curve;
 mod frame;
 mod interpolation;
+mod lower_degree;
 mod nearest;
 mod parameter_map;
 mod part;
@@ -21,6 +22,6 @@ pub(crate) use frame::Frame;
 pub(crate) use nearest::nearest_parameter;
 pub(crate) use parameter_map::ParameterMap;
 pub(crate) use part::Part;
-pub(crate) use spline::{Spline, project};
+pub(crate) use spline::{Spline, elevated, project};
 pub(crate) use surface::{SplineSurface, Surface};
 pub(crate) use surface_net::SurfaceNet;

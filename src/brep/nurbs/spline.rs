@@ -30,7 +30,12 @@ impl Spline {
 
     /// Returns the point at a parameter. Beyond the domain the outer spans continue.
     pub(crate) fn point(&self, parameter: f64) -> DVec3 {
-        project(self.blossom(self.span(parameter), |_| parameter))
+        project(self.homogeneous(parameter))
+    }
+
+    /// Returns the homogeneous point at a parameter, as [`Self::point`] does.
+    pub(crate) fn homogeneous(&self, parameter: f64) -> DVec4 {
+        self.blossom(self.span(parameter), |_| parameter)
     }
 
     /// Returns the derivative at a parameter.
@@ -167,6 +172,23 @@ pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &mut [
     }
 }
 
+/// Returns the Bernstein coefficients of the same polynomial in a degree at least as high.
+///
+/// A control point of degree n + 1 is the mean of two neighbours of degree n: `P'_i = i / (n + 1)
+/// P_(i-1) + (1 - i / (n + 1)) P_i` (Piegl and Tiller, *The NURBS Book*, 5.5).
+pub(crate) fn elevated(mut points: Vec<DVec4>, degree: usize) -> Vec<DVec4> {
+    while points.len() <= degree {
+        let count = points.len() as f64;
+        let mean = |index: usize| {
+            let part = index as f64 / count;
+            let before = if index == 0 { DVec4::ZERO } else { points[index - 1] };
+            part * before + (1.0 - part) * points.get(index).copied().unwrap_or(DVec4::ZERO)
+        };
+        points = (0..=points.len()).map(mean).collect();
+    }
+    points
+}
+
 /// Returns the point of homogeneous coordinates.
 pub(crate) fn project(point: DVec4) -> DVec3 {
     point.xyz() / point.w
@@ -233,10 +255,10 @@ pub(crate) fn tensor_point(
 ) -> DVec3 {
     let row = span(knots_u, p, knots_u.len() - p - 1, u);
     let column = span(knots_v, q, knots_v.len() - q - 1, v);
-    if p.max(q) < 4 {
-        tensor_within::<4>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
-    } else {
-        tensor_within::<MAX_ORDER>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
+    match p.max(q) {
+        0..=3 => tensor_within::<4>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
+        4..=7 => tensor_within::<8>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
+        _ => tensor_within::<MAX_ORDER>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
     }
 }
 

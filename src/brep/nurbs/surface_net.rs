@@ -18,8 +18,11 @@ pub(crate) struct SurfaceNet {
     /// Homogeneous control points, v fastest.
     pub(crate) controls: Vec<DVec4>,
     pub(crate) maps: [ParameterMap; 2],
-    /// The deviation from the surface of the file: 0 unless that is an offset.
+    /// The deviation from the surface of the file: 0 unless that is an offset or of a degree above
+    /// the model's.
     pub(crate) error: f64,
+    /// Whether the deviation was found at points, and is no upper bound.
+    pub(crate) is_measured: bool,
 }
 
 impl Surface {
@@ -62,6 +65,7 @@ impl Surface {
                     controls,
                     maps: [ParameterMap::Circular(breaks), map],
                     error,
+                    is_measured: error > 0.0,
                 })
             }
             Self::Extrusion { direction, profile } => {
@@ -99,6 +103,7 @@ fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap, e
         controls: low.controls.iter().zip(&high.controls).flat_map(|(&a, &b)| [a, b]).collect(),
         maps: [map, ParameterMap::Identity],
         error,
+        is_measured: error > 0.0,
     }
 }
 
@@ -138,7 +143,7 @@ impl SplineSurface {
             }
         }
         let maps = [ParameterMap::Identity, ParameterMap::Identity];
-        SurfaceNet { degrees, knots, controls, maps, error: 0.0 }
+        SurfaceNet { degrees, knots, controls, maps, error: 0.0, is_measured: false }
     }
 }
 
