@@ -75,7 +75,8 @@ impl Chart<'_> {
         (breaks[span + 1] - breaks[span]) / self.own_width(axis)
     }
 
-    fn own_width(&self, axis: Axis) -> f64 {
+    /// The width of the chart's span.
+    pub(in crate::certified) fn own_width(&self, axis: Axis) -> f64 {
         let (breaks, index) = (&self.grid.breaks[axis], self.index[axis]);
         breaks[index + 1] - breaks[index]
     }
