@@ -5,7 +5,7 @@ use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::flatness::Places;
 use crate::model::Model;
-use crate::model::trim::{Rim, Winding};
+use crate::model::trim::{Rim, RimSide, Winding};
 use crate::param_box::ParamBox;
 use crate::untrim::ParameterMap;
 use std::sync::{Arc, OnceLock};
@@ -78,39 +78,42 @@ impl WholeFaces {
     }
 }
 
-/// Where a face has no boundary, in the parameters of a chart: each point of a box with
-/// `±η_v < a + b η_u + c η_u²`, η relative to the chart's point and v along `axis`, belongs to it, and so does
-/// the whole side of the box towards which ±v falls.
+/// Where a face has no boundary, in the parameters of a chart: each point of a box within all sides belongs to
+/// it, `±η_v < a + b η_u + c η_u²`, η relative to the chart's point and v along the side's axis.
 pub(super) struct FaceRim {
-    pub(super) axis: Axis,
-    pub(super) is_upwards: bool,
-    /// a, b and c.
-    pub(super) coefficients: [f64; 3],
+    /// One or two, with what holds of those of a [`Rim`].
+    pub(super) sides: Vec<RimSide>,
     /// The box.
     pub(super) parameters: [[f64; 2]; 2],
 }
 
 impl FaceChart<'_> {
-    /// Returns the rim of the face in a box of the chart's parameters or a larger one, if it is found there.
+    /// Returns rims of the face in boxes of the chart's parameters that contain the one given.
     /// O(arcs of the loops).
-    pub(super) fn rim(&self, [s, t]: [[f64; 2]; 2]) -> Option<FaceRim> {
+    pub(super) fn rims(&self, [s, t]: [[f64; 2]; 2]) -> Vec<FaceRim> {
         let [us, vs] = [(Axis::U, s), (Axis::V, t)].map(|(axis, range)| {
             let mut ranges = self.chart.surface_ranges(axis, range)?;
             // A box that goes on at the other end of the domain is two.
             ranges.next().filter(|_| ranges.next().is_none())
         });
+        let (Some(us), Some(vs)) = (us, vs) else { return Vec::new() };
         let origin = self.chart.surface_parameters();
-        let Rim { axis, is_upwards, coefficients: [a, b, c], region } =
-            self.region.rim(&ParamBox::new(us?, vs?), origin)?;
+        let place = self.region.place(origin);
         let scales = Axis::BOTH.map(|axis| self.chart.own_width(axis) * self.region.scale(axis));
-        let [across, along] = [scales[axis.index()], scales[axis.other().index()]];
-        let origin = self.region.place(origin);
-        let parameters = [0, 1].map(|axis| {
-            [region.low()[axis], region.high()[axis]]
-                .map(|end| self.chart.parameters[axis] + (end - origin[axis]) / scales[axis])
-        });
-        let coefficients = [a / across, b * along / across, c * along * along / across];
-        Some(FaceRim { axis, is_upwards, coefficients, parameters })
+        let of_chart = |Rim { sides, region }: Rim| {
+            let sides = sides.into_iter().map(|side| {
+                let ([a, b, c], v, u) = (side.coefficients, side.axis.index(), side.axis.other().index());
+                let ratio = scales[u] / scales[v];
+                let coefficients = [a / scales[v], b * ratio, c * ratio * scales[u]];
+                RimSide { coefficients, slope: side.slope * ratio, ..side }
+            });
+            let parameters = [0, 1].map(|axis| {
+                [region.low()[axis], region.high()[axis]]
+                    .map(|end| self.chart.parameters[axis] + (end - place[axis]) / scales[axis])
+            });
+            FaceRim { sides: sides.collect(), parameters }
+        };
+        self.region.rims(&ParamBox::new(us, vs), origin).into_iter().map(of_chart).collect()
     }
 
     /// Returns true only if all points of the surface at a box of the chart's parameters belong to the face.

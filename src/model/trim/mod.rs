@@ -15,7 +15,7 @@ mod winding;
 pub(super) use beyond::extended_surface;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
-pub use rim::Rim;
+pub use rim::{Rim, RimSide};
 pub use winding::{RESOLUTION, Winding};
 
 use crate::axis::Axis;

@@ -14,6 +14,9 @@ const MAX_PIECES: usize = 64;
 /// The length of a piece relative to the box's diagonal.
 const PIECE_LENGTH: f64 = 0.25;
 
+/// The largest product of the slopes of two sides.
+const MAX_SLOPES: f64 = 0.5;
+
 /// How far beyond the parabola a box is extended, relative to its length.
 const EXTENSION: f64 = 0.25;
 
@@ -23,81 +26,141 @@ const REGULARIZATION: f64 = 1e-13;
 /// Roundings of a coefficient besides those for each product, relative to the sizes of its terms.
 const COEFFICIENT_ROUNDINGS: f64 = 32.0;
 
-/// A parabola over one parameter that says where a region has no boundary.
-///
-/// In fractions of the domain, relative to a point, and with v for the parameter along `axis` and u for the
-/// other one: every point of the box with `±v < a + b u + c u²` belongs to the region, + if it is
-/// upwards, and so does the whole side of the box towards which ±v falls.
+/// A parabola over one parameter v, in fractions of the domain relative to a point: with u for the other
+/// parameter, a region is where `±v < a + b u + c u²`, + if it is upwards.
 #[derive(Debug, Clone, Copy)]
-pub struct Rim {
+pub struct RimSide {
     /// The axis of v.
     pub axis: Axis,
     /// Whether the region ends towards larger v.
     pub is_upwards: bool,
     /// a, b and c.
     pub coefficients: [f64; 3],
+    /// A bound on `|b + 2 c u|` over the box.
+    pub slope: f64,
+}
+
+/// Where a region has no boundary: in a box, each point within all of its sides, one or two, belongs to it.
+///
+/// The sides of two axes have slopes of a product below 1, and those of one axis end the region towards the same
+/// side. Towards smaller ±v the sides contain the whole side of the box.
+#[derive(Debug, Clone)]
+pub struct Rim {
+    /// The sides.
+    pub sides: Vec<RimSide>,
     /// The box, in fractions of the domain.
     pub region: ParamBox,
 }
 
 impl Winding {
-    /// Finds the rim of the region in a box of parameters that is at least the one given, relative to a point;
-    /// `None` where it is not found. O(pieces).
+    /// Finds rims of the region in boxes of parameters that contain the one given, relative to a point.
+    /// O(pieces).
     ///
-    /// The points of the box below the parabola by what arcs fall below it are connected by the box's lower
-    /// side, no arc enters them, and one of them has winding number 1.
+    /// The points of the box within the sides, each by what the arcs that it stands for are within it, are
+    /// connected by the box's lower sides, no arc enters them, and one of them has winding number 1.
     #[must_use]
-    pub fn rim(&self, parameters: &ParamBox, origin: [f64; 2]) -> Option<Rim> {
+    pub fn rims(&self, parameters: &ParamBox, origin: [f64; 2]) -> Vec<Rim> {
         let margin = DVec2::splat(self.rounding());
         let [low, high] = [parameters.low(), parameters.high()].map(|corner| self.fraction(corner.into()));
-        let bounds = [(low - margin).clamp(DVec2::ZERO, DVec2::ONE), (high + margin).clamp(DVec2::ZERO, DVec2::ONE)];
+        let bounds = [(low - margin).max(DVec2::ZERO), (high + margin).min(DVec2::ONE)];
         let is_inside = low.cmpge(-4.0 * margin).all() && high.cmple(DVec2::ONE + 4.0 * margin).all();
-        if !(is_inside && bounds[0].cmplt(bounds[1]).all()) {
-            return None;
+        let pieces = self.pieces_in(bounds).unwrap_or_default();
+        if !is_inside || pieces.is_empty() || !bounds[0].cmplt(bounds[1]).all() {
+            return Vec::new();
         }
-        let pieces = self.pieces_in(bounds)?;
-        let graph = Graph::through(&pieces, bounds, self.fraction(origin.into()))?;
-        [true, false].into_iter().find_map(|is_upwards| self.rim_of(&graph, bounds, is_upwards))
+        let origin = self.fraction(origin.into());
+        let mut curves: Vec<Curve> = pieces.iter().map(|(curve, _)| *curve).collect();
+        curves.sort_unstable();
+        curves.dedup();
+        let graph = |of: &[Curve]| {
+            let arcs = pieces.iter().filter(|(curve, _)| of.contains(curve)).map(|(_, arc)| arc);
+            Graph::through(arcs, bounds, origin)
+        };
+        let mut groups: Vec<Vec<(Graph, Option<Curve>)>> = vec![vec![(graph(&curves), None)]];
+        if let [first, second] = curves[..] {
+            let [one, other] = [graph(&[first]), graph(&[second])];
+            groups.push(vec![(one.clone(), Some(first)), (other.clone(), Some(second))]);
+            groups.extend([vec![(one, None)], vec![(other, None)]]);
+        }
+        let signs = [[true, true], [false, false], [true, false], [false, true]];
+        let mut rims = Vec::new();
+        for graphs in &groups {
+            let of_axes = if graphs.len() == 1 || graphs[0].0.axis == graphs[1].0.axis { 2 } else { 4 };
+            rims.extend(signs[..of_axes].iter().find_map(|signs| self.rim_of(graphs, bounds, signs)));
+        }
+        rims
     }
 
-    fn rim_of(&self, graph: &Graph, bounds: [DVec2; 2], is_upwards: bool) -> Option<Rim> {
-        let sign = if is_upwards { 1.0 } else { -1.0 };
-        let (v, u) = (graph.axis.index(), graph.axis.other().index());
-        let [low, high] = bounds.map(|corner| corner.to_array());
-        let lowest = graph.lowest(sign, [low[u], high[u]]);
-        let [near, far] = if is_upwards { [low[v], high[v]] } else { [high[v], low[v]] };
-        let bottom = (sign * (near - graph.origin[v])).min(lowest) - EXTENSION * (high[v] - low[v]);
-        let side = graph.origin[v] + sign * bottom;
-        if !(0.0..=1.0).contains(&side) {
+    /// The rim with these graphs, each for the arcs of a curve or of all, that end the region upwards or not.
+    fn rim_of(&self, graphs: &[(Graph, Option<Curve>)], [low, high]: [DVec2; 2], signs: &[bool]) -> Option<Rim> {
+        let sign = |side: usize| if signs[side] { 1.0 } else { -1.0 };
+        let mut region = ParamBox::new([low.x, high.x], [low.y, high.y]);
+        // Each side of the box that a graph must not meet is moved beyond it, twice as they depend on each other.
+        for _ in 0..2 {
+            for (side, (graph, _)) in graphs.iter().enumerate() {
+                let axis = graph.axis;
+                let lowest = sign(side) * graph.lowest(sign(side), region[axis.other()]) + graph.origin[axis.index()];
+                let extension = sign(side) * EXTENSION * (high - low)[axis.index()];
+                let [near, far] = [low, high].map(|corner| corner[axis.index()]);
+                let end = if signs[side] { near.min(lowest) } else { far.max(lowest) } - extension;
+                region[axis][usize::from(!signs[side])] = end;
+            }
+        }
+        let is_inside = region.low().iter().chain(&region.high()).all(|end| (0.0..=1.0).contains(end));
+        // A point of the sides that all graphs must not meet.
+        let mut within = DVec2::from(region.middle());
+        for (side, (graph, _)) in graphs.iter().enumerate() {
+            within[graph.axis.index()] = region[graph.axis][usize::from(!signs[side])];
+        }
+        if !is_inside || !self.holds(within) {
             return None;
         }
-        let [mut region, mut middle] = [ParamBox::new([low[0], high[0]], [low[1], high[1]]); 2];
-        region[graph.axis] = [side.min(far), side.max(far)];
-        middle[graph.axis] = [side; 2];
-        let is_within = self.holds(middle.middle().into());
-        let arcs = self.pieces_in([region.low().into(), region.high().into()])?;
-        let depth = arcs.iter().map(|arc| -graph.least(&arc.piece, sign, self.rounding())).fold(0.0, upper_max);
-        let holds = is_within && bottom < lowest - depth;
-        let [a, b, c] = graph.coefficients.map(|coefficient| sign * coefficient);
-        let rounding = 8.0 * self.rounding() * (1.0 + b.abs() + c.abs());
-        let coefficients = [a - depth - rounding, b, c];
-        holds.then_some(Rim { axis: graph.axis, is_upwards, coefficients, region })
+        let pieces = self.pieces_in([region.low().into(), region.high().into()])?;
+        let is_known = |piece: &Curve| graphs.iter().any(|(_, curve)| curve.is_none_or(|curve| curve == *piece));
+        if !pieces.iter().all(|(curve, _)| is_known(curve)) {
+            return None;
+        }
+        let mut sides = Vec::with_capacity(graphs.len());
+        for (side, (graph, curve)) in graphs.iter().enumerate() {
+            let (sign, axis) = (sign(side), graph.axis);
+            let arcs = pieces.iter().filter(|(of, _)| curve.is_none_or(|curve| curve == *of));
+            let depth = arcs
+                .map(|(_, arc)| -graph.least(&arc.piece, sign, self.rounding()))
+                .fold(0.0, upper_max);
+            let range = region[axis.other()];
+            let end = sign * (region[axis][usize::from(!signs[side])] - graph.origin[axis.index()]);
+            if !(end < graph.lowest(sign, range) - depth) {
+                return None;
+            }
+            let [a, b, c] = graph.coefficients.map(|coefficient| sign * coefficient);
+            let rounding = 8.0 * self.rounding() * (1.0 + b.abs() + c.abs());
+            let slope = graph.slope(range) + rounding;
+            let coefficients = [a - depth - rounding, b, c];
+            sides.push(RimSide { axis, is_upwards: signs[side], coefficients, slope });
+        }
+        let product: f64 = sides.iter().map(|side| side.slope).product();
+        let is_proper = sides.len() == 1 || sides[0].axis == sides[1].axis || product <= MAX_SLOPES;
+        is_proper.then_some(Rim { sides, region })
     }
 
-    /// The pieces of arcs that may enter a box, each short against it; `None` where they are many.
-    fn pieces_in(&self, [low, high]: [DVec2; 2]) -> Option<Vec<Arc>> {
+    /// The pieces of arcs that may enter a box, each short against it, with their curves; `None` where they
+    /// are many.
+    fn pieces_in(&self, [low, high]: [DVec2; 2]) -> Option<Vec<(Curve, Arc)>> {
         let longest = PIECE_LENGTH * low.distance(high);
         let mut pieces = Vec::new();
-        let arcs = self.arcs().filter(|arc| !arc.is_on_border && !arc.is_apart([low, high]));
-        let mut stack: Vec<(Arc, u32)> = arcs.map(|arc| (arc.clone(), 0)).collect();
-        while let Some((arc, halvings)) = stack.pop() {
+        let mut stack: Vec<(Curve, Arc, u32)> = Vec::new();
+        for index in 0..self.loops() {
+            let arcs = self.arcs_of(index).filter(|arc| !arc.is_on_border && !arc.is_apart([low, high]));
+            stack.extend(arcs.map(|arc| ((index, arc.piece.curve), arc.clone(), 0)));
+        }
+        while let Some((curve, arc, halvings)) = stack.pop() {
             if arc.is_apart([low, high]) {
                 continue;
             }
             if arc.length <= longest {
-                pieces.push(arc);
+                pieces.push((curve, arc));
             } else if halvings < MAX_HALVINGS && pieces.len() + stack.len() < MAX_PIECES {
-                stack.extend(self.halves(&arc, halvings).map(|half| (half, halvings + 1)));
+                stack.extend(self.halves(&arc, halvings).map(|half| (curve, half, halvings + 1)));
             } else {
                 return None;
             }
@@ -106,7 +169,11 @@ impl Winding {
     }
 }
 
+/// The index of a loop, and of a curve in it.
+type Curve = (usize, u32);
+
 /// The function v = a + b u + c u² relative to a point.
+#[derive(Debug, Clone)]
 struct Graph {
     axis: Axis,
     origin: DVec2,
@@ -115,13 +182,17 @@ struct Graph {
 
 impl Graph {
     /// The parabola nearest to the ends of these pieces, over the parameter along which they run in the box.
-    fn through(pieces: &[Arc], [low, high]: [DVec2; 2], origin: DVec2) -> Option<Self> {
+    fn through<'a>(
+        pieces: impl Iterator<Item = &'a Arc> + Clone,
+        [low, high]: [DVec2; 2],
+        origin: DVec2,
+    ) -> Self {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let run: DVec2 = pieces.iter().map(|arc| (arc.ends[1] - arc.ends[0]).abs() / half).sum();
+        let run: DVec2 = pieces.clone().map(|arc| (arc.ends[1] - arc.ends[0]).abs() / half).sum();
         let axis = if run.x >= run.y { Axis::V } else { Axis::U };
         let (v, u) = (axis.index(), axis.other().index());
         let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-        for end in pieces.iter().flat_map(|arc| arc.ends) {
+        for end in pieces.flat_map(|arc| arc.ends) {
             let place = (end - middle) / half;
             let row = DVec3::new(1.0, place[u], place[u] * place[u]);
             matrix += DMat3::from_cols(row.x * row, row.y * row, row.z * row);
@@ -137,7 +208,15 @@ impl Graph {
             ratio * (h1 + 2.0 * shift * h2),
             ratio / half[u] * h2,
         ];
-        coefficients.iter().all(|value| value.is_finite()).then_some(Self { axis, origin, coefficients })
+        Self { axis, origin, coefficients }
+    }
+
+    /// A bound on the derivative over a range of u.
+    fn slope(&self, range: [f64; 2]) -> f64 {
+        let [_, b, c] = self.coefficients;
+        let origin = self.origin[self.axis.other().index()];
+        let [low, high] = range.map(|end| (b + 2.0 * c * (end - origin)).abs());
+        upper_max(low, high)
     }
 
     /// The least value of ±v over a range of u.

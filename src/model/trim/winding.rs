@@ -118,6 +118,11 @@ impl Winding {
         self.loops.iter().flatten()
     }
 
+    /// Returns the pieces of a loop.
+    pub(super) fn arcs_of(&self, index: usize) -> impl Iterator<Item = &Arc> {
+        self.loops[index].iter()
+    }
+
     /// Returns the halves of an arc that was halved `halvings` times.
     pub(super) fn halves(&self, arc: &Arc, halvings: u32) -> [Arc; 2] {
         let rounding =

@@ -15,13 +15,16 @@ const POINTS: usize = POINTS_ALONG * POINTS_ALONG;
 /// The part of a term's values that must not depend on the terms before it.
 const MIN_INDEPENDENCE: f64 = 1e-5;
 
-/// The terms of second order, as exponents of two coordinates along the tangent plane and of the height.
-const SECOND_ORDER: [[usize; 3]; 9] =
-    [[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 0, 0], [1, 1, 0], [0, 2, 0], [1, 0, 1], [0, 1, 1], [0, 0, 2]];
+/// Terms as exponents of two coordinates along the tangent plane and of the height, in the order in which they are
+/// used: those of a paraboloid, of any quadric, and those of third order below the fifth order of the
+/// piece's size.
+const PARABOLOID: [[usize; 3]; 6] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 0, 0], [1, 1, 0], [0, 2, 0]];
+const QUADRIC: [[usize; 3]; 3] = [[1, 0, 1], [0, 1, 1], [0, 0, 2]];
+const CUBIC: [[usize; 3]; 7] =
+    [[3, 0, 0], [2, 1, 0], [1, 2, 0], [0, 3, 0], [2, 0, 1], [1, 1, 1], [0, 2, 1]];
 
-/// Those of third order below the fifth order of the piece's size.
-const THIRD_ORDER: [[usize; 3]; 7] =
-    [[2, 0, 1], [1, 1, 1], [0, 2, 1], [3, 0, 0], [2, 1, 0], [1, 2, 0], [0, 3, 0]];
+/// The functions of rising order, each with the terms that it has more.
+pub(super) const ORDERS: [&[[usize; 3]]; 3] = [&PARABOLOID, &QUADRIC, &CUBIC];
 
 /// A value at each of the points.
 type Column = [f64; POINTS];
@@ -65,18 +68,6 @@ impl Fit {
         })
     }
 
-    /// The function with the terms of second order.
-    pub(super) fn second_order(&mut self) -> Cubic {
-        self.add(&SECOND_ORDER);
-        self.function()
-    }
-
-    /// The function with those of third order, too.
-    pub(super) fn third_order(&mut self) -> Cubic {
-        self.add(&THIRD_ORDER);
-        self.function()
-    }
-
     /// Half the range of the function's values at the points.
     pub(super) fn spread(&self) -> f64 {
         let [least, largest] = self
@@ -88,8 +79,13 @@ impl Fit {
         0.5 * (largest - least)
     }
 
-    fn add(&mut self, terms: &[[usize; 3]]) {
+    /// Adds terms until what is left is at most `sufficient`: more of them would follow rounding, and their
+    /// factors turn the function.
+    pub(super) fn add(&mut self, terms: &[[usize; 3]], sufficient: f64) {
         for &term in terms {
+            if self.spread() <= sufficient {
+                return;
+            }
             let mut column = self.values(term);
             let size = dot(&column, &column).sqrt();
             let mut dependences = Vec::with_capacity(self.columns.len());
@@ -125,7 +121,7 @@ impl Fit {
     }
 
     /// The height less the terms with their factors, without the constant.
-    fn function(&self) -> Cubic {
+    pub(super) fn function(&self) -> Cubic {
         let count = self.terms.len();
         let mut factors = self.shares.clone();
         for later in (0..count).rev() {

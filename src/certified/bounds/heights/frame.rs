@@ -206,15 +206,17 @@ impl<'a> Frame<'a> {
         Quadric { linear: gradient, form: form * -0.5 }
     }
 
-    /// An upper bound on the distance of two points of B that are `step` apart along an axis of its parameters,
-    /// both in a box; `None` where the surface is not followed over all of it, or over many patches.
+    /// An upper bound on the distance of two points of B that are `steps` apart along the axes of its
+    /// parameters, both in a box; `None` where the surface is not followed over all of it, or over many patches.
     pub(super) fn drift(
         &self,
         image: &Image,
-        axis: Axis,
         parameters: [[f64; 2]; 2],
-        step: f64,
+        steps: [f64; 2],
     ) -> Option<f64> {
+        if steps == [0.0; 2] {
+            return Some(0.0);
+        }
         let extent = [0, 1].map(|axis| {
             let ([low, high], at) = (parameters[axis], self.chart.parameters[axis]);
             upper_max(at - low, high - at)
@@ -229,7 +231,11 @@ impl<'a> Frame<'a> {
         let [rows, columns] = self.chart.all_touched(extent, &image.reach);
         let is_few = rows.count() * columns.count() <= MAX_PATCHES;
         (is_reached && is_few).then(|| {
-            self.chart.speed(axis, &image.reach, extent) * step + self.chart.gap(&image.reach, extent)
+            let along = Axis::BOTH.map(|axis| {
+                let step = steps[axis.index()];
+                if step > 0.0 { step * self.chart.speed(axis, &image.reach, extent) } else { 0.0 }
+            });
+            along[0] + along[1] + self.chart.gap(&image.reach, extent)
         })
     }
 }

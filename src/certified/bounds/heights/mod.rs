@@ -36,7 +36,7 @@ use crate::certified::faces::FaceChart;
 use crate::certified::rounding::gamma;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
-use fit::{Fit, POINTS_ALONG};
+use fit::{Fit, ORDERS, POINTS_ALONG};
 use frame::{Frame, Image, Part, Placement};
 use glam::{DVec3, Vec4Swizzles};
 use piece::Piece;
@@ -47,6 +47,10 @@ const MAX_DISTANCE: f64 = 0.0625;
 
 /// The largest height of a first or second order by which a cell may leave B, relative to the threshold.
 const MAX_SLOPE: f64 = 4.0;
+
+/// The part of the threshold, for each order, by which a function may vary over a cell: no closer one of that
+/// order is looked for.
+const SUFFICIENT_SPREAD: f64 = 0.125;
 
 /// The largest length of `T o`, relative to the threshold, that is not looked at more closely.
 const MAX_BEYOND: f64 = 0.125;
@@ -150,8 +154,11 @@ impl Over<'_> {
         }
         let samples = self.a.samples(POINTS_ALONG);
         let Some(mut fit) = Fit::new(self.frame.normal, self.frame.tangents[0], &samples) else { return least };
-        for order in [Fit::second_order, Fit::third_order] {
-            let function = order(&mut fit);
+        let mut sufficient = threshold;
+        for terms in ORDERS {
+            sufficient *= SUFFICIENT_SPREAD;
+            fit.add(terms, sufficient);
+            let function = fit.function();
             if fit.spread() > threshold {
                 continue;
             }
