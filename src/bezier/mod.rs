@@ -6,13 +6,13 @@ mod bounds;
 mod extraction;
 mod patch;
 
+#[cfg(feature = "cad")]
+pub(crate) use basis::Interpolation;
 pub use basis::MAX_ORDER;
 pub(crate) use basis::{
     GridBasis, Restriction, bernstein, binomials, dot_products, elevation_shares, length_bounds, scaled,
     squares, triple_products, unscale,
 };
-#[cfg(feature = "cad")]
-pub(crate) use basis::Interpolation;
 pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};

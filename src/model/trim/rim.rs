@@ -92,14 +92,20 @@ impl Winding {
     }
 
     /// The rim with these graphs, each for the arcs of a curve or of all, that end the region upwards or not.
-    fn rim_of(&self, graphs: &[(Graph, Option<Curve>)], [low, high]: [DVec2; 2], signs: &[bool]) -> Option<Rim> {
+    fn rim_of(
+        &self,
+        graphs: &[(Graph, Option<Curve>)],
+        [low, high]: [DVec2; 2],
+        signs: &[bool],
+    ) -> Option<Rim> {
         let sign = |side: usize| if signs[side] { 1.0 } else { -1.0 };
         let mut region = ParamBox::new([low.x, high.x], [low.y, high.y]);
         // Each side of the box that a graph must not meet is moved beyond it, twice as they depend on each other.
         for _ in 0..2 {
             for (side, (graph, _)) in graphs.iter().enumerate() {
                 let axis = graph.axis;
-                let lowest = sign(side) * graph.lowest(sign(side), region[axis.other()]) + graph.origin[axis.index()];
+                let lowest =
+                    sign(side) * graph.lowest(sign(side), region[axis.other()]) + graph.origin[axis.index()];
                 let extension = sign(side) * EXTENSION * (high - low)[axis.index()];
                 let [near, far] = [low, high].map(|corner| corner[axis.index()]);
                 let end = if signs[side] { near.min(lowest) } else { far.max(lowest) } - extension;
@@ -116,7 +122,8 @@ impl Winding {
             return None;
         }
         let pieces = self.pieces_in([region.low().into(), region.high().into()])?;
-        let is_known = |piece: &Curve| graphs.iter().any(|(_, curve)| curve.is_none_or(|curve| curve == *piece));
+        let is_known =
+            |piece: &Curve| graphs.iter().any(|(_, curve)| curve.is_none_or(|curve| curve == *piece));
         if !pieces.iter().all(|(curve, _)| is_known(curve)) {
             return None;
         }
@@ -124,9 +131,8 @@ impl Winding {
         for (side, (graph, curve)) in graphs.iter().enumerate() {
             let (sign, axis) = (sign(side), graph.axis);
             let arcs = pieces.iter().filter(|(of, _)| curve.is_none_or(|curve| curve == *of));
-            let depth = arcs
-                .map(|(_, arc)| -graph.least(&arc.piece, sign, self.rounding()))
-                .fold(0.0, upper_max);
+            let depth =
+                arcs.map(|(_, arc)| -graph.least(&arc.piece, sign, self.rounding())).fold(0.0, upper_max);
             let range = region[axis.other()];
             let end = sign * (region[axis][usize::from(!signs[side])] - graph.origin[axis.index()]);
             if !(end < graph.lowest(sign, range) - depth) {
@@ -199,8 +205,9 @@ impl Graph {
             right += place[v] * row;
         }
         let trace = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
-        let [h0, h1, h2] =
-            ((matrix + DMat3::from_diagonal(DVec3::splat(REGULARIZATION * trace))).inverse() * right).to_array();
+        let [h0, h1, h2] = ((matrix + DMat3::from_diagonal(DVec3::splat(REGULARIZATION * trace))).inverse()
+            * right)
+            .to_array();
         // Relative to the point and not to the middle.
         let (shift, ratio) = ((origin[u] - middle[u]) / half[u], half[v] / half[u]);
         let coefficients = [
@@ -280,4 +287,140 @@ fn binomials(n: usize) -> Vec<f64> {
         row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
     }
     row
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::trim::{Trim, TrimCurveArrays};
+    use crate::model::{NurbsSurface, SurfaceArrays};
+
+    /// The part of [-1, 1] × [-2, 2] within a polygon, with sides of this middle weight, 0 for straight ones: they
+    /// bulge by a fifth of their length, outwards or inwards in turn.
+    fn region(corners: &[[f64; 2]], weight: f64) -> Trim {
+        let surface = NurbsSurface::new(
+            0,
+            SurfaceArrays {
+                degree: [1, 1],
+                knots: [vec![-1.0, -1.0, 1.0, 1.0], vec![-2.0, -2.0, 2.0, 2.0]],
+                counts: [2, 2],
+                control_points: [-1.0, 1.0].map(|x| [-2.0, 2.0].map(|y| [x, y, 0.0, 1.0])).concat(),
+            },
+        );
+        let side = |k: usize| {
+            let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
+            let bulge = if k % 2 == 0 { 0.2 } else { -0.2 };
+            let middle = [
+                0.5 * (from[0] + to[0]) + bulge * (to[1] - from[1]),
+                0.5 * (from[1] + to[1]) - bulge * (to[0] - from[0]),
+                weight,
+            ];
+            let [start, end] = [from, to].map(|[u, v]| [u, v, 1.0]);
+            let points = if weight == 0.0 { vec![start, end] } else { vec![start, middle, end] };
+            TrimCurveArrays {
+                degree: points.len() - 1,
+                knots: [vec![0.0; points.len()], vec![1.0; points.len()]].concat(),
+                control_points: points,
+                ..TrimCurveArrays::default()
+            }
+        };
+        Trim::new(0, &surface.unwrap(), vec![(0..corners.len()).map(side).collect()]).unwrap()
+    }
+
+    /// Counterclockwise, with convex, right, obtuse and reflex corners.
+    const POLYGON: [[f64; 2]; 6] =
+        [[-0.6, -1.3], [0.1, -1.2], [0.2, -0.2], [0.7, 0.1], [0.6, 1.4], [-0.5, 1.0]];
+
+    /// The value of a side at fractions relative to the point: how far they are beyond it.
+    fn beyond(side: &RimSide, place: DVec2) -> f64 {
+        let (v, u) = (side.axis.index(), side.axis.other().index());
+        let [a, b, c] = side.coefficients;
+        let sign = if side.is_upwards { 1.0 } else { -1.0 };
+        sign * place[v] - a - place[u] * (b + c * place[u])
+    }
+
+    /// Every point of the box within all sides belongs to the region, on whichever side it is and of whichever
+    /// number of curves; rims are found about most points of the loop, and are close to it.
+    #[test]
+    fn what_is_within_the_sides_belongs_to_the_region() {
+        let random = &mut fastrand::Rng::with_seed(319);
+        let (mut found, mut corners, mut close, mut tried) = (0, 0, 0, 0);
+        for weight in [0.0, 0.7, 1.0] {
+            let winding = region(&POLYGON, weight).winding();
+            for _ in 0..1500 {
+                let size = 10.0_f64.powf(-0.7 - 2.0 * random.f64());
+                let arcs: Vec<&Arc> = winding.arcs().collect();
+                let arc = arcs[random.usize(0..arcs.len())];
+                let near =
+                    if random.bool() { arc.ends[0] } else { arc.ends[0].lerp(arc.ends[1], random.f64()) };
+                let mut shift = || size * (random.f64() - 0.5);
+                let middle = near + DVec2::new(shift(), shift());
+                let half = DVec2::new(size * (0.2 + random.f64()), size * (0.2 + random.f64()));
+                let [low, high] = [winding.parameters(middle - half), winding.parameters(middle + half)];
+                let parameters = ParamBox::new([low[0], high[0]], [low[1], high[1]]);
+                let origin = winding.parameters(middle + 0.3 * half);
+                tried += 1;
+                for rim in winding.rims(&parameters, origin) {
+                    found += 1;
+                    corners += usize::from(rim.sides.len() == 2);
+                    let [first, last] = [DVec2::from(rim.region.low()), DVec2::from(rim.region.high())];
+                    assert!(first.cmple(middle - half).all() && last.cmpge(middle + half).all());
+                    let mut outside = f64::INFINITY;
+                    for _ in 0..100 {
+                        let place = first + (last - first) * DVec2::new(random.f64(), random.f64());
+                        let relative = place - (middle + 0.3 * half);
+                        let excess = rim
+                            .sides
+                            .iter()
+                            .map(|side| beyond(side, relative))
+                            .fold(f64::NEG_INFINITY, f64::max);
+                        let number = winding.number(winding.parameters(place));
+                        assert!(excess >= 0.0 || number == Some(1), "{rim:?} at {place} {excess:e}");
+                        for side in &rim.sides {
+                            let (u, c) = (side.axis.other().index(), side.coefficients);
+                            assert!((c[1] + 2.0 * c[2] * relative[u]).abs() <= side.slope);
+                        }
+                        if number == Some(0) {
+                            outside = outside.min(excess);
+                        }
+                    }
+                    close += usize::from(outside < 0.5 * size);
+                }
+            }
+        }
+        assert!(
+            found > tried / 2 && corners > 300 && close > found / 3,
+            "{found} {corners} {close} of {tried}"
+        );
+    }
+
+    /// Straight sides are met exactly: an edge, and both edges of a right corner.
+    #[test]
+    fn straight_sides_are_exact() {
+        let square = [[-0.5, -1.0], [0.5, -1.0], [0.5, 1.0], [-0.5, 1.0]];
+        let winding = region(&square, 0.0).winding();
+        let edge = &winding.rims(&ParamBox::new([0.45, 0.52], [0.0, 0.1]), [0.5, 0.05])[0];
+        let [side] = &edge.sides[..] else { panic!("{edge:?}") };
+        assert!(side.axis == Axis::U && side.is_upwards);
+        assert!(side.coefficients.iter().all(|value| value.abs() < 1e-9), "{side:?}");
+        let rims = winding.rims(&ParamBox::new([-0.52, -0.45], [0.98, 1.02]), [-0.5, 1.0]);
+        let corner = rims.iter().find(|rim| rim.sides.len() == 2).unwrap();
+        for side in &corner.sides {
+            assert_eq!(side.is_upwards, side.axis == Axis::V);
+            assert!(
+                side.coefficients.iter().all(|value| value.abs() < 1e-9) && side.slope < 1e-9,
+                "{side:?}"
+            );
+        }
+    }
+
+    /// Away from the loop, and where a box leaves the domain, there is none.
+    #[test]
+    fn there_is_no_rim_where_there_is_no_loop() {
+        let winding = region(&POLYGON, 0.0).winding();
+        assert!(winding.rims(&ParamBox::new([-0.1, 0.0], [0.0, 0.1]), [0.0, 0.0]).is_empty());
+        assert!(winding.rims(&ParamBox::new([-1.5, 1.0], [0.0, 0.1]), [0.0, 0.0]).is_empty());
+        assert!(winding.rims(&ParamBox::new([f64::NAN, 1.0], [0.0, 0.1]), [0.0, 0.0]).is_empty());
+    }
 }

@@ -20,8 +20,7 @@ const MIN_INDEPENDENCE: f64 = 1e-5;
 /// piece's size.
 const PARABOLOID: [[usize; 3]; 6] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 0, 0], [1, 1, 0], [0, 2, 0]];
 const QUADRIC: [[usize; 3]; 3] = [[1, 0, 1], [0, 1, 1], [0, 0, 2]];
-const CUBIC: [[usize; 3]; 7] =
-    [[3, 0, 0], [2, 1, 0], [1, 2, 0], [0, 3, 0], [2, 0, 1], [1, 1, 1], [0, 2, 1]];
+const CUBIC: [[usize; 3]; 7] = [[3, 0, 0], [2, 1, 0], [1, 2, 0], [0, 3, 0], [2, 0, 1], [1, 1, 1], [0, 2, 1]];
 
 /// The functions of rising order, each with the terms that it has more.
 pub(super) const ORDERS: [&[[usize; 3]]; 3] = [&PARABOLOID, &QUADRIC, &CUBIC];
@@ -70,10 +69,8 @@ impl Fit {
 
     /// Half the range of the function's values at the points.
     pub(super) fn spread(&self) -> f64 {
-        let [least, largest] = self
-            .residual
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], &value| {
+        let [least, largest] =
+            self.residual.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], &value| {
                 [lower_min(least, value), upper_max(largest, value)]
             });
         0.5 * (largest - least)

@@ -51,11 +51,12 @@ pub(super) struct Image {
 /// A piece of B with the range of its parameters, relative to the foot's, and their rounding.
 pub(super) struct Part {
     pub(super) piece: Piece,
-    places: [[f64; 2]; 2],
+    pub(super) places: [[f64; 2]; 2],
     errors: [f64; 2],
 }
 
 /// Where the fixed points for the points of a cell are, by functions g of space that are near B's parameters.
+#[derive(Clone, Copy)]
 pub(super) struct Placement {
     pub(super) functions: [Quadric; 2],
     /// How far `g(a) - g(B(y))` can be from zero along each axis where y is the fixed point.
@@ -139,7 +140,7 @@ impl<'a> Frame<'a> {
         self.placement(a, image, self.inverse.map(|row| self.osculating(row)))
     }
 
-    fn placement(&self, a: &Piece, image: &Image, functions: [Quadric; 2]) -> Placement {
+    pub(super) fn placement(&self, a: &Piece, image: &Image, functions: [Quadric; 2]) -> Placement {
         let ranges = functions.map(|function| a.values(&function).range());
         let radius = image.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius));
         let [mut overshoot, mut lag] = [[0.0; 2]; 2];
@@ -208,12 +209,7 @@ impl<'a> Frame<'a> {
 
     /// An upper bound on the distance of two points of B that are `steps` apart along the axes of its
     /// parameters, both in a box; `None` where the surface is not followed over all of it, or over many patches.
-    pub(super) fn drift(
-        &self,
-        image: &Image,
-        parameters: [[f64; 2]; 2],
-        steps: [f64; 2],
-    ) -> Option<f64> {
+    pub(super) fn drift(&self, image: &Image, parameters: [[f64; 2]; 2], steps: [f64; 2]) -> Option<f64> {
         if steps == [0.0; 2] {
             return Some(0.0);
         }

@@ -29,6 +29,9 @@ mod quadric;
 mod rim;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod terms;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
 use crate::certified::cell_context::{CellContext, UpperBound};
@@ -153,7 +156,9 @@ impl Over<'_> {
             return least;
         }
         let samples = self.a.samples(POINTS_ALONG);
-        let Some(mut fit) = Fit::new(self.frame.normal, self.frame.tangents[0], &samples) else { return least };
+        let Some(mut fit) = Fit::new(self.frame.normal, self.frame.tangents[0], &samples) else {
+            return least;
+        };
         let mut sufficient = threshold;
         for terms in ORDERS {
             sufficient *= SUFFICIENT_SPREAD;
@@ -196,9 +201,8 @@ impl Over<'_> {
             + (form * normal).length() * reach
             + function.size_along(normal) * reach * reach
             + gamma(TURN_ROUNDINGS) * (1.0 + turn);
-        let bend: f64 = (0..2)
-            .map(|axis| tangents[axis].length() * self.placement.functions[axis].size() * reach)
-            .sum();
+        let bend: f64 =
+            (0..2).map(|axis| tangents[axis].length() * self.placement.functions[axis].size() * reach).sum();
         let beyond = self.beyond();
         let shrunk = 1.0 - turn_of_normal;
         let rest = 1.0 - bend - skew - (skew * (1.0 + bend) + turn * (bend + skew)) / shrunk;

@@ -30,18 +30,18 @@ pub(super) struct Piece {
     /// The largest distance of a control point from the point.
     pub(super) radius: f64,
     /// The rounding error of its points.
-    error: f64,
+    pub(super) error: f64,
 }
 
 /// A function on a piece as a quotient of Bernstein polynomials, t fastest.
 pub(super) struct Values {
-    degree: [usize; 2],
+    pub(super) degree: [usize; 2],
     /// The coefficients of both.
-    coefficients: Vec<(f64, f64)>,
+    pub(super) coefficients: Vec<(f64, f64)>,
     /// A bound on the sum of the sizes of the function's terms.
-    size: f64,
+    pub(super) size: f64,
     /// The error of a quotient of coefficients.
-    error: f64,
+    pub(super) error: f64,
 }
 
 impl Piece {
@@ -88,10 +88,8 @@ impl Piece {
         let Cubic { quadric: Quadric { linear, form }, forms } = cubic;
         let controls = scaled(self.degree, &self.controls);
         // X·(w² l + w M X + C[X, X, ·]) as the sum over the products of three controls.
-        let left: Vec<DMat3> = controls
-            .iter()
-            .map(|x| *form * x.w + forms[0] * x.x + forms[1] * x.y + forms[2] * x.z)
-            .collect();
+        let left: Vec<DMat3> =
+            controls.iter().map(|x| *form * x.w + forms[0] * x.x + forms[1] * x.y + forms[2] * x.z).collect();
         let inner = |first: usize, second: usize| {
             let (x, y) = (controls[first], controls[second]);
             (left[first] * y.xyz() + x.w * y.w * *linear).extend(x.w * y.w)
@@ -122,7 +120,8 @@ impl Piece {
                 }
             }
             for t in &in_t {
-                let sum = line.iter().zip(t).fold(DVec4::ZERO, |sum, (control, share)| sum + *share * *control);
+                let sum =
+                    line.iter().zip(t).fold(DVec4::ZERO, |sum, (control, share)| sum + *share * *control);
                 samples.push(sum.xyz() / sum.w);
             }
         }

@@ -68,7 +68,7 @@ fn excess(over: &Over<'_>, side: &RimSide, linear_lag: [f64; 2]) -> f64 {
 }
 
 /// Steps along both axes that lead from where all excesses are at most these to within all sides.
-fn steps(sides: &[RimSide], excesses: &[f64]) -> [f64; 2] {
+pub(super) fn steps(sides: &[RimSide], excesses: &[f64]) -> [f64; 2] {
     let mut steps = [0.0; 2];
     if let ([first, second], [x, y]) = (sides, excesses)
         && first.axis != second.axis

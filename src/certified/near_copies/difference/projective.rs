@@ -89,8 +89,7 @@ impl ProjectiveMap {
                 place[index] = sign;
                 let point = context.pair.point_of_a(context.cell.patch, context.cell.at(place));
                 let start = (center + sign * [map.p, map.q][index]).clamp(DVec2::ZERO, DVec2::ONE);
-                let (foot, _) =
-                    newton_below(target, point, start.to_array(), MAX_ITERATIONS, f64::INFINITY);
+                let (foot, _) = newton_below(target, point, start.to_array(), MAX_ITERATIONS, f64::INFINITY);
                 if !(foot.distance_squared <= threshold * threshold) {
                     return None;
                 }
