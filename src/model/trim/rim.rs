@@ -187,7 +187,7 @@ struct Graph {
 }
 
 impl Graph {
-    /// The parabola nearest to the ends of these pieces, over the parameter along which they run in the box.
+    /// The parabola nearest to the ends and the middles of these pieces, over the parameter along which they run in the box.
     fn through<'a>(
         pieces: impl Iterator<Item = &'a Arc> + Clone,
         [low, high]: [DVec2; 2],
@@ -198,8 +198,8 @@ impl Graph {
         let axis = if run.x >= run.y { Axis::V } else { Axis::U };
         let (v, u) = (axis.index(), axis.other().index());
         let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-        for end in pieces.flat_map(|arc| arc.ends) {
-            let place = (end - middle) / half;
+        for point in pieces.flat_map(|arc| [arc.ends[0], arc.piece.halves()[0].end(), arc.ends[1]]) {
+            let place = (point - middle) / half;
             let row = DVec3::new(1.0, place[u], place[u] * place[u]);
             matrix += DMat3::from_cols(row.x * row, row.y * row, row.z * row);
             right += place[v] * row;

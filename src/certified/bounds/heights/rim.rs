@@ -21,6 +21,9 @@ use crate::rounding::upper_max;
 /// Roundings of the sums, relative to the sizes of their terms.
 const SUM_ROUNDINGS: f64 = 32.0;
 
+/// Roundings of the steps, relative to both excesses and slopes.
+const STEP_ROUNDINGS: f64 = 128.0;
+
 /// How far the fixed points' images may be from the face along the surface; `None` where that is not known,
 /// or more than the threshold. `linear_lag` is that of the placement by linear functions.
 pub(super) fn overrun(
@@ -73,9 +76,11 @@ pub(super) fn steps(sides: &[RimSide], excesses: &[f64]) -> [f64; 2] {
     if let ([first, second], [x, y]) = (sides, excesses)
         && first.axis != second.axis
     {
-        let ratio = (1.0 + gamma(SUM_ROUNDINGS)) / (1.0 - first.slope * second.slope);
-        steps[first.axis.index()] = ratio * (x + first.slope * y);
-        steps[second.axis.index()] = ratio * (y + second.slope * x);
+        let [s, t] = [first.slope, second.slope];
+        let rounding = gamma(STEP_ROUNDINGS) * (1.0 + s) * (1.0 + t) * (x + y);
+        let ([x, y], divisor) = ([x + rounding, y + rounding], 1.0 - s * t);
+        steps[first.axis.index()] = (x + s * y) / divisor;
+        steps[second.axis.index()] = (y + t * x) / divisor;
     } else {
         for (side, excess) in sides.iter().zip(excesses) {
             let step: &mut f64 = &mut steps[side.axis.index()];
