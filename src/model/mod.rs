@@ -15,12 +15,13 @@ pub mod trim;
 pub use crate::limits::MAX_DEGREE;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
+pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
-use crate::parallel::map;
+use crate::threads::parallel::map;
 use affine_map::AffineMap;
 use face::FaceData;
 use glam::DVec3;

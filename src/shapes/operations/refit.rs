@@ -3,8 +3,8 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::refine::net_surface;
 use crate::shapes::curves::{DEGREE, UniformSpline, basis};
-use crate::shapes::net_surface;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// Returns the polynomial bicubic B-spline surface over [0, 1]² that interpolates
