@@ -165,14 +165,6 @@ impl Model {
         self.faces.iter().any(|face| face.trim.is_some())
     }
 
-    /// # Errors
-    /// [`Error::ModelTrimmed`] for a model with a trimmed face, which operations on whole
-    /// surfaces would lose.
-    pub(crate) fn require_whole(&self) -> Result<()> {
-        let trimmed = self.faces.iter().position(|face| face.trim.is_some());
-        trimmed.map_or(Ok(()), |surface| Err(Error::ModelTrimmed { surface }))
-    }
-
     /// Returns the distance, in model units, between the model and its source as its reader
     /// states it: the largest gap of a face.
     #[must_use]

@@ -1,7 +1,7 @@
 //! Parts of surfaces and models.
 
 use crate::axis::Axis;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
 use crate::param_box::ParamBox;
 use crate::refine::cut_surface;
@@ -34,7 +34,7 @@ pub fn part(surface: &NurbsSurface, fractions: ParamBox) -> Result<NurbsSurface>
 /// # Errors
 /// Those of [`cut_surface`]; `MODEL_TRIMMED` for a model with a trimmed face.
 pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
-    model.require_whole()?;
+    require_whole(model)?;
     let mut pieces = model.surfaces().to_vec();
     for axis in Axis::BOTH {
         let mut fractions = fractions[axis].to_vec();
@@ -53,4 +53,12 @@ pub fn cut_model(model: &Model, fractions: [&[f64]; 2]) -> Result<Model> {
         pieces = cut;
     }
     Model::new(model.name().map(str::to_owned), pieces)
+}
+
+/// # Errors
+/// [`Error::ModelTrimmed`] for a model with a trimmed face, which operations on whole
+/// surfaces would lose.
+pub(super) fn require_whole(model: &Model) -> Result<()> {
+    let trimmed = model.faces().position(|face| face.trim().is_some());
+    trimmed.map_or(Ok(()), |surface| Err(Error::ModelTrimmed { surface }))
 }

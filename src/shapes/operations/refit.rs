@@ -1,5 +1,6 @@
 //! Refits of surfaces, as fitters and translators of CAD data make them.
 
+use super::parts::require_whole;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
@@ -82,7 +83,7 @@ fn through(counts: [usize; 2], point: impl Fn(usize, usize) -> Result<DVec3>) ->
 /// # Errors
 /// Those of [`refit_surface`]; `MODEL_TRIMMED` for a model with a trimmed face.
 pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
-    model.require_whole()?;
+    require_whole(model)?;
     let surfaces = model.surfaces().iter().map(|surface| refit_surface(surface, [count; 2]));
     Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)
 }
