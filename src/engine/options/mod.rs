@@ -99,7 +99,7 @@ pub(super) fn at_least_zero(option: &'static str, found: f64) -> Result<()> {
 }
 
 /// # Errors
-/// [`Error::OptionOutOfRange`] unless a grid may have so many samples along a direction.
+/// [`Error::OptionOutOfRange`] unless a grid may have this number of samples along a direction.
 pub(super) fn require_samples(found: usize) -> Result<()> {
     require("samples", COUNTS.contains(&found), found, "2 to 1024")
 }
