@@ -22,6 +22,7 @@ use serde::Deserialize;
 /// The criterion by which a patch counts as flat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Flatness {
     /// Every patch is flat: Bézier extraction alone (the 2012 paper's "knots only").
     None,

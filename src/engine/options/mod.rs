@@ -16,6 +16,7 @@ use std::fmt::Debug;
 /// Where the kernels run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Backend {
     /// On the GPU if there is one, else on the CPU, and the result says why.
     #[default]
