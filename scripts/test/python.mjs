@@ -7,7 +7,7 @@ import { ask, environment, Failure, must } from "../process.mjs";
 /** The environment that all checkouts share: the builder, and what the tests import. */
 export const home = join(cache, "python-1");
 export const program = (name) => join(home, "bin", name);
-const packages = ["maturin>=1.9,<2", "numpy", "pytest", "mypy"];
+export const packages = ["maturin>=1.9,<2", "numpy", "pytest", "mypy"];
 
 /** Why the step is skipped, if Python or its packages cannot be had. */
 async function missing() {
