@@ -271,17 +271,22 @@ function showPlace(place: Place): void {
   const model = view.models.drawn[place.side];
   if (shown === undefined || map === undefined || model === undefined) return;
   const { origin } = model.tessellation;
-  const near = [0, 1, 2].map(
-    (axis) => (map.positions[3 * place.vertex + axis] ?? 0) + (origin[axis] ?? 0),
-  );
-  const [x = 0, y = 0, z = 0] = near;
-  probing.ask(place.side, [x, y, z], ({ point, foot, face, footFace }) => {
+  const at = (all: Float32Array, axis: 0 | 1 | 2) => all[3 * place.vertex + axis] ?? 0;
+  const { positions, normals } = map;
+  const near = [
+    at(positions, 0) + origin[0],
+    at(positions, 1) + origin[1],
+    at(positions, 2) + origin[2],
+  ] as const;
+  const normal = [at(normals, 0), at(normals, 1), at(normals, 2)] as const;
+  probing.ask(place.side, [...near], ({ point, foot, face, footFace }) => {
     const other = place.side === "a" ? "B" : "A";
-    view.approach(point, foot, {
+    const texts = {
       length: sizeText(place, shown.result.diagonal),
       from: `${place.side.toUpperCase()}: ${face}`,
       to: `${other}: ${footFace}`,
-    });
+    };
+    view.approach(point, foot, texts, view.models.turn(place.side, [...normal]));
   });
 }
 

@@ -1,5 +1,5 @@
 // What each export contains.
-import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult, Vector3 } from "nurbs-hausdorff";
 import { metresPerUnit } from "../files/fileNotes.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import { sizeText } from "../inspection/placeList.ts";
@@ -66,8 +66,15 @@ async function placesOf({ view, views, places, result }: ExportedState) {
   for (const place of places.slice(0, PICTURED)) {
     const map = painted()?.maps[place.side];
     if (map === undefined) break;
-    const [x = 0, y = 0, z = 0] = map.positions.subarray(3 * place.vertex, 3 * place.vertex + 3);
-    view.lookAt(view.models.place(place.side, [x, y, z]));
+    const at = (all: Float32Array): Vector3 => {
+      const [x = 0, y = 0, z = 0] = all.subarray(3 * place.vertex, 3 * place.vertex + 3);
+      return [x, y, z];
+    };
+    const { models } = view;
+    view.lookAt(
+      models.place(place.side, at(map.positions)),
+      models.turn(place.side, at(map.normals)),
+    );
     const size = sizeText(place, result?.diagonal ?? 1);
     const title = `${place.side.toUpperCase()} ${place.name}: ${size}`;
     all.push({ title, picture: (await views.take(title)).picture });

@@ -201,6 +201,12 @@ export class Models {
     return new Vector3(x, y, z).applyMatrix4(this.#meshes[side]?.group.matrix ?? new Matrix4());
   }
 
+  /** A direction of a model in the scene. */
+  turn(side: Side, [x, y, z]: Point): Vector3 {
+    const matrix = this.#meshes[side]?.group.matrix ?? new Matrix4();
+    return new Vector3(x, y, z).transformDirection(matrix);
+  }
+
   /** The models drawn. */
   get drawn(): Sides<DisplayModel> {
     return Object.fromEntries(

@@ -134,9 +134,9 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Looks at a point of the scene from near, at once. */
-  lookAt(point: Vector3): void {
-    this.#viewport?.approachAtOnce(point, PLACE_RADIUS * this.models.diagonal);
+  /** Looks at a point of the scene from near, at once, from where its surface is seen. */
+  lookAt(point: Vector3, normal: Vector3): void {
+    this.#viewport?.approachAtOnce(point, PLACE_RADIUS * this.models.diagonal, normal);
   }
 
   /** Draws at once and without handles, so that the canvas can be read in the same task. */
@@ -161,13 +161,13 @@ export class View {
   }
 
   /** Zooms to a point of a result, and shows an arrow from it to its foot. */
-  approach(from: Point, to: Point, texts: ArrowTexts): void {
+  approach(from: Point, to: Point, texts: ArrowTexts, normal?: Vector3): void {
     this.#arrow.show(from, to, texts, this.models.center);
     const radius = Math.max(
       APPROACH_RADIUS * this.#arrow.length,
       PLACE_RADIUS * this.models.diagonal,
     );
-    this.#viewport?.approach(this.#arrow.middle, radius);
+    this.#viewport?.approach(this.#arrow.middle, radius, normal);
   }
 
   /** Shows an arrow between two points of a result, or that of the result again. */

@@ -24,6 +24,12 @@ import { STANDARD_VIEWS } from "./standardViews.ts";
 const FIELD_OF_VIEW = 32;
 /** The tangent of half the field of view. */
 const TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+/** The sine of half the field of view. */
+const SINE = Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
+/** The cosine of the largest angle from a surface's normal from which it is looked at. */
+const MIN_FACING = 0.4;
+/** The part of a normal in a direction that was turned to it, beside a unit vector along the surface. */
+const TURNED = 1.2;
 /** The clipping planes, in units of the distance from the camera to its target. */
 const NEAR = 1e-3;
 const FAR = 50;
@@ -172,21 +178,28 @@ export class Viewport {
     this.#look(box.getCenter(new Vector3()), direction, distance);
   }
 
-  /** Shows a sphere, from the current direction, without a way to it. */
-  approachAtOnce(center: Vector3, radius: number): void {
-    const { position } = this.#perspective;
-    const direction = position.clone().sub(this.controls.target).normalize();
-    const eye = center
-      .clone()
-      .addScaledVector(direction, radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360));
+  /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
+  approachAtOnce(center: Vector3, radius: number, normal: Vector3): void {
+    const eye = center.clone().addScaledVector(this.#facing(normal), radius / SINE);
     this.place = [...eye.toArray(), ...center.toArray()];
   }
 
-  /** Shows a sphere, from the current direction. */
-  approach(center: Vector3, radius: number): void {
-    const { position } = this.#perspective;
-    const direction = position.clone().sub(this.controls.target).normalize();
-    this.#look(center, direction, radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360));
+  /** Shows a sphere, from the current direction, or where a surface has this normal from its side. */
+  approach(center: Vector3, radius: number, normal?: Vector3): void {
+    const direction = normal === undefined ? this.#direction() : this.#facing(normal);
+    this.#look(center, direction, radius / SINE);
+  }
+
+  /** The direction from the target to the camera. */
+  #direction(): Vector3 {
+    return this.#perspective.position.clone().sub(this.controls.target).normalize();
+  }
+
+  /** The current direction, turned as far as a surface with this normal requires to be seen. */
+  #facing(normal: Vector3): Vector3 {
+    const direction = this.#direction();
+    if (normal.dot(direction) >= MIN_FACING) return direction;
+    return direction.addScaledVector(normal, TURNED - normal.dot(direction)).normalize();
   }
 
   /**
