@@ -1,6 +1,6 @@
 // The set-up of a fresh machine, one line per step.
 import { Failure } from "../process.mjs";
-import { browser, compiler, debian, firefox } from "./debian.mjs";
+import { browser, compiler, debian, firefox, java } from "./debian.mjs";
 import { lavapipe } from "./lavapipe.mjs";
 import { packages, siteGenerator } from "./packages.mjs";
 import { rust } from "./rust.mjs";
@@ -40,6 +40,7 @@ export async function setUpForPage() {
 export async function setUpForTests() {
   await step("system packages", () => debian([...compiler, ...browser]));
   await step("Firefox", () => optional(firefox));
+  await step("Java", () => optional(java));
   await step("lavapipe", lavapipe);
   await step("Rust target and components", () => rust("target", "components"));
   await step("npm packages", packages);
