@@ -9,11 +9,11 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, Engine, IterationOptions, Method, MethodName, PreparedModel,
 };
-use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::internals::iteration::Culling;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
 

@@ -11,7 +11,7 @@ mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use std::collections::BTreeMap;
 use std::path::Path;
 use support::shared::{self, Reference};

@@ -8,7 +8,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, Model, RigidTransform};

@@ -12,7 +12,7 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};

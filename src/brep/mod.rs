@@ -15,6 +15,7 @@ mod format;
 mod gap;
 mod iges;
 mod nurbs;
+mod placed;
 mod report;
 mod step;
 mod text;

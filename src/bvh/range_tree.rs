@@ -2,7 +2,7 @@
 
 use super::Aabb;
 use super::tree::longest_axis;
-use crate::parallel::join;
+use crate::threads::parallel::join;
 use bytemuck::{Zeroable, zeroed_vec};
 use glam::DVec3;
 use std::ops::Range;

@@ -7,7 +7,6 @@ use crate::bezier::{
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets, TrimmedFaces};
 use crate::closest::Target;
-use crate::engine::SurfacePoint;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, PreparedFacets, weights};
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
@@ -16,14 +15,15 @@ use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::limits::is_in_range;
 use crate::model::{Model, is_unit};
-use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::read::ReadReport;
 use crate::rounding::gamma;
-use crate::shared::{computed, locked};
 use crate::solid::Boundary;
+use crate::surface_point::SurfacePoint;
 use crate::symmetry::{Revolution, revolutions};
+use crate::threads::parallel::map;
+use crate::threads::{computed, locked};
 use glam::DVec3;
 use std::sync::{Arc, Mutex, OnceLock};
 

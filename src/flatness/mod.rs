@@ -15,7 +15,7 @@ pub use place::{Place, Places};
 
 use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
-use crate::parallel::map_ranges;
+use crate::threads::parallel::map_ranges;
 use extension::extension;
 use serde::Deserialize;
 

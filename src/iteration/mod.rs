@@ -12,6 +12,7 @@ mod covering_radius;
 mod project;
 mod reduce;
 mod sample;
+mod sample_grid;
 mod sampling;
 
 pub use covering_radius::CoveringRadius;
@@ -20,10 +21,11 @@ pub use project::{Culling, project};
 pub(crate) use reduce::BLOCK_SIZE;
 pub use reduce::reduce;
 pub use sample::sample;
+pub use sample_grid::SampleGrid;
 #[cfg(feature = "internals")]
 pub use sampling::PAGE_SAMPLES;
 pub(crate) use sampling::uniform;
-pub use sampling::{SampleGrid, Sampling, SamplingRule};
+pub use sampling::{Sampling, SamplingRule};
 
 use crate::closest::{Projection, Status};
 use serde::Serialize;

@@ -5,8 +5,8 @@ use super::axis::RotationAxis;
 use super::winding_number::winding;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, length_bounds};
-use crate::parallel::map;
 use crate::rounding::{gamma, upper_max};
+use crate::threads::parallel::map;
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// The largest deviation from a surface of revolution, relative to its size, at

@@ -6,7 +6,7 @@ use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
-use crate::shapes::operations::cut_surface;
+use crate::refine::cut_surface;
 use glam::DVec2;
 
 /// The largest relative error of the loop's area against the rectangle's, which only

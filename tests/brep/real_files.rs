@@ -3,9 +3,9 @@
 
 use crate::area::on_piece;
 use crate::support::quadrature::gauss;
-use nurbs_hausdorff::model::Face;
-use nurbs_hausdorff::model::trim::{Trim, TrimPiece};
-use nurbs_hausdorff::untrim::{Untrimmed, untrim};
+use nurbs_hausdorff::internals::model::Face;
+use nurbs_hausdorff::internals::model::trim::{Trim, TrimPiece};
+use nurbs_hausdorff::internals::untrim::{Untrimmed, untrim};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};

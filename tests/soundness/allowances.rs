@@ -6,8 +6,8 @@ use fastrand::Rng;
 use glam::{DVec3, DVec4};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-use nurbs_hausdorff::bezier::{Patch, extract};
-use nurbs_hausdorff::closest::{CriticalPoint, SquaredDistance};
+use nurbs_hausdorff::internals::bezier::{Patch, extract};
+use nurbs_hausdorff::internals::closest::{CriticalPoint, SquaredDistance};
 use nurbs_hausdorff::{Model, ParamBox, SurfaceArrays};
 
 /// 1.01 · 2^-53: the factor of the number of roundings in every allowance.

@@ -5,7 +5,7 @@ use super::inputs::models::shared;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, PreparedModel};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};

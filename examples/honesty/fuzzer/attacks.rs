@@ -9,7 +9,7 @@ use super::surfaces::{Weights, surface, weights};
 use super::surfaces::{degenerate, direction, magnitude, surface_of_degree};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, MethodName};
+use nurbs_hausdorff::internals::engine::{Backend, MethodName};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{lateral, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};

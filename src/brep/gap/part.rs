@@ -5,13 +5,10 @@ use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::discs::Discs;
 use super::interpolant::{largest, points};
-use super::local::{Local, LocalCurve, LocalSurface};
+use super::local::{Ends, Local, LocalCurve, LocalSurface};
 use super::majorant::CurveMajorant;
 use glam::DVec3;
 use std::cmp::Ordering;
-
-/// The parameters of corresponding points of the curve and the edge, at both ends.
-pub(super) type Ends = [(f64, f64); 2];
 
 /// A part of the curve that corresponds to one of the edge.
 pub(super) struct Part {

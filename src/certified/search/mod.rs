@@ -22,7 +22,7 @@ use super::nearest::{Foot, NearestPoint, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
 use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
-use crate::parallel::{is_few, map_short, together};
+use crate::threads::parallel::{is_few, map_short, together};
 use blocks::by_blocks;
 use frontier::Frontier;
 use incumbent::Incumbent;

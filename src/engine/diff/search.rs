@@ -7,9 +7,9 @@ use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
-use crate::parallel::map;
 use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
+use crate::threads::parallel::map;
 use glam::DVec3;
 use web_time::Instant;
 

@@ -3,7 +3,7 @@
 use crate::support::cpu;
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
+use nurbs_hausdorff::internals::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
 

@@ -4,7 +4,7 @@
 use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::surfaces::{any_arrays, plane};
-use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::internals::bezier::extract;
 use nurbs_hausdorff::{CertifiedOptions, DistanceOptions, HierarchyOptions, Method, MethodName, Model};
 
 pub fn check(bytes: &[u8]) {

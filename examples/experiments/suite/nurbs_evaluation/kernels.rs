@@ -1,7 +1,7 @@
 //! The evaluations per second of the two kernels of `evaluation.wgsl`.
 
 use crate::suite::Anyhow;
-use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::internals::bezier::extract;
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use std::time::Instant;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};

@@ -11,7 +11,7 @@ use super::attacks;
 use super::pairs::{Pair, pair};
 use super::trims;
 use fastrand::Rng;
-use nurbs_hausdorff::engine::DistanceOptions;
+use nurbs_hausdorff::internals::engine::DistanceOptions;
 use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, IterationOptions, Method, MethodName};
 use std::time::Instant;
 

@@ -1,9 +1,9 @@
 //! Piecewise polynomials through points of curves and surfaces that are not rational.
 
-use super::conversion::Unconvertible;
-use super::parameter_map::ParameterMap;
-use super::spline::Spline;
-use super::surface_net::SurfaceNet;
+use super::super::conversion::Unconvertible;
+use super::super::parameter_map::ParameterMap;
+use super::super::spline::Spline;
+use super::SurfaceNet;
 use crate::bezier::{Interpolation, bernstein};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -59,7 +59,7 @@ fn within([start, end]: [f64; 2], fraction: f64) -> f64 {
 ///
 /// # Errors
 /// [`Unconvertible::Offset`] where the points are not finite, or too many pieces are needed.
-pub(super) fn curve(
+pub(in crate::brep::nurbs) fn curve(
     point: &dyn Fn(f64) -> DVec3,
     breaks: &[f64],
 ) -> Result<(Spline, ParameterMap, f64), Unconvertible> {

@@ -1,10 +1,26 @@
-//! Linear maps of a control net along one axis.
+//! Control nets, and their linear maps along one axis.
 
 use crate::axis::Axis;
 use crate::error::Result;
-use crate::model::NurbsSurface;
-use crate::shapes::net_surface;
+use crate::model::{NurbsSurface, SurfaceArrays};
 use glam::{DVec4, Vec4Swizzles};
+
+/// Makes the surface whose control point in row i along u and column j along v is
+/// `point(i, j)`, `[x, y, z, w]`.
+pub(crate) fn net_surface(
+    degree: [usize; 2],
+    knots: [&[f64]; 2],
+    counts: [usize; 2],
+    point: &dyn Fn(usize, usize) -> [f64; 4],
+) -> Result<NurbsSurface> {
+    let mut control_points = Vec::with_capacity(counts[0] * counts[1]);
+    for i in 0..counts[0] {
+        for j in 0..counts[1] {
+            control_points.push(point(i, j));
+        }
+    }
+    NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
+}
 
 /// Returns `surface` with a new degree and new knots along `axis`, and with every
 /// line of control points along it replaced by its image under `map`, in
@@ -12,7 +28,7 @@ use glam::{DVec4, Vec4Swizzles};
 ///
 /// `map` must be affine and return lines of one length. Equal weights stay exactly
 /// equal, although the coefficients of `map` sum to 1 only up to rounding.
-pub(super) fn map_lines(
+pub(crate) fn map_lines(
     surface: &NurbsSurface,
     axis: Axis,
     degree: usize,

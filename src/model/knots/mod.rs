@@ -1,14 +1,17 @@
 //! Validation of knot vectors.
 
-use super::MAX_DEGREE;
+mod spans;
+
+pub(crate) use spans::{Span, blossom, breaks, multiplicities, spans};
+
 use crate::axis::Axis;
 use crate::error::{Error, Result};
-use crate::limits::is_in_range;
+use crate::limits::{MAX_DEGREE, is_in_range};
 use std::fmt::{Display, Formatter};
 
 /// The first rule that a degree, a number of control points and a knot vector violate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum KnotFault {
+pub(in crate::model) enum KnotFault {
     /// The degree is not 1 to 15.
     Degree { found: usize },
     /// There are fewer control points than degree + 1.
@@ -30,7 +33,11 @@ pub(super) enum KnotFault {
 /// Valid knots do not decrease, `knots[degree] < knots[count]` bound the domain,
 /// and no knot is repeated more than degree + 1 times, so that every non-empty
 /// span has its degree + 1 basis functions. O(knots).
-pub(super) fn check(degree: usize, count: usize, knots: &[f64]) -> std::result::Result<(), KnotFault> {
+pub(in crate::model) fn check(
+    degree: usize,
+    count: usize,
+    knots: &[f64],
+) -> std::result::Result<(), KnotFault> {
     if !(1..=MAX_DEGREE).contains(&degree) {
         return Err(KnotFault::Degree { found: degree });
     }
@@ -68,7 +75,13 @@ pub(super) fn check(degree: usize, count: usize, knots: &[f64]) -> std::result::
 
 /// Checks degree, number of control points and knots of a surface along one axis, by
 /// the rules of [`check`].
-pub(super) fn validate(surface: usize, axis: Axis, degree: usize, count: usize, knots: &[f64]) -> Result<()> {
+pub(in crate::model) fn validate(
+    surface: usize,
+    axis: Axis,
+    degree: usize,
+    count: usize,
+    knots: &[f64],
+) -> Result<()> {
     check(degree, count, knots).map_err(|fault| fault.on_surface(surface, axis))
 }
 
