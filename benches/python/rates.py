@@ -15,7 +15,7 @@ import numpy as np
 import nurbs_hausdorff as nh
 
 #: Largest error of the distances, as a fraction of the diagonal, for all alike.
-RELATIVE_ERROR = 1e-5
+RELATIVE_ERROR = 1e-4
 
 
 class Timed:
