@@ -70,8 +70,9 @@ export async function testPython() {
   if (line !== undefined) return line;
   const wheels = inRoot("target", "python-wheels");
   rmSync(wheels, { recursive: true, force: true });
-  // Of the main crate, whose dependencies are compiled with the same profile.
-  const target = { CARGO_TARGET_DIR: inRoot("target") };
+  // A folder of its own: Cargo writes a library of the kinds cdylib and rlib to one file whatever
+  // its features are, and the tests of Rust would be linked with that of the wheel.
+  const target = { CARGO_TARGET_DIR: inRoot("target", "python") };
   const options = ["--release", "--locked", "--out", wheels];
   await must(program("maturin"), ["build", ...options], {
     cwd: inRoot("python"),
