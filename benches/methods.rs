@@ -17,7 +17,7 @@ use nurbs_hausdorff::internals::iteration::Culling;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
 
-/// Rounds, of which the median is printed.
+/// The number of rounds; the median is printed.
 const ROUNDS: usize = 5;
 
 /// Projections of samples on patches beyond which the published schedule is left out.

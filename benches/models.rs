@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use support::shared::{self, Reference};
 
-/// Rounds, of which the fastest is printed, as other processes only add.
+/// The number of rounds; the fastest is printed, as other processes only add.
 const ROUNDS: usize = 3;
 
 /// What a model is moved by, relative to its diagonal.

@@ -13,7 +13,7 @@ use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, Model, RigidTransform};
 
-/// Rounds, of which the fastest is printed.
+/// The number of rounds; the fastest is printed.
 const ROUNDS: usize = 3;
 
 struct Pair {

@@ -151,6 +151,8 @@ pub use engine::{
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
+/// The vectors and rotations of points, models and transforms.
+pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]
 pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

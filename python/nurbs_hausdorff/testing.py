@@ -11,7 +11,7 @@ def assert_shapes_close(
     """Raise AssertionError unless every face of both models is proven within the limit, in model
     units, of the other model. The message names the faces, how far they are, and where.
 
-    Files of which faces could not be read fail, unless ``allow_skipped``.
+    Files with faces that could not be read fail, unless ``allow_skipped``.
     """
     from . import diff, model
 

@@ -79,9 +79,14 @@ function asRoot() {
   return ask("sudo", ["-n", "true"]) === undefined ? undefined : ["sudo", "-n"];
 }
 
+const absent = (needs) => needs.filter(({ present }) => !present());
+
+/** The packages of the programs that are missing. */
+export const missingPackages = (needs) => absent(needs).flatMap((need) => need.packages);
+
 /** Installs the missing programs, or fails with instructions. */
 export async function debian(needs) {
-  const missing = needs.filter(({ present }) => !present());
+  const missing = absent(needs);
   if (missing.length === 0) return "present";
 
   const packages = missing.flatMap((need) => need.packages);

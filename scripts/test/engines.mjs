@@ -4,9 +4,6 @@ import { inRoot } from "../paths.mjs";
 import { environment, must } from "../process.mjs";
 import { program, skipped } from "./python.mjs";
 
-/** Minutes for all clusters: a minute on two idle cores, and a worker that never comes is no pass. */
-const MINUTES = 10;
-
 export async function testEngines() {
   const line = skipped("engines");
   if (line !== undefined) return line;
@@ -14,6 +11,5 @@ export async function testEngines() {
   return must(program("pytest"), ["-v", "-rs", "--import-mode=importlib", "."], {
     cwd: inRoot("examples", "batch"),
     env: environment({ NURBS_HAUSDORFF: command }),
-    minutes: MINUTES,
   });
 }

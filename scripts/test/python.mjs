@@ -5,7 +5,7 @@ import { cache, inRoot } from "../paths.mjs";
 import { ask, environment, Failure, must, say } from "../process.mjs";
 
 /** The environment that all checkouts share: the builder, and what the tests import. */
-const home = join(cache, "python-1");
+export const home = join(cache, "python-1");
 export const program = (name) => join(home, "bin", name);
 
 /** What the tests of the package import, and what those of the engines need in addition. */
@@ -20,9 +20,9 @@ const groups = {
   },
 };
 
-/** Minutes for a download; a registry that cannot be reached is given up much sooner by pip. */
-const DOWNLOAD_MINUTES = 10;
+export const packages = Object.values(groups).flatMap((group) => group.packages);
 
+/** Why a group cannot be had, by its name. */
 const why = {};
 
 const has = (imports) => ask(program("python"), ["-c", `import ${imports}`]) !== undefined;
@@ -30,13 +30,12 @@ const has = (imports) => ask(program("python"), ["-c", `import ${imports}`]) !==
 /** Installs a group of packages, or returns why that cannot be done. */
 async function install({ packages, imports }) {
   if (has(imports)) return undefined;
-  const options = { minutes: DOWNLOAD_MINUTES };
   try {
     if (!existsSync(program("pip"))) {
       rmSync(home, { recursive: true, force: true });
-      await must("python3", ["-m", "venv", home], options);
+      await must("python3", ["-m", "venv", home]);
     }
-    await must(program("pip"), ["install", "--quiet", ...packages], options);
+    await must(program("pip"), ["install", "--quiet", ...packages]);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     return `its packages cannot be installed: ${error.message.split("\n")[0]}`;

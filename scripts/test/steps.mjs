@@ -1,5 +1,5 @@
 // The steps of `npm test`, in order. A step runs only if the steps that it needs
-// passed. A step with `beside` runs from the start, beside those before it. A step with `tests`
+// passed. A step with `beside` runs beside the others, as soon as those that it needs have ended. A step with `tests`
 // fails if it ran none. A step with `quick` is one of
 // `npm test -- --quick`, where `quick` replaces what it does.
 import { existsSync, readdirSync } from "node:fs";
@@ -105,7 +105,10 @@ export const steps = [
   {
     name: "engines",
     what: "many pairs on Ray and on Spark, with a worker killed",
-    needs: ["python"],
+    // The native command is compiled with the tests of Rust.
+    needs: ["python", "rust"],
+    // Its nodes mostly wait for each other.
+    beside: true,
     run: testEngines,
   },
   {

@@ -1,4 +1,4 @@
-//! One direction between models of which one is a mesh or a cloud, within its budgets.
+//! One direction from or to a mesh or a cloud, within its budgets.
 
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};

@@ -67,7 +67,7 @@ const MAX_REFITS: u32 = 32;
 /// subdivide them into flat patches.
 ///
 /// For more patches the subdivision takes longer than it saves: the search looks at few of
-/// them, and most patches of so many are flat already. Fewer patches are
+/// them, and most of these patches are flat already. Fewer patches are
 /// subdivided, A's for closer bounds on their derivatives and B's for better starts.
 const MIN_UNCUT_PATCHES: usize = 1000;
 

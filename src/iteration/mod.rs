@@ -68,6 +68,7 @@ pub(crate) struct Candidate {
 /// The numbers of samples by the status of their projection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct StatusCounts {
     /// Projections that ended at a stationary point.
     pub converged: usize,

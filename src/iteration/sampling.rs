@@ -11,6 +11,7 @@ use super::sample_grid::SampleGrid;
 /// The distribution of the parameters along one axis over the domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum SamplingRule {
     /// Evenly spaced parameters, as in the 2012 paper.
     #[default]

@@ -21,6 +21,7 @@ export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
+export { Latest } from "./measure/latest.js";
 export type {
   Backend,
   CertifiedOptions,

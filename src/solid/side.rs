@@ -19,6 +19,7 @@ const COORDINATE_ROUNDINGS: f64 = 64.0;
 /// The side on which a point lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Side {
     /// Inside the solid.
     Inside,

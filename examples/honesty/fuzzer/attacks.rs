@@ -21,7 +21,7 @@ const BUDGETS: [usize; 3] = [1, 1000, 5000];
 /// scaled, about 1e100.
 const MAX_EXPONENT: i32 = 332;
 
-/// One pair in so many is computed on the GPU, as adapters in software are slow.
+/// The number of pairs of which one is computed on the GPU, as adapters in software are slow.
 const GPU_SHARE: u64 = 32;
 
 /// Draws a pair of a family.

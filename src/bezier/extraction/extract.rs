@@ -120,7 +120,7 @@ pub fn extract(model: &Model) -> BezierModel {
             let control_count = range.len() * extraction.patch_size();
             let (entries, other_entries) = rest.0.split_at_mut(range.len());
             let (controls, other_controls) = rest.1.split_at_mut(control_count);
-            parts.push((extraction, Part { range, entries, first_control, controls }));
+            parts.push((extraction, PatchRange { range, entries, first_control, controls }));
             first_control += control_count;
             rest = (other_entries, other_controls);
         }
@@ -158,7 +158,7 @@ pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f6
 }
 
 /// A part of the patches of one surface, to be filled in.
-struct Part<'a> {
+struct PatchRange<'a> {
     /// The positions of the patches in the surface's grid, v fastest.
     range: Range<usize>,
     entries: &'a mut [Entry],
@@ -217,7 +217,7 @@ impl<'a> Extraction<'a> {
     }
 
     /// Fills in a part of the surface's patches; returns the rounding of their controls.
-    fn fill(&self, part: Part<'_>) -> PointError {
+    fn fill(&self, part: PatchRange<'_>) -> PointError {
         let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = self;
         let degree = surface.degree();
         let (rows, columns) = (degree[0] + 1, degree[1] + 1);

@@ -206,7 +206,7 @@ impl Curve {
 
     /// Returns the rational curve over `range`, a clamped spline, the map from this curve's
     /// parameter to the spline's, and the deviation: 0 unless the curve is an offset that is
-    /// not rational, of which [`interpolated_curve`] makes one.
+    /// not rational; [`interpolated_curve`] approximates them.
     ///
     /// # Errors
     /// [`Unconvertible`], also for a range that is empty.

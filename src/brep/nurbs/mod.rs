@@ -20,6 +20,6 @@ pub(crate) use frame::Frame;
 pub(crate) use nearest::nearest_parameter;
 pub(crate) use net::SurfaceNet;
 pub(crate) use parameter_map::ParameterMap;
-pub(crate) use part::Part;
+pub(crate) use part::CurvePart;
 pub(crate) use spline::{Spline, project};
 pub(crate) use surface::{SplineSurface, Surface};

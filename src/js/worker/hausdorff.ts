@@ -74,7 +74,7 @@ export function connectBy(platform: Connect): void {
 }
 
 /**
- * The class `Hausdorff` of the main entry, of which all work is done in a worker:
+ * The class `Hausdorff` of the main entry with all work done in a worker:
  * the caller's thread only sends and receives. Results' arrays are transferred.
  */
 export class Hausdorff implements DistanceEngine<NurbsModel> {

@@ -1,6 +1,6 @@
 //! Whether a box of parameters lies in the trimmed region.
 
-use super::winding::{Arc, Winding};
+use super::winding::{Winding, WindingPiece};
 use crate::param_box::ParamBox;
 use glam::DVec2;
 
@@ -29,12 +29,13 @@ impl Winding {
     }
 
     /// Returns whether an arc may have a point in a box.
-    fn may_enter(&self, arc: &Arc, [low, high]: [DVec2; 2]) -> bool {
-        let is_apart = |arc: &Arc| {
+    fn may_enter(&self, arc: &WindingPiece, [low, high]: [DVec2; 2]) -> bool {
+        let is_apart = |arc: &WindingPiece| {
             let distances = arc.ends.map(|end| end.distance(end.clamp(low, high)));
             distances[0] + distances[1] > arc.length
         };
-        let enters = |arc: &Arc| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
+        let enters =
+            |arc: &WindingPiece| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
         let mut stack = vec![(arc.clone(), 0)];
         while let Some((arc, halvings)) = stack.pop() {
             if is_apart(&arc) {
@@ -49,7 +50,7 @@ impl Winding {
     }
 }
 
-impl Arc {
+impl WindingPiece {
     /// Returns whether the arc runs along a border line of the domain.
     fn is_on_border(&self) -> bool {
         let mut points = self.piece.points();

@@ -129,7 +129,7 @@ fn without_time_faces_are_undecided_and_the_interval_true() {
 }
 
 /// A plate whose hole moved: the farthest points are on the hole's edge, and no bound but one over
-/// tiny cells tells them from those beside it.
+/// tiny cells distinguishes them from those beside it.
 #[test]
 fn a_face_that_is_decided_ends_after_few_cells() {
     let plate = |x: f64| {

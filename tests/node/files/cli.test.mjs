@@ -152,7 +152,7 @@ test("both describe models with the same numbers", () => {
     const [json, expected] = both("info", model, "--json").map(({ stdout }) => JSON.parse(stdout));
     const areas = [json, expected].map(withoutAreas);
     assert.deepEqual(json, expected);
-    // Cosines, of which the nodes are made, differ in their last digits.
+    // Cosines, which the nodes are made of, differ in their last digits.
     areas[0].forEach((end, index) => {
       assert.ok(Math.abs(end - areas[1][index]) <= 1e-12 * end, `${end}, ${areas[1][index]}`);
     });

@@ -10,7 +10,7 @@ use nurbs_hausdorff::{Backend, DistanceOptions, Error, Method, NamedOptions};
 const MAX_CELLS: usize = 50;
 const MAX_SAMPLES: usize = 6;
 
-/// The bytes before the text, of which a pair of models is made.
+/// The bytes before the text, which a pair of models is made of.
 const MODEL_BYTES: usize = 64;
 
 pub fn check(bytes: &[u8]) {

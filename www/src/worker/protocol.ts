@@ -23,7 +23,7 @@ export const SIDES: readonly Side[] = ["a", "b"];
 /** A value for each of the two models, or for one of them. */
 export type Sides<T> = Partial<Record<Side, T>>;
 
-/** The source of a model: a shape's name, or a file, of which all surfaces or only the first are used. */
+/** The source of a model: a shape's name, or a file, with all surfaces or only the first. */
 export type Source = { shape: string } | { file: File; firstSurface?: boolean };
 
 /** The initial position of model A. */
@@ -135,7 +135,7 @@ export type Reply =
   | {
       kind: "measured";
       run: number;
-      /** Without its field, of which the page draws `field`. */
+      /** Without its field; the page draws `field`. */
       result: DistanceResult;
       field: FieldDisplay | undefined;
       /** Whether the same result follows with colours, or with finer ones. */

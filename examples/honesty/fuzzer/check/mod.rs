@@ -19,7 +19,7 @@ use std::time::Instant;
 const SAMPLES_OF_ITERATION: usize = 12;
 const GRID_OF_HIERARCHY: usize = 16;
 
-/// The refusal of a pair of which no valid model was drawn.
+/// The refusal of a pair for which no valid model was drawn.
 const NOT_DRAWN: &str = "NOT_DRAWN";
 
 /// The outcome of the check of a pair.

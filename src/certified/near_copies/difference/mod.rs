@@ -22,5 +22,5 @@ mod strip;
 
 pub(in crate::certified) use one_patch::PolynomialDifference;
 pub(in crate::certified) use over_knot_lines::DifferenceOverKnotLines;
-pub(super) use piece::Part;
+pub(super) use piece::SpanPart;
 pub(super) use strip::{Comparison, RestrictedPart};
