@@ -12,7 +12,7 @@ export const program = (name) => join(home, "bin", name);
 const groups = {
   python: {
     packages: ["maturin>=1.9,<2", "numpy", "pytest", "mypy", "trimesh", "matplotlib", "tqdm"],
-    imports: "numpy, pytest, mypy, trimesh, matplotlib, tqdm",
+    imports: "maturin, numpy, pytest, mypy, trimesh, matplotlib, tqdm",
   },
   engines: {
     packages: ["ray[data]>=2.50,<3", "pyspark>=4,<5", "pandas>=2,<3", "pyarrow"],
