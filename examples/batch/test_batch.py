@@ -209,3 +209,23 @@ def test_the_score_is_one_only_of_what_is_unchanged(tmp_path):
     scores = [json.loads(line) for line in done.stdout.splitlines()]
     assert [line["score"] for line in scores] == [1.0, 1.0, 0.0, 0.0]
     assert scores[2]["truth"][0]["face"] == 0 and scores[3]["error"] == "JSON_SHAPE"
+
+
+def test_candidates_are_those_of_equal_area_and_place(tmp_path):
+    def write(name, side, height):
+        ctrl = [[[side * x, y, height, 1] for y in (0, 1)] for x in (0, 1)]
+        surface = {"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1], "ctrl": ctrl}
+        (tmp_path / name).write_text(json.dumps({"surfaces": [surface]}))
+
+    for name, side, height in [("a", 1, 0), ("near", 1, 0.0005), ("high", 1, 5), ("long", 2, 0)]:
+        write(f"{name}.json", side, height)
+    files = sorted(map(str, tmp_path.glob("*.json")))
+
+    def found(*options):
+        command = [sys.executable, str(HERE / "candidates.py"), *files, *options]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        return {frozenset(Path(line[side]).stem for side in "ab") for line in lines}
+
+    assert found() == {frozenset(pair) for pair in [("a", "near"), ("a", "high"), ("near", "high")]}
+    assert found("--placed") == {frozenset(("a", "near"))}
