@@ -23,7 +23,7 @@ pub fn check(bytes: &[u8]) {
             Method::Certified(CertifiedOptions { max_cells: Some(32), ..Default::default() })
         }
         MethodName::Hierarchy => Method::Hierarchy(HierarchyOptions { grid: 4, ..Default::default() }),
-        MethodName::Iteration => method.into(),
+        other => other.into(),
     };
     let options = DistanceOptions { method, samples: 4, symmetric: true, ..DistanceOptions::default() };
     let result = distance(&model, &other, &options);

@@ -25,7 +25,7 @@ pub fn check(bytes: &[u8]) {
     match &mut options.method {
         Method::Certified(budgets) => cut(budgets.max_cells.get_or_insert(MAX_CELLS), MAX_CELLS),
         Method::Hierarchy(hierarchy) => cut(&mut hierarchy.grid, MAX_SAMPLES),
-        Method::Iteration(_) => {}
+        _ => {}
     }
     if options.backend == Backend::Auto {
         options.backend = Backend::Cpu;
