@@ -218,7 +218,8 @@ class Model:
         self, *, tolerance: float | None = None, relative_tolerance: float | None = None
     ) -> Mesh:
         """Return triangles within a tolerance of the model, in model units, or a fraction of its
-        diagonal; 2e-4 of it if neither is given."""
+        diagonal; 2e-4 of it if neither is given. Where that takes more than about a million
+        triangles it is exceeded."""
         options = _names.options(tolerance=tolerance, relative_tolerance=relative_tolerance)
         made = self._native.tessellate(options)
         ends = made["face_ends"].astype(np.int64)
