@@ -45,6 +45,24 @@ export const firefox = [
   },
 ];
 
+/** The oldest Java of Spark 4. */
+const MIN_JAVA = 17;
+
+/** Whether the Java on PATH is one that Spark 4 runs on. */
+function hasJava() {
+  const version = ask("java", ["--version"])?.match(/^\S+ (\d+)/)?.[1];
+  return Number(version) >= MIN_JAVA;
+}
+
+/** Java, for the tests on Spark. */
+export const java = [
+  {
+    packages: ["default-jre-headless"],
+    what: `Java ${MIN_JAVA} or newer`,
+    present: hasJava,
+  },
+];
+
 /** Returns the fields of /etc/os-release. */
 export function distribution() {
   try {

@@ -2,7 +2,7 @@
 import { existsSync } from "node:fs";
 import { Failure } from "../process.mjs";
 import { home as pythonHome, packages as pythonPackages } from "../test/python.mjs";
-import { browser, compiler, debian, firefox, missingPackages } from "./debian.mjs";
+import { browser, compiler, debian, firefox, java, missingPackages } from "./debian.mjs";
 import { driver, lavapipe } from "./lavapipe.mjs";
 import { packages, siteGenerator } from "./packages.mjs";
 import { missingParts, rust } from "./rust.mjs";
@@ -55,6 +55,7 @@ const forPage = [
 const forTests = [
   systemPackages([...compiler, ...browser]),
   { name: "Firefox", missing: () => missingPackages(firefox), install: () => optional(firefox) },
+  { name: "Java", missing: () => missingPackages(java), install: () => optional(java) },
   {
     name: "lavapipe",
     missing: () => (driver() ? [] : ["Mesa's Vulkan driver, where the system's is too old"]),

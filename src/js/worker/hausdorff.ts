@@ -4,7 +4,7 @@ import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { PeerLoader } from "../cad/peers/peers.js";
 import { HausdorffError } from "../error.js";
-import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
+import type { BestFit, BestFitOptions } from "../fit/fit.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
 import { requireSignal } from "../measure/cancelled.js";

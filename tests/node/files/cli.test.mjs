@@ -7,13 +7,13 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { environment, must } from "../../../scripts/process.mjs";
+import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
+import { environment } from "../../../scripts/process.mjs";
 import { interchangeSquare } from "../support.mjs";
 import { missing, sharedFile } from "./files.mjs";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const main = join(root, "dist/cli/main.js");
-const native = join(root, "target/release/nurbs-hausdorff");
 const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
 after(() => rmSync(folder, { recursive: true }));
 
@@ -46,7 +46,7 @@ const table = JSON.parse(readFileSync(join(root, "src/js/cli/options.json"), "ut
 const squares = {};
 
 before(async () => {
-  await must("cargo", ["build", "--release", "--locked", "--bin", "nurbs-hausdorff"]);
+  await buildCommand();
   for (const z of [0, 3]) {
     squares[z] = file(`square-${z}.json`, JSON.stringify(interchangeSquare(z)));
   }
