@@ -7,7 +7,6 @@ mod interpolation;
 mod power_form;
 mod restriction;
 
-pub use bernstein::MAX_ORDER;
 pub(crate) use bernstein_product::{
     binomials, dot_products, length_bounds, scaled, squares, triple_products, unscale,
 };

@@ -1,6 +1,6 @@
 //! Whether a box of parameters lies in the trimmed region.
 
-use super::winding::{Arc, Winding};
+use super::winding::{Winding, WindingPiece};
 use crate::param_box::ParamBox;
 use glam::DVec2;
 
@@ -51,11 +51,12 @@ impl Winding {
     }
 
     /// Returns whether an arc may have a point in a box.
-    fn may_enter(&self, arc: &Arc, [low, high]: [DVec2; 2]) -> bool {
+    fn may_enter(&self, arc: &WindingPiece, [low, high]: [DVec2; 2]) -> bool {
         if arc.is_apart([low, high]) {
             return false;
         }
-        let enters = |arc: &Arc| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
+        let enters =
+            |arc: &WindingPiece| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
         let mut stack = vec![(arc.clone(), 0)];
         while let Some((arc, halvings)) = stack.pop() {
             if arc.is_apart([low, high]) {
@@ -70,7 +71,7 @@ impl Winding {
     }
 }
 
-impl Arc {
+impl WindingPiece {
     /// Returns true only if no point of the arc is in a box.
     pub(super) fn is_apart(&self, [low, high]: [DVec2; 2]) -> bool {
         let is_beside = self.bounds[1].cmplt(low).any() || self.bounds[0].cmpgt(high).any();

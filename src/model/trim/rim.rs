@@ -1,7 +1,7 @@
 //! Where a region has no boundary, by a parabola near its loops.
 
 use super::piece::{TrimPiece, point_of};
-use super::winding::{Arc, Winding};
+use super::winding::{Winding, WindingPiece};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_max};
@@ -151,10 +151,10 @@ impl Winding {
 
     /// The pieces of arcs that may enter a box, each short against it, with their curves; `None` where they
     /// are many.
-    fn pieces_in(&self, [low, high]: [DVec2; 2]) -> Option<Vec<(Curve, Arc)>> {
+    fn pieces_in(&self, [low, high]: [DVec2; 2]) -> Option<Vec<(Curve, WindingPiece)>> {
         let longest = PIECE_LENGTH * low.distance(high);
         let mut pieces = Vec::new();
-        let mut stack: Vec<(Curve, Arc, u32)> = Vec::new();
+        let mut stack: Vec<(Curve, WindingPiece, u32)> = Vec::new();
         for index in 0..self.loops() {
             let arcs = self.arcs_of(index).filter(|arc| !arc.is_on_border && !arc.is_apart([low, high]));
             stack.extend(arcs.map(|arc| ((index, arc.piece.curve), arc.clone(), 0)));
@@ -189,7 +189,7 @@ struct Graph {
 impl Graph {
     /// The parabola nearest to the ends and the middles of these pieces, over the parameter along which they run in the box.
     fn through<'a>(
-        pieces: impl Iterator<Item = &'a Arc> + Clone,
+        pieces: impl Iterator<Item = &'a WindingPiece> + Clone,
         [low, high]: [DVec2; 2],
         origin: DVec2,
     ) -> Self {
@@ -350,7 +350,7 @@ mod tests {
             let winding = region(&POLYGON, weight).winding();
             for _ in 0..1500 {
                 let size = 10.0_f64.powf(-0.7 - 2.0 * random.f64());
-                let arcs: Vec<&Arc> = winding.arcs().collect();
+                let arcs: Vec<&WindingPiece> = winding.arcs().collect();
                 let arc = arcs[random.usize(0..arcs.len())];
                 let near =
                     if random.bool() { arc.ends[0] } else { arc.ends[0].lerp(arc.ends[1], random.f64()) };

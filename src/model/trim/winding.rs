@@ -29,14 +29,14 @@ pub const RESOLUTION: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct Winding {
     domain: ParamBox,
-    loops: Vec<Vec<Arc>>,
+    loops: Vec<Vec<WindingPiece>>,
     /// The rounding of a coordinate of the domain, as a fraction of its range.
     rounding: f64,
 }
 
 /// A piece in fractions of the domain.
 #[derive(Debug, Clone)]
-pub(super) struct Arc {
+pub(super) struct WindingPiece {
     pub(super) piece: TrimPiece,
     pub(super) ends: [DVec2; 2],
     /// An upper bound on the length of the control polygon, with the rounding of its points.
@@ -65,7 +65,7 @@ impl Winding {
                 for control in &mut scaled.controls {
                     *control = homogeneous(winding.fraction(point_of(*control)), control.z);
                 }
-                arcs.push(Arc::new(scaled, rounding));
+                arcs.push(WindingPiece::new(scaled, rounding));
             }
             winding.loops.push(arcs);
         }
@@ -114,20 +114,20 @@ impl Winding {
     }
 
     /// Returns the pieces of all loops.
-    pub(super) fn arcs(&self) -> impl Iterator<Item = &Arc> {
+    pub(super) fn arcs(&self) -> impl Iterator<Item = &WindingPiece> {
         self.loops.iter().flatten()
     }
 
     /// Returns the pieces of a loop.
-    pub(super) fn arcs_of(&self, index: usize) -> impl Iterator<Item = &Arc> {
+    pub(super) fn arcs_of(&self, index: usize) -> impl Iterator<Item = &WindingPiece> {
         self.loops[index].iter()
     }
 
     /// Returns the halves of an arc that was halved `halvings` times.
-    pub(super) fn halves(&self, arc: &Arc, halvings: u32) -> [Arc; 2] {
+    pub(super) fn halves(&self, arc: &WindingPiece, halvings: u32) -> [WindingPiece; 2] {
         let rounding =
             self.rounding + gamma(f64::from(halvings + 1) * (2.0 * arc.piece.degree() as f64 + 4.0));
-        arc.piece.halves().map(|half| Arc::new(half, rounding))
+        arc.piece.halves().map(|half| WindingPiece::new(half, rounding))
     }
 
     /// Returns the number of loops.
@@ -158,7 +158,7 @@ impl Winding {
     }
 
     /// Returns the angle under which the point sees the arc.
-    fn angle(&self, arc: &Arc, point: DVec2) -> Option<f64> {
+    fn angle(&self, arc: &WindingPiece, point: DVec2) -> Option<f64> {
         if let Some(angle) = arc.chord_angle(point) {
             return Some(angle);
         }
@@ -177,7 +177,7 @@ impl Winding {
     }
 }
 
-impl Arc {
+impl WindingPiece {
     /// Makes the arc of a piece whose points have this rounding.
     fn new(piece: TrimPiece, rounding: f64) -> Self {
         let mut length = 0.0;
