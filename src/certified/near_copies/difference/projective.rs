@@ -122,3 +122,112 @@ impl ProjectiveMap {
         Net::new(degree, controls, origin - target.center, 1.0)
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::certified::nearest::{Foot, NearestPoint};
+    use crate::certified::testing::{Surfaces, clamped};
+    use crate::certified::{Cell, Pair};
+    use crate::flatness::Flatness;
+    use crate::model::{RigidTransform, SurfaceArrays};
+
+    /// The patch with these points and weights, t fastest.
+    fn surface(degree: [usize; 2], control_points: Vec<[f64; 4]>) -> Surfaces {
+        let arrays = SurfaceArrays {
+            degree,
+            counts: degree.map(|degree| degree + 1),
+            knots: degree.map(|degree| clamped(degree, &[])),
+            control_points,
+        };
+        Surfaces::new(vec![arrays], Flatness::None)
+    }
+
+    /// A graph over [0, 3] × [0, 2] with weights.
+    fn graph(random: &mut fastrand::Rng, [p, q]: [usize; 2]) -> Vec<[f64; 4]> {
+        let place = |i: usize, j: usize| [3.0 * i as f64 / p as f64, 2.0 * j as f64 / q as f64];
+        (0..(p + 1) * (q + 1))
+            .map(|index| place(index / (q + 1), index % (q + 1)))
+            .map(|[x, y]| [x, y, 0.4 * random.f64(), 0.8 + 0.4 * random.f64()])
+            .collect()
+    }
+
+    /// The same points by projective maps of both parameters, in one of eight orders.
+    fn mapped(
+        [p, q]: [usize; 2],
+        controls: &[[f64; 4]],
+        factors: [f64; 2],
+        order: usize,
+    ) -> ([usize; 2], Vec<[f64; 4]>) {
+        let at = |i: usize, j: usize| {
+            let [i, j] = [if order & 1 > 0 { p - i } else { i }, if order & 2 > 0 { q - j } else { j }];
+            let mut control = controls[i * (q + 1) + j];
+            control[3] *= factors[0].powi(i as i32) * factors[1].powi(j as i32);
+            control
+        };
+        if order & 4 > 0 {
+            ([q, p], (0..=q).flat_map(|j| (0..=p).map(move |i| (i, j))).map(|(i, j)| at(i, j)).collect())
+        } else {
+            ([p, q], (0..=p).flat_map(|i| (0..=q).map(move |j| (i, j))).map(|(i, j)| at(i, j)).collect())
+        }
+    }
+
+    fn evaluate(a: &Surfaces, b: &Surfaces, threshold: f64) -> Option<f64> {
+        let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+        let nearest = NearestPoint::new(pair.b);
+        let start = nearest.nearest(pair.point_of_a(0, [0.5; 2]), Foot::start(0, [0.5; 2]), 0.0);
+        let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &start);
+        ProjectiveDifference.evaluate(&mut context, threshold)
+    }
+
+    /// The same points with other weights are at no distance, along either parameter, however it runs; above
+    /// them the bound is the height.
+    #[test]
+    fn projective_changes_of_weights_are_at_no_distance() {
+        let random = &mut fastrand::Rng::with_seed(320);
+        for case in 0..48 {
+            let degree = [[3, 1], [2, 3], [1, 2]][case % 3];
+            let factors = [[2.5, 1.0], [1.0, 0.4], [0.6, 1.9]][case / 8 % 3];
+            let controls = graph(random, degree);
+            let b = surface(degree, controls.clone());
+            let (mapped_degree, mut controls) = mapped(degree, &controls, factors, case % 8);
+            let on = evaluate(&surface(mapped_degree, controls.clone()), &b, 1e-6).unwrap();
+            assert!(on <= 1e-7, "{on:e} of case {case}");
+            for control in &mut controls {
+                control[2] += 1e-3;
+            }
+            let above = evaluate(&surface(mapped_degree, controls), &b, 2e-3).unwrap();
+            assert!(above <= 1e-3 * (1.0 + 1e-6), "{above:e} of case {case}");
+        }
+    }
+
+    /// No point is farther than the bound, where points are moved at random.
+    #[test]
+    fn no_point_is_farther_than_the_bound() {
+        let random = &mut fastrand::Rng::with_seed(321);
+        let mut bounded = 0;
+        for case in 0..100 {
+            let degree = [[3, 1], [2, 2]][case % 2];
+            let controls = graph(random, degree);
+            let b = surface(degree, controls.clone());
+            let factors = [0.5 + random.f64(), 0.5 + random.f64()];
+            let (mapped_degree, mut controls) = mapped(degree, &controls, factors, case % 8);
+            for control in &mut controls {
+                for coordinate in &mut control[..3] {
+                    *coordinate += 1e-5 * (random.f64() - 0.5);
+                }
+            }
+            let a = surface(mapped_degree, controls);
+            let Some(upper) = evaluate(&a, &b, 1.0) else { continue };
+            bounded += 1;
+            let nearest = NearestPoint::new(b.operand());
+            for _ in 0..30 {
+                let target = a.operand().patch(0).point([random.f64(), random.f64()]);
+                let foot = nearest.nearest(target, Foot::start(0, [0.5; 2]), 0.0);
+                assert!(nearest.certified(target, foot, 1e-10).distance() <= upper + 1e-10, "case {case}");
+            }
+        }
+        assert!(bounded > 40, "{bounded}");
+    }
+}
