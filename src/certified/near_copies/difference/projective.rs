@@ -193,12 +193,12 @@ mod tests {
             let b = surface(degree, controls.clone());
             let (mapped_degree, mut controls) = mapped(degree, &controls, factors, case % 8);
             let on = evaluate(&surface(mapped_degree, controls.clone()), &b, 1e-6).unwrap();
-            assert!(on <= 1e-7, "{on:e} of case {case}");
+            assert!(on <= 1e-6, "{on:e} of case {case}");
             for control in &mut controls {
                 control[2] += 1e-3;
             }
             let above = evaluate(&surface(mapped_degree, controls), &b, 2e-3).unwrap();
-            assert!(above <= 1e-3 * (1.0 + 1e-6), "{above:e} of case {case}");
+            assert!((0.9e-3..=1.1e-3).contains(&above), "{above:e} of case {case}");
         }
     }
 
