@@ -251,7 +251,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   hideResult();
   resultPanel.clearResult("working");
   measure();
-  view.fit();
+  view.fit(true);
   const camera = History.cameraOf(state);
   if (camera !== undefined) view.camera = camera;
   const { drawn } = view.models;

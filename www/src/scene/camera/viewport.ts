@@ -169,13 +169,13 @@ export class Viewport {
     return ray.intersectObjects(objects, false);
   }
 
-  /** Shows the whole box from a direction. */
-  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
+  /** Shows the whole box from a direction, `atOnce` without a way to it: for models that are new. */
+  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique, atOnce = false): void {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
     const distance = fitDistance(this.#perspective, direction, box);
-    this.#look(box.getCenter(new Vector3()), direction, distance);
+    this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
   }
 
   /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
@@ -265,13 +265,13 @@ export class Viewport {
   }
 
   /** Moves the camera to where it sees a target from a direction at a distance. */
-  #look(target: Vector3, direction: Vector3, distance: number): void {
+  #look(target: Vector3, direction: Vector3, distance: number, atOnce = false): void {
     cancelAnimationFrame(this.#way);
     const eye = target.clone().addScaledVector(direction, distance);
     const { position } = this.#perspective;
     const [fromEye, fromTarget] = [position.clone(), this.controls.target.clone()];
     const begin = performance.now();
-    const still = fromEye.equals(fromTarget) || isStill();
+    const still = atOnce || fromEye.equals(fromTarget) || isStill();
     const step = () => {
       const part = still ? 1 : Math.min(1, (performance.now() - begin) / WAY);
       // Starts and ends slowly.
