@@ -133,9 +133,9 @@ def test_a_true_progress_is_a_bar_of_tqdm(capsys):
 
 def test_an_interrupt_ends_a_search():
     program = (
-        "import signal, threading, os, sys; sys.path.insert(0, sys.argv[1])\n"
+        "import signal, threading, sys; sys.path.insert(0, sys.argv[1])\n"
         "import test_use\n"
-        "threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        "threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()\n"
         "try:\n    test_use.long_search()\nexcept KeyboardInterrupt:\n    sys.exit(7)\n"
     )
     folder = __file__.rsplit("test_use", 1)[0]
