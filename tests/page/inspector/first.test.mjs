@@ -104,6 +104,10 @@ test("a face is hidden, isolated and found by its name", async () => {
   assert.equal(await rows.count(), 2);
   await rows.first().locator('input[type="checkbox"]').uncheck();
   assert.ok(!(await rows.first().locator('input[type="checkbox"]').isChecked()));
+  // The classes of a comparison are drawn without the hidden face.
+  await page.locator("#compare").click();
+  await page.locator('#faces[data-state="done"]').waitFor();
+  await page.locator("#faces-clear").click();
   await page.locator("#tree-all").click();
   assert.ok(await rows.first().locator('input[type="checkbox"]').isChecked());
   await page.locator("#tree-filter").fill("");
