@@ -310,7 +310,7 @@ mod tests {
         );
         let side = |k: usize| {
             let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
-            let bulge = if k % 2 == 0 { 0.2 } else { -0.2 };
+            let bulge = if k.is_multiple_of(2) { 0.2 } else { -0.2 };
             let middle = [
                 0.5 * (from[0] + to[0]) + bulge * (to[1] - from[1]),
                 0.5 * (from[1] + to[1]) - bulge * (to[0] - from[0]),

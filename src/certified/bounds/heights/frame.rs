@@ -121,9 +121,10 @@ impl<'a> Frame<'a> {
             let mut lack = [0.0; 2];
             for axis in 0..2 {
                 // Beyond an end of the surface there is nothing more.
-                for side in 0..2 {
-                    if ends[axis][side] != image.reach.domain[axis][side] {
-                        lack[axis] = upper_max(lack[axis], placement.beyond[axis][side]);
+                let sides = ends[axis].iter().zip(&image.reach.domain[axis]).zip(placement.beyond[axis]);
+                for ((end, last), beyond) in sides {
+                    if end != last {
+                        lack[axis] = upper_max(lack[axis], beyond);
                     }
                 }
             }
