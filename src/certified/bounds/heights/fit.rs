@@ -51,7 +51,7 @@ impl Fit {
         let first = tangent.normalize();
         let axes = [first, normal.cross(first), normal];
         let values = axes.map(|axis| samples.map(|sample| axis.dot(sample)));
-        let size = |values: &Column| values.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        let size = |values: &Column| values.iter().fold(0.0_f64, |size, value| upper_max(size, value.abs()));
         let [x, y, z] = [0, 1, 2].map(|axis| size(&values[axis]));
         let scales = [x.max(y), x.max(y), z];
         let is_proper = scales.iter().all(|scale| *scale > 0.0 && scale.is_finite());

@@ -6,6 +6,7 @@ use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::certified::testing::{Surfaces, closed, patch, through};
 use crate::flatness::Flatness;
+use crate::rounding::lower_min;
 use glam::{DMat3, DVec4};
 
 /// A random point of [-½, ½]³.
@@ -113,7 +114,8 @@ fn errors_are_those_of_the_lemma() {
     let random = &mut fastrand::Rng::with_seed(3);
     let (degree, shift, patch_radius) = ([2, 3], vector(random), 1.5);
     let net = controls(random, degree);
-    let farthest = net.iter().map(|control| (control.xyz() / control.w - shift).length()).fold(0.0, f64::max);
+    let farthest =
+        net.iter().map(|control| (control.xyz() / control.w - shift).length()).fold(0.0, upper_max);
     let piece = Piece::new(degree, net, shift, patch_radius);
     let error = gamma((16.0 * 5.0 + 8.0) * patch_radius + 8.0 * shift.length());
     assert_eq!(piece.error, error);
@@ -182,8 +184,8 @@ fn lags_contain_the_differences() {
             };
             let corners = [0, 1, 2, 3].map(corner);
             let [low, high] = values.lag(axis, ends);
-            let largest = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
-            let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+            let largest = corners.into_iter().fold(f64::NEG_INFINITY, upper_max);
+            let least = corners.into_iter().fold(f64::INFINITY, lower_min);
             let error = values.error + gamma(16.0) * (ends[0].abs() + ends[1].abs() + values.size);
             assert!((high - (largest + error)).abs() < 1e-15 && (low - (least - error)).abs() < 1e-15);
             assert!(high > largest && low < least);
@@ -223,9 +225,10 @@ fn the_bound_has_every_term_of_the_lemma() {
                 let bound = over.upper_bound(&function, 1.0);
                 let [low, high] = a.values_of_cubic(&function).range();
                 let ranges = image.parts.iter().map(|part| part.piece.values_of_cubic(&function).range());
-                let difference =
-                    ranges.map(|[least, largest]| (largest - low).max(high - least)).fold(0.0, f64::max);
-                let radius = image.parts.iter().map(|part| part.piece.radius).fold(0.0, f64::max);
+                let difference = ranges
+                    .map(|[least, largest]| upper_max(largest - low, high - least))
+                    .fold(0.0, upper_max);
+                let radius = image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
                 let (r, n) = (a.radius + radius, frame.normal);
                 let tilt = function.quadric.linear - n;
                 let turn = tilt.length() + function.quadric.size() * r + function.size() * r * r;
@@ -259,7 +262,7 @@ fn a_function_that_turns_too_far_bounds_nothing() {
             function.add_product(share, x, first);
             over.upper_bound(&function, 1e9)
         };
-        let reach = a.radius + image.parts.iter().map(|part| part.piece.radius).fold(0.0, f64::max);
+        let reach = a.radius + image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
         assert!(bound(0.99 / reach, first).is_finite());
         assert!(bound(1.01 / reach, first).is_infinite());
         // |M n| is half the factor.
@@ -318,7 +321,7 @@ fn gaps_widen_a_placement() {
         let (mut image, linear) = frame.image(a).unwrap();
         let closer = frame.closer_placement(a, &image);
         image.gap = 1e-3;
-        let radius = image.parts.iter().map(|part| part.piece.radius).fold(0.0, f64::max);
+        let radius = image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
         for before in [linear, closer] {
             let after = frame.placement(a, &image, before.functions);
             for axis in 0..2 {
@@ -354,8 +357,8 @@ fn a_fit_of_third_order_vanishes_on_such_a_surface() {
         fit.add(terms, 1e-14);
         let function = fit.function();
         let values: Vec<f64> = samples.iter().map(|sample| value(&function, *sample)).collect();
-        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = values.iter().copied().fold(f64::NEG_INFINITY, upper_max);
+        let least = values.iter().copied().fold(f64::INFINITY, lower_min);
         assert!((0.5 * (largest - least) - fit.spread()).abs() < 1e-14);
         spreads.push(fit.spread());
     }
