@@ -128,7 +128,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    */
   mesh(input: MeshArrays): NurbsModel {
     requireLoaded();
-    return translating(() => NurbsModel.of(PreparedModel.fromFacets(...facetArrays(input))));
+    return translating(() => {
+      const [positions, triangles, unit] = facetArrays(input);
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      // The caller's arrays may change.
+      return NurbsModel.of(prepared, null, {
+        positions: positions.slice(),
+        triangles: triangles?.slice(),
+      });
+    });
   }
 
   /**

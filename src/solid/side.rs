@@ -64,7 +64,7 @@ impl Boundary {
     }
 
     /// Returns an upper bound on the error of a coordinate along a ray from a point.
-    fn margin_at(&self, point: DVec3) -> f64 {
+    pub(crate) fn margin_at(&self, point: DVec3) -> f64 {
         self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 

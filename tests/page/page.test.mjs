@@ -95,6 +95,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   const { page } = opened;
   await page.selectOption("#method", "certified");
   await openPlanes([2.9], [3]);
+  await page.selectOption("#paint", "a");
   await opened.until("done", () => page.locator("#deviation").check());
   for (const [height, mean, red, ends] of [
     [2.9, "≈ −0.10000", false, ["−0.10000", "0.00000"]],
@@ -102,13 +103,13 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   ]) {
     await opened.until("done", () => page.locator("#move-z-exact").fill(`${height - 2.9}`));
     assert.deepEqual(await opened.texts("#statistics"), {
-      mean: "≈ 0.10000",
-      "signed mean": mean,
-      RMS: "≈ 0.10000",
-      median: "≈ 0.10000",
-      "95th percentile": "≈ 0.10000",
-      "99th percentile": "≈ 0.10000",
-      "maximum of the samples": "≈ 0.10000",
+      "A: mean": "≈ 0.10000",
+      "A: signed mean": mean,
+      "A: RMS": "≈ 0.10000",
+      "A: median": "≈ 0.10000",
+      "A: 95th percentile": "≈ 0.10000",
+      "A: 99th percentile": "≈ 0.10000",
+      "maximum of the map": "0.10000",
     });
     assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
     // The deviation has one sign, and so has the scale.
@@ -120,14 +121,15 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   await opened.until("done", () => page.locator("#deviation").uncheck());
   assert.ok(await page.locator("#legend").isHidden());
   assert.ok(await page.locator("#estimates").isHidden());
+  await page.selectOption("#paint", "both");
 });
 
 /** The rows of the view, from the top, in which the arrow's pixels are, with their number. */
 async function arrowRows() {
   const { page } = opened;
   await page.waitForTimeout(500);
-  // The label has the arrow's colour.
-  const style = "#label, #tools { visibility: hidden }";
+  // The label has the arrow's colour, and others cover its ends.
+  const style = "#label, .end, #tools, #legend, #axes { visibility: hidden }";
   const image = (await page.locator("#canvas").screenshot({ style })).toString("base64");
   return page.evaluate(async (image) => {
     const bitmap = await createImageBitmap(
@@ -189,7 +191,7 @@ test("the arrow starts at the farthest point of the direction with the larger di
 
 test("projection lines and the painted deviation come with a legend", async () => {
   await opened.until("done", () =>
-    opened.page.selectOption("#preset", { label: "Two wavy sheets" }),
+    opened.page.selectOption("#preset", { label: "Experiments: two wavy sheets" }),
   );
   for (const box of ["#lines", "#deviation"]) {
     await opened.until("done", () => opened.page.locator(box).check());

@@ -9,6 +9,7 @@ import { join } from "node:path";
 import { setTimeout as wait } from "node:timers/promises";
 import { preview } from "vite";
 import { which } from "../../../scripts/process.mjs";
+import { PLAIN } from "./open.mjs";
 import { saveScreenshot } from "./screenshots.mjs";
 
 /** Milliseconds in which Firefox has to listen, and in which a condition has to hold. */
@@ -89,7 +90,7 @@ function commands(socket) {
 }
 
 /** Opens the page in the Firefox at this path. */
-export async function openFirefox(executable, path = "") {
+export async function openFirefox(executable, path = PLAIN) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
   const port = await freePort();
   const profile = mkdtempSync(join(tmpdir(), "firefox-"));

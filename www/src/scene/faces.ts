@@ -1,30 +1,43 @@
 // The faces of one model, coloured by the class of each: one draw call a class.
 import type { Tessellation } from "nurbs-hausdorff";
 import { Box3, BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } from "three";
+import type { Side } from "../worker/protocol.ts";
 import { glass, satin } from "./material.ts";
 
-export type FaceClass = "plain" | "undecided" | "changed";
+export type FaceClass = "plain" | "undecided" | "changed" | "near" | "clash";
 
-const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed"];
+const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed", "near", "clash"];
 
 /** The colour of faces that need no attention, and of faces that the search did not decide. */
 const PLAIN = "#98a3ad";
 const UNDECIDED = "#8a5cc2";
+/** The colours of faces that come near the other model, and of those that meet it. */
+const NEAR = "#f2a93b";
+const CLASH = "#d3122f";
+
+/** How far back coincident faces lie. */
+const OFFSETS: Readonly<Record<Side, number>> = { a: 1, b: 3 };
 
 export class FaceColors {
   readonly mesh: Mesh<BufferGeometry, Material[]>;
   readonly #source: BufferGeometry;
   readonly #ranges: Tessellation["faces"];
 
-  /** `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
-  constructor(source: BufferGeometry, ranges: Tessellation["faces"], color: string) {
+  /** Faces of B lie a little behind those of A that coincide. `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
+  constructor(source: BufferGeometry, ranges: Tessellation["faces"], side: Side, color: string) {
     this.#source = source;
     this.#ranges = ranges;
     const geometry = new BufferGeometry();
     for (const name of ["position", "normal"]) {
       geometry.setAttribute(name, source.getAttribute(name));
     }
-    this.mesh = new Mesh(geometry, [glass(PLAIN), satin(UNDECIDED), satin(color)]);
+    this.mesh = new Mesh(geometry, [
+      glass(PLAIN),
+      satin(UNDECIDED, OFFSETS[side]),
+      satin(color, OFFSETS[side]),
+      satin(NEAR, OFFSETS[side]),
+      satin(CLASH, OFFSETS[side]),
+    ]);
     this.mesh.visible = false;
   }
 
