@@ -66,7 +66,7 @@ async function coloured(picture) {
 test("Firefox draws the models and the deviation in its colours", { skip }, async (context) => {
   const without = await opened.evaluate(() => document.getElementById("tools").hidden);
   if (without) return context.skip("this Firefox has no WebGL");
-  await done(select, "preset", "NACA wings 2412 and 2415");
+  await done(select, "preset", "Experiments: two wavy sheets");
   const models = await opened.screenshot("firefox");
   assert.ok((await opened.evaluate(coloured, models)) > 0.05);
   await done(() => document.getElementById("deviation").click());

@@ -44,18 +44,6 @@ async function colorLeftOfMiddle() {
   }, image);
 }
 
-/** Takes the README's picture, for `npm run picture`; narrower, which keeps the file small. */
-async function takePicture(path) {
-  const { page } = opened;
-  const size = page.viewportSize();
-  await page.setViewportSize({ width: 1130, height: 800 });
-  await page.locator("#fit").click();
-  await page.mouse.move(0, 0);
-  await page.waitForTimeout(500);
-  await page.screenshot({ path });
-  await page.setViewportSize(size);
-}
-
 test("the first preset is measured and shown", async () => {
   const { page } = opened;
   const { lower, upper, computed, converged } = await opened.data();
@@ -70,7 +58,6 @@ test("the first preset is measured and shown", async () => {
   assert.match(await page.locator("#engine").textContent(), /WebGPU/);
   assert.ok(await page.locator("#banner").isHidden());
   await opened.screenshot("page");
-  if (process.env.PICTURE) await takePicture(process.env.PICTURE);
 });
 
 for (const method of ["certified", "iteration"]) {

@@ -1,7 +1,6 @@
 // The main page: connects the panel, the worker, the view and the results.
 import { ClearancePanel } from "./clearance/clearancePanel.ts";
 import { showMeeting } from "./clearance/meeting.ts";
-import { farthestSide } from "./common/direction.ts";
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
 import { clearFit, isFitting, onFit, showFit } from "./controls/bestFit.ts";
@@ -17,6 +16,7 @@ import {
   showSources,
   sourcesOf,
 } from "./controls/sources.ts";
+import { visibilities } from "./controls/visibilities.ts";
 import { download } from "./export/download.ts";
 import { onExport } from "./export/exportPanel.ts";
 import { exportAs } from "./export/exports.ts";
@@ -25,29 +25,18 @@ import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
 import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
 import { forgetFiles, keepFile, keepState, keptFiles } from "./files/kept.ts";
-import { showCut } from "./inspection/cutPlot.ts";
+import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
-import { isBeyond, PlaceList, sizeText } from "./inspection/placeList.ts";
-import { type Place, placesOf } from "./inspection/places.ts";
+import { PlaceView } from "./inspection/placeView.ts";
 import * as resultPanel from "./results/resultPanel.ts";
-import { addMeasured, allowed, needsPrecision, onLimit } from "./results/verdict.ts";
+import { addMeasured, needsPrecision, onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
-import type { Visibility } from "./scene/mesh.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState, formState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import {
-  type FitReply,
-  type PlainOptions,
-  type Reply,
-  SIDES,
-  type Side,
-} from "./worker/protocol.ts";
-
-/** The distance, in diagonals, up to which models cover each other. */
-const NEARLY = 0.05;
+import { type FitReply, type PlainOptions, type Reply, SIDES } from "./worker/protocol.ts";
 
 /** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
 const FINEST = 1e-9;
@@ -80,7 +69,7 @@ const tree = new FaceTree({
   look: (side, face) => view.approachFace(side, face),
 });
 const probing = new Probing(canvas, view, client, () => pose().transform);
-const places = new PlaceList(showPlace);
+const places = new PlaceView(view, probing, tree);
 const views = new Views(view, canvas);
 const clearance = new ClearancePanel({
   change: () => {
@@ -128,7 +117,7 @@ display.onDisplay((name) => view.look(name), show);
 deviation.onScale((scale) => view.rescale(scale));
 onLimit(() => {
   deviation.rescale();
-  showPlaces();
+  places.show();
   refine();
 });
 options.onChange(() => {
@@ -155,7 +144,7 @@ onExport((format) =>
   exportAs(format, {
     ...{ view, views, options: measured(), diff: faces.result, pins: view.pins.probes },
     ...{ result: view.result, models: view.models.drawn, requestCsv: () => client.csv() },
-    places: shownPlaces(),
+    places: places.all,
   }),
 );
 
@@ -188,57 +177,15 @@ function moved(): void {
   measure();
 }
 
-/**
- * What is shown of the models. Where the user leaves it to the page, nothing hides what is painted:
- * of models that nearly coincide, the one with the farthest point is solid.
- */
-function visibilities(): Record<Side, Visibility> {
-  const { lines, deviation: colours } = options.overlays();
-  const painted = colours ? options.paint() : (["a"] as const);
-  const { result, models } = view;
-  const near = result === undefined || result.computed < NEARLY * result.diagonal;
-  const covers = painted.length > 1 && near && display.wipe() === undefined;
-  const farthest = result === undefined ? "a" : farthestSide(result);
-  const front = covers ? [farthest] : painted;
-  const outer = display.wipe() === undefined ? models.outer : undefined;
-  const auto = (side: Side): Visibility =>
-    side === outer || !front.includes(side) ? "glass" : "solid";
-  // Lines inside a model are seen through it.
-  const of = (side: Side): Visibility => {
-    const shown = display.visibility(side) ?? auto(side);
-    return lines && shown === "solid" ? "glass" : shown;
-  };
-  return { a: of("a"), b: of("b") };
-}
-
 function show(): void {
   view.show(pose(), options.overlays(), {
-    visibility: visibilities(),
+    visibility: visibilities(view.models, view.result),
     orthographic: display.isOrthographic(),
     section: display.section(),
     gizmo: display.gizmoMode(),
     wipe: display.wipe(),
   });
-  drawCut();
-}
-
-function drawCut(): void {
-  const section = display.section();
-  const shown = deviation.painted();
-  const [plane] = view.models.planes;
-  if (section === undefined || shown === undefined || plane === undefined) {
-    showCut(undefined);
-    return;
-  }
-  const { maps, scale, extent } = shown;
-  showCut({
-    ...{ maps, scale, plane, axis: section.axis, largest: extent.largest },
-    place: (side, vertex) => {
-      const [x = 0, y = 0, z = 0] =
-        maps[side]?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];
-      return view.models.place(side, [x, y, z]);
-    },
-  });
+  drawCut(view.models);
 }
 
 function measure(): void {
@@ -262,47 +209,6 @@ function refine(): void {
   if (now <= FINEST) return;
   finer = Math.max(FINEST, now / FINER);
   measure();
-}
-
-/** Shows a place of the map with the arrow to its foot. */
-function showPlace(place: Place): void {
-  const shown = deviation.painted();
-  const map = shown?.maps[place.side];
-  const model = view.models.drawn[place.side];
-  if (shown === undefined || map === undefined || model === undefined) return;
-  const { origin } = model.tessellation;
-  const at = (all: Float32Array, axis: 0 | 1 | 2) => all[3 * place.vertex + axis] ?? 0;
-  const { positions, normals } = map;
-  const near = [
-    at(positions, 0) + origin[0],
-    at(positions, 1) + origin[1],
-    at(positions, 2) + origin[2],
-  ] as const;
-  const normal = [at(normals, 0), at(normals, 1), at(normals, 2)] as const;
-  probing.ask(place.side, [...near], ({ point, foot, face, footFace }) => {
-    const other = place.side === "a" ? "B" : "A";
-    const texts = {
-      length: sizeText(place, shown.result.diagonal),
-      from: `${place.side.toUpperCase()}: ${face}`,
-      to: `${other}: ${footFace}`,
-    };
-    view.approach(point, foot, texts, view.models.turn(place.side, [...normal]));
-  });
-}
-
-const shownPlaces = (): Place[] => placesOf(deviation.painted()?.maps ?? {}, view.models.drawn);
-
-function showPlaces(): void {
-  const all = shownPlaces();
-  const limits = allowed();
-  places.show(all, limits, view.models.diagonal);
-  const changed = (side: Side) =>
-    new Set(
-      all.flatMap((place) =>
-        place.side === side && limits !== undefined && isBeyond(place, limits) ? [place.face] : [],
-      ),
-    );
-  tree.changed = { a: changed("a"), b: changed("b") };
 }
 
 function stopLoading(): void {
@@ -345,7 +251,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   hideResult();
   resultPanel.clearResult("working");
   measure();
-  view.fit();
+  view.fit(true);
   const camera = History.cameraOf(state);
   if (camera !== undefined) view.camera = camera;
   const { drawn } = view.models;
@@ -369,8 +275,8 @@ function keep(models: Extract<Reply, { kind: "loaded" }>["models"]): void {
 function hideResult(): void {
   view.hideResult();
   deviation.hideMaps();
-  showPlaces();
-  showCut(undefined);
+  places.show();
+  drawCut(view.models);
 }
 
 function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
@@ -387,8 +293,8 @@ function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measure
     view.showMaps(maps, scale, largest);
   }
   if (!replaced) return;
-  showPlaces();
-  drawCut();
+  places.show();
+  drawCut(view.models);
 }
 
 /** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */

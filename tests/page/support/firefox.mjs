@@ -18,6 +18,8 @@ const TIMEOUT = 60_000;
 
 /** Lets WebGL run on Mesa's software, which Firefox otherwise takes for too slow. */
 const SOFTWARE_WEBGL = { "webgl.force-enabled": true };
+/** The camera is where it goes at once. */
+const WITHOUT_MOTION = { "ui.prefersReducedMotion": 1 };
 
 /** A port that nothing listens on. */
 function freePort() {
@@ -94,7 +96,7 @@ export async function openFirefox(executable, path = PLAIN) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
   const port = await freePort();
   const profile = mkdtempSync(join(tmpdir(), "firefox-"));
-  const preferences = { "marionette.port": port, ...SOFTWARE_WEBGL };
+  const preferences = { "marionette.port": port, ...SOFTWARE_WEBGL, ...WITHOUT_MOTION };
   const lines = Object.entries(preferences).map(
     ([name, value]) => `user_pref("${name}", ${value});\n`,
   );

@@ -21,11 +21,21 @@ const OFFSETS: Readonly<Record<Side, number>> = { a: 1, b: 3 };
 export class FaceColors {
   readonly mesh: Mesh<BufferGeometry, Material[]>;
   readonly #source: BufferGeometry;
+  /** The indices of all faces: the source's may be without those that are hidden. */
+  readonly #indices: Uint32Array;
+  /** The faces that are not drawn. */
+  hidden: ReadonlySet<number> = new Set();
   readonly #ranges: Tessellation["faces"];
 
-  /** Faces of B lie a little behind those of A that coincide. `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
-  constructor(source: BufferGeometry, ranges: Tessellation["faces"], side: Side, color: string) {
+  /** Faces of B lie a little behind those of A that coincide; `color` is the model's colour. */
+  constructor(
+    source: BufferGeometry,
+    { indices, faces: ranges }: Pick<Tessellation, "indices" | "faces">,
+    side: Side,
+    color: string,
+  ) {
     this.#source = source;
+    this.#indices = indices;
     this.#ranges = ranges;
     const geometry = new BufferGeometry();
     for (const name of ["position", "normal"]) {
@@ -44,8 +54,8 @@ export class FaceColors {
   /** Shows every face in the colour of its class; without classes, nothing. */
   show(classes: FaceClass[] | undefined): void {
     this.mesh.visible = classes !== undefined;
-    const source = this.#source.getIndex()?.array;
-    if (classes === undefined || source === undefined) return;
+    const source = this.#indices;
+    if (classes === undefined) return;
     const { geometry } = this.mesh;
     const indices = new Uint32Array(source.length);
     geometry.clearGroups();
@@ -53,7 +63,7 @@ export class FaceColors {
     for (const [material, name] of CLASSES.entries()) {
       const begin = end;
       for (const [face, { firstIndex, indexCount }] of this.#ranges.entries()) {
-        if ((classes[face] ?? "plain") !== name) continue;
+        if ((classes[face] ?? "plain") !== name || this.hidden.has(face)) continue;
         indices.set(source.subarray(firstIndex, firstIndex + indexCount), end);
         end += indexCount;
       }
@@ -66,12 +76,11 @@ export class FaceColors {
   box(face: number): Box3 {
     const box = new Box3();
     const range = this.#ranges[face];
-    const indices = this.#source.getIndex();
-    if (range === undefined || indices === null) return box;
+    if (range === undefined) return box;
     const positions = this.#source.getAttribute("position");
     const point = new Vector3();
     for (let at = range.firstIndex; at < range.firstIndex + range.indexCount; at++) {
-      box.expandByPoint(point.fromBufferAttribute(positions, indices.getX(at)));
+      box.expandByPoint(point.fromBufferAttribute(positions, this.#indices[at] ?? 0));
     }
     return box;
   }

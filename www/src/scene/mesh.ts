@@ -84,13 +84,17 @@ export class ModelMesh {
     }
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
-    this.#faces = new FaceColors(geometry, model.tessellation.faces, side, color);
+    this.#faces = new FaceColors(geometry, model.tessellation, side, color);
     this.group.add(
       ...[this.#surface, this.#painted, this.#faces.mesh],
       ...[this.#outline, this.#triangles],
     );
     if (model.closed) {
-      this.#cap = new Cap(geometry, side, color);
+      // All faces, whichever are hidden: what is counted has to close.
+      const whole = new BufferGeometry();
+      whole.setAttribute("position", geometry.getAttribute("position"));
+      whole.setIndex(new BufferAttribute(indices, 1));
+      this.#cap = new Cap(whole, side, color);
       this.group.add(this.#cap.group);
     }
     this.group.matrixAutoUpdate = false;
@@ -160,6 +164,7 @@ export class ModelMesh {
   hideFaces(hidden: ReadonlySet<number>): void {
     if (this.#surface instanceof Points) return;
     this.#hidden = hidden;
+    this.#faces.hidden = hidden;
     const { tessellation, outline } = this.model;
     const { indices, faces } = tessellation;
     const kept = keep(

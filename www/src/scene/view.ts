@@ -109,8 +109,9 @@ export class View {
     void this.#viewport?.compile();
   }
 
-  fit(): void {
-    this.#viewport?.fit(this.models.box);
+  /** Shows both models; `atOnce` without a way to it. */
+  fit(atOnce = false): void {
+    this.#viewport?.fit(this.models.box, undefined, atOnce);
   }
 
   /** Shows both models from a standard direction. */

@@ -121,6 +121,7 @@ export class Viewport {
   }
 
   set place([x = 0, y = 0, z = 0, ...target]: number[]) {
+    if (![x, y, z, ...target].every(Number.isFinite)) return;
     if (!this.#sized) this.#resize();
     cancelAnimationFrame(this.#way);
     this.#perspective.position.set(x, y, z);
@@ -169,13 +170,13 @@ export class Viewport {
     return ray.intersectObjects(objects, false);
   }
 
-  /** Shows the whole box from a direction. */
-  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
+  /** Shows the whole box from a direction, `atOnce` without a way to it: for models that are new. */
+  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique, atOnce = false): void {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
     const distance = fitDistance(this.#perspective, direction, box);
-    this.#look(box.getCenter(new Vector3()), direction, distance);
+    this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
   }
 
   /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
@@ -192,7 +193,8 @@ export class Viewport {
 
   /** The direction from the target to the camera. */
   #direction(): Vector3 {
-    return this.#perspective.position.clone().sub(this.controls.target).normalize();
+    const direction = this.#perspective.position.clone().sub(this.controls.target);
+    return direction.lengthSq() > 0 ? direction.normalize() : STANDARD_VIEWS.oblique.clone();
   }
 
   /** The current direction, turned as far as a surface with this normal requires to be seen. */
@@ -265,13 +267,15 @@ export class Viewport {
   }
 
   /** Moves the camera to where it sees a target from a direction at a distance. */
-  #look(target: Vector3, direction: Vector3, distance: number): void {
+  #look(target: Vector3, direction: Vector3, distance: number, atOnce = false): void {
     cancelAnimationFrame(this.#way);
     const eye = target.clone().addScaledVector(direction, distance);
+    // What is nowhere cannot be looked at, and a camera that is nowhere would not come back.
+    if (![...eye.toArray(), ...target.toArray()].every(Number.isFinite)) return;
     const { position } = this.#perspective;
     const [fromEye, fromTarget] = [position.clone(), this.controls.target.clone()];
     const begin = performance.now();
-    const still = fromEye.equals(fromTarget) || isStill();
+    const still = atOnce || fromEye.equals(fromTarget) || isStill();
     const step = () => {
       const part = still ? 1 : Math.min(1, (performance.now() - begin) / WAY);
       // Starts and ends slowly.
@@ -280,7 +284,10 @@ export class Viewport {
       position.lerpVectors(fromEye, eye, eased);
       // Around the target rather than through it.
       const around = lerp(fromEye.distanceTo(fromTarget), distance, eased);
-      position.sub(this.controls.target).setLength(around).add(this.controls.target);
+      position.sub(this.controls.target);
+      // Halfway to the opposite side, no direction is left.
+      if (position.lengthSq() === 0) position.copy(direction);
+      position.setLength(around).add(this.controls.target);
       this.controls.update();
       this.draw();
       if (part < 1) this.#way = requestAnimationFrame(step);
