@@ -52,7 +52,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "answers"
         seconds = {"ray": on_ray, "spark": on_spark}[engine](source, str(target))
-        lines = [line for file in target.glob("*[!S]") for line in file.read_text().splitlines()]
+        files = target.glob({"ray": "*.json", "spark": "part-*"}[engine])
+        lines = [line for file in files for line in file.read_text().splitlines()]
     answers = [json.loads(line) for line in lines]
     if engine == "ray":
         answers = [json.loads(answer["answer"]) for answer in answers]
