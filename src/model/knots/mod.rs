@@ -6,8 +6,7 @@ pub(crate) use spans::{Span, blossom, breaks, multiplicities, spans};
 
 use crate::axis::Axis;
 use crate::error::{Error, Result};
-use crate::limits::is_in_range;
-use crate::model::MAX_DEGREE;
+use crate::limits::{MAX_DEGREE, is_in_range};
 use std::fmt::{Display, Formatter};
 
 /// The first rule that a degree, a number of control points and a knot vector violate.
