@@ -71,7 +71,7 @@ struct StatedWitness {
 
 #[derive(Deserialize)]
 struct StatedPoint {
-    surface: usize,
+    face: usize,
     u: f64,
     v: f64,
 }
@@ -183,8 +183,8 @@ fn run(arguments: &Arguments) -> Result<Report, String> {
     if stated.forward.is_some() {
         return Err("a symmetric result: verify the results of both directions instead".to_owned());
     }
-    let StatedPoint { surface, u, v } = stated.witness.a;
-    let claim = Claim { lower: stated.lower, upper: stated.upper, witness: Witness { surface, u, v } };
+    let StatedPoint { face, u, v } = stated.witness.a;
+    let claim = Claim { lower: stated.lower, upper: stated.upper, witness: Witness { surface: face, u, v } };
     let motion =
         Motion { rotation: arguments.rotate.0.to_array(), translation: arguments.translate.0.to_array() };
     let time = Duration::try_from_secs_f64(arguments.seconds).map_err(|error| error.to_string())?;
