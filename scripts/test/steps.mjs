@@ -1,7 +1,6 @@
-// The steps of `npm test`, in order. A step runs only if the steps that it needs
-// passed. A step with `beside` runs beside the others, as soon as those that it needs have ended. A step with `tests`
-// fails if it ran none. A step with `quick` is one of
-// `npm test -- --quick`, where `quick` replaces what it does.
+// The steps of `npm test`, in order. A step runs only if the steps that it needs passed. A step with
+// `beside` runs beside the others, as soon as those that it needs have ended. A step with `tests` fails
+// if it ran none. A step with `quick` is one of `npm test -- --quick`, where `quick` replaces what it does.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildSite } from "../build/site.mjs";
@@ -141,6 +140,8 @@ export const steps = [
     name: "types",
     what: "TypeScript types: the API, the page, a consumer of the package",
     needs: ["wasm"],
+    // The page's build waits for it.
+    beside: true,
     run: async () => {
       console.log(`TypeScript API: ${await buildApi()}`);
       await must("tsc", ["--project", "www/tsconfig.json"]);
@@ -177,13 +178,18 @@ export const steps = [
     name: "page-build",
     what: "the page's production build",
     needs: ["wasm", "types"],
+    // The page's tests wait for it.
+    beside: true,
     run: () => must("vite", ["build", "www"]),
   },
   {
     name: "page",
     tests: true,
     what: "the page in headless Chromium",
-    needs: ["page-build"],
+    needs: ["page-build", "rust"],
+    // A page waits for its pictures most of the time. Not beside the tests of Rust, which take all
+    // cores for the kernels.
+    beside: true,
     run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
   },
 ];
