@@ -195,7 +195,7 @@ pub use engine::{
     PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
 };
 pub use error::{Error, Result};
-pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
+pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
 #[cfg(feature = "mesh")]
 pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

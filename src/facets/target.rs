@@ -1,7 +1,7 @@
 //! The facets of a model with their tree, and nearest-facet queries.
 
 use super::facet::Nearest;
-use super::{Facet, PointCloud, TriangleMesh};
+use super::{Facet, Group, PointCloud, TriangleMesh};
 use crate::bvh::{Aabb, RangeTree};
 use crate::parallel::map;
 use glam::DVec3;
@@ -62,6 +62,31 @@ impl FacetTarget {
         let tree = RangeTree::new(points.len(), POINTS_A_LEAF, &boxes);
         let facets = Facets::Points(map(points.len(), |place| points[tree.order()[place] as usize]));
         Self { facets, tree }
+    }
+
+    /// Returns the facets of each group with a tree of their own; the groups are ranges of indices
+    /// that cover all facets. O(n log n).
+    pub(super) fn of_groups(&self, groups: &[Group]) -> Vec<Self> {
+        let mut places = vec![0_u32; self.len()];
+        for (place, &index) in self.tree.order().iter().enumerate() {
+            places[index as usize] = place as u32;
+        }
+        map(groups.len(), |group| {
+            let places = &places[groups[group].facets.clone()];
+            let boxes = |index: u32| self.facet(places[index as usize]).bounding_box();
+            let leaf = if self.is_cloud() { POINTS_A_LEAF } else { TRIANGLES_A_LEAF };
+            let tree = RangeTree::new(places.len(), leaf, &boxes);
+            let place = |&index: &u32| places[index as usize] as usize;
+            let facets = match &self.facets {
+                Facets::Points(points) => {
+                    Facets::Points(tree.order().iter().map(|index| points[place(index)]).collect())
+                }
+                Facets::Triangles(triangles) => {
+                    Facets::Triangles(tree.order().iter().map(|index| triangles[place(index)]).collect())
+                }
+            };
+            Self { facets, tree }
+        })
     }
 
     /// Returns the same facets with their coordinates multiplied by a factor. O(n log n).

@@ -16,6 +16,7 @@ mod tests;
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 
+use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};
 use crate::certified::{Interval, Limit};
 use crate::model::RigidTransform;
@@ -159,6 +160,11 @@ impl<'a> FacetSearch<'a> {
 
     pub(crate) fn witness(&self) -> Option<&Witness> {
         self.witness.as_ref()
+    }
+
+    /// Returns the weights of the corners of a facet of A at a point that was moved with it.
+    pub(crate) fn weights(&self, facet: Facet, point: DVec3) -> [f64; 3] {
+        facet.nearest(self.transform.apply_inverse(point)).weights
     }
 
     pub(crate) fn work(&self) -> Work {
