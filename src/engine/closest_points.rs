@@ -182,15 +182,11 @@ async fn closest_facets(
                     + facet_rounding(length.max(point.length()));
                 let (foot, nearest, lower) = facets.target.certified(point, known);
                 known = foot.facet;
-                let facet = facets.target.facet(foot.facet);
-                let (at, distance) = (facet.point(nearest.weights), foot.distance_squared.sqrt());
+                let at = facets.target.facet(foot.facet).point(nearest.weights);
+                let distance = foot.distance_squared.sqrt();
                 part.distances.push(distance);
                 part.bounds.push(distance - lower + rounding);
-                part.signed.push(match facet.normal() {
-                    Some(normal) if normal.dot(point - at) < 0.0 => -distance,
-                    Some(_) => distance,
-                    None => f64::NAN,
-                });
+                part.signed.push(facets.target.signed(foot.facet, &nearest));
                 part.feet.extend_from_slice(&at.to_array());
                 part.faces.push(facets.target.index(foot.facet) as u32);
                 part.parameters.extend_from_slice(&nearest.weights[1..]);

@@ -3,11 +3,11 @@
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
+use super::prepared::PreparedTarget;
 use super::result::DirectedResult;
 use super::{
     CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop, SurfacePoint,
 };
-use super::prepared::PreparedTarget;
 use crate::bezier::PatchSet;
 use crate::certified::{Gains, Interval, Limit};
 use crate::error::{Error, Result};

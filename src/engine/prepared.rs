@@ -475,7 +475,11 @@ impl PreparedModel {
 
     /// Returns a point of a facet, by its place in the order of the leaves.
     pub(super) fn facet_point(&self, place: u32, weights: [f64; 3], point: DVec3) -> SurfacePoint {
-        self.point_of_facet(self.facets.as_ref().map_or(0, |facets| facets.target.index(place)), weights, point)
+        self.point_of_facet(
+            self.facets.as_ref().map_or(0, |facets| facets.target.index(place)),
+            weights,
+            point,
+        )
     }
 
     /// Returns a point of a facet, by its index in the model.

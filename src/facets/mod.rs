@@ -9,7 +9,9 @@ mod patches;
 mod point_cloud;
 mod prepared;
 mod rounding;
+mod samples;
 mod search;
+mod sign;
 mod target;
 mod triangle_mesh;
 
@@ -18,6 +20,7 @@ pub(crate) use patches::weights;
 pub use point_cloud::PointCloud;
 pub(crate) use prepared::{Group, PreparedFacets};
 pub(crate) use rounding::facet_rounding;
+pub(crate) use samples::FacetSamples;
 pub(crate) use search::{Certified, Domain, End, FacetSearch, Measured, Source, Start};
 pub(crate) use target::{FacetFoot, FacetTarget};
 pub use triangle_mesh::{MeshGroup, MeshReport, TriangleMesh};

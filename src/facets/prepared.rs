@@ -94,8 +94,7 @@ impl PreparedFacets {
             let area = 0.5 * (b - a).cross(c - a).length();
             let lower = area - rounding;
             let group = &mut areas[self.group(self.target.index(place))];
-            *group =
-                *group + Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding };
+            *group = *group + Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding };
         }
         areas
     }

@@ -180,7 +180,12 @@ impl FacetTarget {
     /// Calls `visit` on the facets of all leaves whose boxes are nearer than the squared distance
     /// that it returned last, nearest child first, until it returns that this suffices.
     #[inline]
-    fn visit(&self, target: DVec3, mut bound_squared: f64, mut visit: impl FnMut(u32) -> (f64, bool)) {
+    pub(super) fn visit(
+        &self,
+        target: DVec3,
+        mut bound_squared: f64,
+        mut visit: impl FnMut(u32) -> (f64, bool),
+    ) {
         let nodes = self.tree.nodes();
         let to_box = |index: u32| nodes[index as usize].aabb.min_distance_squared(target);
         let mut stack = [(0.0_f64, 0_u32); STACK];

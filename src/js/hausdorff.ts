@@ -122,7 +122,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * three. It is measured as the set of all points of its triangles, the degenerate ones included.
    *
    * @throws {HausdorffError} `POINT_OUT_OF_RANGE` for a coordinate that is not finite or above
-   * 1e100 in size; `TRIANGLE_INDEX`, `NO_FACETS`, `TOO_MANY_FACETS`, `UNIT_INVALID`;
+   * 1e100 in size; `TRIANGLE_INDEX`, `MESH_GROUPS`, `NO_FACETS`, `TOO_MANY_FACETS`, `UNIT_INVALID`;
    * `ARGUMENT_INVALID`.
    */
   mesh(input: MeshArrays): NurbsModel {

@@ -1,7 +1,7 @@
 //! The faces of two models, made once for both directions.
 
 use super::face::Face;
-use super::face_search::{FacetFace, Faces};
+use super::face_search::{Faces, FacetFace};
 use crate::bezier::PatchSet;
 use crate::engine::direction::Direction;
 use crate::engine::{PreparedModel, PreparedTarget};
@@ -56,7 +56,10 @@ impl<'a> PairParts<'a> {
             Some(facets) => groups(facets),
             None => {
                 let source = |patches| self.models[index].patches_as_source(patches);
-                self.of_faces[index].iter().map(|patches| FacetFace::Patches(source(patches), patches)).collect()
+                self.of_faces[index]
+                    .iter()
+                    .map(|patches| FacetFace::Patches(source(patches), patches))
+                    .collect()
             }
         };
         let other = self.models[other].measured(self.targets[other].as_deref())?;
@@ -73,7 +76,9 @@ fn is_by_facets(models: [&PreparedModel; 2], index: usize) -> bool {
 fn groups(facets: &PreparedFacets) -> Vec<FacetFace<'_>> {
     let error = facets.error;
     let parts = facets.targets().iter().zip(facets.groups());
-    parts.map(|(target, group)| FacetFace::Group { facets: target, first: group.facets.start, error }).collect()
+    parts
+        .map(|(target, group)| FacetFace::Group { facets: target, first: group.facets.start, error })
+        .collect()
 }
 
 /// Returns the Bézier patches of each face.

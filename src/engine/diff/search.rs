@@ -70,12 +70,8 @@ impl Engine {
         let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
         let budget = Budget { started, max_cells: options.max_cells, max_seconds: options.max_seconds };
-        let forward = Side {
-            faces: of_pair.faces(0).ok_or(Error::EmptyModel)?,
-            models: [a, b],
-            transform,
-            budget,
-        };
+        let forward =
+            Side { faces: of_pair.faces(0).ok_or(Error::EmptyModel)?, models: [a, b], transform, budget };
         let of_a = forward.differences(options, &mut progress).await?;
         progress.second_half();
         let inverse = transform.inverse();

@@ -71,7 +71,9 @@ export async function readMesh(
     const mesh = read(content, format);
     try {
       const unit = mesh.unit ?? options.unit;
-      return NurbsModel.of(PreparedModel.fromFacets(mesh.positions, mesh.triangles, unit));
+      const { positions, triangles, groupCounts, groupNames } = mesh;
+      const [counts, names] = triangles ? [groupCounts, groupNames] : [];
+      return NurbsModel.of(PreparedModel.fromFacets(positions, triangles, unit, counts, names));
     } finally {
       mesh.free();
     }
