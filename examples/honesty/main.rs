@@ -24,6 +24,10 @@
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
+//! With `--facets`, at least one model of each pair is a mesh or a cloud of points: tessellations, near
+//! copies, sheets, slivers and degenerate triangles. Distances to facets are compared with all of them
+//! one by one; faces are compared with the whole.
+//!
 //! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
@@ -37,6 +41,7 @@ mod support;
 
 use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use fuzzer::facets::check_facets;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -57,6 +62,9 @@ struct Arguments {
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
+    /// Draws meshes and clouds of points.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]
+    facets: bool,
 }
 
 /// The pairs after which progress is printed.
@@ -118,7 +126,9 @@ fn main() -> ExitCode {
     let summary = Mutex::new(Summary::default());
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
-        let outcome = if arguments.trimmed {
+        let outcome = if arguments.facets {
+            check_facets(seed)
+        } else if arguments.trimmed {
             check_trimmed(seed)
         } else if arguments.collapsed {
             check_collapsed(seed)

@@ -18,6 +18,7 @@ mod prepared;
 mod result;
 mod signs;
 mod solid;
+mod statistics;
 
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
@@ -38,6 +39,7 @@ pub use result::{
     PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
 };
 pub use signs::Signs;
+pub use statistics::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 pub use solid::{FreeEdge, Shell, Solid};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

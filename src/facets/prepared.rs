@@ -1,17 +1,13 @@
 //! Meshes and clouds with what is computed from them once.
 
 use super::patches::patches;
-use super::{Facet, FacetTarget, Facets, MeshGroup, TriangleMesh};
+use super::{FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
 use crate::bezier::BezierModel;
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::shared::computed;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
-
-/// The roundings of the area of a triangle, relative to the square of the largest length of a
-/// corner: each coordinate of the two edges and of their product.
-const AREA_ROUNDINGS: f64 = 32.0;
 
 /// The facets of a model.
 #[derive(Debug)]
@@ -86,8 +82,6 @@ impl PreparedFacets {
 
     /// Returns the area of all triangles of each group; a triangle that lies on others counts as often.
     pub(crate) fn areas(&self) -> Vec<Area> {
-        let length = self.target.bounding_box().farthest_from_origin();
-        let rounding = gamma(AREA_ROUNDINGS) * length * length;
         let mut areas = vec![Area::default(); self.groups.len()];
         for place in 0..self.target.len() as u32 {
             let Facet::Triangle([a, b, c]) = self.target.facet(place) else { continue };

@@ -2,8 +2,10 @@
 
 use super::facet::Nearest;
 use super::{Facet, Group, PointCloud, TriangleMesh};
+use crate::area::Area;
 use crate::bvh::{Aabb, RangeTree};
 use crate::parallel::map;
+use crate::rounding::gamma;
 use glam::DVec3;
 
 /// The number of triangles of a leaf: the test of a box takes about a third of the time of one.
@@ -11,6 +13,10 @@ const TRIANGLES_A_LEAF: usize = 4;
 
 /// The number of points of a leaf: a point takes less time than a box, and little memory.
 const POINTS_A_LEAF: usize = 16;
+
+/// The roundings of the area of a triangle, relative to the square of the largest length of a
+/// corner: each coordinate of the two edges and of their product.
+const AREA_ROUNDINGS: f64 = 32.0;
 
 /// Capacity of the stack of a query: a tree that halves 2^32 facets is less deep.
 const STACK: usize = 64;
@@ -128,6 +134,16 @@ impl FacetTarget {
     /// Returns the index in the model of the facet at a place in the order of the leaves.
     pub(crate) fn index(&self, place: u32) -> usize {
         self.tree.order()[place as usize] as usize
+    }
+
+    /// Returns the area of a facet, 0 of a point, as an interval that holds it.
+    pub(crate) fn area(&self, place: u32) -> Area {
+        let Facet::Triangle([a, b, c]) = self.facet(place) else { return Area::default() };
+        let length = self.bounding_box().farthest_from_origin();
+        let rounding = gamma(AREA_ROUNDINGS) * length * length;
+        let area = 0.5 * (b - a).cross(c - a).length();
+        let lower = area - rounding;
+        Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding }
     }
 
     /// Returns the squared distance to one facet.

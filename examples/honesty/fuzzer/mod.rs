@@ -7,6 +7,7 @@ pub(crate) mod attacks;
 mod brute;
 pub(crate) mod check;
 mod collapsed;
+pub(crate) mod facets;
 mod offsets;
 pub(crate) mod pairs;
 mod partners;
