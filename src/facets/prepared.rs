@@ -5,7 +5,7 @@ use super::{FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
 use crate::bezier::BezierModel;
 use crate::rounding::{VANISHING_LENGTH, gamma};
-use crate::shared::computed;
+use crate::threads::computed;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -84,11 +84,8 @@ impl PreparedFacets {
     pub(crate) fn areas(&self) -> Vec<Area> {
         let mut areas = vec![Area::default(); self.groups.len()];
         for place in 0..self.target.len() as u32 {
-            let Facet::Triangle([a, b, c]) = self.target.facet(place) else { continue };
-            let area = 0.5 * (b - a).cross(c - a).length();
-            let lower = area - rounding;
             let group = &mut areas[self.group(self.target.index(place))];
-            *group = *group + Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding };
+            *group = *group + self.target.area(place);
         }
         areas
     }

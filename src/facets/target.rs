@@ -4,8 +4,8 @@ use super::facet::Nearest;
 use super::{Facet, Group, PointCloud, TriangleMesh};
 use crate::area::Area;
 use crate::bvh::{Aabb, RangeTree};
-use crate::parallel::map;
 use crate::rounding::gamma;
+use crate::threads::parallel::map;
 use glam::DVec3;
 
 /// The number of triangles of a leaf: the test of a box takes about a third of the time of one.

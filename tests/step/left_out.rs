@@ -185,7 +185,7 @@ fn a_whole_surface_of_a_set_has_its_hole() {
     crate::assert_near(found[1], 3.0 * 25.0 - 2.0 * pi * 5.0 * 0.1, 1e-6);
 }
 
-/// Faces share a surface of 40,000 control points, of which each face of the model has a copy.
+/// Faces share a surface of 40,000 control points, and each face of the model has a copy.
 #[test]
 fn faces_that_share_a_large_surface_are_limited() {
     let mut text = StepText::new();

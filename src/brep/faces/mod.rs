@@ -7,6 +7,7 @@
 //! the loops meet in equal floats.
 
 mod fit;
+mod found_curve;
 mod gap;
 mod inversion;
 mod joints;

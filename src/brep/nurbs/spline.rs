@@ -3,6 +3,10 @@
 use crate::chebyshev::binomial;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
+/// The distance of the ends of a closed curve or surface relative to its coordinates: the
+/// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
+pub(super) const CLOSED: f64 = 1e-9;
+
 /// A rational B-spline curve `(w x, w y, w z, w)`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
@@ -130,7 +134,7 @@ impl Spline {
 ///
 /// De Boor's algorithm leaves the polar forms `e_j = b(at, …, at, k_1, …, k_j)` with the knots k
 /// beside the span on one of its sides. Coefficient m is `binomial(degree, m)` times the polar
-/// form with m arguments replaced by the unit vector, of which the differences
+/// form with m arguments replaced by the unit vector; the differences
 /// `(g_(j+1) - g_j) / (k_(j+1) - at)` replace one each, as polar forms are affine in every
 /// argument (L. Ramshaw, *Blossoming: a connect-the-dots approach to splines*). The knots are
 /// those of the farther side, so that no difference is divided by less than half of the span.

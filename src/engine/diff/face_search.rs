@@ -1,17 +1,18 @@
 //! The search for the distance of one face: over patches, or over facets.
 
-use super::face::Face;
+use super::face::FacePatches;
 use crate::bezier::PatchSet;
 use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
-use crate::engine::{PreparedModel, SurfacePoint};
+use crate::engine::PreparedModel;
 use crate::facets::{Domain, FacetSearch, FacetTarget, Measured, Source};
 use crate::model::RigidTransform;
+use crate::surface_point::SurfacePoint;
 use glam::DVec3;
 
 /// The faces of one model, and the other model, as the search between them takes them.
 pub(super) enum Faces<'a> {
     /// Patches to patches.
-    Patches { whole: Operand<'a>, faces: &'a [Face], other: Operand<'a>, others: &'a [Face] },
+    Patches { whole: Operand<'a>, faces: &'a [FacePatches], other: Operand<'a>, others: &'a [FacePatches] },
     /// Anything to facets, and points to patches.
     Facets { faces: Vec<FacetFace<'a>>, other: Measured<'a> },
 }

@@ -1,6 +1,6 @@
 //! The faces of two models, made once for both directions.
 
-use super::face::Face;
+use super::face::FacePatches;
 use super::face_search::{Faces, FacetFace};
 use crate::bezier::PatchSet;
 use crate::engine::direction::Direction;
@@ -24,7 +24,7 @@ pub(super) struct PairParts<'a> {
 /// The flat patches of a model, whole and by face.
 struct OfPatches {
     flat: Arc<PreparedTarget>,
-    faces: Vec<Face>,
+    faces: Vec<FacePatches>,
 }
 
 impl<'a> PairParts<'a> {
@@ -95,6 +95,6 @@ impl OfPatches {
         // A triangle is flat.
         let flatness = if model.facets().is_some() { Flatness::None } else { Flatness::Loose };
         let flat = model.target(flatness);
-        Self { faces: Face::all(model, &flat), flat }
+        Self { faces: FacePatches::all(model, &flat), flat }
     }
 }

@@ -7,8 +7,8 @@ use crate::certified::{Interval, Limit};
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::parallel::map;
 use crate::progress::{Monitor, Progress};
+use crate::threads::parallel::map;
 use web_time::Instant;
 
 /// The part of the limit to which the distance of a face is searched while its
@@ -28,8 +28,7 @@ const NARROWING_CELLS: usize = 65_536;
 /// that an event loop gets its turn in time.
 const FACES_AT_ONCE: usize = 16;
 
-/// The number of cells of a face before it is put back to be searched on its own:
-/// nearly all faces need fewer.
+/// After this many cells a face leaves the parallel pass and is searched alone: nearly all faces need fewer.
 const FIRST_CELLS: usize = 256;
 
 impl Engine {

@@ -7,8 +7,8 @@ use crate::engine::FaceDeviations;
 use crate::engine::direction::Direction;
 use crate::error::{Error, Result};
 use crate::facets::{FacetSamples, PreparedFacets};
-use crate::parallel::map_ranges;
 use crate::progress::Progress;
+use crate::threads::parallel::map_ranges;
 use std::ops::Range;
 
 impl Direction<'_> {

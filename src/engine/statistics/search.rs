@@ -6,9 +6,9 @@ use crate::engine::direction::Direction;
 use crate::engine::{Computation, DistanceOptions, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Facets, Measured, Parts, PreparedFacets, Source, Start, TriangleMesh, WeightedPart};
-use crate::parallel::map_ranges;
 use crate::progress::{Monitor, Progress};
 use crate::tessellate::{TessellationOptions, tessellate_patches};
+use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 use std::ops::Range;
 use web_time::Instant;
@@ -73,7 +73,8 @@ impl Engine {
         let patches = (a.is_cloud() && b.facets().is_none()).then(|| b.certified_target());
         let (measured, excess) = match &mesh {
             Some((mesh, error)) => {
-                let PreparedFacets { target, error: rounding, .. } = mesh.facets().ok_or(Error::EmptyModel)?;
+                let PreparedFacets { target, error: rounding, .. } =
+                    mesh.facets().ok_or(Error::EmptyModel)?;
                 (Measured::Facets { facets: target, error: *rounding }, *error)
             }
             None => (b.measured(patches.as_deref()).ok_or(Error::EmptyModel)?, 0.0),
@@ -109,7 +110,8 @@ impl Engine {
 
     /// Returns a mesh that stands for surfaces, and an upper bound on the Hausdorff distance of both.
     async fn stand_in(&self, surfaces: &PreparedModel, tolerance: f64) -> Result<(PreparedModel, f64)> {
-        let options = TessellationOptions { tolerance: Some(MESH_PART * tolerance), relative_tolerance: None };
+        let options =
+            TessellationOptions { tolerance: Some(MESH_PART * tolerance), relative_tolerance: None };
         let made = tessellate_patches(surfaces.bezier(), surfaces.pieces(), &options)?;
         let vertex = |position: &[f32; 3]| DVec3::from_array(position.map(f64::from)) + made.origin;
         let vertices: Vec<DVec3> = made.positions.as_chunks::<3>().0.iter().map(vertex).collect();
@@ -203,9 +205,9 @@ impl Search<'_> {
         is_narrow(&sums.mean)
             && is_narrow(&sums.rms)
             && sums.percentiles.iter().all(|percentile| is_narrow(&percentile.distance))
-            && sums.beyond.is_none_or(|beyond| {
-                beyond.part.upper - beyond.part.lower <= self.options.part_tolerance
-            })
+            && sums
+                .beyond
+                .is_none_or(|beyond| beyond.part.upper - beyond.part.lower <= self.options.part_tolerance)
     }
 
     /// Returns the parts that widen the intervals which are too wide, those that do so most first.
@@ -216,9 +218,8 @@ impl Search<'_> {
         let of_means = wide(&sums.mean) || wide(&sums.rms);
         let percentiles: Vec<Bounded> =
             sums.percentiles.iter().map(|percentile| percentile.distance).filter(wide).collect();
-        let beyond = sums
-            .beyond
-            .filter(|beyond| beyond.part.upper - beyond.part.lower > self.options.part_tolerance);
+        let beyond =
+            sums.beyond.filter(|beyond| beyond.part.upper - beyond.part.lower > self.options.part_tolerance);
         // The width that a part adds, relative to what is permitted.
         let width = |part: &WeightedPart| {
             let [low, high] = [part.spread.lower, part.spread.upper];
@@ -237,7 +238,8 @@ impl Search<'_> {
             }
             share * width
         };
-        let mut found: Vec<(f64, usize)> = parts.iter().map(width).zip(0..).filter(|(width, _)| *width > 0.0).collect();
+        let mut found: Vec<(f64, usize)> =
+            parts.iter().map(width).zip(0..).filter(|(width, _)| *width > 0.0).collect();
         found.sort_by(|one, other| other.0.total_cmp(&one.0));
         let mut left: f64 = found.iter().map(|(width, _)| width).sum();
         // Those that are narrow together are kept.

@@ -40,8 +40,10 @@ impl Sums {
     pub(super) fn of(parts: &[WeightedPart], options: &StatisticsOptions) -> Self {
         let count = parts.len();
         let sum = |term: &dyn Fn(&WeightedPart) -> f64| Sum::of(parts.iter().map(term), count);
-        let total =
-            Area { lower: sum(&|part| part.weight.lower).lower(), upper: sum(&|part| part.weight.upper).upper() };
+        let total = Area {
+            lower: sum(&|part| part.weight.lower).lower(),
+            upper: sum(&|part| part.weight.upper).upper(),
+        };
         let mean = |low: &dyn Fn(&WeightedPart) -> f64, high: &dyn Fn(&WeightedPart) -> f64| {
             let lower = sum(&|part| part.weight.lower * low(part)).lower();
             let upper = sum(&|part| part.weight.upper * high(part)).upper();

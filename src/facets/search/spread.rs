@@ -1,11 +1,11 @@
 //! Bounds on the distances of all points of a part of A, and on their means, for statistics.
 
-use super::super::rounding::sag_rounding;
 use super::super::FacetTarget;
-use super::part::{MAX_LEVELS, Part};
+use super::super::rounding::sag_rounding;
+use super::Goal;
+use super::part::{MAX_LEVELS, TrianglePart};
 use super::patch_cell::{MIN_LENGTH, PatchCell};
 use super::source::{Measured, Source, Start};
-use super::Goal;
 use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
 use crate::facets::Facet;
@@ -131,7 +131,7 @@ impl<'a> Parts<'a> {
         let [one, other] = match (part.region, self.a) {
             (WeightedRegion::Triangle(corners, level), _) if level < MAX_LEVELS => {
                 let half = Area { lower: 0.5 * part.weight.lower, upper: 0.5 * part.weight.upper };
-                let halves = Part::new(corners, part.start).halves(b);
+                let halves = TrianglePart::new(corners, part.start).halves(b);
                 halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1), half))
             }
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {

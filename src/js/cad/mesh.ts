@@ -73,7 +73,8 @@ export async function readMesh(
       const unit = mesh.unit ?? options.unit;
       const { positions, triangles, groupCounts, groupNames } = mesh;
       const [counts, names] = triangles ? [groupCounts, groupNames] : [];
-      return NurbsModel.of(PreparedModel.fromFacets(positions, triangles, unit, counts, names));
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit, counts, names);
+      return NurbsModel.of(prepared, null, { positions, triangles });
     } finally {
       mesh.free();
     }

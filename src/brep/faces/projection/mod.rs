@@ -1,10 +1,11 @@
 //! Points of space projected on a surface of the file.
 
+mod meridian;
 mod tracing;
 
+pub(super) use meridian::{angle, on_meridian};
 pub(super) use tracing::Traced;
 
-use super::inversion::{angle, on_meridian};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::brep::nurbs::{Conic, Curve, Frame, Surface};
