@@ -18,7 +18,6 @@ mod prepared;
 mod result;
 mod signs;
 mod solid;
-mod statistics;
 
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
@@ -40,6 +39,5 @@ pub use result::{
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};
-pub use statistics::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

@@ -11,6 +11,5 @@ mod iteration;
 mod mesh_faces;
 mod meshes;
 mod queries;
-mod statistics;
 mod threads;
 mod trimmed;
