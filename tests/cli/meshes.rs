@@ -55,7 +55,7 @@ fn groups_of_a_mesh_are_compared_by_their_names() {
     });
     let output = run(&["diff", &a, &b, "--limit", "0.1", "--json"]);
     assert_eq!(status(&output), 1);
-    let result = printed(&output);
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let states = |name: &str| [0, 1].map(|face| result[name][face]["state"].clone());
     assert_eq!(states("facesOfA"), ["unchanged", "changed"]);
     assert_eq!(result["facesOfA"][1]["witness"]["a"]["faceName"], "high");

@@ -69,7 +69,7 @@ fn the_sides_of_a_prism_are_a_sagitta_from_their_cylinder() {
         assert_eq!(point.face_name.as_deref(), Some("sides"));
         assert!(point.triangle.unwrap() < 32);
     }
-    let within = diff(&exact, &prism, 1.01 * sagitta);
+    let within = diff(&exact, &prism, 1.05 * sagitta);
     assert_eq!(within.state, FaceState::Unchanged);
     assert_eq!((within.faces_of_a.len(), within.faces_of_b.len()), (exact.face_count(), 2));
 }
@@ -137,7 +137,7 @@ fn the_samples_of_a_mesh_are_its_vertices_and_cover_it() {
     }
     let sagitta = 2.0 * (1.0 - (PI / 16.0).cos());
     let statistics = found.statistics.unwrap();
-    assert!(statistics.mean > 0.1 * sagitta && statistics.percentile_99 <= sagitta);
+    assert!(statistics.mean > 0.1 * sagitta && statistics.percentile_99 <= sagitta + 1e-9, "{statistics:?}");
 }
 
 #[test]

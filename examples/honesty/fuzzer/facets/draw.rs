@@ -74,7 +74,10 @@ fn drawn(rng: &mut Rng, base: &Model, other: Option<&Drawn>) -> Drawn {
             _ => Drawn::Mesh(tessellated(rng, base)),
         },
         9 => Drawn::Mesh(sheets(rng)),
-        10 => Drawn::Cloud(jittered(rng, &samples(rng, base))),
+        10 => {
+            let points = samples(rng, base);
+            Drawn::Cloud(jittered(rng, &points))
+        }
         _ => {
             let mut points = samples(rng, base);
             points.truncate(rng.usize(1..4));

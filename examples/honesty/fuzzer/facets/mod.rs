@@ -8,8 +8,10 @@ use brute::{Brute, Within, points};
 use draw::{Drawn, FacetPair};
 use fastrand::Rng;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{CertifiedOptions, DistanceOptions, DistanceResult, Engine, SurfacePoint};
-use nurbs_hausdorff::{DiffOptions, DiffResult, Method, PreparedModel, RigidTransform};
+use nurbs_hausdorff::{
+    CertifiedOptions, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, Method,
+    PreparedModel, RigidTransform, SurfacePoint,
+};
 use std::time::Instant;
 
 /// The rounding of coordinates, of both computations, relative to the largest one.
@@ -47,7 +49,7 @@ pub(crate) fn check_facets(seed: u64) -> Outcome {
     if let Some(reverse) = &result.reverse {
         check.direction(reverse, 1, pair.tolerance * size, options.limit);
     }
-    if a.face_count() + b.face_count() <= MAX_FACES {
+    if size > 0.0 && a.face_count() + b.face_count() <= MAX_FACES {
         let options = DiffOptions {
             limit: 1e-2 * size,
             max_cells: pair.max_cells,
