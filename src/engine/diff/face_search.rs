@@ -10,6 +10,7 @@ use crate::surface_point::SurfacePoint;
 use glam::DVec3;
 
 /// The faces of one model, and the other model, as the search between them takes them.
+#[allow(clippy::large_enum_variant, reason = "there is one of each direction")]
 pub(super) enum Faces<'a> {
     /// Patches to patches.
     Patches { whole: Operand<'a>, faces: &'a [FacePatches], other: Operand<'a>, others: &'a [FacePatches] },

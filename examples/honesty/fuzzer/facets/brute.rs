@@ -105,28 +105,28 @@ pub(super) fn points(model: &Drawn, pose: RigidTransform, rng: &mut Rng) -> Vec<
 }
 
 /// Returns the distance of a point from a triangle: from its plane where the foot lies on the inner
-/// side of all edges, else from the nearest edge.
+/// side of all edges, else from the nearest edge. The plane is taken through the nearest point of the
+/// edges, as the normal of a sliver is inaccurate.
 fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> f64 {
     let [a, b, c] = *corners;
-    let to_edge = |p: DVec3, q: DVec3| {
+    let edges = [(a, b), (b, c), (c, a)];
+    let on_edge = |(p, q): (DVec3, DVec3)| {
         let along = q - p;
         let length = along.length();
-        if length == 0.0 {
-            return p.distance(point);
-        }
-        let unit = along / length;
-        let at = unit.dot(point - p);
+        let at = if length > 0.0 { (along / length).dot(point - p) } else { 0.0 };
         if at <= 0.0 {
-            p.distance(point)
+            p
         } else if at >= length {
-            q.distance(point)
+            q
         } else {
-            (p + unit * at).distance(point)
+            p + along * (at / length)
         }
     };
-    let edges = to_edge(a, b).min(to_edge(b, c)).min(to_edge(c, a));
+    let nearest =
+        edges.map(on_edge).into_iter().min_by(|p, q| p.distance(point).total_cmp(&q.distance(point)));
+    let nearest = nearest.unwrap();
     let normal = (b - a).cross(c - a).normalize_or_zero();
-    let is_inside = normal != DVec3::ZERO
-        && [(a, b), (b, c), (c, a)].iter().all(|(p, q)| (*q - *p).cross(point - *p).dot(normal) > 0.0);
-    if is_inside { edges.min((point - a).dot(normal).abs()) } else { edges }
+    let is_inside =
+        normal != DVec3::ZERO && edges.iter().all(|(p, q)| (*q - *p).cross(point - *p).dot(normal) > 0.0);
+    if is_inside { (point - nearest).dot(normal).abs() } else { nearest.distance(point) }
 }
