@@ -1,7 +1,7 @@
 //! One facet: the closest point of it, and a plane that separates it from a point.
 
 use crate::bvh::Aabb;
-use crate::rounding::{lower_min, unit};
+use crate::rounding::{lower_min, unit, upper_max};
 use glam::DVec3;
 
 /// A convex piece of a model: a point, or a triangle, which may be degenerate.
@@ -155,7 +155,7 @@ fn moved_along_longest_edge(corners: &[DVec3; 3], nearest: &Nearest) -> Nearest 
     let step = -nearest.offset.dot(edge(longest)) / lengths[longest];
     let [start, end] = [longest, (longest + 1) % 3];
     // Both stay positive.
-    let step = step.min(weights[start]).max(-weights[end]);
+    let step = upper_max(lower_min(step, weights[start]), -weights[end]);
     weights[start] -= step;
     weights[end] += step;
     Nearest::new(corners, weights)

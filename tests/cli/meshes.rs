@@ -62,5 +62,5 @@ fn groups_of_a_mesh_are_compared_by_their_names() {
     assert!((result["facesOfB"][1]["lower"].as_f64().unwrap() - 0.5).abs() < 1e-3);
     let mesh = file("mesh-deviations.stl", &stl(0.0));
     let result = printed(&run(&["distance", &mesh, &a, "--deviations", "--json"]));
-    assert_eq!(result["statistics"]["mean"], 0.0, "{result}");
+    assert!(result["statistics"]["mean"].as_f64().unwrap() < 1e-12, "{result}");
 }
