@@ -150,8 +150,15 @@ test("the groups of a mesh are its faces, in the worker too", async () => {
 test("a mesh and points are fitted to surfaces and meshes", async () => {
   const sphere = fromThreeGeometry(new SphereGeometry(1, 24, 16));
   const { positions } = sphere;
-  const moved = Float64Array.from(positions, (value, index) => value + [0.05, -0.02, 0.03][index % 3]);
-  const [ball, mesh, points] = [hd.mesh(sphere), hd.mesh({ ...sphere, positions: moved }), hd.mesh({ positions: moved })];
+  const moved = Float64Array.from(
+    positions,
+    (value, index) => value + [0.05, -0.02, 0.03][index % 3],
+  );
+  const [ball, mesh, points] = [
+    hd.mesh(sphere),
+    hd.mesh({ ...sphere, positions: moved }),
+    hd.mesh({ positions: moved }),
+  ];
   const exact = hd.shape("sphere");
   for (const part of [mesh, points]) {
     const { transform, rms, converged } = await hd.bestFit(part, ball);
