@@ -129,8 +129,9 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   mesh(input: MeshArrays): NurbsModel {
     requireLoaded();
     return translating(() => {
-      const [positions, triangles, unit] = facetArrays(input);
-      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      const arrays = facetArrays(input);
+      const [positions, triangles] = arrays;
+      const prepared = PreparedModel.fromFacets(...arrays);
       // The caller's arrays may change.
       return NurbsModel.of(prepared, null, {
         positions: positions.slice(),
