@@ -10,8 +10,10 @@ mod support;
 
 mod assemblies;
 mod damage;
+mod degrees;
 mod elementary;
 mod left_out;
+mod loops;
 mod p_curves;
 mod polygons;
 mod real_files;

@@ -1,4 +1,4 @@
-//! Curves and surfaces of the file: evaluation, and exact conversion to NURBS.
+//! Curves and surfaces of the file: evaluation, and conversion to NURBS.
 
 mod basis;
 mod conic;
@@ -21,5 +21,5 @@ pub(crate) use nearest::nearest_parameter;
 pub(crate) use net::SurfaceNet;
 pub(crate) use parameter_map::ParameterMap;
 pub(crate) use part::CurvePart;
-pub(crate) use spline::{Spline, project};
+pub(crate) use spline::{Spline, elevated, project};
 pub(crate) use surface::{SplineSurface, Surface};

@@ -281,8 +281,8 @@ impl Surface {
         }
     }
 
-    /// Returns the values of v at which all u are one point: the poles of a sphere and
-    /// the apex of a cone.
+    /// Returns the values of v at which all u are one point: the poles of a sphere and of a
+    /// degenerate torus, and the apex of a cone.
     pub(crate) fn poles(&self) -> Vec<f64> {
         match self {
             Self::Revolution { kind: "sphere", .. } => vec![-FRAC_PI_2, FRAC_PI_2],
@@ -290,6 +290,7 @@ impl Surface {
             Self::Revolution { profile: Curve::Line { point, direction }, .. } if direction.x != 0.0 => {
                 vec![-point.x / direction.x]
             }
+            Self::Revolution { profile: Curve::Trimmed { range, .. }, kind: "torus", .. } => range.to_vec(),
             Self::Trimmed { basis, .. } => basis.poles(),
             _ => Vec::new(),
         }

@@ -40,7 +40,12 @@ fn on_profile(profile: &Curve, point: DVec3) -> Option<f64> {
             let [a, b] = [x, y].map(|axis| from_center.dot(*axis) / axis.length_squared());
             Some(b.atan2(a))
         }
-        Curve::Trimmed { basis, .. } => on_profile(basis, point),
+        Curve::Trimmed { basis, range: [start, end] } => {
+            let found = on_profile(basis, point)?;
+            let later = basis.period().map_or(found, |period| found + period);
+            // Of a periodic parameter the value in the range, or nearest to it.
+            Some(if later - end < start - found { later } else { found })
+        }
         _ => None,
     }
 }

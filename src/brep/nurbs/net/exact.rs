@@ -49,6 +49,7 @@ impl Surface {
                     controls,
                     maps: [ParameterMap::Circular(breaks), map],
                     error,
+                    is_measured: error > 0.0,
                 })
             }
             Self::Extrusion { direction, profile } => {
@@ -86,6 +87,7 @@ fn ruled([low, high]: &[Spline; 2], [start, end]: [f64; 2], map: ParameterMap, e
         controls: low.controls.iter().zip(&high.controls).flat_map(|(&a, &b)| [a, b]).collect(),
         maps: [map, ParameterMap::Identity],
         error,
+        is_measured: error > 0.0,
     }
 }
 
@@ -121,6 +123,6 @@ impl SplineSurface {
             }
         }
         let maps = [ParameterMap::Identity, ParameterMap::Identity];
-        SurfaceNet { degrees, knots, controls, maps, error: 0.0 }
+        SurfaceNet { degrees, knots, controls, maps, error: 0.0, is_measured: false }
     }
 }

@@ -214,6 +214,7 @@ fn assembled(cells: &[Cell], breaks: &[Vec<f64>; 2], error: f64) -> SurfaceNet {
         controls,
         maps: [ParameterMap::Identity, ParameterMap::Identity],
         error,
+        is_measured: true,
     }
 }
 

@@ -1,7 +1,8 @@
-//! Surfaces of the file as exact NURBS over a rectangle of parameters.
+//! Surfaces of the file as NURBS over a rectangle of parameters.
 
 mod exact;
 mod interpolation;
+mod lower_degree;
 
 pub(super) use interpolation::curve as interpolated_curve;
 
@@ -18,8 +19,11 @@ pub(crate) struct SurfaceNet {
     /// Homogeneous control points, v fastest.
     pub(crate) controls: Vec<DVec4>,
     pub(crate) maps: [ParameterMap; 2],
-    /// The deviation from the surface of the file: 0 unless that is an offset.
+    /// The deviation from the surface of the file: 0 unless that is an offset or of a degree above
+    /// the model's.
     pub(crate) error: f64,
+    /// Whether the deviation was found at points, and is no upper bound.
+    pub(crate) is_measured: bool,
 }
 
 /// Part of a domain by which loops may leave it without an extension of the surface: it
