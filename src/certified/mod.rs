@@ -14,23 +14,26 @@
 //! it. `docs/method.md` has the proofs.
 
 mod ascent;
-mod block;
 mod bounds;
 mod cell;
+mod cell_context;
 mod faces;
 mod generatrix;
 mod maximin;
+mod near_copies;
 mod nearest;
 mod operand;
 mod reparametrization;
 mod rounding;
 mod search;
 mod sheets;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod testing;
 
-pub(crate) use block::Block;
 pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use faces::TrimmedFaces;
 pub(crate) use generatrix::Generatrix;
+pub(crate) use near_copies::blocks::Block;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
 pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, Limit, SearchNode};

@@ -12,6 +12,9 @@ pub(super) struct Reparametrization {
     pub(super) q: DVec2,
 }
 
+/// The smallest squared sine of the angle between the tangents with which both parameters slide.
+const MIN_SINE_SQUARED: f64 = 1e-6;
+
 /// Part of the margin that a clamped map may use: the rounding of its image's
 /// box stays inside the domain.
 const INSIDE: f64 = 1.0 - 16.0 * f64::EPSILON;
@@ -56,6 +59,20 @@ impl Reparametrization {
     pub(super) fn extent(&self) -> DVec2 {
         self.p.abs() + self.q.abs()
     }
+}
+
+/// The pseudo-inverse of two tangents, by rows; of the longer one where they are about parallel.
+pub(super) fn pseudo_inverse([s, t]: [DVec3; 2]) -> [DVec3; 2] {
+    let [ss, st, tt] = [s.dot(s), s.dot(t), t.dot(t)];
+    let determinant = ss * tt - st * st;
+    if determinant > MIN_SINE_SQUARED * ss * tt {
+        return [(tt * s - st * t) / determinant, (ss * t - st * s) / determinant];
+    }
+    let along = |tangent: DVec3, square: f64| {
+        let row = tangent / square;
+        if row.is_finite() { row } else { DVec3::ZERO }
+    };
+    if ss >= tt { [along(s, ss), DVec3::ZERO] } else { [DVec3::ZERO, along(t, tt)] }
 }
 
 /// Solves the symmetric system `[ss, st, tt]` for the parameters not frozen.

@@ -42,11 +42,11 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("certified/bounds/boxes.rs", "largest.max(bound)", "NaN returns before"),
     ("certified/bounds/boxes.rs", "fold(0.0, f64::max)", "squared distances of finite corners"),
     (
-        "certified/bounds/polynomial_difference/aligned_map.rs",
+        "certified/near_copies/difference/aligned_map.rs",
         "along[axis].abs()",
         "chooses a map; any map is valid",
     ),
-    ("certified/bounds/polynomial_difference/net/mod.rs", "control.w", "weights of finite nets"),
+    ("certified/near_copies/difference/net/mod.rs", "control.w", "weights of finite nets"),
     ("certified/bounds/same_net.rs", "from.distance_squared(to)", "squared distances of finite points"),
     ("certified/rounding.rs", "weights.fold", "weights of finite nets"),
     ("certified/search", "node.upper", "an evaluation replaces NaN by the parent's bound"),

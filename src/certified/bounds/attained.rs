@@ -1,17 +1,13 @@
 //! Pairs on which the bounds are attained or nearly so: a bound that is less
 //! than its theorem states is below the distance of some point of these.
 
-use super::convex_combination::ConvexCombination;
-use super::polynomial_difference::PolynomialDifference;
-use super::same_net::SameNet;
-use super::sphere::InSphere;
-use super::taylor::Taylor;
 use super::{
-    CellContext, UpperBound, bvh_node, least, same_net, sphere, whole_models, with_any_foot,
-    with_carrying_feet, with_nearest_feet,
+    CellContext, ConvexCombination, InSphere, PolynomialDifference, SameNet, Taylor, UpperBound, bvh_node,
+    least, same_net, sphere, whole_models, with_any_foot, with_carrying_feet, with_nearest_feet,
 };
-use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, extract, relative};
+use crate::bezier::{LocalDerivativeBounds, extract};
 use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::testing::*;
 use crate::certified::{Cell, Operand, Pair};
 use crate::closest::Target;
 use crate::model::RigidTransform;
@@ -19,111 +15,7 @@ use crate::param_box::ParamBox;
 use crate::rounding::{UNIT_ROUNDOFF, upper_max};
 use crate::shapes::shape;
 use crate::symmetry::{Sphere, revolutions};
-use glam::{DVec3, DVec4, Vec4Swizzles};
-
-/// The rounding of a bound, relative to it.
-const ROUNDING: f64 = 1e-11;
-
-/// What the patches' controls are relative to, up to half of the first of them.
-const CENTER: DVec3 = DVec3::new(0.5, -0.25, 0.125);
-
-/// Degrees and homogeneous controls of one patch.
-pub(super) type Net = ([usize; 2], Vec<DVec4>);
-
-/// One operand with what it borrows. Every patch is a surface of its own.
-pub(super) struct Model {
-    target: Target,
-    bounds: Vec<LocalDerivativeBounds>,
-}
-
-impl Model {
-    pub(super) fn new(nets: &[Net]) -> Self {
-        let mut patches = PatchSet::default();
-        for (surface, (degree, controls)) in nets.iter().enumerate() {
-            // Not at the origin, and different for different models.
-            let center = CENTER + 0.5 * controls[0].xyz() / controls[0].w;
-            let local = relative(controls, center);
-            patches.push(Patch {
-                surface,
-                degree: *degree,
-                domain: ParamBox::UNIT,
-                center,
-                controls: &local,
-                rational: controls.iter().any(|control| control.w != controls[0].w),
-            });
-        }
-        let bounds = patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
-        Self { target: Target::new(patches), bounds }
-    }
-
-    fn operand(&self) -> Operand<'_> {
-        Operand::new(&self.target, &self.bounds)
-    }
-}
-
-fn pair<'a>(a: &'a Model, b: &'a Model) -> Pair<'a> {
-    Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY }
-}
-
-/// The bound of a cell of A's first patch, from the foot on B's first patch.
-pub(super) fn evaluate(
-    bound: &dyn UpperBound,
-    a: &Model,
-    b: &Model,
-    cell: Cell,
-    threshold: f64,
-) -> Option<f64> {
-    let pair = pair(a, b);
-    let nearest = NearestPoint::new(pair.b);
-    let mut context = CellContext::new(&pair, &nearest, cell, &Foot::start(0, [0.5; 2]));
-    bound.evaluate(&mut context, threshold)
-}
-
-fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
-}
-
-/// The Bernstein coefficients of `x^power` of this degree.
-fn monomial(power: usize, degree: usize) -> Vec<f64> {
-    (0..=degree).map(|i| if i < power { 0.0 } else { binomial(i, power) / binomial(degree, power) }).collect()
-}
-
-/// The graph z = height + factor s^a t^b over the unit square.
-pub(super) fn graph(height: f64, factor: f64, [a, b]: [usize; 2]) -> Net {
-    let degree = [a.max(1), b.max(1)];
-    let [s, t] = [0, 1].map(|axis| monomial(1, degree[axis]));
-    let [in_s, in_t] = [monomial(a, degree[0]), monomial(b, degree[1])];
-    let point = |i: usize, j: usize| DVec4::new(s[i], t[j], height + factor * in_s[i] * in_t[j], 1.0);
-    let controls = (0..=degree[0]).flat_map(|i| (0..=degree[1]).map(move |j| (i, j)));
-    (degree, controls.map(|(i, j)| point(i, j)).collect())
-}
-
-/// A bilinear patch with these corners: (s, t) = (0, 0), (0, 1), (1, 0), (1, 1).
-fn bilinear(corners: [[f64; 3]; 4]) -> Net {
-    ([1, 1], corners.map(|[x, y, z]| DVec4::new(x, y, z, 1.0)).to_vec())
-}
-
-/// The rectangle [low, high] x [-2, 3] in the plane z = 0.
-pub(super) fn plane([low, high]: [f64; 2]) -> Net {
-    bilinear([[low, -2.0, 0.0], [low, 3.0, 0.0], [high, -2.0, 0.0], [high, 3.0, 0.0]])
-}
-
-/// A patch that is one point.
-pub(super) fn point(at: [f64; 3]) -> Net {
-    bilinear([at; 4])
-}
-
-/// A patch that is the line between two points, along t.
-fn line(from: [f64; 3], to: [f64; 3]) -> Net {
-    bilinear([from, to, from, to])
-}
-
-/// Asserts that a bound is neither below a distance nor above it by more than a part.
-#[track_caller]
-pub(super) fn assert_attained(bound: f64, distance: f64, excess: f64) {
-    assert!(bound >= distance * (1.0 - ROUNDING), "{bound} is below {distance}");
-    assert!(bound <= distance * (1.0 + excess + ROUNDING), "{bound} is far above {distance}");
-}
+use glam::{DVec3, DVec4};
 
 /// The exponents of the monomials up to third order.
 fn monomials() -> impl Iterator<Item = [usize; 2]> {
@@ -134,9 +26,9 @@ fn monomials() -> impl Iterator<Item = [usize; 2]> {
 /// negative term: its quadratic and its remainder are the largest at one corner.
 #[test]
 fn taylor_over_a_plane() {
-    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let b = PatchModel::new(&[plane([-2.0, 3.0])]);
     for powers in monomials() {
-        let a = Model::new(&[graph(0.0, 1.0, powers)]);
+        let a = PatchModel::new(&[graph(0.0, 1.0, powers)]);
         for (threshold, bounds) in [(0.0, "patch"), (1.0 - 1e-6, "local")] {
             let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), threshold).unwrap();
             assert!((1.0 - ROUNDING..1.0 + ROUNDING).contains(&bound), "{powers:?}, {bounds}: {bound}");
@@ -148,10 +40,10 @@ fn taylor_over_a_plane() {
 #[test]
 fn taylor_over_a_graph() {
     const FACTOR: f64 = 1e-4;
-    let a = Model::new(&[graph(0.0, 0.0, [0, 0])]);
+    let a = PatchModel::new(&[graph(0.0, 0.0, [0, 0])]);
     for powers in monomials() {
         // Higher than the first-order bound allows without the expansion.
-        let b = Model::new(&[graph(1e-5, FACTOR, powers)]);
+        let b = PatchModel::new(&[graph(1e-5, FACTOR, powers)]);
         for threshold in [0.0, 1.09e-4] {
             let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), threshold).unwrap();
             // A slope of 3e-4 moves the foot by 3e-8, and takes 5e-8 off the distance.
@@ -165,9 +57,10 @@ fn taylor_over_a_graph() {
 #[test]
 fn taylor_across_the_parameter_lines() {
     const FACTOR: f64 = 1e-4;
-    let a = Model::new(&[bilinear([[0.2, 0.2, 0.0], [0.4, 0.6, 0.0], [0.6, 0.4, 0.0], [0.8, 0.8, 0.0]])]);
+    let a =
+        PatchModel::new(&[bilinear([[0.2, 0.2, 0.0], [0.4, 0.6, 0.0], [0.6, 0.4, 0.0], [0.8, 0.8, 0.0]])]);
     for powers in monomials() {
-        let b = Model::new(&[graph(0.0, FACTOR, powers)]);
+        let b = PatchModel::new(&[graph(0.0, FACTOR, powers)]);
         let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), 0.0).unwrap();
         let height = FACTOR * 0.8_f64.powi((powers[0] + powers[1]) as i32);
         assert_attained(bound * (1.0 + 1e-6), height, 1e-5);
@@ -178,9 +71,9 @@ fn taylor_across_the_parameter_lines() {
 #[test]
 fn taylor_with_local_bounds() {
     const HALF: f64 = 1.0 / 16.0;
-    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let b = PatchModel::new(&[plane([-2.0, 3.0])]);
     for (powers, axis) in [([4, 0], 0), ([0, 4], 1)] {
-        let a = Model::new(&[graph(0.0, 0.25, powers)]);
+        let a = PatchModel::new(&[graph(0.0, 0.25, powers)]);
         let mut cell = Cell { patch: 0, center: [0.5; 2], half: [HALF; 2] };
         cell.center[axis] = 1.0 - HALF;
         let bound = evaluate(&Taylor, &a, &b, cell, 0.25 - 1e-6).unwrap();
@@ -192,11 +85,11 @@ fn taylor_with_local_bounds() {
 /// A line that runs away from a point of B: both terms are attained at its end.
 #[test]
 fn lipschitz_along_a_line() {
-    let b = Model::new(&[point([0.0; 3])]);
+    let b = PatchModel::new(&[point([0.0; 3])]);
     let along_t = line([1.0, 0.0, 0.0], [3.0, 0.0, 0.0]);
     let along_s = bilinear([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]]);
     for a in [along_t, along_s] {
-        let bound = evaluate(&Taylor, &Model::new(&[a]), &b, Cell::whole(0), 4.0).unwrap();
+        let bound = evaluate(&Taylor, &PatchModel::new(&[a]), &b, Cell::whole(0), 4.0).unwrap();
         assert_attained(bound, 3.0, 0.0);
     }
 }
@@ -206,12 +99,12 @@ fn lipschitz_along_a_line() {
 fn convex_combination_of_two_points() {
     const APART: f64 = 1e-2;
     const WIDTH: f64 = 1e-3;
-    let b = Model::new(&[point([APART, 0.0, -1.0]), point([-APART, 0.0, -1.0])]);
+    let b = PatchModel::new(&[point([APART, 0.0, -1.0]), point([-APART, 0.0, -1.0])]);
     // From z = -1/8 to z = 1/8 as a cubic with its inflection at the centre, and
     // across the bisector in s.
     let heights = [-0.125, 0.125, -0.125, 0.125];
     let controls = [-WIDTH, WIDTH].map(|x| heights.map(|z| DVec4::new(x, 0.0, 4.0 * z, 1.0)));
-    let a = Model::new(&[([1, 3], controls.concat())]);
+    let a = PatchModel::new(&[([1, 3], controls.concat())]);
     let pair = pair(&a, &b);
     let nearest = NearestPoint::new(pair.b);
     let truth = (1.5_f64.powi(2) + APART.powi(2)).sqrt();
@@ -230,9 +123,9 @@ fn convex_combination_of_two_points() {
 #[test]
 fn polynomial_difference_at_a_corner() {
     const THRESHOLD: f64 = 1.0 + 1e-9;
-    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let b = PatchModel::new(&[plane([-2.0, 3.0])]);
     for powers in [[1, 0], [2, 1], [3, 3]] {
-        let a = Model::new(&[graph(0.25, 0.75, powers)]);
+        let a = PatchModel::new(&[graph(0.25, 0.75, powers)]);
         let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), THRESHOLD).unwrap();
         assert_attained(bound, 1.0, 0.0);
     }
@@ -245,7 +138,7 @@ fn polynomial_difference_at_a_corner() {
         ([2, 1], rows.concat())
     };
     for (mirrored, scale) in [(false, 1.0), (true, 1.0), (false, 0.125)] {
-        let a = Model::new(&[rational(mirrored, scale)]);
+        let a = PatchModel::new(&[rational(mirrored, scale)]);
         let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), THRESHOLD).unwrap();
         assert_attained(bound, 1.0, 0.0);
     }
@@ -255,9 +148,9 @@ fn polynomial_difference_at_a_corner() {
 #[test]
 fn polynomial_difference_from_a_graph() {
     const HEIGHT: f64 = 1e-6;
-    let a = Model::new(&[graph(0.0, 0.0, [0, 0])]);
+    let a = PatchModel::new(&[graph(0.0, 0.0, [0, 0])]);
     for powers in [[1, 0], [2, 0], [1, 2]] {
-        let b = Model::new(&[graph(HEIGHT, HEIGHT, powers)]);
+        let b = PatchModel::new(&[graph(HEIGHT, HEIGHT, powers)]);
         let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 2.1 * HEIGHT).unwrap();
         assert_attained(bound * (1.0 + 1e-9), 2.0 * HEIGHT, 1e-6);
     }
@@ -271,18 +164,18 @@ fn same_net_of_a_moved_copy() {
         ([1, 1], corners.map(|[x, y]| weight * DVec4::new(x, y, height, 1.0)).to_vec())
     };
     for (corner, weight) in [(0, 1.0), (1, 0.5), (2, 2.0), (3, 4.0)] {
-        let b = Model::new(&[square(0.0, weight)]);
+        let b = PatchModel::new(&[square(0.0, weight)]);
         let mut copy = square(1.0, weight);
         copy.1[corner].z *= 2.0;
-        let a = Model::new(&[copy]);
+        let a = PatchModel::new(&[copy]);
         assert_attained(same_net::upper_bound(&pair(&a, &b), 0), 2.0, 0.0);
         assert_attained(evaluate(&SameNet, &a, &b, Cell::whole(0), 0.0).unwrap(), 2.0, 0.0);
         // A weight that differs leaves no copy.
         let mut other = square(1.0, weight);
         other.1[corner] *= 2.0;
-        assert_eq!(same_net::upper_bound(&pair(&Model::new(&[other]), &b), 0), f64::INFINITY);
+        assert_eq!(same_net::upper_bound(&pair(&PatchModel::new(&[other]), &b), 0), f64::INFINITY);
         // No patch of B corresponds to A's second one.
-        let a = Model::new(&[square(1.0, weight), square(1.0, weight)]);
+        let a = PatchModel::new(&[square(1.0, weight), square(1.0, weight)]);
         assert_eq!(same_net::upper_bound(&pair(&a, &b), 1), f64::INFINITY);
     }
 }
@@ -293,10 +186,10 @@ fn same_net_of_a_moved_copy() {
 fn whole_models_are_bounded_by_all_patches() {
     let square =
         |height: f64| bilinear([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[x, y]| [x, y, height]));
-    let b = Model::new(&[square(0.0), square(0.0)]);
+    let b = PatchModel::new(&[square(0.0), square(0.0)]);
     let bound = |heights: &[f64]| {
         let nets: Vec<Net> = heights.iter().map(|&height| square(height)).collect();
-        whole_models(&pair(&Model::new(&nets), &b))
+        whole_models(&pair(&PatchModel::new(&nets), &b))
     };
     assert_attained(bound(&[1.0, 2.0]), 2.0, 0.0);
     assert_attained(bound(&[2.0, 1.0]), 2.0, 0.0);
@@ -308,7 +201,7 @@ fn whole_models_are_bounded_by_all_patches() {
 fn sphere_and_points() {
     let sphere = Sphere { center: DVec3::new(1.0, 0.0, 0.0), radius: 2.0, deviation: 0.125 };
     let bound = |net: Net, cell: Cell| {
-        let model = Model::new(&[net]);
+        let model = PatchModel::new(&[net]);
         let bound = |motion: DVec3| {
             let sphere = Sphere { center: sphere.center + motion, ..sphere };
             let motion = RigidTransform::translation(motion).unwrap();
@@ -336,7 +229,7 @@ fn sphere_among_surfaces() {
     let target = Target::new(bezier.patches);
     let bounds: Vec<_> = target.patches.iter().map(|_| LocalDerivativeBounds::new(ParamBox::UNIT)).collect();
     for distance in [0.25, 3.0] {
-        let a = Model::new(&[point((center + DVec3::new(distance * radius, 0.0, 0.0)).to_array())]);
+        let a = PatchModel::new(&[point((center + DVec3::new(distance * radius, 0.0, 0.0)).to_array())]);
         let b = Operand::new(&target, &bounds).with_revolutions(&revolutions);
         let pair = Pair { b, ..pair(&a, &a) };
         let nearest = NearestPoint::new(pair.b);
@@ -353,15 +246,16 @@ fn boxes_are_attained_at_a_corner() {
     let diagonal = || line([0.0, 0.0, 0.0], [1.0, 2.0, 2.0]);
     let origin = || point([0.0; 3]);
     for (a, b) in [(diagonal(), origin()), (origin(), diagonal())] {
-        assert_attained(whole_models(&pair(&Model::new(&[a]), &Model::new(&[b]))), 3.0, 0.0);
+        assert_attained(whole_models(&pair(&PatchModel::new(&[a]), &PatchModel::new(&[b]))), 3.0, 0.0);
     }
 }
 
 /// Two parts of a line that runs away from a point of B.
 #[test]
 fn bvh_node_of_a_line() {
-    let a = Model::new(&[line([1.0, 0.0, 0.0], [2.0, 0.0, 0.0]), line([2.0, 0.0, 0.0], [5.0, 0.0, 0.0])]);
-    let b = Model::new(&[point([0.0; 3])]);
+    let a =
+        PatchModel::new(&[line([1.0, 0.0, 0.0], [2.0, 0.0, 0.0]), line([2.0, 0.0, 0.0], [5.0, 0.0, 0.0])]);
+    let b = PatchModel::new(&[point([0.0; 3])]);
     let pair = pair(&a, &b);
     let nearest = NearestPoint::new(pair.b);
     let (bound, _) = bvh_node(&pair, &nearest, 0, &Foot::start(0, [0.5; 2]), 0.0);
@@ -380,8 +274,8 @@ impl UpperBound for Fixed {
 /// The list of bounds ends at the first that suffices; none and NaN bound nothing.
 #[test]
 fn the_least_bound_of_a_list() {
-    let a = Model::new(&[graph(0.0, 3.0, [3, 0])]);
-    let b = Model::new(&[plane([-2.0, 3.0])]);
+    let a = PatchModel::new(&[graph(0.0, 3.0, [3, 0])]);
+    let b = PatchModel::new(&[plane([-2.0, 3.0])]);
     let pair = pair(&a, &b);
     let nearest = NearestPoint::new(pair.b);
     let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
@@ -406,8 +300,8 @@ fn the_least_bound_of_a_list() {
 /// both patches (lemma R8), with n = 4 · 2 + 6.
 #[test]
 fn the_rounding_of_both_jets_adds_to_the_taylor_bound() {
-    let [a, b] = [Model::new(&[graph(1.0, 0.0, [1, 1])]), Model::new(&[plane([-1.0, 2.0])])];
-    let rounding = |model: &Model, further: f64, reach: f64| {
+    let [a, b] = [PatchModel::new(&[graph(1.0, 0.0, [1, 1])]), PatchModel::new(&[plane([-1.0, 2.0])])];
+    let rounding = |model: &PatchModel, further: f64, reach: f64| {
         let radius =
             model.target.patches.patch(0).local_points().map(|point| point.length()).fold(0.0, upper_max);
         let first = (4.0 * 14.0 + 6.0 + further) * 4.0 * reach;

@@ -1,57 +1,14 @@
 //! Surfaces on which the bounds over seams are attained or nearly so: a
 //! remainder or a jump that is less than its lemma states is found out.
 
-use super::polynomial_difference::PolynomialDifference;
-use super::taylor::Taylor;
-use super::{CellContext, UpperBound};
-use crate::bezier::{BezierModel, LocalDerivativeBounds, extract};
+use super::{CellContext, DifferenceOverKnotLines, Taylor, TaylorAcrossSeams, UpperBound, least};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::sheets::{Chart, Over};
-use crate::certified::{Cell, Operand, Pair, SheetCache, Sheets};
-use crate::closest::Target;
-use crate::flatness::{Flatness, Places, flatten};
-use crate::model::{Model, RigidTransform, SurfaceArrays};
+use crate::certified::testing::{Surfaces, clamped, closed};
+use crate::certified::{Cell, Pair};
+use crate::flatness::Flatness;
+use crate::model::{RigidTransform, SurfaceArrays};
 use glam::DVec3;
-
-/// A model as the search uses it.
-pub(super) struct Surfaces {
-    bezier: BezierModel,
-    target: Target,
-    bounds: Vec<LocalDerivativeBounds>,
-    pub(super) places: Places,
-    cache: SheetCache,
-}
-
-impl Surfaces {
-    pub(super) fn new(surfaces: Vec<SurfaceArrays>, flatness: Flatness) -> Self {
-        Self::flattened(&Model::from_arrays(None, surfaces).unwrap(), flatness)
-    }
-
-    /// The surfaces of a model as they are.
-    pub(super) fn of(model: &Model) -> Self {
-        Self::flattened(model, Flatness::None)
-    }
-
-    fn flattened(model: &Model, flatness: Flatness) -> Self {
-        let bezier = extract(model);
-        let flat = flatten(&bezier.patches, flatness);
-        Self {
-            target: Target::new(flat.patches),
-            bounds: flat.places.derivative_bounds(),
-            places: flat.places,
-            cache: SheetCache::default(),
-            bezier,
-        }
-    }
-
-    pub(super) fn sheets(&self) -> Sheets<'_> {
-        Sheets { bezier: &self.bezier, places: &self.places, cache: &self.cache }
-    }
-
-    pub(super) fn operand(&self) -> Operand<'_> {
-        Operand::new(&self.target, &self.bounds).with_sheets(self.sheets())
-    }
-}
 
 /// The bound of a cell of A's first patch with the foot on a patch of B.
 fn evaluate(
@@ -68,10 +25,12 @@ fn evaluate(
     bound.evaluate(&mut context, threshold)
 }
 
-/// The knots 0 and 1, each degree + 1 times, and the given ones between.
-pub(super) fn clamped(degree: usize, inner: &[f64]) -> Vec<f64> {
-    let ends = |knot: f64| std::iter::repeat_n(knot, degree + 1);
-    ends(0.0).chain(inner.iter().copied()).chain(ends(1.0)).collect()
+/// The least of Taylor's bounds in one patch and over its seams, with the foot on B's first patch.
+fn over_seams(a: &Surfaces, b: &Surfaces, threshold: f64) -> f64 {
+    let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+    let nearest = NearestPoint::new(pair.b);
+    let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
+    least(&[&Taylor, &TaylorAcrossSeams], &mut context, threshold)
 }
 
 /// The Bernstein or B-spline coefficients of a cubic of parameter x over knots, from its
@@ -144,7 +103,7 @@ fn jumps_beyond_a_seam_are_attained() {
             let a = Surfaces::new(vec![square([0.0, 1.0], [0.0, 1.0])], Flatness::None);
             let truth = HEIGHT + FACTOR * 0.5_f64.powi(power as i32);
             for threshold in [truth * 1.01, truth * 0.99, 2.0 * HEIGHT] {
-                let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), 0, threshold).unwrap();
+                let bound = over_seams(&a, &b, threshold);
                 assert_attained(bound, truth, 1e-5);
             }
         }
@@ -160,7 +119,7 @@ fn jumps_at_a_distance_are_bounded_by_the_reach_beyond() {
     for (power, excess) in [(2, 1e-3), (3, 1.5)] {
         let b = Surfaces::new(vec![ramp(0, 1e-7, FACTOR, 0.5, power)], Flatness::None);
         let truth = 1e-7 + FACTOR * 0.3_f64.powi(power as i32);
-        let bound = evaluate(&Taylor, &a, &b, Cell::whole(0), 0, truth).unwrap();
+        let bound = over_seams(&a, &b, truth);
         assert_attained(bound, truth, excess);
     }
 }
@@ -173,9 +132,9 @@ fn the_difference_over_knots_is_attained() {
             let b = Surfaces::new(vec![ramp(axis, 1e-5, 1e-4, 0.3, power)], Flatness::None);
             let a = Surfaces::new(vec![square([0.0, 1.0], [0.0, 1.0])], Flatness::None);
             let truth = 1e-5 + 1e-4 * 0.7_f64.powi(power as i32);
-            let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 1, truth * 1.001);
+            let bound = evaluate(&DifferenceOverKnotLines, &a, &b, Cell::whole(0), 1, truth * 1.001);
             assert_attained(bound.unwrap(), truth, 1e-5);
-            let below = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 1, truth * 0.999);
+            let below = evaluate(&DifferenceOverKnotLines, &a, &b, Cell::whole(0), 1, truth * 0.999);
             assert!(below.is_none_or(|bound| bound >= truth * (1.0 - 1e-6)), "{below:?}");
         }
     }
@@ -199,7 +158,7 @@ fn the_farthest_of_all_pieces_is_bounded() {
             point[2] = if index == corner { 1e-4 } else { 1e-5 };
         }
         let a = Surfaces::new(vec![patch], Flatness::None);
-        let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 4, 1.001e-4);
+        let bound = evaluate(&DifferenceOverKnotLines, &a, &b, Cell::whole(0), 4, 1.001e-4);
         assert_attained(bound.unwrap(), 1e-4, 1e-5);
     }
 }
@@ -218,33 +177,11 @@ fn the_difference_runs_over_several_surfaces() {
     ];
     let a = Surfaces::new(vec![square([0.0, 1.0], [0.0, 1.0])], Flatness::None);
     let b = Surfaces::new(squares.to_vec(), Flatness::None);
-    let bound = evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 1, 4e-3);
+    let bound = evaluate(&DifferenceOverKnotLines, &a, &b, Cell::whole(0), 1, 4e-3);
     assert_attained(bound.unwrap(), 3e-3, 1e-5);
     // Without the last surface a part of A is far from B.
     let b = Surfaces::new(squares[..2].to_vec(), Flatness::None);
-    assert_eq!(evaluate(&PolynomialDifference, &a, &b, Cell::whole(0), 1, 4e-3), None);
-}
-
-/// A bicubic surface that is closed along u, of uniform knots, with random control points.
-pub(super) fn closed(seed: u64, rational: bool) -> SurfaceArrays {
-    let (around, along) = (7, 6);
-    let mut points = Vec::new();
-    for i in 0..around + 3 {
-        // The last three are the first ones.
-        let mut random = fastrand::Rng::with_seed(seed + (i % around) as u64);
-        let angle = std::f64::consts::TAU * (i % around) as f64 / around as f64;
-        for j in 0..along {
-            let radius = 1.0 + 0.3 * random.f64();
-            let weight = if rational { 0.5 + random.f64() } else { 1.0 };
-            points.push([radius * angle.cos(), radius * angle.sin(), 0.5 * j as f64, weight]);
-        }
-    }
-    SurfaceArrays {
-        degree: [3, 3],
-        knots: [(0..around + 7).map(|knot| knot as f64).collect(), clamped(3, &[0.25, 0.6])],
-        counts: [around + 3, along],
-        control_points: points,
-    }
+    assert_eq!(evaluate(&DifferenceOverKnotLines, &a, &b, Cell::whole(0), 1, 4e-3), None);
 }
 
 /// The surface is within the lemma's bound of the expansion at any point, also

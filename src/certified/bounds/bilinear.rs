@@ -12,8 +12,8 @@
 
 use super::super::nearest::Foot;
 use super::super::rounding::UNIT_ROUNDOFF;
-use super::{CellContext, UpperBound};
 use crate::bezier::DerivativeBounds;
+use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::DVec3;
 
 /// Distance of the centre's foot, in radii of the cell, up to which the bound is
@@ -206,9 +206,9 @@ fn interpolation_error(bounds: &DerivativeBounds, [u, v]: [f64; 2]) -> f64 {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::attained::{Model, Net, assert_attained, evaluate, graph, plane, point};
     use super::*;
     use crate::certified::Cell;
+    use crate::certified::testing::{Net, PatchModel, assert_attained, evaluate, graph, plane, point};
 
     /// Linear interpolation over a triangle of the unit square is off by 1/4 at
     /// the middle of an edge for s² and t², and in the middle of the diagonal for s t.
@@ -243,7 +243,7 @@ mod tests {
     /// points are corners of one of the polygons, or those where both are equally near.
     #[test]
     fn two_polygons_are_bounded_by_their_vertices() {
-        let a = Model::new(&[graph(0.0, 0.0, [1, 1])]);
+        let a = PatchModel::new(&[graph(0.0, 0.0, [1, 1])]);
         for [first, second] in [[0.25, 0.8], [0.4, 0.9], [0.1, 0.6]] {
             let middle: f64 = 0.5 * (first + second);
             let distance = [first, middle - first, 1.0 - second].into_iter().fold(0.0, f64::max).hypot(0.5);
@@ -252,7 +252,7 @@ mod tests {
                     [points.map(|s| point([s, 0.5, 0.0])), points.map(|t| point([0.5, t, 0.0]))];
                 for b in [along_s, along_t] {
                     let threshold = distance * (1.0 + 1e-3);
-                    let bound = evaluate(&Bilinear, &a, &Model::new(&b), Cell::whole(0), threshold);
+                    let bound = evaluate(&Bilinear, &a, &PatchModel::new(&b), Cell::whole(0), threshold);
                     assert_attained(bound.unwrap(), distance, 1e-3);
                 }
             }
@@ -271,17 +271,17 @@ mod tests {
             net
         };
         for axis in [0, 1] {
-            let a = Model::new(&[arch(axis, 0.1, 0.1)]);
-            let b = Model::new(&[plane([-2.0, 3.0])]);
+            let a = PatchModel::new(&[arch(axis, 0.1, 0.1)]);
+            let b = PatchModel::new(&[plane([-2.0, 3.0])]);
             assert_attained(evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap(), 0.2, 1e-9);
             // Two patches that join across s; where the arch is along s, the places
             // at which its edges cross the join are near its top; along t, they are off
             // the join by the tolerance of the secant steps.
-            let b = Model::new(&[plane([-2.0, 0.4]), plane([0.4, 3.0])]);
+            let b = PatchModel::new(&[plane([-2.0, 0.4]), plane([0.4, 3.0])]);
             let bound = evaluate(&Bilinear, &a, &b, Cell::whole(0), 0.35).unwrap();
             assert_attained(bound, 0.2, [0.5, 0.02][axis]);
-            let flat = Model::new(&[graph(0.0, 0.0, [1, 1])]);
-            let b = Model::new(&[arch(axis, 1e-5, 1e-4)]);
+            let flat = PatchModel::new(&[graph(0.0, 0.0, [1, 1])]);
+            let b = PatchModel::new(&[arch(axis, 1e-5, 1e-4)]);
             let bound = evaluate(&Bilinear, &flat, &b, Cell::whole(0), 1.0).unwrap();
             assert_attained(bound * (1.0 + 1e-6), 1.1e-4, 1e-3);
         }

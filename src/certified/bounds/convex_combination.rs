@@ -12,7 +12,7 @@
 
 use super::super::maximin::{AffineFunction, linearized_distance_squared, maximin};
 use super::taylor::{Bounds, CellPair, Difference, coefficient_error, max_coefficient};
-use super::{CellContext, UpperBound};
+use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::DVec3;
 
 /// The bound by the known feet of the centre on different patches.

@@ -1,6 +1,6 @@
-//! Upper bounds on the distance from a whole cell of A to B.
+//! Upper bounds on the distance from a whole cell of A to B, and which of them are tried.
 //!
-//! Each bound is a theorem of its own, proven in section 3 of `docs/method.md`. A bound
+//! The lists below are all there are, besides those of tree nodes in [`boxes`]. Each bound is a theorem of its own, proven in section 3 of `docs/method.md`. A bound
 //! takes any feet: one that is not the nearest loosens it and cannot falsify it.
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -9,47 +9,51 @@ mod attained;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod attained_across_seams;
 mod bilinear;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
-mod blocks_attained;
 mod boxes;
-mod cell_context;
 mod convex_combination;
 mod heights;
-mod polynomial_difference;
+mod lipschitz;
+mod of_blocks;
 mod same_net;
 mod sphere;
 mod taylor;
 
 pub(super) use boxes::{bvh_node, whole_models};
-pub(super) use cell_context::CellContext;
+pub(super) use of_blocks::block;
 #[cfg(feature = "internals")]
 pub use taylor::Quadratic;
 pub(super) use taylor::halved_sides;
 
+use super::cell_context::{CellContext, UpperBound};
+use super::near_copies::blocks::{BlockUpperBound, DifferenceByPieces, OneSpline};
+use super::near_copies::difference::{DifferenceOverKnotLines, PolynomialDifference};
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
 use heights::Heights;
-use polynomial_difference::PolynomialDifference;
-pub(super) use polynomial_difference::block;
+use lipschitz::Lipschitz;
 use same_net::SameNet;
 use sphere::InSphere;
-use taylor::Taylor;
-
-/// An upper bound on `max d(a, B)` over the points a of a cell.
-trait UpperBound: Sync {
-    /// The bound; `None` where it does not apply or is not expected to reach
-    /// the threshold. NaN counts as no bound.
-    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64>;
-}
+use taylor::{Taylor, TaylorAcrossSeams};
 
 /// The bounds that any foot serves, cheapest first: with the foot inherited
 /// from the cell's parent they decide most cells.
-const WITH_ANY_FOOT: [&dyn UpperBound; 3] = [&SameNet, &InSphere, &Taylor];
+const WITH_ANY_FOOT: [&dyn UpperBound; 5] = [&SameNet, &InSphere, &Lipschitz, &Taylor, &TaylorAcrossSeams];
 
 /// The bounds that need the nearest feet, cheapest first.
-const WITH_NEAREST_FEET: [&dyn UpperBound; 6] =
-    [&ConvexCombination, &InSphere, &Taylor, &PolynomialDifference, &Heights, &Bilinear];
+const WITH_NEAREST_FEET: [&dyn UpperBound; 9] = [
+    &ConvexCombination,
+    &InSphere,
+    &Lipschitz,
+    &Taylor,
+    &TaylorAcrossSeams,
+    &PolynomialDifference,
+    &DifferenceOverKnotLines,
+    &Heights,
+    &Bilinear,
+];
+
+/// The bounds of all patches of a block at once, cheapest first.
+const OF_BLOCKS: [&dyn BlockUpperBound; 2] = [&OneSpline, &DifferenceByPieces];
 
 /// The least of the bounds with the inherited foot, or the first that is at
 /// most the threshold.

@@ -1,8 +1,8 @@
 //! The bound by equal control nets: moved and edited copies.
 
 use super::super::Pair;
-use super::{CellContext, UpperBound};
 use crate::bezier::Patch;
+use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The differences of corresponding control points bound those of the patches.

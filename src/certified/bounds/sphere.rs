@@ -2,8 +2,8 @@
 
 use super::super::Cell;
 use super::super::rounding::gamma;
-use super::{CellContext, UpperBound};
 use crate::bezier::Patch;
+use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::model::RigidTransform;
 use crate::rounding::upper_max;
 use crate::symmetry::Sphere;

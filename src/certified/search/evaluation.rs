@@ -1,6 +1,7 @@
 //! The bounds of single nodes.
 
-use super::super::bounds::{self, CellContext};
+use super::super::bounds;
+use super::super::cell_context::CellContext;
 use super::super::nearest::{Feet, Foot, Query, Sample};
 use super::BranchAndBound;
 use super::blocks::{Split, split_block};

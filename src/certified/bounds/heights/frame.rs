@@ -1,9 +1,9 @@
 //! The tangent plane of B at a foot, and the part of B that lies over it.
 
-use super::super::polynomial_difference::pseudo_inverse;
 use super::quadric::{Piece, Quadric, symmetric_product};
 use crate::axis::Axis;
 use crate::bezier::Jet;
+use crate::certified::reparametrization::pseudo_inverse;
 use crate::certified::rounding::gamma;
 use crate::certified::sheets::{Chart, Reach};
 use crate::rounding::{lower_min, unit, upper_max};

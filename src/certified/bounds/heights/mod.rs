@@ -28,7 +28,7 @@ mod quadric;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
-use super::{CellContext, UpperBound};
+use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
 use frame::Frame;

@@ -1,9 +1,8 @@
 //! Cells over trimmed faces: across the lines of a cut, over its loops and over a seam.
 
-use super::super::attained_across_seams::Surfaces;
-use super::tests::{oblique, patch, through};
 use super::*;
 use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::testing::{Surfaces, oblique, patch, through};
 use crate::certified::{Cell, Pair, TrimmedFaces};
 use crate::model::trim::{FaceArrays, TrimCurveArrays};
 use crate::model::{Model, ModelArrays, RigidTransform, SurfaceArrays};

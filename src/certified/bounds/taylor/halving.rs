@@ -6,8 +6,8 @@
 //! of the whole. So the cell is halved along the side whose halving reduces Taylor's bound more, by
 //! that bound's own terms. Any choice is valid: it decides only how many cells there are.
 
-use super::super::CellContext;
 use super::gains_of_halving;
+use crate::certified::cell_context::CellContext;
 
 /// The ratio of the gains of halving along both sides from which on only the one of the larger gain is
 /// halved; with gains that are closer, the longer side in space. Ratios of 1 to 1.5 take about the same
@@ -36,11 +36,11 @@ pub(in crate::certified) fn halved_sides(context: &CellContext<'_>) -> [bool; 2]
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::super::UpperBound;
-    use super::super::super::attained_across_seams::{Surfaces, clamped};
     use super::super::Taylor;
     use super::*;
+    use crate::certified::cell_context::UpperBound;
     use crate::certified::nearest::{Foot, NearestPoint};
+    use crate::certified::testing::{Surfaces, clamped};
     use crate::certified::{Cell, Pair};
     use crate::flatness::Flatness;
     use crate::model::{RigidTransform, SurfaceArrays};

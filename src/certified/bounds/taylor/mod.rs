@@ -18,55 +18,51 @@ pub(in crate::certified) use halving::halved_sides;
 pub use quadratic::Quadratic;
 pub(super) use quadratic::max_coefficient;
 
+use super::super::cell_context::{CellContext, TaylorBound, UpperBound};
 use super::super::nearest::Foot;
 use super::super::reparametrization::Reparametrization;
 use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
 use super::super::sheets::{Chart, Over, Reach};
-use super::{CellContext, UpperBound};
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
 use crate::param_box::ParamBox;
 use glam::DVec3;
 
-/// The bound from the nearest known foot: by Lipschitz continuity where that
-/// suffices, else by Taylor's theorem.
+/// The bound from the nearest known foot over one patch of B.
 pub(super) struct Taylor;
 
 impl UpperBound for Taylor {
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let foot = context.foot();
-        let lipschitz = foot.distance() + context.radius;
-        if lipschitz <= threshold {
-            return Some(lipschitz);
-        }
         if let Some(known) = context.taylor.filter(|known| known.foot == foot) {
             return Some(known.bound);
         }
         let facing = CellPair::new(context, &foot);
         let difference = facing.difference();
         let bound = difference.upper_bound(threshold);
-        let mut least = if bound < lipschitz { bound } else { lipschitz };
         // NaN is no bound.
         let is_decided = bound <= threshold;
-        if !is_decided
-            && difference.is_near_beyond(threshold)
-            && let Some(difference) = facing.across_seams()
-        {
-            let across = difference.upper_bound(threshold);
-            least = if across < least { across } else { least };
-        }
-        context.taylor = Some(TaylorBound { foot, jet: facing.jet, bound: least });
-        Some(least)
+        let may_cross_seams = !is_decided && difference.is_near_beyond(threshold);
+        context.taylor = Some(TaylorBound { foot, jet: facing.jet, bound, may_cross_seams });
+        Some(bound)
     }
 }
 
-/// The bound that a foot gives.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TaylorBound {
-    foot: Foot,
-    /// B's jet at the foot.
-    jet: Jet,
-    bound: f64,
+/// The same over the seams of B's patch, after [`Taylor`] and where its map left the patch.
+pub(super) struct TaylorAcrossSeams;
+
+impl UpperBound for TaylorAcrossSeams {
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
+        let known = context.taylor.filter(|known| known.may_cross_seams)?;
+        let facing = CellPair::with_jet(context, known.foot, known.jet);
+        let across = facing.across_seams().map(|difference| difference.upper_bound(threshold));
+        let bound = match across {
+            Some(across) if across < known.bound || known.bound.is_nan() => across,
+            _ => known.bound,
+        };
+        context.taylor = Some(TaylorBound { bound, may_cross_seams: false, ..known });
+        across
+    }
 }
 
 /// By how much about the latest Taylor bound falls if the cell is halved about its centre along s, and

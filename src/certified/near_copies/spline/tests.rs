@@ -2,8 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use super::super::super::attained_across_seams::{Surfaces, clamped, closed};
-use super::super::aligned_map::Orientation;
+use super::super::orientation::Orientation;
 use super::BlockMap;
 use super::blossom::Coefficients;
 use super::coefficients::difference;
@@ -12,6 +11,7 @@ use crate::axis::Axis;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::rounding::UNIT_ROUNDOFF;
 use crate::certified::sheets::Chart;
+use crate::certified::testing::{Surfaces, clamped, closed, whole_block};
 use crate::certified::{Block, Pair};
 use crate::flatness::Flatness;
 use crate::model::{RigidTransform, SurfaceArrays};
@@ -46,12 +46,6 @@ fn repeated(random: &mut fastrand::Rng, degree: usize, places: &[f64]) -> Vec<f6
 fn places(random: &mut fastrand::Rng) -> Vec<f64> {
     let count = random.usize(0..5);
     (1..=count).map(|k| (k as f64 + 0.6 * (random.f64() - 0.5)) / (count + 1) as f64).collect()
-}
-
-/// All of A's first surface.
-fn whole(a: &Surfaces) -> Block {
-    let [rows, columns] = a.sheets().bezier.grids[0].counts().map(|count| [0, count as u32]);
-    Block { surface: 0, rows, columns }
 }
 
 /// The block of all patches but sometimes the first or the last ones.
@@ -207,7 +201,7 @@ fn the_coefficients_are_those_of_the_difference() {
         let transform = RigidTransform::new(turn, DVec3::new(random.f64(), 0.5, -0.25)).unwrap();
         let pair = Pair { a: a.operand(), b: b.operand(), transform };
         let (chart, domain) = random_chart(random, &b);
-        let block = if shared { whole(&a) } else { part(random, &a) };
+        let block = if shared { whole_block(&a) } else { part(random, &a) };
         let images = images(domain, swapped, backwards, || {
             let [from, to] = [0.3 * random.f64(), 1.0 - 0.3 * random.f64()];
             [[0.0, 1.0], [0.0, to], [from, to]][if shared { 0 } else { random.usize(0..3) }]
@@ -282,7 +276,7 @@ fn bounds_over_plane(arrays: SurfaceArrays, swapped: bool) -> Vec<f64> {
     let (chart, domain) = random_chart(&mut fastrand::Rng::with_seed(1), &b);
     let images = images(domain, swapped, [false; 2], || [0.0, 1.0]);
     let orientation = orientation(swapped, [false; 2]);
-    let block = whole(&a);
+    let block = whole_block(&a);
     BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images }
         .upper_bounds()
         .unwrap()
@@ -340,7 +334,7 @@ fn there_is_no_bound_without_a_spline() {
         let [a, b] = [a, b].map(|arrays| Surfaces::new(vec![arrays], Flatness::None));
         let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
         let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
-        let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+        let (orientation, block) = (orientation(false, [false; 2]), whole_block(&a));
         let map =
             BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
         let bounds = map.upper_bounds();
@@ -357,7 +351,7 @@ fn the_error_is_that_of_the_lemma() {
     let b = Surfaces::new(vec![sheet([2, 2], &inner, |i, j| (i + j) as f64)], Flatness::None);
     let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
     let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
-    let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+    let (orientation, block) = (orientation(false, [false; 2]), whole_block(&a));
     let images = [[0.0, 1.0]; 2];
     let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
     // Of a unit square, and of one that rises by 4 over it.
@@ -401,7 +395,7 @@ fn the_error_of_knots_is_that_of_the_lines() {
         });
         let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
         let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
-        let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+        let (orientation, block) = (orientation(false, [false; 2]), whole_block(&a));
         let images = [[0.0, chart.line(Axis::U, 2)]; 2];
         let map =
             BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
@@ -423,7 +417,7 @@ fn sizes_and_changes_are_those_of_the_widest_spans() {
     let [a, b] = [(); 2].map(|()| Surfaces::new(vec![sheet([3, 3], &inner, |_, _| 0.0)], Flatness::None));
     let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
     let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
-    let (orientation, block) = (orientation(false, [false; 2]), whole(&a));
+    let (orientation, block) = (orientation(false, [false; 2]), whole_block(&a));
     let images = [[0.0, 4.0]; 2];
     let map = BlockMap { pair: &pair, sheets: a.sheets(), block: &block, chart: &chart, orientation, images };
     let error = KnotSequence::new(&map.axis(Axis::U)).unwrap().error;

@@ -23,15 +23,16 @@
 //! B is the turn of B's tangents over the piece times the part along it: of second order where
 //! |D| is of first.
 
-use super::aligned_map::Orientation;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod attained;
+
+use super::orientation::Orientation;
 use crate::axis::Axis;
+use crate::certified::reparametrization::pseudo_inverse;
 use crate::certified::rounding::{UNIT_ROUNDOFF, gamma};
 use crate::certified::sheets::{Chart, Over};
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
-
-/// The smallest squared sine of the angle between the tangents with which both parameters slide.
-const MIN_SINE_SQUARED: f64 = 1e-6;
 
 /// Roundings of `N n_k / d_k`, relative to the sizes of its terms: one of the quotient, three of a dot
 /// product, a product and two sums, and the length's.
@@ -174,27 +175,13 @@ impl<'a> Sliding<'a> {
     }
 }
 
-/// The pseudo-inverse of two tangents, by rows; of the longer one where they are about parallel.
-pub(in crate::certified::bounds) fn pseudo_inverse([s, t]: [DVec3; 2]) -> [DVec3; 2] {
-    let [ss, st, tt] = [s.dot(s), s.dot(t), t.dot(t)];
-    let determinant = ss * tt - st * st;
-    if determinant > MIN_SINE_SQUARED * ss * tt {
-        return [(tt * s - st * t) / determinant, (ss * t - st * s) / determinant];
-    }
-    let along = |tangent: DVec3, square: f64| {
-        let row = tangent / square;
-        if row.is_finite() { row } else { DVec3::ZERO }
-    };
-    if ss >= tt { [along(s, ss), DVec3::ZERO] } else { [DVec3::ZERO, along(t, tt)] }
-}
-
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
-    use super::super::super::attained_across_seams::{Surfaces, clamped, closed};
     use super::*;
     use crate::certified::nearest::{Foot, NearestPoint};
     use crate::certified::reparametrization::Reparametrization;
+    use crate::certified::testing::{Surfaces, clamped, closed};
     use crate::flatness::Flatness;
     use crate::model::SurfaceArrays;
     use glam::DVec2;

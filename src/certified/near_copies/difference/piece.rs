@@ -1,8 +1,8 @@
 //! A rectangle of a patch of A that is mapped to a rectangle of a patch of B.
 
-use super::aligned_map::Orientation;
+use super::super::orientation::Orientation;
+use super::super::sliding::Sliding;
 use super::net::Net;
-use super::sliding::Sliding;
 use crate::bezier::Patch;
 use crate::certified::Pair;
 use crate::certified::sheets::Chart;
@@ -10,14 +10,14 @@ use std::cell::OnceCell;
 
 /// A part of the range of a parameter of A's patch, and the patch of B, by its offset,
 /// with the range of its parameter that the part is mapped to.
-pub(super) struct Part {
-    pub(super) range: [f64; 2],
-    pub(super) offset: isize,
-    pub(super) image: [f64; 2],
+pub(in crate::certified::near_copies) struct Part {
+    pub(in crate::certified::near_copies) range: [f64; 2],
+    pub(in crate::certified::near_copies) offset: isize,
+    pub(in crate::certified::near_copies) image: [f64; 2],
 }
 
 /// A rectangle of a patch of A with its image.
-pub(super) struct Piece<'a> {
+pub(in crate::certified::near_copies) struct Piece<'a> {
     pair: &'a Pair<'a>,
     /// A's patch, not moved.
     patch: Patch<'a>,
@@ -30,7 +30,7 @@ pub(super) struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    pub(super) fn new(
+    pub(in crate::certified::near_copies) fn new(
         pair: &'a Pair<'a>,
         patch: Patch<'a>,
         chart: &'a Chart<'a>,
@@ -46,7 +46,7 @@ impl<'a> Piece<'a> {
     }
 
     /// Whether the piece is mapped to more than a line.
-    pub(super) fn is_proper(&self) -> bool {
+    pub(in crate::certified::near_copies) fn is_proper(&self) -> bool {
         self.parts.iter().all(|part| part.image[0] != part.image[1])
     }
 
@@ -66,7 +66,7 @@ impl<'a> Piece<'a> {
     }
 
     /// The piece's middle on A's patch, and its image: on a flat patch of B, if the image is in one.
-    pub(super) fn middle_with_image(&self) -> ([f64; 2], Option<(u32, [f64; 2])>) {
+    pub(in crate::certified::near_copies) fn middle_with_image(&self) -> ([f64; 2], Option<(u32, [f64; 2])>) {
         let [from, to] = self.middle();
         let offsets = self.orientation.by_axes_of_b(self.parts.map(|part| part.offset));
         (from, self.chart.flat_place(offsets, to))
@@ -74,7 +74,7 @@ impl<'a> Piece<'a> {
 
     /// The distance of the piece's middle from its image, or where that exceeds the threshold
     /// the part of it that no slide removes.
-    pub(super) fn distance_of_middle(&self, threshold: f64) -> f64 {
+    pub(in crate::certified::near_copies) fn distance_of_middle(&self, threshold: f64) -> f64 {
         let [from, to] = self.middle();
         let difference = self.pair.transform.apply(self.patch.point(from)) - self.image_patch().point(to);
         let distance = difference.length();
@@ -83,7 +83,11 @@ impl<'a> Piece<'a> {
 
     /// An upper bound on the distance of the piece's points from their images, given the nets of A and
     /// of B over the piece by A's axes.
-    pub(super) fn upper_bound(&self, [of_a, of_b]: [&Net; 2], threshold: f64) -> Option<f64> {
+    pub(in crate::certified::near_copies) fn upper_bound(
+        &self,
+        [of_a, of_b]: [&Net; 2],
+        threshold: f64,
+    ) -> Option<f64> {
         of_a.max_distance(of_b, threshold, || Some(self.sliding()))
     }
 }

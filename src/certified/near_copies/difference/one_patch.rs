@@ -1,44 +1,12 @@
-//! The bound by the difference of two patches as a rational function: cells
-//! that keep their distance to B under a change of parameters, as on copies and
-//! offsets with other knots, degrees or pieces.
-//!
-//! Where the feet's linearization runs along B's parameter lines, `B∘φ` has the
-//! control net of B restricted to the image of the cell, as A has that of the
-//! cell. With `A = X/w` and `B∘φ = Y/v`,
-//!
-//! `|A - B∘φ|² = |X v - Y w|² / (w v)²`,
-//!
-//! a quotient of Bernstein polynomials of twice the degrees' sums. It is at most
-//! the largest quotient of coefficients, as those of the denominator are
-//! positive. Up to rounding that is exact where the distance is the same
-//! everywhere: zero where A and B are the same polynomials or rational functions.
+//! The difference of a cell and one patch of B.
 
-mod across_knots;
-mod aligned_map;
-mod block;
-mod knot_line_map;
-mod net;
-mod piece;
-mod sliding;
-#[cfg(all(test, not(target_arch = "wasm32")))]
-mod sliding_attained;
-mod spline;
-mod strip;
-
-pub(in crate::certified) use block::block;
-pub(super) use sliding::pseudo_inverse;
-
-use super::{CellContext, UpperBound};
-use aligned_map::AlignedMap;
+use super::aligned_map::AlignedMap;
+use super::net::{EXTENSION_GROWTH, Net};
+use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::Vec4Swizzles;
-use net::Net;
-
-/// Sum of the absolute coefficients of a restriction that goes beyond the patch
-/// in its extension, at most (lemma R6).
-const EXTENSION_GROWTH: f64 = 46.0;
 
 /// The bound from the nearest known foot. O(p^4 q^4).
-pub(super) struct PolynomialDifference;
+pub(in crate::certified) struct PolynomialDifference;
 
 impl UpperBound for PolynomialDifference {
     /// `None` where the map does not run along B's parameter lines, or a corner
@@ -48,9 +16,7 @@ impl UpperBound for PolynomialDifference {
         if foot.distance_squared > threshold * threshold {
             return None;
         }
-        let Some(map) = AlignedMap::new(context) else {
-            return across_knots::upper_bound(context, threshold);
-        };
+        let map = AlignedMap::new(context)?;
         if map.is_beyond(context, threshold) {
             return None;
         }

@@ -5,12 +5,13 @@
 //! cell runs over knot lines of B, the cell is cut along them, and each piece is
 //! compared with the patch that it is mapped to.
 
-use super::super::CellContext;
-use super::aligned_map::Orientation;
+use super::super::orientation::Orientation;
+use super::aligned_map::AlignedMap;
 use super::piece::Part;
 use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Jet;
+use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
@@ -35,15 +36,22 @@ const SLIVER: f64 = 1e-9;
 /// mapped to another one: twice along either axis.
 const MAX_SURFACES_CROSSED: usize = 4;
 
-/// The bound by maps along the parameter lines of B's surfaces; `None` where there are no
-/// such maps or a point of a piece is farther from its image than the threshold.
-pub(super) fn upper_bound(context: &CellContext<'_>, threshold: f64) -> Option<f64> {
-    let foot = context.foot();
-    if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {
-        return None;
+/// The bound by maps along the parameter lines of B's surfaces.
+pub(in crate::certified) struct DifferenceOverKnotLines;
+
+impl UpperBound for DifferenceOverKnotLines {
+    /// `None` where there are no such maps, where one patch of B suffices, or where a point of a piece is
+    /// farther from its image than the threshold.
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
+        let foot = context.foot();
+        let is_near = foot.distance_squared <= threshold * threshold
+            && foot.distance() <= MAX_DISTANCE_IN_RADII * context.radius;
+        if !is_near || AlignedMap::new(context).is_some() {
+            return None;
+        }
+        let rectangle = Rectangle { context, ranges: context.cell.ranges(), jet: context.jet, foot };
+        rectangle.upper_bound(threshold, MAX_SURFACES_CROSSED)
     }
-    let rectangle = Rectangle { context, ranges: context.cell.ranges(), jet: context.jet, foot };
-    rectangle.upper_bound(threshold, MAX_SURFACES_CROSSED)
 }
 
 /// A rectangle of the cell with a foot of its centre.

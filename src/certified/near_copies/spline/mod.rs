@@ -19,7 +19,7 @@ mod knots;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
 
-use super::aligned_map::Orientation;
+use super::orientation::Orientation;
 use crate::axis::Axis;
 use crate::certified::rounding::gamma;
 use crate::certified::sheets::{Chart, Sheets};

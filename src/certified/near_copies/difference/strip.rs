@@ -4,7 +4,7 @@
 //! the strip, then along the other axis for each of them. Matrices serve all patches that are cut at the
 //! same parameters, and elevate the degree where differences need it.
 
-use super::aligned_map::Orientation;
+use super::super::orientation::Orientation;
 use super::net::{Net, elevated_degrees};
 use super::piece::{Part, Piece};
 use crate::axis::Axis;
@@ -15,7 +15,7 @@ use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 
 /// Patches of a surface of A that are compared with patches of a surface of B.
-pub(super) struct Comparison<'a> {
+pub(in crate::certified::near_copies) struct Comparison<'a> {
     pair: &'a Pair<'a>,
     chart: &'a Chart<'a>,
     orientation: Orientation,
@@ -25,7 +25,7 @@ pub(super) struct Comparison<'a> {
 }
 
 /// A part of a span with the restrictions of A and of B to it.
-pub(super) struct RestrictedPart {
+pub(in crate::certified::near_copies) struct RestrictedPart {
     part: Part,
     axis: Axis,
     restrictions: [Restriction; 2],
@@ -33,7 +33,7 @@ pub(super) struct RestrictedPart {
 
 impl<'a> Comparison<'a> {
     /// Takes one patch of A's surface, as all have the same degrees.
-    pub(super) fn new(
+    pub(in crate::certified::near_copies) fn new(
         pair: &'a Pair<'a>,
         patch: Patch<'_>,
         chart: &'a Chart<'a>,
@@ -48,7 +48,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// The restrictions to a part along an axis of A.
-    pub(super) fn restricted(&self, axis: Axis, part: Part) -> RestrictedPart {
+    pub(in crate::certified::near_copies) fn restricted(&self, axis: Axis, part: Part) -> RestrictedPart {
         let ranges = [part.range, part.image];
         let of =
             |side: usize| Restriction::new(self.degrees[side][axis], self.elevated[side][axis], ranges[side]);
@@ -59,7 +59,7 @@ impl<'a> Comparison<'a> {
     ///
     /// A restriction takes as many products for each control as the order along its axis; the first is
     /// computed for each strip, the second for each piece.
-    pub(super) fn first_axis(&self, counts: [usize; 2]) -> Axis {
+    pub(in crate::certified::near_copies) fn first_axis(&self, counts: [usize; 2]) -> Axis {
         let products = |first: Axis| {
             let order = |axis: Axis| 1 + self.degrees[0][axis].max(self.degrees[1][axis]);
             counts[first] * order(first) + counts[0] * counts[1] * order(first.other())
@@ -68,18 +68,22 @@ impl<'a> Comparison<'a> {
     }
 
     /// The strip of the pieces of a part.
-    pub(super) fn strip<'p>(&'p self, part: &'p RestrictedPart) -> Strip<'p> {
+    pub(in crate::certified::near_copies) fn strip<'p>(&'p self, part: &'p RestrictedPart) -> Strip<'p> {
         Strip { comparison: self, part, of_b: None, rooms: Default::default() }
     }
 
     /// The piece of a patch of A over two parts, by A's axes.
-    pub(super) fn piece(&'a self, patch: Patch<'a>, parts: [&'a Part; 2]) -> Piece<'a> {
+    pub(in crate::certified::near_copies) fn piece(
+        &'a self,
+        patch: Patch<'a>,
+        parts: [&'a Part; 2],
+    ) -> Piece<'a> {
         let Self { pair, chart, orientation, .. } = self;
         Piece::new(pair, patch, chart, *orientation, parts)
     }
 
     /// The moved net of a patch of A.
-    pub(super) fn net_of_a(&self, patch: Patch<'_>) -> Net {
+    pub(in crate::certified::near_copies) fn net_of_a(&self, patch: Patch<'_>) -> Net {
         let transform = &self.pair.transform;
         let moved = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
         Net::whole(patch.degree, patch.controls.iter().map(moved).collect(), transform.apply(patch.center))
@@ -99,13 +103,13 @@ impl<'a> Comparison<'a> {
 }
 
 impl RestrictedPart {
-    pub(super) fn part(&self) -> &Part {
+    pub(in crate::certified::near_copies) fn part(&self) -> &Part {
         &self.part
     }
 }
 
 /// The pieces of one part along one axis.
-pub(super) struct Strip<'a> {
+pub(in crate::certified::near_copies) struct Strip<'a> {
     comparison: &'a Comparison<'a>,
     part: &'a RestrictedPart,
     /// The last net of B that was restricted to the part, with its offset along the other axis.
@@ -118,7 +122,7 @@ impl<'a> Strip<'a> {
     /// An upper bound on the distance of the strip's pieces of a patch of A, with its net, over parts along
     /// the other axis from their images, if it is at most the threshold. A `cautious` call looks at
     /// the middle of a piece first.
-    pub(super) fn upper_bound(
+    pub(in crate::certified::near_copies) fn upper_bound(
         &mut self,
         patch: Patch<'a>,
         net: &Net,

@@ -6,7 +6,7 @@ mod tests;
 
 pub(super) use difference::elevated_degrees;
 
-use super::sliding::Sliding;
+use super::super::sliding::Sliding;
 use crate::axis::Axis;
 use crate::bezier::{Restriction, power_of_two_below, squares};
 use crate::certified::rounding::gamma;
@@ -31,6 +31,10 @@ const MAX_EXCESS: f64 = 2.0;
 /// degree that goes with it (lemma R6, twice its numbers by lemma R1).
 const RESTRICTION_ROUNDINGS: f64 = 16.0;
 const ELEVATION_ROUNDINGS: f64 = 6.0;
+
+/// Sum of the absolute coefficients of a restriction that goes beyond the patch
+/// in its extension, at most (lemma R6).
+pub(super) const EXTENSION_GROWTH: f64 = 46.0;
 
 /// The number of products that a coefficient of a square sums, of a polynomial of these degrees.
 fn square_terms([p, q]: [usize; 2]) -> f64 {
@@ -67,7 +71,7 @@ fn heaviest(controls: &[DVec4]) -> f64 {
 
 /// A homogeneous control net, t fastest.
 #[derive(Default)]
-pub(super) struct Net {
+pub(in crate::certified::near_copies) struct Net {
     pub(super) degree: [usize; 2],
     /// Relative to the origin; with weights of 1 where these count as equal.
     pub(super) controls: Vec<DVec4>,

@@ -1,7 +1,7 @@
 //! Rectangles of the patches of one surface of A.
 
-use super::Sheets;
 use crate::axis::Axis;
+use crate::certified::sheets::Sheets;
 use std::ops::Range;
 
 /// The largest number of patches of a block along an axis: one map serves them all, and
@@ -21,7 +21,7 @@ pub(crate) struct Block {
 
 impl Block {
     /// The surfaces of a model in blocks of about equal size.
-    pub(super) fn all(sheets: Sheets<'_>) -> impl Iterator<Item = Self> {
+    pub(in crate::certified) fn all(sheets: Sheets<'_>) -> impl Iterator<Item = Self> {
         sheets.bezier.grids.iter().enumerate().flat_map(|(surface, grid)| {
             let [rows, columns] = grid.counts().map(|count| Self::ranges(count as u32));
             rows.flat_map(move |rows| {
@@ -37,7 +37,7 @@ impl Block {
     }
 
     /// The start and the end of its patches along an axis.
-    pub(super) fn range(&self, axis: Axis) -> [u32; 2] {
+    pub(in crate::certified) fn range(&self, axis: Axis) -> [u32; 2] {
         match axis {
             Axis::U => self.rows,
             Axis::V => self.columns,
@@ -45,11 +45,17 @@ impl Block {
     }
 
     /// The numbers of rows and of columns.
-    pub(super) fn size(&self) -> [u32; 2] {
+    pub(in crate::certified) fn size(&self) -> [u32; 2] {
         [self.rows, self.columns].map(|[start, end]| end - start)
     }
 
-    pub(super) fn is_single(&self) -> bool {
+    /// The row and the column of the patch in its middle.
+    pub(in crate::certified) fn middle(&self) -> [u32; 2] {
+        let [rows, columns] = self.size();
+        [self.rows[0] + rows / 2, self.columns[0] + columns / 2]
+    }
+
+    pub(in crate::certified) fn is_single(&self) -> bool {
         self.size() == [1, 1]
     }
 
@@ -65,7 +71,7 @@ impl Block {
 
     /// The smaller blocks that cover the patches at which `undecided` is true, which
     /// are in the order of the block's own. A block stays whole if all its patches are undecided.
-    pub(super) fn children(&self, undecided: &[bool]) -> Vec<Self> {
+    pub(in crate::certified) fn children(&self, undecided: &[bool]) -> Vec<Self> {
         let mut children = Vec::new();
         if self.is_single() {
             if undecided[0] {

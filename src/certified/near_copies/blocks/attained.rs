@@ -1,8 +1,10 @@
 //! Blocks of patches whose bounds are attained or nearly so, and random blocks.
 
-use super::attained_across_seams::{Surfaces, clamped, closed};
-use super::block;
+#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use crate::certified::bounds::block;
 use crate::certified::nearest::{Foot, NearestPoint};
+use crate::certified::testing::{Surfaces, clamped, closed, whole_block};
 use crate::certified::{Block, Pair};
 use crate::flatness::Flatness;
 use crate::model::{RigidTransform, SurfaceArrays};
@@ -50,12 +52,6 @@ fn pair<'a>(a: &'a Surfaces, b: &'a Surfaces) -> Pair<'a> {
     Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY }
 }
 
-/// All of A's first surface.
-fn whole(a: &Surfaces) -> Block {
-    let [rows, columns] = a.sheets().bezier.grids[0].counts().map(|count| [0, count as u32]);
-    Block { surface: 0, rows, columns }
-}
-
 /// The sheet, and the same with weights that differ by so little that it hardly moves along x and y: it
 /// is rational, so that its patches are compared piece by piece.
 fn by_splines_and_by_pieces(arrays: &SurfaceArrays) -> [SurfaceArrays; 2] {
@@ -83,7 +79,7 @@ fn check_level(arrays: &SurfaceArrays) {
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
         let bound = |threshold: f64| {
-            block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+            block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold)
         };
         let decided = bound(HEIGHT * (1.0 + 1e-9));
         assert!(decided.undecided.iter().all(|undecided| !undecided), "{swapped} {reversed}");
@@ -123,7 +119,8 @@ fn patches_above_the_threshold_are_left() {
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
         for (threshold, left) in [(2e-5, 1), (1.01e-3, 0)] {
-            let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold);
+            let bound =
+                block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold);
             // The corner's basis function is that of the first span alone.
             let undecided: Vec<usize> = bound
                 .undecided
@@ -179,7 +176,7 @@ fn the_highest_patch_gives_the_farthest_sample() {
             let pair = pair(&a, &b);
             let nearest = NearestPoint::new(pair.b);
             let bound = |threshold: f64| {
-                block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), threshold)
+                block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold)
             };
             let farthest = bound(2e-5).farthest;
             assert_eq!(farthest.patch, if highest == [0, 0] { 0 } else { 19 });
@@ -219,7 +216,8 @@ fn a_patch_without_parts_is_left() {
         let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
-        let bound = block(&pair, a.sheets(), &nearest, &whole(&a), &Foot::start(0, [0.5; 2]), 2.0 * HEIGHT);
+        let bound =
+            block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), 2.0 * HEIGHT);
         assert_eq!(bound.undecided, [true, false, true], "{transposed}");
     }
 }
@@ -253,7 +251,7 @@ fn the_bound_holds_on_random_copies() {
         let b = Surfaces::new(vec![copy], Flatness::Loose);
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
-        let whole = whole(&a);
+        let whole = whole_block(&a);
         let threshold = size * random.f64();
         let bound = block(&pair, a.sheets(), &nearest, &whole, &Foot::start(0, [0.5; 2]), threshold);
         assert!(bound.decided <= threshold);

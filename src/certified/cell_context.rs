@@ -1,28 +1,45 @@
-//! What the bounds of one cell share.
+//! Upper bounds for a cell, and what those of one cell share.
 
-use super::super::nearest::{Feet, Foot, NearestPoint, Sample};
-use super::super::rounding::JetScale;
-use super::super::{Cell, Pair};
-use super::taylor::TaylorBound;
+use super::nearest::{Feet, Foot, NearestPoint, Sample};
+use super::rounding::JetScale;
+use super::{Cell, Pair};
 use crate::bezier::{DerivativeBounds, Jet, Patch};
 use std::cell::OnceCell;
 
+/// An upper bound on `max d(a, B)` over the points a of a cell.
+pub(super) trait UpperBound: Sync {
+    /// The bound; `None` where it does not apply or is not expected to reach
+    /// the threshold. NaN counts as no bound.
+    fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64>;
+}
+
+/// The bound by Taylor's theorem that a foot gives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TaylorBound {
+    pub(super) foot: Foot,
+    /// B's jet at the foot.
+    pub(super) jet: Jet,
+    pub(super) bound: f64,
+    /// Whether a map over the seams of B's patch may still give a smaller one.
+    pub(super) may_cross_seams: bool,
+}
+
 /// A cell of A with its moved jet, its derivative bounds and the feet of its
 /// centre.
-pub(in crate::certified) struct CellContext<'a> {
-    pub(in crate::certified) pair: &'a Pair<'a>,
-    pub(in crate::certified) nearest: &'a NearestPoint<'a>,
-    pub(in crate::certified) cell: Cell,
+pub(super) struct CellContext<'a> {
+    pub(super) pair: &'a Pair<'a>,
+    pub(super) nearest: &'a NearestPoint<'a>,
+    pub(super) cell: Cell,
     /// A's patch, not moved.
-    pub(in crate::certified) patch: Patch<'a>,
+    pub(super) patch: Patch<'a>,
     /// A's moved jet at the centre.
-    pub(in crate::certified) jet: Jet,
+    pub(super) jet: Jet,
     /// Known feet of the centre.
-    pub(in crate::certified) feet: Feet,
+    pub(super) feet: Feet,
     /// The farthest point of the cell evaluated so far.
-    pub(in crate::certified) farthest: Sample,
+    pub(super) farthest: Sample,
     /// An upper bound on the distance of the cell's points from its centre.
-    pub(in crate::certified) radius: f64,
+    pub(super) radius: f64,
     /// What the rounding of A's derivatives depends on.
     pub(super) jet_scale: JetScale,
     /// The latest Taylor bound.
@@ -32,7 +49,7 @@ pub(in crate::certified) struct CellContext<'a> {
 
 impl<'a> CellContext<'a> {
     /// The context with one foot, found from the one inherited from the cell's parent.
-    pub(in crate::certified) fn new(
+    pub(super) fn new(
         pair: &'a Pair<'_>,
         nearest: &'a NearestPoint<'_>,
         cell: Cell,
@@ -56,12 +73,12 @@ impl<'a> CellContext<'a> {
     }
 
     /// The nearest known foot of the centre.
-    pub(in crate::certified) fn foot(&self) -> Foot {
+    pub(super) fn foot(&self) -> Foot {
         self.feet.nearest()
     }
 
     /// Takes the feet of a query for the centre.
-    pub(in crate::certified) fn set_feet(&mut self, feet: Feet) {
+    pub(super) fn set_feet(&mut self, feet: Feet) {
         self.farthest.foot = feet.nearest();
         self.feet = feet;
     }

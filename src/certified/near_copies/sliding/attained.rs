@@ -1,13 +1,12 @@
 //! Tests in which the terms of the bound by sliding feet are needed: overshoots of rational
-//! differences, patches and gaps behind seams, and the rounding of nets far from the origin.
+//! differences, patches and gaps behind seams, and rounding.
 
-use super::super::attained_across_seams::{Surfaces, clamped};
-use super::aligned_map::Orientation;
-use super::net::Net;
-use super::sliding::Sliding;
+use super::super::orientation::Orientation;
+use super::Sliding;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::rounding::UNIT_ROUNDOFF;
 use crate::certified::sheets::{Chart, Over};
+use crate::certified::testing::{Surfaces, clamped};
 use crate::flatness::Flatness;
 use crate::model::SurfaceArrays;
 use glam::{DVec2, DVec3, DVec4};
@@ -128,24 +127,6 @@ fn the_rounding_of_tangents_is_added() {
     let reach = chart.reach_over_creases([STEP; 2]);
     let error = chart.step_error(&reach, [0.0; 2], [STEP; 2], Over::Patches);
     assert!(error >= 4.0 * UNIT_ROUNDOFF * STEP, "{error:e}");
-}
-
-/// The rounding of nets 1e6 from the origin is in the bound: 10 roundings of either radius.
-#[test]
-fn the_rounding_of_nets_far_away_is_added() {
-    const HEIGHT: f64 = 1e-6;
-    let b = profile(1, &[], &[[0.0, 0.0], [1.0, 0.0]]);
-    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
-    let sliding = Sliding::new(&chart, [0, 0], [[0.25, 0.75]; 2], orientation(false));
-    let net = |offset: DVec3| {
-        let corners = [[0.25, 0.25], [0.25, 0.75], [0.75, 0.25], [0.75, 0.75]];
-        let controls = corners.map(|[x, y]| (DVec3::new(x, y, 0.0) + offset).extend(1.0));
-        Net::new([1, 1], controls.to_vec(), DVec3::new(1e6, 0.0, 0.0), 1.0)
-    };
-    let [x, y] = [DVec3::new(0.1, 0.0, HEIGHT), DVec3::ZERO].map(net);
-    let bound = x.max_distance(&y, 1e-5, || Some(&sliding)).unwrap_or(f64::INFINITY);
-    let lost = 20.0 * UNIT_ROUNDOFF * 1e6;
-    assert!((HEIGHT + lost..HEIGHT + 100.0 * lost).contains(&bound), "{bound:e}");
 }
 
 /// A gap at a seam, of points that validation takes as joined, is in the bound.

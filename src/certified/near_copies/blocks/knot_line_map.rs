@@ -1,7 +1,7 @@
 //! A map of A's knot lines to parameter lines of B.
 
-use super::aligned_map::Orientation;
-use super::piece::Part;
+use super::super::difference::Part;
+use super::super::orientation::Orientation;
 use crate::axis::Axis;
 use crate::certified::sheets::Chart;
 use crate::closest::newton_below;

@@ -1,10 +1,17 @@
 //! Tests of nets, of their restrictions and of the bounds on their differences.
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use super::super::super::orientation::Orientation;
 use super::*;
 use crate::bezier::Patch;
+use crate::certified::reparametrization::Reparametrization;
 use crate::certified::rounding::UNIT_ROUNDOFF;
+use crate::certified::sheets::Chart;
+use crate::certified::testing::{Surfaces, clamped};
+use crate::flatness::Flatness;
+use crate::model::SurfaceArrays;
 use crate::rounding::lower_min;
+use glam::DVec2;
 
 /// All forms, of elevated polynomials, of products along one axis and along both, bound the
 /// difference at random points and are attained where one net is the other one moved.
@@ -273,4 +280,30 @@ fn a_weight_that_is_not_positive_gives_no_bound() {
             assert_eq!(net(x).max_difference(&net(y), f64::INFINITY), None);
         }
     }
+}
+
+/// The rounding of nets 1e6 from the origin is in the bound: 10 roundings of either radius.
+#[test]
+fn the_rounding_of_nets_far_away_is_added() {
+    const HEIGHT: f64 = 1e-6;
+    let knots = clamped(1, &[]);
+    let square = SurfaceArrays {
+        degree: [1, 1],
+        counts: [2, 2],
+        knots: [knots.clone(), knots],
+        control_points: [0.0, 1.0].map(|x| [0.0, 1.0].map(|y| [x, y, 0.0, 1.0])).concat(),
+    };
+    let b = Surfaces::new(vec![square], Flatness::None);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let orientation = Orientation::new(&Reparametrization { p: DVec2::X, q: DVec2::Y });
+    let sliding = Sliding::new(&chart, [0, 0], [[0.25, 0.75]; 2], orientation);
+    let net = |offset: DVec3| {
+        let corners = [[0.25, 0.25], [0.25, 0.75], [0.75, 0.25], [0.75, 0.75]];
+        let controls = corners.map(|[x, y]| (DVec3::new(x, y, 0.0) + offset).extend(1.0));
+        Net::new([1, 1], controls.to_vec(), DVec3::new(1e6, 0.0, 0.0), 1.0)
+    };
+    let [x, y] = [DVec3::new(0.1, 0.0, HEIGHT), DVec3::ZERO].map(net);
+    let bound = x.max_distance(&y, 1e-5, || Some(&sliding)).unwrap_or(f64::INFINITY);
+    let lost = 20.0 * UNIT_ROUNDOFF * 1e6;
+    assert!((HEIGHT + lost..HEIGHT + 100.0 * lost).contains(&bound), "{bound:e}");
 }

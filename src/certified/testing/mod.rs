@@ -1,0 +1,13 @@
+//! Models and cells for the tests of this method.
+
+#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+mod biquadratic;
+mod patches;
+mod surfaces;
+
+pub(super) use biquadratic::{oblique, patch, through};
+pub(super) use patches::{
+    Net, PatchModel, ROUNDING, assert_attained, bilinear, evaluate, graph, line, pair, plane, point,
+};
+pub(super) use surfaces::{Surfaces, clamped, closed, whole_block};
