@@ -412,8 +412,10 @@ impl PreparedModel {
     /// Returns the edges of the faces, joined where they meet, computed at first use.
     pub(super) fn boundary(&self) -> &Boundary {
         computed(&self.boundary, || {
-            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
-            Boundary::new(&self.bezier, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+            let faces = self.facets.as_ref().map(PreparedFacets::faces);
+            let faces = faces.as_ref().unwrap_or(&self.bezier);
+            let degrees = faces.patches.iter().flat_map(|patch| patch.degree);
+            Boundary::new(faces, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })
     }
 
@@ -450,6 +452,20 @@ impl PreparedModel {
     /// [`Error::FacetsUnsupported`].
     pub(crate) fn require_surfaces(&self, found: &'static str) -> Result<()> {
         if self.facets.is_some() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Refuses a cloud of points for a computation that needs faces or triangles.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(super) fn require_faces(&self, found: &'static str) -> Result<()> {
+        let is_cloud = self.facets.as_ref().is_some_and(|facets| facets.target.is_cloud());
+        if is_cloud { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Returns the face of one of the surfaces of [`PreparedModel::bezier`]: of a mesh 0.
+    pub(super) fn face_of(&self, surface: usize) -> usize {
+        if self.facets.is_some() { 0 } else { self.pieces.face(surface) }
     }
 
     /// Returns a point of one of the surfaces of [`PreparedModel::bezier`] as a point of a face.
@@ -495,7 +511,9 @@ impl PreparedModel {
 
     /// Returns the patches that method `certified` and closest points search.
     pub(super) fn certified_target(&self) -> Arc<PreparedTarget> {
-        self.target(if self.is_left_uncut() { Flatness::None } else { Flatness::Loose })
+        // Triangles are flat.
+        let is_left = self.is_left_uncut() || self.facets.is_some();
+        self.target(if is_left { Flatness::None } else { Flatness::Loose })
     }
 
     /// Returns the flat patches, computed at first use.

@@ -186,11 +186,12 @@ impl Check<'_> {
         let transform = self.transform();
         match overlap {
             Overlap::None => {
-                let of_a = (0..SIDES).map(|_| transform.apply(a.any_point(rng)));
-                let of_b = (0..SIDES).map(|_| transform.apply_inverse(b.any_point(rng)));
-                if of_a.into_iter().any(|point| b.is_inside(point) == Some(true))
-                    || of_b.into_iter().any(|point| a.is_inside(point) == Some(true))
-                {
+                let is_inside = |_| {
+                    let [of_a, of_b] = [a, b].map(|subject| subject.any_point(rng));
+                    b.is_inside(transform.apply(of_a)) == Some(true)
+                        || a.is_inside(transform.apply_inverse(of_b)) == Some(true)
+                };
+                if (0..SIDES).any(is_inside) {
                     self.violations
                         .push("a point of one is inside the other, said to overlap not".to_owned());
                 }
