@@ -7,7 +7,7 @@ use nurbs_hausdorff::Model;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Rounds, of which the fastest counts.
+/// The number of rounds; the fastest counts.
 const ROUNDS: usize = 3;
 
 fn main() {

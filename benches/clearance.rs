@@ -10,7 +10,7 @@
 mod support;
 
 use glam::DQuat;
-use nurbs_hausdorff::engine::{Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, Overlap, RigidTransform};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -9,15 +9,15 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, Engine, IterationOptions, Method, MethodName, PreparedModel,
 };
-use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::internals::iteration::Culling;
 use nurbs_hausdorff::shapes;
 use support::shared::{self, Reference};
 
-/// Rounds, of which the median is printed.
+/// The number of rounds; the median is printed.
 const ROUNDS: usize = 5;
 
 /// Projections of samples on patches beyond which the published schedule is left out.

@@ -11,12 +11,12 @@ mod support;
 
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use std::collections::BTreeMap;
 use std::path::Path;
 use support::shared::{self, Reference};
 
-/// Rounds, of which the fastest is printed, as other processes only add.
+/// The number of rounds; the fastest is printed, as other processes only add.
 const ROUNDS: usize = 3;
 
 /// What a model is moved by, relative to its diagonal.

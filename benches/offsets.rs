@@ -8,12 +8,12 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, Model, RigidTransform};
 
-/// Rounds, of which the fastest is printed.
+/// The number of rounds; the fastest is printed.
 const ROUNDS: usize = 3;
 
 struct Pair {

@@ -10,11 +10,11 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::{Projection, Target};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
-use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule};
+use nurbs_hausdorff::internals::bezier::extract;
+use nurbs_hausdorff::internals::closest::{Projection, Target};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::gpu::{CertifiedStage, Gpu, IterationBench};
+use nurbs_hausdorff::internals::iteration::{Culling, Rule, Sampling, SamplingRule};
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::RefCell;
 use std::path::Path;

@@ -16,7 +16,7 @@ mod support;
 
 use std::time::Instant;
 
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::{offset_surface, reduce_degree, refit_model};
 use nurbs_hausdorff::shapes::{WavySheet, shape, wavy_sheet};
 use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model};

@@ -9,7 +9,7 @@
 
 mod support;
 
-use nurbs_hausdorff::engine::PreparedModel;
+use nurbs_hausdorff::PreparedModel;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;

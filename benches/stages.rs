@@ -13,13 +13,15 @@ mod support;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{BezierModel, extract};
-use nurbs_hausdorff::bvh::Bvh;
-use nurbs_hausdorff::closest::{Projection, Target};
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::gpu::{CertifiedStage, Gpu, IterationBench};
-use nurbs_hausdorff::iteration::{Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample};
+use nurbs_hausdorff::internals::bezier::{BezierModel, extract};
+use nurbs_hausdorff::internals::bvh::Bvh;
+use nurbs_hausdorff::internals::closest::{Projection, Target};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::gpu::{CertifiedStage, Gpu, IterationBench};
+use nurbs_hausdorff::internals::iteration::{
+    Culling, Projected, Rule, Sampling, SamplingRule, project, reduce, sample,
+};
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 use rayon::prelude::*;
 use std::hint::black_box;

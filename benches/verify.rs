@@ -18,7 +18,7 @@ mod proof;
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::{list, shape};
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 use proof::{Claim, Motion, Report, Settings, Verdict, Witness};

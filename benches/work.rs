@@ -12,7 +12,7 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
@@ -46,7 +46,7 @@ const SWEEPS: [(&str, &str, DVec3); 4] = [
 /// Positions of a sweep.
 const POSITIONS: usize = 13;
 
-/// Shapes that are refitted through so many points along each direction.
+/// Shapes to be refitted, with the number of points along each direction.
 const REFITS: [(&str, usize); 8] = [
     ("torus", 12),
     ("torus", 24),

@@ -32,7 +32,7 @@ async function rust() {
 try {
   rmSync(site, { recursive: true, force: true });
   mkdirSync(site, { recursive: true });
-  await siteGenerator();
+  await siteGenerator.install();
   await buildSite(inRoot("docs", "site", "js"));
   await rust();
   writeFileSync(inRoot("docs", "site", "index.html"), index);

@@ -6,7 +6,7 @@ import { environment, Failure, must, which } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
 
 const picture = inRoot("docs/images/page.png");
-const test = ["--test-name-pattern", "the first preset", "tests/page/page.test.mjs"];
+const test = ["--test-name-pattern", "two brackets", "tests/page/inspector/first.test.mjs"];
 
 try {
   await setUpForTests();

@@ -98,11 +98,17 @@ for (const [signal, status] of [
 }
 
 /**
- * Runs a program, shows its output, and resolves to `{ ok, output, why }`. Each
- * program has its own process group, so that a time limit of `minutes` ends the
- * program together with everything that it started.
+ * The minutes without any output after which a program is taken to hang: a slow machine is not ended,
+ * as compilers and tests print a line for each crate and test.
  */
-export function run(program, args, { env = environment(), cwd = root, minutes = 20 } = {}) {
+const SILENT_MINUTES = 30;
+
+/**
+ * Runs a program, shows its output, and resolves to `{ ok, output, why }`. Each
+ * program has its own process group, so that one that hangs ends together with
+ * everything that it started.
+ */
+export function run(program, args, { env = environment(), cwd = root } = {}) {
   return new Promise((resolve) => {
     const child = spawn(program, args, {
       cwd,
@@ -121,13 +127,14 @@ export function run(program, args, { env = environment(), cwd = root, minutes = 
       from.setEncoding("utf8");
       from.on("data", (text) => {
         output += text;
+        limit.refresh();
         show(text, to);
       });
     }
     const limit = setTimeout(() => {
-      why = `stopped after ${minutes} minutes`;
+      why = `stopped after ${SILENT_MINUTES} minutes without output`;
       process.kill(-child.pid, "SIGKILL");
-    }, minutes * 60_000);
+    }, SILENT_MINUTES * 60_000);
     const end = (reason) => {
       clearTimeout(limit);
       running.delete(child);

@@ -65,6 +65,31 @@ async function runStep(step, results) {
   return { ok, why, seconds, ...counts };
 }
 
+/** Runs steps one after another, and those with `beside` as soon as those that they need have ended. */
+async function runAll(plan) {
+  const results = new Map();
+  const ended = new Map();
+  const afterNeeds = async (step, run) => {
+    const needs = step.needs ?? [];
+    await Promise.all(needs.map((name) => ended.get(name)));
+    results.set(step.name, await run(() => runStep(step, results)));
+  };
+  let last;
+  for (const step of plan) {
+    const before = last;
+    const done = step.beside
+      ? afterNeeds(step, heldBack)
+      : afterNeeds(step, async (work) => {
+          await before;
+          return work();
+        });
+    ended.set(step.name, done);
+    if (!step.beside) last = done;
+  }
+  await Promise.all(ended.values());
+  return results;
+}
+
 function summary(results) {
   console.log("\n=== summary");
   const total = { passed: 0, failed: 0, skipped: 0 };
@@ -88,22 +113,7 @@ function summary(results) {
 try {
   const plan = chosen();
   await setUpForTests();
-  const results = new Map();
-  const started = new Map();
-  for (const step of plan.filter(({ beside }) => beside)) {
-    started.set(
-      step.name,
-      heldBack(() => runStep(step, results)),
-    );
-  }
-  for (const step of plan.filter(({ beside }) => !beside)) {
-    for (const name of step.needs ?? []) {
-      results.set(name, results.get(name) ?? (await started.get(name)));
-    }
-    results.set(step.name, await runStep(step, results));
-  }
-  for (const [name, result] of started) results.set(name, await result);
-  process.exitCode = summary(results) ? 0 : 1;
+  process.exitCode = summary(await runAll(plan)) ? 0 : 1;
 } catch (error) {
   if (!(error instanceof Failure)) throw error;
   console.error(error.message);

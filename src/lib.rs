@@ -65,8 +65,9 @@
 //!
 //! # Features
 //!
-//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP and the BREP text of OpenCASCADE. `cli`, on by default, is the
-//! command, which needs `cad`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
+//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE.
+//! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `cad` and
+//! `mesh`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
 //! of the npm package: another crate for the web needs neither.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
@@ -83,104 +84,58 @@
 
 mod area;
 mod axis;
-mod lazy_table;
-mod param_box;
-pub mod shapes;
-mod shared;
-pub mod tessellate;
-
+mod bezier;
+#[cfg(feature = "cad")]
+mod brep;
+mod bvh;
+mod certified;
 mod chebyshev;
 mod clearance;
+mod closest;
+mod engine;
+mod error;
+mod facets;
+mod flatness;
+mod gpu;
+mod hierarchy;
+mod iteration;
 mod limits;
 #[cfg(feature = "mesh")]
 mod mesh_files;
-mod parallel;
+mod model;
+mod param_box;
 mod pieces;
+mod progress;
 mod read;
+mod refine;
 mod rounding;
+#[cfg(feature = "shapes")]
+pub mod shapes;
 mod solid;
+mod surface_point;
 mod symmetry;
+pub mod tessellate;
+mod threads;
 mod tolerance;
+mod untrim;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers")))]
 mod wasm;
 
-// With the feature `internals` the crate's own tests, benchmarks and examples
-// see the modules below.
-#[cfg(not(feature = "internals"))]
-mod bezier;
+/// What the crate's own tests, benchmarks and examples see of the private modules.
 #[cfg(feature = "internals")]
 #[doc(hidden)]
-pub mod bezier;
-#[cfg(all(feature = "cad", not(feature = "internals")))]
-mod brep;
-#[cfg(all(feature = "cad", feature = "internals"))]
-#[doc(hidden)]
-pub mod brep;
-#[cfg(not(feature = "internals"))]
-mod bvh;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod bvh;
-#[cfg(not(feature = "internals"))]
-mod certified;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod certified;
-#[cfg(not(feature = "internals"))]
-mod closest;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod closest;
-#[cfg(not(feature = "internals"))]
-mod engine;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod engine;
-#[cfg(not(feature = "internals"))]
-mod error;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod error;
-#[cfg(not(feature = "internals"))]
-mod facets;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod facets;
-#[cfg(not(feature = "internals"))]
-mod flatness;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod flatness;
-#[cfg(not(feature = "internals"))]
-mod gpu;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod gpu;
-#[cfg(not(feature = "internals"))]
-mod hierarchy;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod hierarchy;
-#[cfg(not(feature = "internals"))]
-mod iteration;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod iteration;
-#[cfg(not(feature = "internals"))]
-mod model;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod model;
-#[cfg(not(feature = "internals"))]
-mod progress;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod progress;
-#[cfg(not(feature = "internals"))]
-mod untrim;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod untrim;
+pub mod internals {
+    macro_rules! shown {
+        ($($module:ident)*) => {
+            $(pub mod $module {
+                pub use crate::$module::*;
+            })*
+        };
+    }
+    #[cfg(feature = "cad")]
+    shown!(brep);
+    shown!(bezier bvh certified closest engine error facets flatness gpu hierarchy iteration model progress untrim);
+}
 
 pub use area::Area;
 pub use axis::Axis;
@@ -192,10 +147,12 @@ pub use engine::{
     ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
     DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions,
     GapsResult, HierarchyOptions, IterationOptions, Method, MethodName, ModelInfo, NamedOptions, Overlap,
-    PreparedModel, Shell, Signs, Solid, Statistics, SurfacePoint, Witness,
+    PreparedModel, Shell, Signs, Solid, Statistics, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
+/// The vectors and rotations of points, models and transforms.
+pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]
 pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
@@ -203,6 +160,7 @@ pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 pub use read::{Note, ReadReport, Skipped};
 pub use solid::Side;
+pub use surface_point::SurfacePoint;
 
 /// The trimming of faces.
 pub mod trim {

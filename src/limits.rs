@@ -24,4 +24,7 @@ pub(crate) fn is_in_range(number: f64) -> bool {
 ///
 /// CAD exchange formats stay below it, and the kernels keep the (15 + 1)² control
 /// points of a patch in private memory.
-pub const MAX_DEGREE: usize = 15;
+pub(crate) const MAX_DEGREE: usize = 15;
+
+/// The largest number of control points of a patch along one direction.
+pub const MAX_ORDER: usize = MAX_DEGREE + 1;

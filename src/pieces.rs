@@ -2,11 +2,11 @@
 
 use crate::bvh::Aabb;
 use crate::certified::TrimmedFaces;
-use crate::engine::SurfacePoint;
 use crate::error::{Error, Result};
 use crate::model::trim::Trim;
 use crate::model::{Face, Model, NurbsSurface};
-use crate::parallel::map;
+use crate::surface_point::SurfacePoint;
+use crate::threads::parallel::map;
 use crate::untrim::{ParameterMap, Piece, Untrimmed, untrim};
 use glam::DVec3;
 use std::borrow::Cow;

@@ -6,7 +6,7 @@
 mod pairs;
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
 };
 use nurbs_hausdorff::{RigidTransform, shapes};

@@ -1,5 +1,8 @@
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from "vite";
+
+const { version } = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8"));
 
 const page = (name: string) => fileURLToPath(new URL(name, import.meta.url));
 
@@ -25,6 +28,8 @@ const commonHead: Plugin = {
 
 export default defineConfig({
   plugins: [commonHead],
+  // What made a report.
+  define: { VERSION: JSON.stringify(version) },
   base: "./",
   build: {
     target: "es2022",

@@ -4,7 +4,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, MethodName, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, MethodName, PreparedModel};
 use nurbs_hausdorff::{Model, SurfaceArrays, shapes};
 use std::time::Instant;
 

@@ -6,7 +6,7 @@
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::{Model, RigidTransform};
 use serde_json::{Value, json};
 use std::io::Write;

@@ -5,7 +5,7 @@
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{ClosestPointOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{ClosestPointOptions, Engine, PreparedModel};
 use std::time::Instant;
 
 fn main() {

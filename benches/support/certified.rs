@@ -3,7 +3,7 @@
 use super::models;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::gpu::{CertifiedBench, Gpu};
+use nurbs_hausdorff::internals::gpu::{CertifiedBench, Gpu};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use std::sync::Arc;
 

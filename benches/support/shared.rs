@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::PreparedModel;
+use nurbs_hausdorff::internals::engine::PreparedModel;
 use std::path::{Path, PathBuf};
 
 /// A pair with an interval that another program found.

@@ -3,14 +3,18 @@
 import dataclasses
 import functools
 import json
+import os
 import re
+
+# The engine shares out the cores: a process has one. This is read at the first computation.
+os.environ.setdefault("RAYON_NUM_THREADS", "1")
 
 import nurbs_hausdorff as nh
 
 COMMANDS = {"distance": nh.distance, "diff": nh.diff, "clearance": nh.clearance}
 
 #: Models that each process keeps prepared.
-KEPT = 16
+KEPT = 128
 
 
 @functools.lru_cache(maxsize=KEPT)

@@ -3,7 +3,7 @@
 import importlib.util
 import json
 import os
-import shutil
+import re
 import signal
 import subprocess
 import sys
@@ -23,7 +23,23 @@ needs = {
     name: pytest.mark.skipif(importlib.util.find_spec(name) is None, reason=f"there is no {name}")
     for name in ("ray", "pyspark")
 }
-needs_java = pytest.mark.skipif(shutil.which("java") is None, reason="there is no Java")
+
+
+def has_java():
+    """Whether the Java on PATH is one that Spark 4 runs on."""
+    try:
+        told = subprocess.run(["java", "--version"], capture_output=True, text=True)
+    except FileNotFoundError:
+        return False
+    version = re.match(r"\S+ (\d+)", told.stdout)
+    return version is not None and int(version[1]) >= 17
+
+
+needs_java = pytest.mark.skipif(not has_java(), reason="there is no Java 17 or newer")
+
+#: Bytes of shared memory for each node of Ray: near the least it accepts, as small machines and
+#: containers have little.
+SHARED_MEMORY = 100_000_000
 
 
 def square(height):
@@ -80,8 +96,10 @@ def test_ray_with_two_nodes_and_a_killed_worker(lines, tmp_path):
                 die_once(marker, line)
             return super().__call__(batch)
 
-    cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 2})
-    cluster.add_node(num_cpus=2)
+    node = {"num_cpus": 2, "object_store_memory": SHARED_MEMORY}
+    os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
+    cluster = Cluster(initialize_head=True, head_node_args={**node, "include_dashboard": False})
+    cluster.add_node(**node)
     path = os.pathsep.join([str(HERE), os.environ.get("PYTHONPATH", "")])
     ray.init(address=cluster.address, runtime_env={"env_vars": {"PYTHONPATH": path}})
     # The class of the test is sent by value: its module is not on the workers' path.
@@ -191,3 +209,23 @@ def test_the_score_is_one_only_of_what_is_unchanged(tmp_path):
     scores = [json.loads(line) for line in done.stdout.splitlines()]
     assert [line["score"] for line in scores] == [1.0, 1.0, 0.0, 0.0]
     assert scores[2]["truth"][0]["face"] == 0 and scores[3]["error"] == "JSON_SHAPE"
+
+
+def test_candidates_are_those_of_equal_area_and_place(tmp_path):
+    def write(name, side, height):
+        ctrl = [[[side * x, y, height, 1] for y in (0, 1)] for x in (0, 1)]
+        surface = {"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1], "ctrl": ctrl}
+        (tmp_path / name).write_text(json.dumps({"surfaces": [surface]}))
+
+    for name, side, height in [("a", 1, 0), ("near", 1, 0.0005), ("high", 1, 5), ("long", 2, 0)]:
+        write(f"{name}.json", side, height)
+    files = sorted(map(str, tmp_path.glob("*.json")))
+
+    def found(*options):
+        command = [sys.executable, str(HERE / "candidates.py"), *files, *options]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        return {frozenset(Path(line[side]).stem for side in "ab") for line in lines}
+
+    assert found() == {frozenset(pair) for pair in [("a", "near"), ("a", "high"), ("near", "high")]}
+    assert found("--placed") == {frozenset(("a", "near"))}

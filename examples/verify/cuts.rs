@@ -2,8 +2,8 @@
 
 use crate::proof::Surface;
 use crate::proof::cut::{Cut, Map, Piece, Ruled};
-use nurbs_hausdorff::model::Face;
-use nurbs_hausdorff::untrim::{ParameterMap, untrim};
+use nurbs_hausdorff::internals::model::Face;
+use nurbs_hausdorff::internals::untrim::{ParameterMap, untrim};
 use nurbs_hausdorff::{Axis, NurbsSurface};
 
 /// Cuts face `index`, or returns why it is not cut; `None` for a face that is not trimmed.

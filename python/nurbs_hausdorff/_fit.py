@@ -85,8 +85,16 @@ def best_fit(
         diagonal; 1e-9 of it if neither is given.
     max_steps : int
         Largest number of steps.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
     transform : Transform or array of shape (4, 4), optional
-        Where A is at first.
+        Position of A at first.
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
     """
     if tolerance is not None and relative_tolerance is not None:
         raise NurbsHausdorffError(

@@ -110,7 +110,29 @@ def diff(
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> DiffResult:
-    """Return the state of every face of both models at a limit, in model units."""
+    """Return the state of every face of both models at a limit.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    limit : float
+        Length up to which a face is unchanged, in model units.
+    max_cells : int, optional
+        Cells after which a face is given up as undecided.
+    max_seconds : float, optional
+        Seconds after which the faces that are not decided yet are given up as undecided.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
     options = _names.options(
         limit=limit, max_cells=max_cells, max_seconds=max_seconds, scale_units=scale_units
     )
@@ -136,8 +158,30 @@ def clearance(
     cancel: Event | None = None,
 ) -> ClearanceResult:
     """Return an interval that contains the least distance of both boundaries, and whether the
-    solids overlap. With ``limit`` the search ends when it is known whether they are that far
-    apart."""
+    solids overlap.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    limit : float, optional
+        Length that the verdict ``at_least`` is about, in model units; the search ends with it.
+    tolerance, relative_tolerance : float, optional
+        Permitted width of the interval, in model units or as a fraction of the larger diagonal;
+        1e-6 of it if neither is given.
+    max_seconds, max_cells : optional
+        Budgets, after which the interval reached is returned.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
     options = _names.options(
         limit=limit, tolerance=tolerance, relative_tolerance=relative_tolerance,
         max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
@@ -163,7 +207,32 @@ def gaps(
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> GapsResult:
-    """Return the pairs of faces that come nearer to each other than ``below``, in model units."""
+    """Return the pairs of faces, one of each model, that come nearer to each other than a length.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    below : float
+        The length, in model units, 0 or more.
+    tolerance, relative_tolerance : float, optional
+        Permitted width of each pair's interval, in model units or as a fraction of the larger
+        diagonal; 1e-6 of it if neither is given.
+    max_seconds : float, optional
+        Seconds after which the pairs so far are returned; ``complete`` is False then.
+    max_cells : int, optional
+        Pairs of cells, for each pair of faces, after which its interval so far is taken.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
     options = _names.options(
         below=below, tolerance=tolerance, relative_tolerance=relative_tolerance,
         max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
@@ -187,7 +256,30 @@ def field(
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> Field:
-    """Return the deviation of A from B at a grid of samples of every surface of A."""
+    """Return the deviation of A from B at a grid of samples of every surface of A.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    samples : int, optional
+        Samples along each direction of every surface of A, 2 to 1024.
+    sampling : {"uniform", "arc-length"}, optional
+        Whether they are equally spaced in the parameters or along the surface.
+    upper : float, optional
+        Known upper bound on the distance from A to B, in model units, such as
+        ``distance(a, b).upper``: no distance of the field exceeds it.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
     options = _names.options(
         samples=samples, sampling=sampling, upper=upper, scale_units=scale_units
     )
@@ -213,7 +305,26 @@ def closest_points(
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> ClosestPoints:
-    """Return the closest points of a model to points of shape (n, 3), in model units."""
+    """Return the closest points of a model.
+
+    Parameters
+    ----------
+    part : anything that `model` takes
+    points : array of shape (n, 3)
+        The points, in model units.
+    tolerance, relative_tolerance : float, optional
+        Permitted excess of a distance over the least one, in model units or as a fraction of
+        the model's diagonal; 1e-9 of it if neither is given.
+    transform : Transform or array of shape (4, 4), optional
+        Moves the points before they are measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
     given = np.asarray(points, dtype=np.float64)
     if given.ndim != 2 or given.shape[1] != 3:
         raise NurbsHausdorffError(

@@ -1,15 +1,17 @@
 from collections.abc import Callable
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 
-Report = Callable[[float, tuple[float, float] | None], bool]
-Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
-Point = tuple[float, float, float]
+__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps"]
 
+_Report = Callable[[float, tuple[float, float] | None], bool]
+_Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
+
+@final
 class Model:
-    def __init__(self, file: bytes, path: str) -> None: ...
+    def __new__(cls, file: bytes, path: str) -> Model: ...
     @staticmethod
     def of_facets(
         vertices: NDArray[np.float64],
@@ -37,24 +39,24 @@ class Model:
     def tessellate(self, options: dict[str, Any]) -> dict[str, NDArray[Any]]: ...
 
 def distance(
-    a: Model, b: Model, options: dict[str, Any], motion: Motion, report: Report | None
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def diff(
-    a: Model, b: Model, options: dict[str, Any], motion: Motion, report: Report | None
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def clearance(
-    a: Model, b: Model, options: dict[str, Any], motion: Motion, report: Report | None
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def gaps(
-    a: Model, b: Model, options: dict[str, Any], motion: Motion, report: Report | None
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def field(
-    a: Model, b: Model, options: dict[str, Any], motion: Motion, report: Report | None
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def closest_points(
     model: Model,
     points: NDArray[np.float64],
     options: dict[str, Any],
-    motion: Motion,
-    report: Report | None,
+    motion: _Motion,
+    report: _Report | None,
 ) -> dict[str, Any]: ...

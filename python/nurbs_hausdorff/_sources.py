@@ -23,8 +23,8 @@ def read(
     Parameters
     ----------
     source : path, bytes or binary file object
-        The file. STEP, IGES, OpenCASCADE's BREP text and interchange JSON are known by their
-        content; STL, PLY, OBJ, glTF, 3MF and points as text by the ending of the name.
+        The file. STEP, IGES, OpenCASCADE's BREP text, FreeCAD documents and interchange JSON are
+        known by their content, also where gzip compressed them; STL, PLY, OBJ, glTF, 3MF and points as text by the ending of the name.
     format : str, optional
         Ending that tells a mesh where there is no name: ``"stl"``, ``"ply"``, ``"obj"``,
         ``"gltf"``, ``"3mf"``, ``"xyz"``.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._results.common import face as named
+
 
 def assert_shapes_close(
     actual: Any, expected: Any, *, limit: float = 1e-3, allow_skipped: bool = False
@@ -11,7 +13,7 @@ def assert_shapes_close(
     """Raise AssertionError unless every face of both models is proven within the limit, in model
     units, of the other model. The message names the faces, how far they are, and where.
 
-    Files of which faces could not be read fail, unless ``allow_skipped``.
+    Files with faces that could not be read fail, unless ``allow_skipped``.
     """
     from . import diff, model
 
@@ -27,7 +29,6 @@ def assert_shapes_close(
         for name, faces in zip(("actual", "expected"), result.in_state(state), strict=True):
             for face in faces:
                 at = face.witness.a if name == "actual" else face.witness.b
-                title = "" if at.face_name is None else f" ({at.face_name})"
                 interval = f"[{face.lower!r}, {face.upper!r}]"
-                lines.append(f"{state}: {name} face {face.face}{title}: {interval} at {at.point}")
+                lines.append(f"{state}: {name} {named(at)}: {interval} at {at.point}")
     raise AssertionError("\n".join(lines))

@@ -45,7 +45,7 @@ impl Model {
 
 #[pymethods]
 impl Model {
-    /// Reads and prepares a file; `path` names it in errors, and its ending tells meshes.
+    /// Reads and prepares a file; `path` names it in errors, and its ending distinguishes meshes.
     #[new]
     fn new(py: Python<'_>, file: &Bound<'_, PyBytes>, path: &str) -> PyResult<Self> {
         let bytes = file.as_bytes();

@@ -48,7 +48,7 @@ impl Monitor for Caller {
 /// Runs a computation on this thread without Python's lock, and asks the caller about every
 /// 15 ms whether to go on.
 ///
-/// `is_cancelled` tells results that a cancelled computation returns.
+/// `is_cancelled` is true for results that a cancelled computation returns.
 ///
 /// # Errors
 /// The exception of a signal's handler or of `report`, with the cancellation as its cause;

@@ -125,11 +125,17 @@ def test_progress_is_that_of_tqdm():
     assert abs(bar.done - 200.0) < 1e-9
 
 
+def test_a_true_progress_is_a_bar_of_tqdm(capsys):
+    pytest.importorskip("tqdm")
+    nh.distance(sheet(), sheet(height=1.0), progress=True)
+    assert "|" in capsys.readouterr().err
+
+
 def test_an_interrupt_ends_a_search():
     program = (
-        "import signal, threading, os, sys; sys.path.insert(0, sys.argv[1])\n"
+        "import signal, threading, sys; sys.path.insert(0, sys.argv[1])\n"
         "import test_use\n"
-        "threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        "threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()\n"
         "try:\n    test_use.long_search()\nexcept KeyboardInterrupt:\n    sys.exit(7)\n"
     )
     folder = __file__.rsplit("test_use", 1)[0]
@@ -170,6 +176,19 @@ def test_triangles_are_near_the_surface():
     assert found.signs == "faces" and found.distances.max() < 1e-5
 
 
+def test_a_histogram_has_the_area_of_the_model():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib.figure import Figure
+
+    field = nh.field(sheet(), sheet(height=1.0), samples=40)
+    axes = field.hist(Figure().add_subplot(), bins=20)
+    drawn = sum(bar.get_height() for bar in axes.patches)
+    assert len(axes.patches) == 20 and drawn == pytest.approx(field.statistics.area)
+    lower, upper = nh.model(sheet()).area()
+    assert drawn == pytest.approx((lower + upper) / 2, rel=1e-3)
+
+
 def test_a_field_becomes_a_pyvista_mesh():
     pytest.importorskip("pyvista")
     field = nh.field(sheet(), sheet(height=1.0), samples=5)
@@ -179,16 +198,3 @@ def test_a_field_becomes_a_pyvista_mesh():
     distances = field.parts[0].distances.ravel()
     other = np.argsort(field.parts[0].points.reshape(-1, 3) @ [7.0, 1.0, 0.1])
     assert np.allclose(grid.point_data["distance"][order], distances[other])
-
-
-def test_shapes_of_build123d_are_read():
-    b3d = pytest.importorskip("build123d")
-    plate = b3d.Box(40, 30, 10)
-    bored = plate - b3d.Pos(5, 0, 0) * b3d.Cylinder(4, 10)
-    moved = plate - b3d.Pos(5.01, 0, 0) * b3d.Cylinder(4, 10)
-    assert abs(sum(nh.model(plate).area()) / 2 - 3800.0) < 1e-6
-    nh.testing.assert_shapes_close(bored, bored)
-    with pytest.raises(AssertionError) as raised:
-        nh.testing.assert_shapes_close(moved, bored, limit=1e-3)
-    message = str(raised.value)
-    assert "changed: actual face" in message and "changed: expected face" in message

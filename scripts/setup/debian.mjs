@@ -45,6 +45,24 @@ export const firefox = [
   },
 ];
 
+/** The oldest Java of Spark 4. */
+const MIN_JAVA = 17;
+
+/** Whether the Java on PATH is one that Spark 4 runs on. */
+function hasJava() {
+  const version = ask("java", ["--version"])?.match(/^\S+ (\d+)/)?.[1];
+  return Number(version) >= MIN_JAVA;
+}
+
+/** Java, for the tests on Spark. */
+export const java = [
+  {
+    packages: ["default-jre-headless"],
+    what: `Java ${MIN_JAVA} or newer`,
+    present: hasJava,
+  },
+];
+
 /** Returns the fields of /etc/os-release. */
 export function distribution() {
   try {
@@ -61,9 +79,14 @@ function asRoot() {
   return ask("sudo", ["-n", "true"]) === undefined ? undefined : ["sudo", "-n"];
 }
 
+const absent = (needs) => needs.filter(({ present }) => !present());
+
+/** The packages of the programs that are missing. */
+export const missingPackages = (needs) => absent(needs).flatMap((need) => need.packages);
+
 /** Installs the missing programs, or fails with instructions. */
 export async function debian(needs) {
-  const missing = needs.filter(({ present }) => !present());
+  const missing = absent(needs);
   if (missing.length === 0) return "present";
 
   const packages = missing.flatMap((need) => need.packages);

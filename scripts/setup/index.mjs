@@ -1,22 +1,12 @@
-// The set-up of a fresh machine, one line per step.
+// The set-up of a fresh machine: what it will install, then one line per step.
+import { existsSync } from "node:fs";
 import { Failure } from "../process.mjs";
-import { browser, compiler, debian, firefox } from "./debian.mjs";
-import { lavapipe } from "./lavapipe.mjs";
+import { home as pythonHome, packages as pythonPackages } from "../test/python.mjs";
+import { browser, compiler, debian, firefox, java, missingPackages } from "./debian.mjs";
+import { driver, lavapipe } from "./lavapipe.mjs";
 import { packages, siteGenerator } from "./packages.mjs";
-import { rust } from "./rust.mjs";
-import { tools } from "./tools.mjs";
-
-async function step(name, action) {
-  const start = performance.now();
-  try {
-    const result = await action();
-    const seconds = ((performance.now() - start) / 1000).toFixed(1);
-    console.log(`set-up: ${name}: ${result} (${seconds} s)`);
-  } catch (error) {
-    error.message = `set-up: ${name}: ${error.message}`;
-    throw error;
-  }
-}
+import { missingParts, rust } from "./rust.mjs";
+import { tools, toolsFolder } from "./tools.mjs";
 
 /** Installs programs without which only the tests that need them are skipped. */
 async function optional(needs) {
@@ -28,21 +18,95 @@ async function optional(needs) {
   }
 }
 
-/** Sets up everything that building and serving the page need. */
-export async function setUpForPage() {
-  await step("system packages", () => debian(compiler));
-  await step("Rust target", () => rust("target"));
-  await step("npm packages", packages);
-  await step("wasm tools", tools);
+const systemPackages = (needs) => ({
+  name: "system packages",
+  missing: () => missingPackages(needs),
+  install: () => debian(needs),
+});
+
+const rustParts = (name, ...parts) => ({
+  name,
+  missing: () => missingParts(...parts),
+  install: () => rust(...parts),
+});
+
+const npmPackages = {
+  name: "npm packages",
+  missing: () => (packages.present() ? [] : ["those of package-lock.json in node_modules"]),
+  install: packages.install,
+};
+
+const wasmTools = {
+  name: "wasm tools",
+  missing: () =>
+    existsSync(toolsFolder()) ? [] : ["wasm-pack and wasm-bindgen, built from tools/"],
+  install: tools,
+};
+
+/** What building and serving the page need. */
+const forPage = [
+  systemPackages(compiler),
+  rustParts("Rust target", "target"),
+  npmPackages,
+  wasmTools,
+];
+
+/** What the tests need. */
+const forTests = [
+  systemPackages([...compiler, ...browser]),
+  { name: "Firefox", missing: () => missingPackages(firefox), install: () => optional(firefox) },
+  { name: "Java", missing: () => missingPackages(java), install: () => optional(java) },
+  {
+    name: "lavapipe",
+    missing: () => (driver() ? [] : ["Mesa's Vulkan driver, where the system's is too old"]),
+    install: lavapipe,
+  },
+  rustParts("Rust target and components", "target", "components"),
+  npmPackages,
+  {
+    name: "generator of the API's pages",
+    missing: () =>
+      siteGenerator.present() ? [] : ["the packages of tools/site/package-lock.json"],
+    install: siteGenerator.install,
+  },
+  wasmTools,
+];
+
+/** What single tests install when they begin, and are skipped without. */
+const byTests = [
+  {
+    name: "Python packages",
+    missing: () => (existsSync(pythonHome) ? [] : pythonPackages),
+  },
+];
+
+/** Says what will be installed, before anything is. */
+function announce(steps) {
+  const lines = steps
+    .map(({ name, missing }) => [name, missing()])
+    .filter(([, missing]) => missing.length > 0)
+    .map(([name, missing]) => `  ${name}: ${missing.join(", ")}`);
+  if (lines.length === 0) return;
+  console.log(`set-up will install what is missing:\n${lines.join("\n")}`);
 }
 
-/** Sets up everything that the tests need. */
-export async function setUpForTests() {
-  await step("system packages", () => debian([...compiler, ...browser]));
-  await step("Firefox", () => optional(firefox));
-  await step("lavapipe", lavapipe);
-  await step("Rust target and components", () => rust("target", "components"));
-  await step("npm packages", packages);
-  await step("generator of the API's pages", siteGenerator);
-  await step("wasm tools", tools);
+async function setUp(steps, later = []) {
+  announce([...steps, ...later]);
+  for (const { name, install } of steps) {
+    const start = performance.now();
+    try {
+      const result = await install();
+      const seconds = ((performance.now() - start) / 1000).toFixed(1);
+      console.log(`set-up: ${name}: ${result} (${seconds} s)`);
+    } catch (error) {
+      error.message = `set-up: ${name}: ${error.message}`;
+      throw error;
+    }
+  }
 }
+
+/** Sets up everything that building and serving the page need. */
+export const setUpForPage = () => setUp(forPage);
+
+/** Sets up everything that the tests need. */
+export const setUpForTests = () => setUp(forTests, byTests);

@@ -3,19 +3,24 @@ import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
 
-/** Installs the packages of a folder with a lock file. */
-async function install(...folder) {
+/** The packages of a folder with a lock file. */
+function locked(...folder) {
   const path = (name) => [...folder, name].join("/");
   const made = path("node_modules/.installed-from");
-  const lock = digest([path("package-lock.json")]);
-  if (stamped(made, lock)) return "present";
-  await must("npm", ["ci", "--no-audit", "--no-fund"], { cwd: inRoot(...folder) });
-  stamp(made, lock);
-  return "installed";
+  const lock = () => digest([path("package-lock.json")]);
+  return {
+    present: () => stamped(made, lock()),
+    install: async () => {
+      if (stamped(made, lock())) return "present";
+      await must("npm", ["ci", "--no-audit", "--no-fund"], { cwd: inRoot(...folder) });
+      stamp(made, lock());
+      return "installed";
+    },
+  };
 }
 
-/** Installs the packages of this one. */
-export const packages = () => install();
+/** The packages of this one. */
+export const packages = locked();
 
-/** Installs the generator of the API's pages. */
-export const siteGenerator = () => install("tools", "site");
+/** The generator of the API's pages. */
+export const siteGenerator = locked("tools", "site");

@@ -17,12 +17,23 @@ const parts = {
   },
 };
 
+const sysrootOfRust = () => ask("rustc", ["--print", "sysroot"])?.trim();
+
+const absent = (names, sysroot) =>
+  names.map((name) => parts[name]).filter((part) => !part.present(sysroot));
+
+/** The target and the components that are missing; none where there is no Rust. */
+export function missingParts(...names) {
+  const sysroot = sysrootOfRust();
+  return sysroot ? absent(names, sysroot).flatMap((part) => part.add.slice(2)) : [];
+}
+
 export async function rust(...names) {
-  const sysroot = ask("rustc", ["--print", "sysroot"])?.trim();
+  const sysroot = sysrootOfRust();
   if (!sysroot || !which("cargo")) {
     throw new Failure("please install Rust with rustup, then start again");
   }
-  const missing = names.map((name) => parts[name]).filter((part) => !part.present(sysroot));
+  const missing = absent(names, sysroot);
   if (missing.length === 0) return "present";
   if (!which("rustup")) {
     const parameters = missing.map((part) => part.add.slice(2).join(" ")).join(" ");

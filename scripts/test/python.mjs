@@ -2,42 +2,76 @@
 import { existsSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { cache, inRoot } from "../paths.mjs";
-import { ask, environment, Failure, must } from "../process.mjs";
+import { ask, environment, Failure, must, say } from "../process.mjs";
 
 /** The environment that all checkouts share: the builder, and what the tests import. */
 export const home = join(cache, "python-1");
 export const program = (name) => join(home, "bin", name);
-const packages = ["maturin>=1.9,<2", "numpy", "pytest", "mypy"];
 
-/** Why the step is skipped, if Python or its packages cannot be had. */
-async function missing() {
-  const version = ask("python3", ["-c", "import sys; print(sys.version_info >= (3, 10))"]);
-  if (version?.trim() !== "True") return "there is no Python 3.10 or newer";
-  if (existsSync(program("maturin")) && existsSync(program("mypy"))) return undefined;
-  rmSync(home, { recursive: true, force: true });
+/** What the tests of the package import, and what those of the engines need in addition. */
+const groups = {
+  python: {
+    packages: ["maturin>=1.9,<2", "numpy", "pytest", "mypy", "trimesh", "matplotlib", "tqdm"],
+    imports: "maturin, numpy, pytest, mypy, trimesh, matplotlib, tqdm",
+  },
+  engines: {
+    packages: ["ray[data]>=2.50,<3", "pyspark>=4,<5", "pandas>=2,<3", "pyarrow"],
+    imports: "ray.data, pyspark, pandas, pyarrow",
+  },
+};
+
+export const packages = Object.values(groups).flatMap((group) => group.packages);
+
+/** Why a group cannot be had, by its name. */
+const why = {};
+
+const has = (imports) => ask(program("python"), ["-c", `import ${imports}`]) !== undefined;
+
+/** Installs a group of packages, or returns why that cannot be done. */
+async function install({ packages, imports }) {
+  if (has(imports)) return undefined;
   try {
-    await must("python3", ["-m", "venv", home]);
+    if (!existsSync(program("pip"))) {
+      rmSync(home, { recursive: true, force: true });
+      await must("python3", ["-m", "venv", home]);
+    }
     await must(program("pip"), ["install", "--quiet", ...packages]);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    rmSync(home, { recursive: true, force: true });
     return `its packages cannot be installed: ${error.message.split("\n")[0]}`;
   }
   return undefined;
 }
 
+/** Installs what both steps need, mostly downloads, while other steps compile. */
+export async function installPackages() {
+  const version = ask("python3", ["-c", "import sys; print(sys.version_info >= (3, 10))"]);
+  if (version?.trim() !== "True") {
+    why.python = "there is no Python 3.10 or newer";
+  } else {
+    why.python = await install(groups.python);
+  }
+  why.engines = why.python ?? (await install(groups.engines));
+  for (const name of Object.keys(groups)) say(`packages of ${name}: ${why[name] ?? "present"}`);
+}
+
+/** The visible line of a step that is skipped, or undefined. */
+export function skipped(name) {
+  if (why[name] === undefined) return undefined;
+  const line = `SKIPPED ${name}: ${why[name]}`;
+  say(line);
+  return line;
+}
+
 /** Builds and installs the wheel, and tests it as users have it. */
 export async function testPython() {
-  const why = await missing();
-  if (why !== undefined) {
-    const line = `SKIPPED python: ${why}`;
-    console.log(line);
-    return line;
-  }
+  const line = skipped("python");
+  if (line !== undefined) return line;
   const wheels = inRoot("target", "python-wheels");
   rmSync(wheels, { recursive: true, force: true });
-  // Of the main crate, whose dependencies are compiled with the same profile.
-  const target = { CARGO_TARGET_DIR: inRoot("target") };
+  // A folder of its own: Cargo writes a library of the kinds cdylib and rlib to one file whatever
+  // its features are, and the tests of Rust would be linked with that of the wheel.
+  const target = { CARGO_TARGET_DIR: inRoot("target", "python") };
   const options = ["--release", "--locked", "--out", wheels];
   await must(program("maturin"), ["build", ...options], {
     cwd: inRoot("python"),
@@ -48,7 +82,7 @@ export async function testPython() {
   await must(program("pip"), install);
   await must(program("mypy"), ["--strict", "nurbs_hausdorff"], { cwd: inRoot("python") });
   // Beside the tests, not beside the sources, which are not what users import.
-  return must(program("pytest"), ["-v", "-rs", "--import-mode=importlib", "."], {
-    cwd: inRoot("python", "tests"),
-  });
+  const cwd = inRoot("python", "tests");
+  await must(program("stubtest"), ["nurbs_hausdorff._native"], { cwd });
+  return must(program("pytest"), ["-v", "-rs", "--import-mode=importlib", "."], { cwd });
 }

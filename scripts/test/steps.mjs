@@ -1,5 +1,5 @@
 // The steps of `npm test`, in order. A step runs only if the steps that it needs
-// passed. A step with `beside` runs from the start, beside those before it. A step with `tests`
+// passed. A step with `beside` runs beside the others, as soon as those that it needs have ended. A step with `tests`
 // fails if it ran none. A step with `quick` is one of
 // `npm test -- --quick`, where `quick` replaces what it does.
 import { existsSync, readdirSync } from "node:fs";
@@ -12,7 +12,7 @@ import { vulkan } from "../setup/lavapipe.mjs";
 import { toolsEnvironment } from "../setup/tools.mjs";
 import { checkBudget } from "./budget.mjs";
 import { testEngines } from "./engines.mjs";
-import { testPython } from "./python.mjs";
+import { installPackages, testPython } from "./python.mjs";
 
 // The command line is native only.
 const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
@@ -90,14 +90,25 @@ export const steps = [
     },
   },
   {
+    name: "python-packages",
+    what: "packages that the tests of Python and of the engines import",
+    // Mostly downloads.
+    beside: true,
+    run: installPackages,
+  },
+  {
     name: "python",
     what: "the Python package's wheel, its types and tests",
+    needs: ["python-packages"],
     run: testPython,
   },
   {
     name: "engines",
     what: "many pairs on Ray and on Spark, with a worker killed",
-    needs: ["python"],
+    // The native command is compiled with the tests of Rust.
+    needs: ["python", "rust"],
+    // Its nodes mostly wait for each other.
+    beside: true,
     run: testEngines,
   },
   {

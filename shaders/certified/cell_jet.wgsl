@@ -1,6 +1,6 @@
 // Stage `cell_jet`: A's jet at every cell's centre, with derivatives scaled to
 // the cell, and the centre as a sample for stage `project`. CPU twin: the jets
-// in `src/certified/bounds/cell_context.rs`. One thread per cell.
+// in `src/certified/cell_context.rs`. One thread per cell.
 
 @group(0) @binding(0) var<uniform> params: LevelParams;
 @group(0) @binding(1) var<storage, read> batch: Batch;

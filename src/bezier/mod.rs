@@ -6,16 +6,16 @@ mod bounds;
 mod extraction;
 mod patch;
 
-pub use basis::MAX_ORDER;
-pub(crate) use basis::{
-    GridBasis, Restriction, binomials, dot_products, elevation_shares, length_bounds, scaled, squares,
-    unscale,
-};
+pub use crate::limits::MAX_ORDER;
 #[cfg(feature = "cad")]
-pub(crate) use basis::{Interpolation, bernstein};
+pub(crate) use basis::Interpolation;
+pub(crate) use basis::{
+    GridBasis, Restriction, bernstein, binomials, dot_products, elevation_shares, length_bounds, scaled,
+    squares, triple_products, unscale,
+};
 pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};
-pub(crate) use extraction::{center_grid, power_of_two_below, snapped, spans, without_removable_knots};
+pub(crate) use extraction::{center_grid, power_of_two_below, snapped, without_removable_knots};
 pub(crate) use patch::{HomogeneousTangents, normal, relative};
 pub use patch::{Jet, Patch, PatchSet};

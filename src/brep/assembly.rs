@@ -2,12 +2,13 @@
 
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
+use super::placed::{Placed, matrix};
 use super::report::{FaceFault, Remark};
-use super::topology::{Face, FaceLabel, Orientation, ShapeKind, Topology};
+use super::topology::{Face, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, ModelArrays};
-use crate::parallel;
 use crate::read::{Assembled, FaceCounts, Note, Skipped};
+use crate::threads::parallel;
 use glam::DAffine3;
 use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
@@ -19,43 +20,6 @@ const MAX_VISITS: usize = 1 << 22;
 /// The most control points of the surfaces of all faces, half a gibibyte. Each face has a
 /// copy of its surface, so that a short file may describe more than memory holds.
 const MAX_POLES: usize = 1 << 24;
-
-/// A face where an assembly places it.
-pub(super) struct Placed {
-    pub(super) shape: usize,
-    pub(super) reversed: bool,
-    pub(super) location: DAffine3,
-    /// The innermost group with a name that the face stands in.
-    part: Option<usize>,
-}
-
-impl Placed {
-    fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
-        match &file.shapes[self.shape].kind {
-            ShapeKind::Face(face) => Some(&face.label),
-            _ => None,
-        }
-    }
-
-    /// Returns the number by which the file calls the face.
-    fn entity(&self, file: &Topology) -> Option<u64> {
-        self.label(file).and_then(|label| label.entity)
-    }
-
-    /// Returns the name of the part.
-    fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
-        match &file.shapes[self.part?].kind {
-            ShapeKind::Group(name) => name.as_deref(),
-            _ => None,
-        }
-    }
-
-    /// Returns the name of the face: that of the file, or its number.
-    fn name(&self, file: &Topology, number: usize) -> String {
-        let own = self.label(file).and_then(|label| label.name.clone());
-        own.unwrap_or_else(|| format!("face {number}"))
-    }
-}
 
 /// Converts every face below the root once, and lists its placements if any is moved.
 pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
@@ -213,13 +177,4 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
         }
     }
     Ok(placed)
-}
-
-/// Returns the row-major 3x4 matrix of an affine map.
-pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
-    let rows = map.matrix3.transpose();
-    let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
-    let t = map.translation;
-    // Adding 0 makes zeros of either sign equal.
-    [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z].map(|entry| entry + 0.0)
 }

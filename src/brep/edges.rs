@@ -1,6 +1,6 @@
 //! Edges between neighbouring faces.
 
-use super::assembly::{Placed, matrix};
+use super::placed::{Placed, matrix};
 use super::topology::{Orientation, ShapeKind, Topology, Use};
 use std::collections::HashMap;
 

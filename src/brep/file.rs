@@ -1,4 +1,4 @@
-//! Files of every kind that this crate reads, told apart by their content.
+//! Files of every kind that this crate reads, recognised by their content.
 
 use super::format;
 use crate::error::{Error, Result};

@@ -5,7 +5,7 @@
 //! makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
 //! their distance from the edges; [`assembly`] collects the faces and their placements;
-//! [`file`] tells files apart by their content.
+//! [`file`] recognises files by their content.
 
 mod assembly;
 mod edges;
@@ -15,6 +15,7 @@ mod format;
 mod gap;
 mod iges;
 mod nurbs;
+mod placed;
 mod report;
 mod step;
 mod text;

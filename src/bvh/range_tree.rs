@@ -2,7 +2,7 @@
 
 use super::Aabb;
 use super::tree::longest_axis;
-use crate::parallel::join;
+use crate::threads::parallel::join;
 use bytemuck::{Zeroable, zeroed_vec};
 use glam::DVec3;
 use std::ops::Range;
@@ -32,7 +32,7 @@ impl RangeNode {
 }
 
 /// A binary tree of boxes over the primitives `0..n` with leaves of up to a fixed number of them:
-/// for primitives that cost less than the test of a box, and for so many of them that a node for
+/// for primitives that cost less than the test of a box, and for numbers of them at which a node for
 /// each would take more memory than they do.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RangeTree {

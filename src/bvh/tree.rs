@@ -1,7 +1,7 @@
 //! The bounding volume hierarchy.
 
 use super::Aabb;
-use crate::parallel::{join, map};
+use crate::threads::parallel::{join, map};
 use bytemuck::{Zeroable, zeroed_vec};
 use glam::DVec3;
 

@@ -5,7 +5,7 @@ use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::flatness::Places;
 use crate::model::Model;
-use crate::model::trim::Winding;
+use crate::model::trim::{Rim, RimSide, Winding};
 use crate::param_box::ParamBox;
 use crate::untrim::ParameterMap;
 use std::sync::{Arc, OnceLock};
@@ -78,7 +78,44 @@ impl WholeFaces {
     }
 }
 
+/// Where a face has no boundary, in the parameters of a chart: each point of a box within all sides belongs to
+/// it, `±η_v < a + b η_u + c η_u²`, η relative to the chart's point and v along the side's axis.
+pub(super) struct FaceRim {
+    /// One or two, with what holds of those of a [`Rim`].
+    pub(super) sides: Vec<RimSide>,
+    /// The box.
+    pub(super) parameters: [[f64; 2]; 2],
+}
+
 impl FaceChart<'_> {
+    /// Returns rims of the face in boxes of the chart's parameters that contain the one given.
+    /// O(arcs of the loops).
+    pub(super) fn rims(&self, [s, t]: [[f64; 2]; 2]) -> Vec<FaceRim> {
+        let [us, vs] = [(Axis::U, s), (Axis::V, t)].map(|(axis, range)| {
+            let mut ranges = self.chart.surface_ranges(axis, range)?;
+            // A box that goes on at the other end of the domain is two.
+            ranges.next().filter(|_| ranges.next().is_none())
+        });
+        let (Some(us), Some(vs)) = (us, vs) else { return Vec::new() };
+        let origin = self.chart.surface_parameters();
+        let place = self.region.place(origin);
+        let scales = Axis::BOTH.map(|axis| self.chart.own_width(axis) * self.region.scale(axis));
+        let of_chart = |Rim { sides, region }: Rim| {
+            let sides = sides.into_iter().map(|side| {
+                let ([a, b, c], v, u) = (side.coefficients, side.axis.index(), side.axis.other().index());
+                let ratio = scales[u] / scales[v];
+                let coefficients = [a / scales[v], b * ratio, c * ratio * scales[u]];
+                RimSide { coefficients, slope: side.slope * ratio, ..side }
+            });
+            let parameters = [0, 1].map(|axis| {
+                [region.low()[axis], region.high()[axis]]
+                    .map(|end| self.chart.parameters[axis] + (end - place[axis]) / scales[axis])
+            });
+            FaceRim { sides: sides.collect(), parameters }
+        };
+        self.region.rims(&ParamBox::new(us, vs), origin).into_iter().map(of_chart).collect()
+    }
+
     /// Returns true only if all points of the surface at a box of the chart's parameters belong to the face.
     /// O(arcs of the loops).
     pub(super) fn holds(&self, [s, t]: [[f64; 2]; 2]) -> bool {

@@ -65,7 +65,7 @@ impl SquaredDistance {
     ///
     /// `P >= w² g·δ + ½ m_ss δ_s² - m_st |δ_s δ_t| + ½ m_tt δ_t²`,
     ///
-    /// of which the last three terms have a least value for such steps; and
+    /// whose last three terms have a least value for such steps; and
     /// `|Y|² / w² = λ + P / w²`.
     ///
     /// The computed λ is off by Δλ at most, which adds `Δλ (w² + ∇w²·δ)` to P and its
@@ -186,7 +186,7 @@ mod tests {
             for (b, c) in (0..=4).flat_map(|b| [-3, 0, 4, 6].map(|c| (b, c))) {
                 let [a, b, c] = [a, b, c].map(f64::from);
                 let form = |x: f64, y: f64| 0.5 * a * x * x - b * x * y + 0.5 * c * y * y;
-                // On the edges it is least at their ends or at b/a and b/c, of which all but some are on the grid.
+                // On the edges it is least at their ends or at b/a and b/c, nearly all of them on the grid.
                 let inner = [b / a, b / c].into_iter().filter(|place| (0.0..=1.0).contains(place));
                 let places: Vec<f64> = places.iter().copied().chain(inner).collect();
                 let values = places.iter().flat_map(|&x| places.iter().map(move |&y| form(x, y)));
@@ -220,7 +220,7 @@ mod tests {
         let known = CriticalPoint { parameters: [0.5; 2], distance_squared: 1.0, ..CriticalPoint::default() };
         let lost = |known: &CriticalPoint| 1.0 - form.lower_bound_about(known);
         // Coefficients are off by r = unit (16 + 16): P itself by r, its second derivatives
-        // by 4 · 3 · 4 r each, half of which counts, and the mixed one by 4 · 4 · 4 r.
+        // by 4 · 3 · 4 r each, where half counts, and the mixed one by 4 · 4 · 4 r.
         let rounding = unit * (heaviest + heaviest);
         let lemma = (1.0 + 24.0 + 24.0 + 64.0) * rounding;
         assert!((lost(&known) / lemma - 1.0).abs() <= 1e-3, "{:e} and {lemma:e}", lost(&known));

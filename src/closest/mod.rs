@@ -31,6 +31,7 @@ use serde::{Deserialize, Serialize};
 /// The way in which the projection of one point on one patch ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[repr(u32)]
+#[non_exhaustive]
 pub enum Status {
     /// At a stationary point inside the patch.
     Converged = 0,
@@ -67,6 +68,7 @@ pub struct Foot {
 /// The step that an iteration takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Projection {
     /// The damped Newton step with an active set at the patch's edges.
     #[default]

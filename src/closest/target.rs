@@ -2,8 +2,8 @@
 
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
-use crate::lazy_table::LazyTable;
-use crate::parallel::map;
+use crate::threads::LazyTable;
+use crate::threads::parallel::map;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::progress::Monitor;
 use crate::progress::Progress;
-use crate::shared::locked;
+use crate::threads::locked;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 use web_time::Instant;

@@ -1,12 +1,10 @@
-//! One direction between models of which one is a mesh or a cloud, within its budgets.
+//! One direction from or to a mesh or a cloud, within its budgets.
 
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
 use super::result::DirectedResult;
-use super::{
-    CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop, SurfacePoint,
-};
+use super::{CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop};
 use crate::bezier::BezierModel;
 use crate::certified::{Gains, Interval, Limit};
 use crate::error::{Error, Result};
@@ -14,6 +12,7 @@ use crate::facets::{Domain, End, FacetSearch, Measured, PreparedFacets, Source};
 use crate::flatness::MAX_HALVINGS;
 use crate::progress::Progress;
 use crate::rounding::gamma;
+use crate::surface_point::SurfacePoint;
 use web_time::Instant;
 
 /// The roundings of the points of a part of a patch, for each degree, relative to the largest

@@ -119,7 +119,7 @@ impl FaceInfo {
     }
 }
 
-/// Returns the number of curves of a loop, of which each has one piece or more.
+/// Returns the number of curves of a loop; each has one piece or more.
 fn curve_count(pieces: &[TrimPiece]) -> usize {
     pieces.last().map_or(0, |piece| piece.curve as usize + 1)
 }

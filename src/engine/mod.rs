@@ -26,7 +26,7 @@ pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
-pub use field::{DeviationField, FieldOptions, Statistics};
+pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{FaceInfo, ModelInfo};
 pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
@@ -34,8 +34,8 @@ pub use options::{
 };
 pub use prepared::PreparedModel;
 pub use result::{
-    Bounds, CertifiedDetails, Details, DistanceResult, FaceDeviations, HierarchyDetails, IterationDetails,
-    PatchCounts, Processor, Seconds, Stop, SurfacePoint, WithGaps, Witness,
+    Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails, PatchCounts,
+    Processor, Seconds, Stop, WithGaps, Witness,
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};

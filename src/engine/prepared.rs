@@ -7,7 +7,6 @@ use crate::bezier::{
 use crate::bvh::Aabb;
 use crate::certified::{Operand, SheetCache, Sheets, TrimmedFaces};
 use crate::closest::Target;
-use crate::engine::SurfacePoint;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, PreparedFacets, weights};
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
@@ -16,14 +15,15 @@ use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::limits::is_in_range;
 use crate::model::{Model, is_unit};
-use crate::parallel::map;
 use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::read::ReadReport;
 use crate::rounding::gamma;
-use crate::shared::{computed, locked};
 use crate::solid::Boundary;
+use crate::surface_point::SurfacePoint;
 use crate::symmetry::{Revolution, revolutions};
+use crate::threads::parallel::map;
+use crate::threads::{computed, locked};
 use glam::DVec3;
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -67,7 +67,7 @@ const MAX_REFITS: u32 = 32;
 /// subdivide them into flat patches.
 ///
 /// For more patches the subdivision takes longer than it saves: the search looks at few of
-/// them, and most patches of so many are flat already. Fewer patches are
+/// them, and most of these patches are flat already. Fewer patches are
 /// subdivided, A's for closer bounds on their derivatives and B's for better starts.
 const MIN_UNCUT_PATCHES: usize = 1000;
 

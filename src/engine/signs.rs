@@ -86,6 +86,10 @@ impl SignRule<'_> {
         if !boundary.is_closed() {
             return self.along_normal(point, foot);
         }
+        // No ray from the boundary itself decides, whichever way it goes.
+        if distance <= boundary.margin_at(point) {
+            return 0.0;
+        }
         match side(boundary, target, point, boundary.clear_radius(clear), known) {
             Side::Inside => -distance,
             Side::Outside => distance,

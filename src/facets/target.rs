@@ -3,7 +3,7 @@
 use super::facet::Nearest;
 use super::{Facet, PointCloud, TriangleMesh};
 use crate::bvh::{Aabb, RangeTree};
-use crate::parallel::map;
+use crate::threads::parallel::map;
 use glam::DVec3;
 
 /// The number of triangles of a leaf: the test of a box takes about a third of the time of one.

@@ -28,7 +28,7 @@ pub struct MeshReport {
     pub unused_vertices: usize,
     /// The number of triangles with two equal corners.
     pub collapsed_triangles: usize,
-    /// The number of other triangles whose corners lie on a line, as far as float64 tells.
+    /// The number of other triangles whose corners lie on a line to the precision of float64.
     pub flat_triangles: usize,
 }
 

@@ -15,13 +15,14 @@ pub use place::{Place, Places};
 
 use crate::axis::Axis;
 use crate::bezier::{GridBasis, Patch, PatchSet, center_grid};
-use crate::parallel::map_ranges;
+use crate::threads::parallel::map_ranges;
 use extension::extension;
 use serde::Deserialize;
 
 /// The criterion by which a patch counts as flat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Flatness {
     /// Every patch is flat: Bézier extraction alone (the 2012 paper's "knots only").
     None,
@@ -100,7 +101,7 @@ pub fn flatten(patches: &PatchSet, flatness: Flatness) -> FlatPatches {
     cut(patches, &Rule::Flat(flatness))
 }
 
-/// Returns `patches` cut as others were by [`flatten`], of which they are as many of the
+/// Returns `patches` cut as others were by [`flatten`]; both have the same number of patches of the
 /// same degrees. The pieces are the same surface; how flat they are depends on how much
 /// the patches differ from those. O(pieces p q (p + q)).
 #[must_use]
@@ -122,7 +123,7 @@ enum Rule<'a> {
 fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
     let grid = center_grid(patches.bounding_box().diagonal());
     let parts = map_ranges(patches.len(), |range| {
-        let mut part = Part::default();
+        let mut part = FlatRange::default();
         let mut subdivision: Option<Subdivision> = None;
         for index in range {
             let patch = patches.patch(index);
@@ -154,7 +155,7 @@ fn cut(patches: &PatchSet, rule: &Rule<'_>) -> FlatPatches {
 
 /// The flat pieces of a range of patches.
 #[derive(Default)]
-struct Part {
+struct FlatRange {
     /// The pieces of the patches that were cut.
     patches: PatchSet,
     /// The places of all pieces.
@@ -164,7 +165,7 @@ struct Part {
 
 /// Returns the pieces of all parts: those of patches that were cut, and the patches that
 /// were not, in order.
-fn with_whole_patches(patches: &PatchSet, parts: &[Part]) -> PatchSet {
+fn with_whole_patches(patches: &PatchSet, parts: &[FlatRange]) -> PatchSet {
     let controls = parts.iter().map(|part| part.patches.control_count()).sum::<usize>();
     let mut all = PatchSet::default();
     all.reserve(parts.iter().map(|part| part.places.len()).sum(), controls + patches.control_count());
@@ -214,7 +215,7 @@ impl<'a> Subdivision<'a> {
     /// starts and ends that `cuts` states, cut at most `halvings` times.
     fn append_pieces(
         &mut self,
-        flat: &mut Part,
+        flat: &mut FlatRange,
         patch: Patch<'_>,
         place: Place,
         cuts: [[bool; 2]; 2],

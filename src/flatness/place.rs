@@ -2,8 +2,8 @@
 
 use crate::axis::Axis;
 use crate::bezier::LocalDerivativeBounds;
-use crate::parallel::map;
 use crate::param_box::ParamBox;
+use crate::threads::parallel::map;
 use std::ops::Range;
 
 /// A part of a patch.

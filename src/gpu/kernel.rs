@@ -2,7 +2,7 @@
 
 use super::constants::Constant;
 use super::patch_wgsl::patch_wgsl;
-use crate::shared::locked;
+use crate::threads::locked;
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex};
 

@@ -2,7 +2,7 @@
 
 use super::Gpu;
 use crate::error::Result;
-use crate::shared::locked;
+use crate::threads::locked;
 use std::sync::{Arc, Mutex};
 
 /// Holds the copy of a value on the device that used it last.

@@ -1,7 +1,7 @@
 //! The measured speed of kernels, from which the size of dispatches follows.
 
 use super::kernel::Kernel;
-use crate::shared::locked;
+use crate::threads::locked;
 use std::sync::Mutex;
 
 /// Seconds that a submission may be expected to take: browsers kill work that

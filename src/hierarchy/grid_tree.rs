@@ -6,7 +6,7 @@ use crate::bezier::{BezierModel, DerivativeBounds, PatchGrid};
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
 use crate::iteration::{cell_pieces, uniform};
-use crate::parallel::map;
+use crate::threads::parallel::map;
 use glam::DVec3;
 
 /// A cell of the grid of one surface.

@@ -3,8 +3,8 @@
 
 use super::{DistanceBounds, GridTree};
 use crate::bvh::Aabb;
-use crate::parallel::map;
 use crate::rounding::upper_max;
+use crate::threads::parallel::map;
 use std::ops::Range;
 
 /// The boxes of A on a level that are not culled, each with its partners: the

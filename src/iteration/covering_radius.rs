@@ -1,10 +1,10 @@
 //! The covering radius of a sampling, the error K_A of the 2012 paper.
 
-use super::SampleGrid;
+use super::sample_grid::SampleGrid;
 use crate::bezier::{BezierModel, Patch};
 use crate::bvh::Aabb;
-use crate::parallel::map;
 use crate::rounding::{gamma, upper_max};
+use crate::threads::parallel::map;
 use glam::DVec3;
 
 /// The largest distance of a point of the sampled model from its nearest sample,

@@ -12,6 +12,7 @@ mod covering_radius;
 mod project;
 mod reduce;
 mod sample;
+mod sample_grid;
 mod sampling;
 
 pub use covering_radius::CoveringRadius;
@@ -20,10 +21,11 @@ pub use project::{Culling, project};
 pub(crate) use reduce::BLOCK_SIZE;
 pub use reduce::reduce;
 pub use sample::sample;
+pub use sample_grid::SampleGrid;
 #[cfg(feature = "internals")]
 pub use sampling::PAGE_SAMPLES;
 pub(crate) use sampling::uniform;
-pub use sampling::{SampleGrid, Sampling, SamplingRule};
+pub use sampling::{Sampling, SamplingRule};
 
 use crate::closest::{Projection, Status};
 use serde::Serialize;
@@ -66,6 +68,7 @@ pub(crate) struct Candidate {
 /// The numbers of samples by the status of their projection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct StatusCounts {
     /// Projections that ended at a stationary point.
     pub converged: usize,

@@ -10,6 +10,7 @@ use serde::Deserialize;
 /// distances: a patch is pruned only if its box is no nearer than a foot found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Culling {
     /// The patches that a bounding volume hierarchy does not prune.
     #[default]

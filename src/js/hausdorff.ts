@@ -4,7 +4,8 @@ import { type MeshFormat, type MeshOptions, readMesh } from "./cad/mesh.js";
 import type { CadOptions } from "./cad/options.js";
 import { readCad } from "./cad/read.js";
 import { HausdorffError, translated, translating } from "./error.js";
-import { type BestFit, type BestFitOptions, bestFit } from "./fit/best-fit.js";
+import { bestFit } from "./fit/best-fit.js";
+import type { BestFit, BestFitOptions } from "./fit/fit.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
 import { Reached, requireWhole } from "./measure/cancelled.js";
@@ -127,7 +128,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    */
   mesh(input: MeshArrays): NurbsModel {
     requireLoaded();
-    return translating(() => NurbsModel.of(PreparedModel.fromFacets(...facetArrays(input))));
+    return translating(() => {
+      const [positions, triangles, unit] = facetArrays(input);
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      // The caller's arrays may change.
+      return NurbsModel.of(prepared, null, {
+        positions: positions.slice(),
+        triangles: triangles?.slice(),
+      });
+    });
   }
 
   /**

@@ -6,7 +6,7 @@ export type { CadOptions } from "./cad/options.js";
 export type { PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";
 export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
-export type { BestFit, BestFitOptions } from "./fit/best-fit.js";
+export type { BestFit, BestFitOptions } from "./fit/fit.js";
 export type { Rigid } from "./fit/rigid.js";
 export type { ModuleSource } from "./load.js";
 export type {
@@ -21,6 +21,7 @@ export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
+export { Latest } from "./measure/latest.js";
 export type {
   Backend,
   CertifiedOptions,
@@ -28,10 +29,10 @@ export type {
   DistanceOptions,
   HierarchyOptions,
   IterationOptions,
-  OnProgress,
   Transform,
   Vector3,
 } from "./measure/options.js";
+export type { OnProgress } from "./measure/progress.js";
 export type {
   CertifiedResult,
   DistanceResult,

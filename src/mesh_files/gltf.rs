@@ -2,7 +2,7 @@
 
 use super::scene::{MAX_DEPTH, place};
 use super::{MeshFormat, Soup};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
@@ -271,6 +271,6 @@ fn faces(indices: &[u32], mode: u32) -> Result<Vec<[u32; 3]>> {
     })
 }
 
-fn missing(what: &str, index: usize) -> crate::Error {
+fn missing(what: &str, index: usize) -> Error {
     FORMAT.syntax(format!("there is no {what} {index}"))
 }

@@ -32,7 +32,7 @@ struct Component {
 }
 
 /// One XML part of a package.
-struct Part {
+struct PackagePart {
     unit: f64,
     objects: HashMap<String, Object>,
     items: Vec<Component>,
@@ -74,7 +74,7 @@ fn content(archive: &mut ZipArchive<Cursor<&[u8]>>, name: &str, left: &mut u64) 
 }
 
 fn place_object(
-    parts: &HashMap<String, Part>,
+    parts: &HashMap<String, PackagePart>,
     path: &str,
     component: &Component,
     parent: &DAffine3,
@@ -95,9 +95,9 @@ fn place_object(
     Ok(())
 }
 
-fn parse(xml: &[u8]) -> Result<Part> {
+fn parse(xml: &[u8]) -> Result<PackagePart> {
     let mut reader = Reader::from_reader(xml);
-    let mut part = Part { unit: 1e-3, objects: HashMap::new(), items: Vec::new() };
+    let mut part = PackagePart { unit: 1e-3, objects: HashMap::new(), items: Vec::new() };
     let mut current: Option<(String, Object)> = None;
     loop {
         match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {

@@ -12,15 +12,16 @@ mod rigid_transform;
 mod surface;
 pub mod trim;
 
-pub use crate::limits::MAX_DEGREE;
+pub(crate) use crate::limits::MAX_DEGREE;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
+pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
-use crate::parallel::map;
+use crate::threads::parallel::map;
 use affine_map::AffineMap;
 use face::FaceData;
 use glam::DVec3;
@@ -162,14 +163,6 @@ impl Model {
     #[must_use]
     pub fn is_trimmed(&self) -> bool {
         self.faces.iter().any(|face| face.trim.is_some())
-    }
-
-    /// # Errors
-    /// [`Error::ModelTrimmed`] for a model with a trimmed face, which operations on whole
-    /// surfaces would lose.
-    pub(crate) fn require_whole(&self) -> Result<()> {
-        let trimmed = self.faces.iter().position(|face| face.trim.is_some());
-        trimmed.map_or(Ok(()), |surface| Err(Error::ModelTrimmed { surface }))
     }
 
     /// Returns the distance, in model units, between the model and its source as its reader

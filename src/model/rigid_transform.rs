@@ -63,7 +63,7 @@ impl RigidTransform {
     }
 
     /// Returns an upper bound on the error of the images of points at most `length`
-    /// from the origin, for this transform or one of which it is the inverse: the
+    /// from the origin, for this transform or its inverse: the
     /// rotation of the point and, in an inverse, of the translation, and their sum
     /// (lemma R2 of docs/rounding.md).
     pub(crate) fn rounding(&self, length: f64) -> f64 {

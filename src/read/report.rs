@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 /// The result of reading a CAD file, face by face.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
+#[non_exhaustive]
 pub struct ReadReport {
     /// The number of faces read.
     pub faces: usize,

@@ -4,7 +4,7 @@ use super::assembled::Assembled;
 use super::report::{ReadReport, Skipped};
 use crate::error::Result;
 use crate::model::{Model, ModelArrays};
-use crate::parallel;
+use crate::threads::parallel;
 
 /// Makes a model of the faces read. Those that it refuses, as their loops cross, are
 /// skipped in the report.

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// A shape's name and title.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct ShapeInfo {
     /// The name that [`shape`] takes.
     pub name: &'static str,

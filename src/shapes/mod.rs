@@ -19,28 +19,12 @@ pub use freeform::{WavySheet, Wing, wavy_sheet, wigley_hull, wing};
 pub use revolved::{bottle, cone, cylinder, disc, glass, lateral, revolve, sphere, sphere_parts, torus};
 
 use crate::error::{Error, Result};
-use crate::model::{Model, NurbsSurface, SurfaceArrays};
+use crate::model::{Model, NurbsSurface};
+use crate::refine::net_surface;
 
 /// Makes a model of this name.
 fn named(name: &str, surfaces: Vec<NurbsSurface>) -> Result<Model> {
     Model::new(Some(name.to_owned()), surfaces)
-}
-
-/// Makes the surface whose control point in row i along u and column j along v is
-/// `point(i, j)`, `[x, y, z, w]`.
-fn net_surface(
-    degree: [usize; 2],
-    knots: [&[f64]; 2],
-    counts: [usize; 2],
-    point: &dyn Fn(usize, usize) -> [f64; 4],
-) -> Result<NurbsSurface> {
-    let mut control_points = Vec::with_capacity(counts[0] * counts[1]);
-    for i in 0..counts[0] {
-        for j in 0..counts[1] {
-            control_points.push(point(i, j));
-        }
-    }
-    NurbsSurface::new(0, SurfaceArrays { degree, knots: knots.map(<[f64]>::to_vec), counts, control_points })
 }
 
 /// Returns `value` if it is finite and above 0, else `OPTION_OUT_OF_RANGE`.

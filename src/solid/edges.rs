@@ -10,7 +10,7 @@ pub(super) struct Edge {
     pub(super) curve: Curve,
 }
 
-/// Returns all edges of the surfaces: those of the patches beside which the surface has none, or
+/// Returns all edges of the surfaces: those of patches without a neighbour in the surface, or
 /// one that a knot of full multiplicity separates.
 pub(super) fn edges(model: &BezierModel) -> Vec<Edge> {
     let mut edges = Vec::new();

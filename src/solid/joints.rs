@@ -48,7 +48,7 @@ pub(crate) struct FreeEdge {
 }
 
 /// A part of an edge between two groups of ends.
-struct Arc {
+struct EdgePart {
     surface: usize,
     curve: Curve,
     ends: [u32; 2],
@@ -153,7 +153,7 @@ impl Joints {
 
     /// Returns the edges divided where an end of another edge lies on them, without those that are
     /// points: their control points join the group of their ends.
-    fn arcs(&mut self) -> Vec<Arc> {
+    fn arcs(&mut self) -> Vec<EdgePart> {
         let cuts = self.cuts();
         let edges = std::mem::take(&mut self.edges);
         let mut arcs = Vec::with_capacity(edges.len());
@@ -170,10 +170,10 @@ impl Joints {
                 let [low, high] = rest.split((t - start) / (1.0 - start));
                 let [_, end] = low.ends();
                 self.members.entry(cluster).or_default().push(end);
-                arcs.push(Arc { surface, curve: low, ends: [from, cluster] });
+                arcs.push(EdgePart { surface, curve: low, ends: [from, cluster] });
                 (rest, start, from) = (high, t, cluster);
             }
-            arcs.push(Arc { surface, curve: rest, ends: [from, ends[1]] });
+            arcs.push(EdgePart { surface, curve: rest, ends: [from, ends[1]] });
         }
         arcs
     }
@@ -201,12 +201,12 @@ impl Joints {
     }
 
     /// Returns the arcs in pairs that run side by side in one direction; the others are free.
-    fn pair(&self, arcs: Vec<Arc>, free: &mut Vec<FreeEdge>) -> Vec<[Arc; 2]> {
-        let mut groups: HashMap<[u32; 2], Vec<Arc>> = HashMap::new();
+    fn pair(&self, arcs: Vec<EdgePart>, free: &mut Vec<FreeEdge>) -> Vec<[EdgePart; 2]> {
+        let mut groups: HashMap<[u32; 2], Vec<EdgePart>> = HashMap::new();
         let mut keys = Vec::new();
         for mut arc in arcs {
             if arc.ends[0] > arc.ends[1] {
-                arc = Arc { curve: arc.curve.reversed(), ends: [arc.ends[1], arc.ends[0]], ..arc };
+                arc = EdgePart { curve: arc.curve.reversed(), ends: [arc.ends[1], arc.ends[0]], ..arc };
             }
             groups.entry(arc.ends).or_insert_with(|| {
                 keys.push(arc.ends);
@@ -233,7 +233,7 @@ impl Joints {
     }
 
     /// Returns the index of the arc nearest to the middle of this one, if it is near enough.
-    fn partner(&self, arc: &Arc, others: &[Arc]) -> Option<usize> {
+    fn partner(&self, arc: &EdgePart, others: &[EdgePart]) -> Option<usize> {
         let middle = arc.curve.point(0.5);
         let distances = others.iter().map(|other| other.curve.closest(middle).1).enumerate();
         let (index, distance) = distances.min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -247,7 +247,7 @@ impl Joints {
 }
 
 /// Turns the second of two closed arcs round where that runs against the first.
-fn in_one_direction([a, b]: [Arc; 2]) -> [Arc; 2] {
+fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
     if a.ends[0] != a.ends[1] {
         return [a, b];
     }
@@ -255,6 +255,6 @@ fn in_one_direction([a, b]: [Arc; 2]) -> [Arc; 2] {
     if early <= late {
         return [a, b];
     }
-    let b = Arc { curve: b.curve.reversed(), ..b };
+    let b = EdgePart { curve: b.curve.reversed(), ..b };
     [a, b]
 }

@@ -19,6 +19,7 @@ const COORDINATE_ROUNDINGS: f64 = 64.0;
 /// The side on which a point lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Side {
     /// Inside the solid.
     Inside,
@@ -63,7 +64,7 @@ impl Boundary {
     }
 
     /// Returns an upper bound on the error of a coordinate along a ray from a point.
-    fn margin_at(&self, point: DVec3) -> f64 {
+    pub(crate) fn margin_at(&self, point: DVec3) -> f64 {
         self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 

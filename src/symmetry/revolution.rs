@@ -5,8 +5,8 @@ use super::axis::RotationAxis;
 use super::winding_number::winding;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch, PatchGrid, PatchSet, length_bounds};
-use crate::parallel::map;
 use crate::rounding::{gamma, upper_max};
+use crate::threads::parallel::map;
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 /// The largest deviation from a surface of revolution, relative to its size, at
@@ -76,7 +76,7 @@ impl<'a> Strips<'a> {
         for along in 0..strips {
             let mut arcs = Vec::with_capacity(arc_count);
             for round in 0..arc_count {
-                arcs.push(Arc::new(&self.patch(along, round), self.round, &axis)?);
+                arcs.push(ArcAlongProfile::new(&self.patch(along, round), self.round, &axis)?);
             }
             let first = &arcs[0];
             let across = axis.direction.cross(first.from);
@@ -130,7 +130,7 @@ impl<'a> Strips<'a> {
 
 /// A patch as the product of an arc and a profile: its points are
 /// `height(t) axis + radius(t) e(s)` with e on the unit circle, up to `deviation`.
-struct Arc {
+struct ArcAlongProfile {
     deviation: f64,
     /// An upper bound on the distance of its points from the axis' origin.
     radius: f64,
@@ -145,7 +145,7 @@ struct Arc {
     profile: Vec<DVec3>,
 }
 
-impl Arc {
+impl ArcAlongProfile {
     /// Factorises a patch; `None` if all of it lies on the axis.
     ///
     /// If all rows of controls, relative to the axis, are multiples of one row

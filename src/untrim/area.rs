@@ -2,7 +2,7 @@
 
 use super::cells::ruling::Ruling;
 use super::curve::Curve;
-use super::face::Face;
+use super::face::UnitFace;
 use crate::model::trim::TrimPiece;
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ const MAX_HALVINGS: usize = 12;
 ///
 /// The balance of the cells is a proof about arcs; this finds a loss between loops and arcs, as of
 /// a curve or a loop. O(curves + cells).
-pub(super) fn check(face: &Face, rulings: &[(i32, &Ruling)], moved: [f64; 2]) -> Result<(), String> {
+pub(super) fn check(face: &UnitFace, rulings: &[(i32, &Ruling)], moved: [f64; 2]) -> Result<(), String> {
     let (mut expected, mut allowed) = (0.0, 0.0);
     for curve in face.loops.iter().flatten() {
         expected += under(curve);

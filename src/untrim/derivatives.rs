@@ -14,7 +14,7 @@ const MAX_ROUNDS: usize = 8;
 const MAX_PARTS: usize = 1024;
 
 /// A part of a rectangle of knots with the bounds over it, by the face's parameters.
-struct Part<'a> {
+struct KnotPart<'a> {
     patch: Patch<'a>,
     rectangle: ParamBox,
     /// The part in the patch's own parameters.
@@ -22,7 +22,7 @@ struct Part<'a> {
     bounds: [f64; 2],
 }
 
-impl<'a> Part<'a> {
+impl<'a> KnotPart<'a> {
     fn new(patch: Patch<'a>, rectangle: ParamBox, own: ParamBox) -> Self {
         let is_whole = own == ParamBox::UNIT;
         let bounds =
@@ -60,8 +60,8 @@ impl<'a> Part<'a> {
 /// Returns upper bounds on the derivatives, over the patches of these rectangles of knots, where
 /// those touch a box of the face's parameters. O(parts p q (p + q)).
 pub(super) fn bounds<'a>(patches: impl Iterator<Item = (Patch<'a>, ParamBox)>, within: ParamBox) -> [f64; 2] {
-    let mut parts: Vec<Part<'a>> =
-        patches.map(|(patch, rectangle)| Part::new(patch, rectangle, ParamBox::UNIT)).collect();
+    let mut parts: Vec<KnotPart<'a>> =
+        patches.map(|(patch, rectangle)| KnotPart::new(patch, rectangle, ParamBox::UNIT)).collect();
     let (mut settled, mut sampled) = ([0.0_f64; 2], [0.0_f64; 2]);
     for round in 0.. {
         for part in &parts {

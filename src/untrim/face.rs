@@ -52,7 +52,7 @@ pub(super) struct Tolerances {
 }
 
 /// A face whose domain is mapped to [0, 1]².
-pub(super) struct Face {
+pub(super) struct UnitFace {
     /// The surface's position in its model.
     pub(super) index: usize,
     /// The Bézier patches of the surface.
@@ -63,7 +63,7 @@ pub(super) struct Face {
     pub(super) domain: ParamBox,
     /// The loops in normalised parameters.
     pub(super) loops: Vec<Vec<Curve>>,
-    /// Whether the surface is an affine image of its domain up to [`Face::twist`].
+    /// Whether the surface is an affine image of its domain up to [`UnitFace::twist`].
     pub(super) affine: bool,
     /// An upper bound on the distance between the surface and the affine map.
     pub(super) twist: f64,
@@ -75,7 +75,7 @@ pub(super) struct Face {
     pub(super) rounding: f64,
 }
 
-impl Face {
+impl UnitFace {
     /// Prepares a face for cutting; with `transposed`, u and v change places.
     ///
     /// # Errors

@@ -23,7 +23,7 @@ use crate::model::NurbsSurface;
 use crate::model::trim::Trim;
 use crate::param_box::ParamBox;
 use curve::Curve;
-use face::Face;
+use face::UnitFace;
 use glam::DVec2;
 #[cfg(feature = "internals")]
 use glam::DVec3;
@@ -115,17 +115,30 @@ pub struct Untrimmed {
 /// `FACE_NOT_CUT` where no cut is proven: the loops cross each other by more than the deviation,
 /// or a cell does not converge.
 pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: f64) -> Result<Untrimmed> {
-    let mut attempt = attempt(index, surface, trim, max_deviation)?;
-    let mut allowed = max_deviation;
-    for _ in 0..MAX_ATTEMPTS {
-        match attempt {
+    let (mut allowed, mut reason) = (max_deviation, None);
+    for _ in 0..=MAX_ATTEMPTS {
+        match attempt(index, surface, trim, allowed) {
             Ok(untrimmed) => return Ok(untrimmed),
-            Err(_) => allowed *= COARSENING,
+            Err(Failure::Input(error)) => return Err(error),
+            Err(Failure::Unproven(found)) => reason = reason.or(Some(found)),
         }
-        let coarser = self::attempt(index, surface, trim, allowed)?;
-        attempt = coarser.or(attempt);
+        allowed *= COARSENING;
     }
-    attempt.map_err(|found| Error::FaceNotCut { surface: index, found })
+    Err(Error::FaceNotCut { surface: index, found: reason.unwrap_or_default() })
+}
+
+/// The failure of one attempt.
+enum Failure {
+    /// The cut is not proven, in words; one with a larger deviation may be.
+    Unproven(String),
+    /// No deviation helps.
+    Input(Error),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Input(error)
+    }
 }
 
 /// The number of attempts with a larger deviation, and the factor from one to the next: from
@@ -133,14 +146,14 @@ pub fn untrim(index: usize, surface: &NurbsSurface, trim: &Trim, max_deviation: 
 const MAX_ATTEMPTS: usize = 4;
 const COARSENING: f64 = 32.0;
 
-/// Cuts a face with this deviation, or says in words what prevents it.
+/// Cuts a face with this deviation.
 fn attempt(
     index: usize,
     surface: &NurbsSurface,
     trim: &Trim,
     max_deviation: f64,
-) -> Result<std::result::Result<Untrimmed, String>> {
-    let face = Face::new(index, surface, trim, max_deviation, false)?;
+) -> std::result::Result<Untrimmed, Failure> {
+    let face = UnitFace::new(index, surface, trim, max_deviation, false)?;
     if let Some((part, moved)) = rectangle::rectangle(&face) {
         let cut = rectangle::cut(surface, part)?;
         let deviation = if &cut == surface {
@@ -149,18 +162,18 @@ fn attempt(
             patch::rectangle_deviation(&face, surface, &cut, part)? + face.rounding
         };
         let piece = Piece { surface: cut, map: ParameterMap::Identity };
-        return Ok(Ok(Untrimmed { pieces: vec![piece], deviation: face.moved(moved) + deviation }));
+        return Ok(Untrimmed { pieces: vec![piece], deviation: face.moved(moved) + deviation });
     }
-    let across = Face::new(index, surface, trim, max_deviation, true)?;
+    let across = UnitFace::new(index, surface, trim, max_deviation, true)?;
     let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
     let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
     let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
     choices.sort_by_key(|sweep| sweep.cost());
     for sweep in choices {
         match sweep.untrimmed() {
-            Ok(untrimmed) => return Ok(Ok(untrimmed)),
+            Ok(untrimmed) => return Ok(untrimmed),
             Err(found) => reason = reason.or(Some(found)),
         }
     }
-    Ok(Err(reason.unwrap_or_default()))
+    Err(Failure::Unproven(reason.unwrap_or_default()))
 }

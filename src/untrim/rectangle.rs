@@ -1,12 +1,12 @@
 //! Faces trimmed by parameter lines on all four sides, cut by knot insertion.
 
 use super::curve::Curve;
-use super::face::Face;
+use super::face::UnitFace;
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
 use crate::param_box::ParamBox;
-use crate::shapes::operations::cut_surface;
+use crate::refine::cut_surface;
 use glam::DVec2;
 
 /// The largest relative error of the loop's area against the rectangle's, which only
@@ -15,7 +15,7 @@ const AREA_TOLERANCE: f64 = 1e-6;
 
 /// Returns the rectangle in normalised parameters whose four sides the face's only loop
 /// runs along, and the distances in u and v by which the loop leaves them.
-pub(super) fn rectangle(face: &Face) -> Option<(ParamBox, [f64; 2])> {
+pub(super) fn rectangle(face: &UnitFace) -> Option<(ParamBox, [f64; 2])> {
     let [curves] = &face.loops[..] else { return None };
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for [from, to] in curves.iter().map(Curve::hull) {

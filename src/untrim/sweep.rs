@@ -3,7 +3,7 @@
 use super::boundary::{self, Arc, Side};
 use super::cells::ruling::{Mapped, Ruling, mapped};
 use super::cells::{self, Cell, Cells};
-use super::face::{Face, transpose};
+use super::face::{UnitFace, transpose};
 use super::patch::Composed;
 use super::{ParameterMap, Piece, Ruled, Untrimmed, area, patch};
 use crate::model::NurbsSurface;
@@ -12,15 +12,14 @@ use crate::rounding::upper_max;
 /// The number of halvings of a cell.
 const MAX_HALVINGS: usize = 32;
 
-/// The largest number of cells that a face is cut into: a fixed part, and one for each cell of the
-/// sweep. Real faces take up to 20 a cell; a composition that converges as slowly as with
+/// Cell limit: `MAX_CELLS` plus `MAX_CELLS_PER_CELL` for each cell of the sweep. Real faces take up to 20 a cell; a composition that converges as slowly as with
 /// weights that differ by 10²⁵ would be halved for hours.
 const MAX_CELLS: usize = 1024;
 const MAX_CELLS_PER_CELL: usize = 64;
 
 /// The cells of a face ruled along one axis.
 pub(super) struct Sweep<'a> {
-    face: &'a Face,
+    face: &'a UnitFace,
     transposed: bool,
     cells: Cells,
     /// The moves of the boundary in u and v (lemma T2), and the error in u of graphs (lemma T3).
@@ -36,7 +35,7 @@ struct Done {
 }
 
 impl<'a> Sweep<'a> {
-    pub(super) fn new(face: &'a Face, transposed: bool) -> Result<Self, String> {
+    pub(super) fn new(face: &'a UnitFace, transposed: bool) -> Result<Self, String> {
         let boundary = boundary::boundary(face)?;
         let cells = cells::cells(face, &boundary);
         let (moved, graph_error) = (boundary.moved, boundary.graph_error);
@@ -155,7 +154,7 @@ mod tests {
     use crate::untrim::boundary::graph::Graph;
 
     /// A plane with a square hole in a square, both turned, as a face ruled along u.
-    fn face() -> Face {
+    fn face() -> UnitFace {
         let plane = figure5_plane().unwrap().surfaces()[0].clone();
         let ring = |radius: f64, sense: f64| {
             let corner = |k: i32| {
@@ -172,7 +171,7 @@ mod tests {
             (0..4).map(side).collect::<Vec<_>>()
         };
         let trim = Trim::new(0, &plane, vec![ring(0.4, 1.0), ring(0.2, -1.0)]).unwrap();
-        Face::new(0, &plane, &trim, 1e-9, false).unwrap()
+        UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap()
     }
 
     #[test]

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use serde_wasm_bindgen::Deserializer;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// The options of a distance, of which undefined ones have their defaults. The
+/// The options of a distance; undefined ones have their defaults. The
 /// transform is a value of its own, whose numbers have conditions.
 ///
 /// # Errors

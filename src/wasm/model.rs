@@ -143,7 +143,7 @@ impl PreparedModel {
         self.prepared.is_gap_proven()
     }
 
-    /// The name of a face, of which there are [`Self::face_count`].
+    /// The name of a face, below [`Self::face_count`].
     #[wasm_bindgen(js_name = faceName)]
     pub fn face_name(&self, face: usize) -> Option<String> {
         if face < self.prepared.face_count() {

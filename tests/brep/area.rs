@@ -1,8 +1,8 @@
 //! Areas of trimmed faces by Green's theorem, from the definition of B-splines.
 
 use crate::support::evaluator::{Vector, evaluate, length};
-use nurbs_hausdorff::model::Face;
-use nurbs_hausdorff::model::trim::TrimPiece;
+use nurbs_hausdorff::internals::model::Face;
+use nurbs_hausdorff::internals::model::trim::TrimPiece;
 use nurbs_hausdorff::{Axis, NurbsSurface};
 
 /// Gauss's rule of 8 points on [-1, 1]: nodes and weights of the positive half.

@@ -68,7 +68,7 @@ fn faces_are_in_the_explorers_order() {
 }
 
 /// The least x of a face of a plane.
-fn corner_of(face: &nurbs_hausdorff::model::Face<'_>) -> f64 {
+fn corner_of(face: &nurbs_hausdorff::internals::model::Face<'_>) -> f64 {
     let surface = face.surface();
     let [u, v] = surface.domain().intervals();
     evaluator::point(surface, u[0], v[0])[0]

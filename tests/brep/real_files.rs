@@ -3,9 +3,9 @@
 
 use crate::area::on_piece;
 use crate::support::quadrature::gauss;
-use nurbs_hausdorff::model::Face;
-use nurbs_hausdorff::model::trim::{Trim, TrimPiece};
-use nurbs_hausdorff::untrim::{Untrimmed, untrim};
+use nurbs_hausdorff::internals::model::Face;
+use nurbs_hausdorff::internals::model::trim::{Trim, TrimPiece};
+use nurbs_hausdorff::internals::untrim::{Untrimmed, untrim};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -113,7 +113,7 @@ fn area_error(surface: &NurbsSurface, trim: &Trim, cut: &Untrimmed) -> f64 {
     (patches - loops).abs() / loops
 }
 
-/// The value for so many parts that twice as many change it by less than a tenth of the accuracy.
+/// The value for a number of parts whose double changes it by less than a tenth of the accuracy.
 fn converged(value: impl Fn(usize) -> f64) -> f64 {
     let (mut parts, mut coarse) = (1, value(1));
     loop {

@@ -140,7 +140,7 @@ fn an_output_is_resumed_after_its_last_whole_line() {
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OUTPUT_EXISTS]"));
 }
 
-/// A command on the pairs of which the last takes minutes.
+/// A command on pairs whose last takes minutes.
 #[cfg(unix)]
 fn endless(test: &str) -> (Command, PathBuf) {
     use nurbs_hausdorff::shapes::sphere_parts;

@@ -130,7 +130,7 @@ fn faces_left_out_are_named_and_the_others_measured() {
     assert_eq!(result["skipped"]["b"], json!([]));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(errors.contains("face 0") && errors.contains("open by"), "{errors}");
-    // No verdict holds for a file of which a face was left out, unless that is allowed.
+    // No verdict holds for a file with a face left out, unless that is allowed.
     for (arguments, statuses) in
         [(["distance", "3"], [3, 0]), (["distance", "1"], [3, 1]), (["diff", "1"], [3, 1])]
     {

@@ -67,7 +67,7 @@ export async function measure(module: Uint8Array<ArrayBuffer>): Promise<number> 
   return within ? result.lower : result.upper;
 }
 
-/** Options of which the type does not say the method. */
+/** Options whose type does not say the method. */
 function ofAnyMethod(options: DistanceOptions): DistanceOptions {
   return options;
 }

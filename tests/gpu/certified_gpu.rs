@@ -1,7 +1,7 @@
 //! Method `certified` with its cells on the GPU, against truths and float64.
 
 use crate::support::gpu::{engine, measure};
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, Processor, Stop};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, Processor, Stop};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::sphere_parts;
 use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform};

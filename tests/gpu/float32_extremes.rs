@@ -4,10 +4,10 @@
 use crate::support::fixtures::with_grid;
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, MethodName};
-use nurbs_hausdorff::flatness::Flatness;
-use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, DistanceResult, Engine, MethodName};
+use nurbs_hausdorff::internals::flatness::Flatness;
+use nurbs_hausdorff::internals::iteration::Culling;
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree};
 use nurbs_hausdorff::shapes::{shape, sphere};
 use nurbs_hausdorff::{Axis, IterationOptions, Method, Model, SurfaceArrays};

@@ -2,12 +2,12 @@
 
 use crate::support::gpu::{engine, measure};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
 };
-use nurbs_hausdorff::flatness::Flatness;
-use nurbs_hausdorff::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
+use nurbs_hausdorff::internals::flatness::Flatness;
+use nurbs_hausdorff::internals::iteration::{Culling, PAGE_SAMPLES, SamplingRule};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, shape, sphere, wavy_sheet};
 use nurbs_hausdorff::{IterationOptions, Method, Model, RigidTransform, SurfaceArrays};

@@ -40,7 +40,7 @@ fn all_methods_measure_trimmed_faces_on_the_gpu_as_on_the_cpu() {
             assert!(reverse.lower <= 1.0 && 1.0 <= reverse.upper, "{method:?} {reverse:?}");
             assert!(result.forward.as_deref().unwrap().lower < 1e-6, "{method:?}");
         }
-        // The witness of `hierarchy` is a pair of middles, of which many are as good; its boxes
+        // The witness of `hierarchy` is a pair of middles, and many are as good; its boxes
         // on the GPU are rounded outwards.
         let (numbers, room): (fn(&DistanceResult) -> [f64; 2], f64) = match method {
             MethodName::Hierarchy => (|result| [result.lower, result.upper], 2e-4),

@@ -21,7 +21,7 @@ mod units;
 use nurbs_hausdorff::{Model, ReadReport};
 use support::iges::IgesText;
 
-/// Reads a file of which every face is read.
+/// Reads a file, every face of it.
 #[track_caller]
 fn read(text: &IgesText) -> (Model, ReadReport) {
     let text = text.text();

@@ -1,7 +1,7 @@
 //! The files beside the project, when they are there.
 
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

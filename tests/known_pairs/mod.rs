@@ -7,7 +7,9 @@
 mod models;
 
 use models::{bilinear, model, nets, repeated, shelf, surface, swept};
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel, Stop};
+use nurbs_hausdorff::internals::engine::{
+    Backend, DistanceOptions, DistanceResult, Engine, PreparedModel, Stop,
+};
 use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, Method, Model, SurfaceArrays};
 
 /// Applies a macro that declares tests to the names of all pairs.

@@ -7,7 +7,7 @@ use crate::support::trims::{
     reversed,
 };
 use glam::DVec3;
-use nurbs_hausdorff::model::ModelArrays;
+use nurbs_hausdorff::internals::model::ModelArrays;
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{

@@ -60,4 +60,17 @@ test("undo and redo a fit", async () => {
   for (const value of Object.values(await position())) assert.ok(Math.abs(value) < 1e-6);
 });
 
+test("a bracket that lies on its back finds its place from another start", async () => {
+  const { page } = opened;
+  for (const side of ["a", "b"]) {
+    await opened.until("done", () => page.locator(`#shape-${side}`).selectOption("bracket"));
+  }
+  await opened.until("done", () => page.locator("#turn-x-exact").fill("180"));
+  assert.ok(Number((await opened.data()).lower) > 10);
+  await opened.until("done", () => page.locator("#best-fit").click());
+  await page.waitForFunction(() => /steps\)/.test(document.getElementById("fit-text").textContent));
+  assert.ok(Number((await opened.data()).upper) < 1e-4, JSON.stringify(await opened.data()));
+  assert.equal(await page.locator("#fit-text").getAttribute("data-poor"), "false");
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -44,18 +44,6 @@ async function colorLeftOfMiddle() {
   }, image);
 }
 
-/** Takes the README's picture, for `npm run picture`; narrower, which keeps the file small. */
-async function takePicture(path) {
-  const { page } = opened;
-  const size = page.viewportSize();
-  await page.setViewportSize({ width: 1130, height: 800 });
-  await page.locator("#fit").click();
-  await page.mouse.move(0, 0);
-  await page.waitForTimeout(500);
-  await page.screenshot({ path });
-  await page.setViewportSize(size);
-}
-
 test("the first preset is measured and shown", async () => {
   const { page } = opened;
   const { lower, upper, computed, converged } = await opened.data();
@@ -70,7 +58,6 @@ test("the first preset is measured and shown", async () => {
   assert.match(await page.locator("#engine").textContent(), /WebGPU/);
   assert.ok(await page.locator("#banner").isHidden());
   await opened.screenshot("page");
-  if (process.env.PICTURE) await takePicture(process.env.PICTURE);
 });
 
 for (const method of ["certified", "iteration"]) {
@@ -95,6 +82,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   const { page } = opened;
   await page.selectOption("#method", "certified");
   await openPlanes([2.9], [3]);
+  await page.selectOption("#paint", "a");
   await opened.until("done", () => page.locator("#deviation").check());
   for (const [height, mean, red, ends] of [
     [2.9, "≈ −0.10000", false, ["−0.10000", "0.00000"]],
@@ -102,13 +90,13 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   ]) {
     await opened.until("done", () => page.locator("#move-z-exact").fill(`${height - 2.9}`));
     assert.deepEqual(await opened.texts("#statistics"), {
-      mean: "≈ 0.10000",
-      "signed mean": mean,
-      RMS: "≈ 0.10000",
-      median: "≈ 0.10000",
-      "95th percentile": "≈ 0.10000",
-      "99th percentile": "≈ 0.10000",
-      "maximum of the samples": "≈ 0.10000",
+      "A: mean": "≈ 0.10000",
+      "A: signed mean": mean,
+      "A: RMS": "≈ 0.10000",
+      "A: median": "≈ 0.10000",
+      "A: 95th percentile": "≈ 0.10000",
+      "A: 99th percentile": "≈ 0.10000",
+      "maximum of the map": "0.10000",
     });
     assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
     // The deviation has one sign, and so has the scale.
@@ -120,14 +108,15 @@ test("the deviation of a plane below and above another is signed, coloured, and 
   await opened.until("done", () => page.locator("#deviation").uncheck());
   assert.ok(await page.locator("#legend").isHidden());
   assert.ok(await page.locator("#estimates").isHidden());
+  await page.selectOption("#paint", "both");
 });
 
 /** The rows of the view, from the top, in which the arrow's pixels are, with their number. */
 async function arrowRows() {
   const { page } = opened;
   await page.waitForTimeout(500);
-  // The label has the arrow's colour.
-  const style = "#label, #tools { visibility: hidden }";
+  // The label has the arrow's colour, and others cover its ends.
+  const style = "#label, .end, #tools, #legend, #axes { visibility: hidden }";
   const image = (await page.locator("#canvas").screenshot({ style })).toString("base64");
   return page.evaluate(async (image) => {
     const bitmap = await createImageBitmap(
@@ -189,7 +178,7 @@ test("the arrow starts at the farthest point of the direction with the larger di
 
 test("projection lines and the painted deviation come with a legend", async () => {
   await opened.until("done", () =>
-    opened.page.selectOption("#preset", { label: "Two wavy sheets" }),
+    opened.page.selectOption("#preset", { label: "Experiments: two wavy sheets" }),
   );
   for (const box of ["#lines", "#deviation"]) {
     await opened.until("done", () => opened.page.locator(box).check());

@@ -6,8 +6,8 @@ use fastrand::Rng;
 use glam::{DVec3, DVec4};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-use nurbs_hausdorff::bezier::{Patch, extract};
-use nurbs_hausdorff::closest::{CriticalPoint, SquaredDistance};
+use nurbs_hausdorff::internals::bezier::{Patch, extract};
+use nurbs_hausdorff::internals::closest::{CriticalPoint, SquaredDistance};
 use nurbs_hausdorff::{Model, ParamBox, SurfaceArrays};
 
 /// 1.01 · 2^-53: the factor of the number of roundings in every allowance.
@@ -231,7 +231,7 @@ fn exact_square([p, q]: [usize; 2], controls: &[DVec4]) -> Vec<Exact> {
 }
 
 /// Section 6.6, about a critical point: the computed squared distance and its gradient
-/// are within their errors of the exact ones, of which that of the distance is attained
+/// are within their errors of the exact ones; that of the distance is attained
 /// to a tenth. The bound at the point itself is at most the exact squared distance.
 #[test]
 fn critical_point() {
@@ -287,7 +287,7 @@ fn derivatives([p, q]: [usize; 2], controls: &[Exact], [s, t]: &[BigRational; 2]
     [along(&rows, s), along(&columns, t)]
 }
 
-/// Lemma R9, E_n = u m_n + 2 E_(n-1) of the differences of order n, of which m_n is the
+/// Lemma R9, E_n = u m_n + 2 E_(n-1) of the differences of order n, where m_n is the
 /// largest as computed: a bound without it can be below the exact largest derivative.
 #[test]
 fn differences() {

@@ -55,7 +55,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("certified/search/incumbent.rs", "self.pruned_upper_bound", "bounds of nodes"),
     ("closest", "leg[", "chooses the axis to halve"),
     ("facets/facet.rs", "bound = bound.max", "the larger of two lower bounds: NaN is no bound"),
-    ("facets/facet.rs", "fraction.min(1.0)", "a weight, of which any is valid"),
+    ("facets/facet.rs", "fraction.min(1.0)", "a weight; any is valid"),
     ("facets/search", "levels", "integers"),
     ("facets/search/tests.rs", "fold(", "brute force over finite points"),
     ("facets/search/patch_cell.rs", "bends[axis]", "chooses the axis to halve"),

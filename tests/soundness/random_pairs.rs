@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// Pairs, with two that a coarser brute force once raised alarms on.
 const SEEDS: [u64; 2] = [9032, 9145];
 
-/// Pairs of the attack on two of which only a proof finds no violation, as their knots are close
+/// Pairs of the attack; for two of them only a proof finds no violation, as their knots are close
 /// together, and a point as B on the GPU.
 const ATTACK_SEEDS: [u64; 3] = [313, 100_291, 7297];
 const PAIRS: u64 = 60;
@@ -28,7 +28,7 @@ fn intervals_contain_what_brute_force_finds() {
     assert!(cells > 0);
 }
 
-/// Pairs of the attack's families, of which the example draws thousands.
+/// Pairs of the attack's families; the example draws thousands.
 const ATTACKS: u64 = 48;
 
 /// The seconds after which a computation counts as endless.

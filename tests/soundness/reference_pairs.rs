@@ -2,7 +2,7 @@
 
 use crate::support::{gpu::engine, models::folder};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, Engine, MethodName, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, Engine, MethodName, PreparedModel};
 use nurbs_hausdorff::{Error, HierarchyOptions, Method, Model, RigidTransform};
 use std::collections::HashMap;
 use std::path::Path;

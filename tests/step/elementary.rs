@@ -177,6 +177,59 @@ fn a_whole_torus_has_two_seams() {
     assert_eq!(report.fitted, 0);
 }
 
+/// The area of a sheet of a degenerate torus of radii R < r between two angles of its circle:
+/// `2 π r ∫ |R + r cos v| dv`.
+fn sheet_area([major, minor]: [f64; 2], [start, end]: [f64; 2]) -> f64 {
+    (TAU * minor * (major * (end - start) + minor * (end.sin() - start.sin()))).abs()
+}
+
+/// The outer sheet of a degenerate torus and the inner one, whole: their poles are vertex loops, or
+/// the ends of a seam.
+#[test]
+fn degenerate_tori_have_two_sheets() {
+    let radii: [f64; 2] = [2.0, 5.0];
+    let [major, minor] = radii;
+    let end = (-major / minor).acos();
+    let height = minor * end.sin();
+    for (is_outer, range) in [(true, [-end, end]), (false, [end, TAU - end])] {
+        for has_seam in [false, true] {
+            let mut text = StepText::new();
+            let placement = text.placement([0.0; 3], Z, X);
+            let logical = if is_outer { ".T." } else { ".F." };
+            let surface = text
+                .add(format!("DEGENERATE_TOROIDAL_SURFACE('',#{placement},{major:?},{minor:?},{logical})"));
+            let poles = [-height, height].map(|z| text.vertex([0.0, 0.0, z]));
+            let path = if has_seam {
+                let tube = text.placement([major, 0.0, 0.0], [0.0, -1.0, 0.0], X);
+                let tube = text.circle(tube, minor);
+                let ends = if is_outer { poles } else { [poles[1], poles[0]] };
+                let seam = text.edge(tube, ends, true);
+                text.edge_loop(&[(seam, true), (seam, false)])
+            } else {
+                text.add(format!("VERTEX_LOOP('',#{})", poles[0]))
+            };
+            let whole = text.face(&[path], surface, true);
+            let (model, report) = face(text, whole);
+            assert_near(areas(&model)[0], sheet_area(radii, range), 1e-9);
+            assert!(report.gap < 1e-9, "{}", report.gap);
+        }
+    }
+}
+
+/// The cap of the outer sheet above its largest circle, up to the pole.
+#[test]
+fn a_cap_of_a_degenerate_torus_reaches_its_pole() {
+    let radii = [2.0, 5.0];
+    let mut text = StepText::new();
+    let placement = text.placement([0.0; 3], Z, X);
+    let surface = text.add(format!("DEGENERATE_TOROIDAL_SURFACE('',#{placement},2.,5.,.T.)"));
+    let (rim, _) = ring(&mut text, 7.0, 0.0);
+    let path = text.edge_loop(&[(rim, true)]);
+    let cap = text.face(&[path], surface, true);
+    let (model, _) = face(text, cap);
+    assert_near(areas(&model)[0], sheet_area(radii, [0.0, (-0.4_f64).acos()]), 1e-9);
+}
+
 /// Four plane cuts of a cylinder: a hyperbola, a parabola and ellipses are conics of the file.
 #[test]
 fn an_ellipse_bounds_the_oblique_section_of_a_cylinder() {

@@ -95,6 +95,21 @@ fn a_shell_of_no_representation_and_a_body_of_another_kind_are_named() {
     assert_eq!(found, [("STEP_ENTITY", Some(block as u64)), ("STEP_LOOSE", Some(loose as u64))]);
 }
 
+/// Triangles that are a picture of a solid are no other body; those that stand alone are one.
+#[test]
+fn a_body_of_triangles_alone_is_named() {
+    let mut text = StepText::new();
+    let faces = box_faces(&mut text, [1.0, 2.0, 4.0]);
+    let solid = text.solid("", &faces);
+    let picture = text.add(format!("TESSELLATED_SOLID('',(),#{solid})"));
+    let alone = text.add("TESSELLATED_SHELL('',(),$)");
+    let written = text.of(&[solid, picture, alone], UnitsOf::Millimetres);
+    let (_, report) = Model::from_step(written.as_bytes()).unwrap();
+    assert_eq!(report.faces, 6);
+    let found: Vec<_> = report.skipped.iter().map(|skipped| (skipped.code, skipped.entity)).collect();
+    assert_eq!(found, [("STEP_ENTITY", Some(alone as u64))]);
+}
+
 #[test]
 fn a_file_without_bodies_has_no_model() {
     let mut text = StepText::new();
@@ -185,7 +200,7 @@ fn a_whole_surface_of_a_set_has_its_hole() {
     crate::assert_near(found[1], 3.0 * 25.0 - 2.0 * pi * 5.0 * 0.1, 1e-6);
 }
 
-/// Faces share a surface of 40,000 control points, of which each face of the model has a copy.
+/// Faces share a surface of 40,000 control points, and each face of the model has a copy.
 #[test]
 fn faces_that_share_a_large_surface_are_limited() {
     let mut text = StepText::new();

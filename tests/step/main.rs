@@ -10,8 +10,10 @@ mod support;
 
 mod assemblies;
 mod damage;
+mod degrees;
 mod elementary;
 mod left_out;
+mod loops;
 mod p_curves;
 mod polygons;
 mod real_files;
@@ -21,7 +23,7 @@ mod units;
 use nurbs_hausdorff::{Model, ReadReport};
 use support::step::{StepText, UnitsOf};
 
-/// Reads a text of which every face is read.
+/// Reads a text, every face of it.
 #[track_caller]
 fn read(text: &str) -> (Model, ReadReport) {
     let (model, report) = Model::from_step(text.as_bytes()).unwrap_or_else(|error| panic!("{error}\n{text}"));

@@ -1,6 +1,6 @@
 //! The engine that tests of the kernels run on.
 
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use nurbs_hausdorff::{Error, Model};
 use std::io::Write;
 

@@ -1,7 +1,7 @@
 //! Loops of trimming curves with known shapes.
 
 use nurbs_hausdorff::SurfaceArrays;
-use nurbs_hausdorff::model::trim::{FaceArrays, TrimCurveArrays};
+use nurbs_hausdorff::internals::model::trim::{FaceArrays, TrimCurveArrays};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// A Bézier curve with control points `[u, v, w]`.

@@ -1,26 +1,46 @@
 // The main page: connects the panel, the worker, the view and the results.
+import { ClearancePanel } from "./clearance/clearancePanel.ts";
+import { showMeeting } from "./clearance/meeting.ts";
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
 import { clearFit, isFitting, onFit, showFit } from "./controls/bestFit.ts";
 import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
-import { fillShapes, onSource, openShapes, setLoading, showSources } from "./controls/sources.ts";
+import { IN_PLACE } from "./controls/presets.ts";
+import {
+  fillShapes,
+  onSource,
+  openShapes,
+  setLoading,
+  showSources,
+  sourcesOf,
+} from "./controls/sources.ts";
+import { visibilities } from "./controls/visibilities.ts";
 import { download } from "./export/download.ts";
 import { onExport } from "./export/exportPanel.ts";
 import { exportAs } from "./export/exports.ts";
+import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
+import { FaceTree } from "./faces/faceTree.ts";
 import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
+import { forgetFiles, keepFile, keepState, keptFiles } from "./files/kept.ts";
+import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
+import { PlaceView } from "./inspection/placeView.ts";
 import * as resultPanel from "./results/resultPanel.ts";
-import { onLimit } from "./results/verdict.ts";
+import { addMeasured, needsPrecision, onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
-import { applyFormState } from "./state/formState.ts";
+import { applyFormState, formState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import type { FitReply, PlainOptions, Reply } from "./worker/protocol.ts";
+import { type FitReply, type PlainOptions, type Reply, SIDES } from "./worker/protocol.ts";
+
+/** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
+const FINEST = 1e-9;
+const FINER = 30;
 
 const canvas = element("canvas", HTMLCanvasElement);
 // The worker starts first; its replies wait until the page is complete.
@@ -44,25 +64,65 @@ const faces = new FacesPanel({
   show: (result) => view.showFaces(result),
   select: (change) => view.selectFace(change),
 });
+const tree = new FaceTree({
+  hide: (side, hidden) => view.hideFaces(side, hidden),
+  look: (side, face) => view.approachFace(side, face),
+});
 const probing = new Probing(canvas, view, client, () => pose().transform);
+const places = new PlaceView(view, probing, tree);
+const views = new Views(view, canvas);
+const clearance = new ClearancePanel({
+  change: () => {
+    if (!clearance.active) {
+      client.cancelClearance();
+      showMeeting(view, undefined);
+    }
+    measure();
+  },
+  select: ({ witness: { a, b } }) =>
+    view.approach(a.point, b.point, { length: "", from: "A", to: "B" }),
+});
 /** Controls that are set only after the models of their state are loaded. */
 let pending: string | undefined;
+/** The tolerance of a measurement that the user's precision did not decide. */
+let finer: number | undefined;
+let started = false;
 const past = new History((state) => {
   if (openShapes(state)) pending = state;
   else applyFormState(state);
 });
+past.onFileState = (state) => void keepState(state);
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
+element("load-cancel").addEventListener("click", stopLoading);
 element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
+element("add-view").addEventListener("click", () => views.add());
+element("forget").addEventListener("click", () => {
+  void forgetFiles();
+  element("kept").hidden = true;
+});
+element("sheet").addEventListener("click", () => {
+  const open = element("panel").classList.toggle("open");
+  element("sheet").setAttribute("aria-expanded", `${open}`);
+  element("sheet").textContent = open ? "Show the parts" : "Show all";
+});
 canvas.addEventListener("dblclick", () => view.fit());
 document.addEventListener("input", () => past.record());
+view.onCamera((place) => {
+  past.camera = place;
+});
 display.onDisplay((name) => view.look(name), show);
 deviation.onScale((scale) => view.rescale(scale));
-onLimit(() => deviation.rescale());
+onLimit(() => {
+  deviation.rescale();
+  places.show();
+  refine();
+});
 options.onChange(() => {
   resultPanel.hideError();
+  finer = undefined;
   measure();
 });
 position.onPosition(moved);
@@ -82,8 +142,9 @@ onSource((sources, placement) => {
 });
 onExport((format) =>
   exportAs(format, {
-    ...{ view, canvas, options: measured(), diff: faces.result, pins: view.pins.probes },
-    ...{ result: view.result, names: view.models.names, requestCsv: () => client.csv() },
+    ...{ view, views, options: measured(), diff: faces.result, pins: view.pins.probes },
+    ...{ result: view.result, models: view.models.drawn, requestCsv: () => client.csv() },
+    places: places.all,
   }),
 );
 
@@ -96,6 +157,7 @@ function pose(): Pose {
 function measured(): PlainOptions {
   return {
     ...options.distanceOptions(),
+    ...(finer !== undefined && { relativeTolerance: finer }),
     transform: pose().transform,
     scaleUnits: scalesUnits(),
   };
@@ -106,6 +168,7 @@ function moved(): void {
   if (isFitting()) client.cancelFit();
   clearFit();
   probing.clear();
+  finer = undefined;
   if (faces.active) {
     client.cancelDiff();
     faces.clear("outdated", "A was moved: compare again.");
@@ -115,25 +178,44 @@ function moved(): void {
 }
 
 function show(): void {
-  const overlays = options.overlays();
-  const a = display.visibility("a");
-  view.show(pose(), overlays, {
-    // Lines inside A are seen through it.
-    visibility: {
-      a: a === "solid" && overlays.lines ? "glass" : a,
-      b: display.visibility("b"),
-    },
+  view.show(pose(), options.overlays(), {
+    visibility: visibilities(view.models, view.result),
     orthographic: display.isOrthographic(),
     section: display.section(),
     gizmo: display.gizmoMode(),
+    wipe: display.wipe(),
   });
+  drawCut(view.models);
 }
 
 function measure(): void {
   if (!view.models.complete) return;
   show();
+  if (clearance.active) {
+    clearance.showPending();
+    const { transform } = pose();
+    client.clearance({ below: clearance.below, transform, scaleUnits: scalesUnits() });
+    return;
+  }
   resultPanel.showPending();
-  client.measure(measured());
+  client.measure(measured(), options.paint());
+}
+
+/** Measures again with a finer tolerance where the verdict needs it, down to what float64 has. */
+function refine(): void {
+  const { result } = view;
+  if (result?.method !== "certified" || !result.converged || !needsPrecision()) return;
+  const now = finer ?? options.distanceOptions().relativeTolerance ?? FINEST;
+  if (now <= FINEST) return;
+  finer = Math.max(FINEST, now / FINER);
+  measure();
+}
+
+function stopLoading(): void {
+  // The models before keep their position and options.
+  pending = formState();
+  client.stopLoading(IN_PLACE);
+  setLoading(view.models.complete);
 }
 
 function showFitted(reply: FitReply): void {
@@ -151,51 +233,97 @@ function showFitted(reply: FitReply): void {
 function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
   faces.clear("idle", "");
   probing.clear();
+  views.clear();
   clearFit();
+  finer = undefined;
   view.showModels(models);
+  tree.show(view.models.drawn);
   showSources(models, placement);
   showFileNotes(models);
   view.models.scale = unitScale();
   faces.propose(view.models.diagonal);
   position.setPlacement(placement, view.models.diagonal);
-  if (pending !== undefined) applyFormState(pending, ["a", "b"]);
+  keep(models);
+  const state = pending;
   pending = undefined;
+  if (state !== undefined) applyFormState(state, ["a", "b"]);
   setLoading(false);
   hideResult();
   resultPanel.clearResult("working");
   measure();
-  view.fit();
-  const fromFile = Object.values(models).some(({ source }) => "file" in source);
+  view.fit(true);
+  const camera = History.cameraOf(state);
+  if (camera !== undefined) view.camera = camera;
+  const { drawn } = view.models;
+  const fromFile = SIDES.some((side) => "file" in (drawn[side]?.source ?? {}));
   past.ofFiles = fromFile;
   if (fromFile) past.reset();
   else past.record();
 }
 
-function hideResult(): void {
-  view.hideResult();
-  deviation.hideDeviation();
+/** Keeps files over a reload; a shape replaces the file that was kept in its place. */
+function keep(models: Extract<Reply, { kind: "loaded" }>["models"]): void {
+  for (const side of SIDES) {
+    const source = models[side]?.source;
+    if (source === undefined) continue;
+    void keepFile(side, "file" in source ? source.file : undefined);
+  }
+  const { drawn } = view.models;
+  element("kept").hidden = !SIDES.some((side) => "file" in (drawn[side]?.source ?? {}));
 }
 
-function showMeasured({ result, field, pending }: Extract<Reply, { kind: "measured" }>): void {
+function hideResult(): void {
+  view.hideResult();
+  deviation.hideMaps();
+  places.show();
+  drawCut(view.models);
+}
+
+function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
   // The colours before stay until new ones replace them.
-  const replaced = field !== undefined || !pending;
+  const hasMaps = Object.keys(maps).length > 0;
+  const replaced = hasMaps || !pending;
   view.showResult(result, replaced);
-  if (replaced) deviation.hideDeviation();
-  if (field === undefined) return;
-  const { scale, largest } = deviation.showDeviation(result, field);
-  view.showField(field, scale, largest);
+  show();
+  if (replaced) deviation.hideMaps();
+  if (hasMaps) {
+    const { scale, largest } = deviation.showMaps(result, maps);
+    const { lowest, highest } = deviation.painted()?.extent ?? { lowest: 0, highest: 0 };
+    addMeasured({ lowest, highest });
+    view.showMaps(maps, scale, largest);
+  }
+  if (!replaced) return;
+  places.show();
+  drawCut(view.models);
+}
+
+/** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */
+async function openFirst(): Promise<void> {
+  const { linked } = History;
+  const parameters = new URLSearchParams(linked);
+  const { files, state } =
+    parameters.has("a") || parameters.has("b") ? { files: {}, state: "" } : await keptFiles();
+  if (Object.keys(files).length > 0) {
+    pending = state;
+    setLoading(true);
+    client.load(
+      { ...{ a: { shape: "bracket" }, b: { shape: "bracket-revised" } }, ...sourcesOf(files) },
+      IN_PLACE,
+    );
+  } else if (linked !== undefined && openShapes(linked)) pending = linked;
+  else openShapes();
 }
 
 function onReply(reply: Reply): void {
   switch (reply.kind) {
-    case "ready": {
+    case "ready":
       warnings.showEngine(reply.engine);
-      const { linked } = History;
+      // A worker that replaces another loads the models of that one.
+      if (started) break;
+      started = true;
       fillShapes(reply.shapes);
-      if (linked !== undefined && openShapes(linked)) pending = linked;
-      else openShapes();
+      void openFirst();
       break;
-    }
     case "loading":
       setLoading(true, reply.text);
       break;
@@ -216,6 +344,10 @@ function onReply(reply: Reply): void {
       showMeasured(reply);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);
+      if (!reply.pending && client.isNewest(reply.run)) refine();
+      break;
+    case "clearance":
+      if (clearance.active) showMeeting(view, clearance.show(reply));
       break;
     case "diff":
       // A comparison that ended because A was moved is no longer shown.

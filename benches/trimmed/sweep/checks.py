@@ -65,7 +65,7 @@ def reading(command: Command, subject: Subject) -> list[str]:
     except Refused as refused:
         return [f"refused ({refused.status}): {refused.message}"]
     subject.readable, subject.gap = True, info["gap"]
-    # Notes name faces of which the file leaves something open; warnings, those left out.
+    # Notes name faces that the file does not define fully; warnings, those left out.
     found = [line.split(": ", 2)[-1] for line in warnings if not line.startswith("note:")]
     if len(info["faces"]) != len(subject.areas):
         found.append(f"{len(info['faces'])} of {len(subject.areas)} faces")

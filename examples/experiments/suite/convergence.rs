@@ -5,9 +5,9 @@ use super::chart::{Axis, Panel, Series, Style};
 use super::{Anyhow, Setup, Table};
 use fastrand::Rng;
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet, extract};
-use nurbs_hausdorff::closest::{Foot, nearest_control, newton, tangent_plane};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::bezier::{Jet, Patch, PatchSet, extract};
+use nurbs_hausdorff::internals::closest::{Foot, nearest_control, newton, tangent_plane};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
 use nurbs_hausdorff::shapes::shape;
 
 /// The number of intervals of d times kappa, the start of the first, and their width.

@@ -4,9 +4,9 @@
 use super::chart::{Axis, Panel, Series, Style};
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{DistanceOptions, IterationOptions, Method, PreparedModel};
-use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{DistanceOptions, IterationOptions, Method, PreparedModel};
+use nurbs_hausdorff::internals::iteration::Culling;
 use nurbs_hausdorff::shapes::{FIGURE5_RADIUS, FIGURE5_SAMPLES, figure5_cylinder, figure5_plane};
 
 /// The numbers of samples along each axis; the paper's spacing of 16 is among them.

@@ -1,11 +1,11 @@
 //! The methods compared.
 
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
 };
-use nurbs_hausdorff::flatness::Flatness;
-use nurbs_hausdorff::iteration::Culling;
+use nurbs_hausdorff::internals::flatness::Flatness;
+use nurbs_hausdorff::internals::iteration::Culling;
 
 /// A method with its settings.
 #[derive(Debug, Clone)]

@@ -13,7 +13,7 @@ mod split_rule;
 mod sweep;
 mod table;
 
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Backend, DistanceOptions, DistanceResult, Engine, PreparedModel};
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;

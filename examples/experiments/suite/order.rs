@@ -5,7 +5,7 @@ use super::inputs::models::models_of;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, PreparedModel};
 use nurbs_hausdorff::shapes::{shape, sphere_parts};
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
 

@@ -5,7 +5,7 @@ use super::inputs::models::shared;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, PreparedModel};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use nurbs_hausdorff::{Model, RigidTransform};
@@ -19,7 +19,7 @@ const SIDE_A: f64 = 0.2;
 /// The translation of A, relative to its diagonal.
 const MOVE: DVec3 = DVec3::new(0.01, 0.005, 0.002);
 
-/// The number of solves, of which the fastest counts, as other load only adds.
+/// The number of solves; the fastest counts, as other load only adds.
 const ROUNDS: usize = 7;
 
 const COLUMNS: [&str; 7] =

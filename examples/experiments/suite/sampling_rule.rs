@@ -6,8 +6,8 @@ use super::inputs::models::models_of;
 use super::methods::certified;
 use super::{Anyhow, Setup, Table};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, MethodName, PreparedModel};
-use nurbs_hausdorff::iteration::SamplingRule;
+use nurbs_hausdorff::internals::engine::{DistanceOptions, MethodName, PreparedModel};
+use nurbs_hausdorff::internals::iteration::SamplingRule;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, RigidTransform};
 

@@ -9,7 +9,7 @@ use super::surfaces::{Weights, surface, weights};
 use super::surfaces::{degenerate, direction, magnitude, surface_of_degree};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, MethodName};
+use nurbs_hausdorff::internals::engine::{Backend, MethodName};
 use nurbs_hausdorff::shapes::operations::cut_model;
 use nurbs_hausdorff::shapes::{lateral, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
@@ -21,7 +21,7 @@ const BUDGETS: [usize; 3] = [1, 1000, 5000];
 /// scaled, about 1e100.
 const MAX_EXPONENT: i32 = 332;
 
-/// One pair in so many is computed on the GPU, as adapters in software are slow.
+/// The number of pairs of which one is computed on the GPU, as adapters in software are slow.
 const GPU_SHARE: u64 = 32;
 
 /// Draws a pair of a family.

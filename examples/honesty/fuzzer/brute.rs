@@ -73,7 +73,7 @@ impl<'a> Target<'a> {
 
     /// Returns whether a point of the target within `limit` is found, by searches of
     /// increasing cost. `counterpart` is the point's surface and parameters on its own
-    /// model, of which the target may be a copy, or a transposed copy.
+    /// model; the target may be a copy of it, or a transposed copy.
     pub(crate) fn is_within(&self, point: DVec3, limit: f64, counterpart: (usize, DVec2)) -> bool {
         let squared = limit * limit;
         let is_near_copy = |sheet: &Sheet| {

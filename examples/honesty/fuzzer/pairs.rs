@@ -6,7 +6,7 @@ use super::refits::{Refit, refit};
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Backend, MethodName};
+use nurbs_hausdorff::internals::engine::{Backend, MethodName};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 
 /// The budgets of cells per direction, with which a pair takes milliseconds.

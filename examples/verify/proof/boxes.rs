@@ -15,7 +15,7 @@ enum Content {
     Children([usize; 2]),
 }
 
-/// A binary tree of boxes, each of which contains the patches below it, rigorously.
+/// A binary tree of boxes; each contains the patches below it, rigorously.
 pub(crate) struct BoxTree {
     nodes: Vec<Node>,
     root: usize,

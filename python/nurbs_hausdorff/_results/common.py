@@ -57,15 +57,19 @@ class Seconds:
     compile: float = 0.0
 
 
-
 def place(at: SurfacePoint) -> str:
     """Return the face or the facet of a point, and its coordinates."""
     if at.index is not None:
         return f"point {at.index} at {at.point}"
     if at.triangle is not None:
         return f"triangle {at.triangle} at {at.point}"
-    name = "" if at.face_name is None else f" ({at.face_name})"
-    return f"face {at.face}{name} at {at.point}"
+    return f"{face(at)} at {at.point}"
+
+
+def face(at: SurfacePoint) -> str:
+    """Return the number of a point's face, with the name if it has one that says more."""
+    number = f"face {at.face}"
+    return number if at.face_name in (None, number) else f"{number} ({at.face_name})"
 
 
 def table(rows: list[tuple[str, str]]) -> str:

@@ -12,7 +12,26 @@ State = Literal["unchanged", "undecided", "changed"]
 
 @dataclass(frozen=True)
 class FaceDifference:
-    """A face with the interval of its distance from the other model, and its state."""
+    """A face with the interval of its distance from the other model, and its state.
+
+    Attributes
+    ----------
+    face : int
+        Index of the face.
+    state : {"unchanged", "undecided", "changed"}
+        Whether the interval is up to the limit, on both sides of it, or beyond it.
+    lower, upper : float
+        Interval that contains the largest distance of the face's points from the other model,
+        in model units; the search ends when it decides the state.
+    gap : float
+        Distance of the face and the other model from their sources together, in model units.
+    with_gaps : {"unchanged", "undecided", "changed"}
+        State that holds for the sources too.
+    witness : Witness
+        The face's farthest point that was found, and the closest point of the other model.
+    cells : int
+        Number of cells examined.
+    """
 
     face: int
     state: State

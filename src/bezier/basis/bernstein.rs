@@ -1,10 +1,5 @@
 //! Bernstein polynomials and their derivatives.
 
-use crate::model::MAX_DEGREE;
-
-/// The largest number of control points of a patch along one direction.
-pub const MAX_ORDER: usize = MAX_DEGREE + 1;
-
 /// The values and the first two derivatives of all Bernstein polynomials of one
 /// degree below `N`: `basis[k][i]` is the k-th derivative of `B_i`.
 pub(in crate::bezier) type Basis<const N: usize> = [[f64; N]; 3];

@@ -87,6 +87,39 @@ pub(crate) fn dot_products(degree: [usize; 2], left: &[DVec4], right: &[DVec4]) 
     sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).collect()
 }
 
+/// Returns the Bernstein coefficients, of three times the degrees, of `n·m` and `d e`, with the scaled
+/// controls `(n, d)` of a rational function of these degrees and `(m, e)`, of twice the degrees, the sum
+/// of what `inner` gives for each two of them, by their indices. O(p² q²).
+pub(crate) fn triple_products(
+    degree: [usize; 2],
+    controls: &[DVec4],
+    inner: impl Fn(usize, usize) -> DVec4,
+) -> Vec<(f64, f64)> {
+    let [rows, columns] = degree.map(|degree| degree + 1);
+    let [doubled, tripled] = [2, 3].map(|factor| degree.map(|degree| factor * degree));
+    let stride = doubled[1] + 1;
+    let mut right = vec![DVec4::ZERO; (doubled[0] + 1) * stride];
+    for first in 0..rows * columns {
+        for second in 0..rows * columns {
+            let row = first / columns + second / columns;
+            right[row * stride + first % columns + second % columns] += inner(first, second);
+        }
+    }
+    let mut sums = vec![DVec4::ZERO; (tripled[0] + 1) * (tripled[1] + 1)];
+    for (i, left) in controls.chunks_exact(columns).enumerate() {
+        for (k, right) in right.chunks_exact(stride).enumerate() {
+            let sums = &mut sums[(i + k) * (tripled[1] + 1)..][..=tripled[1]];
+            for (j, &factor) in left.iter().enumerate() {
+                for (sum, &control) in sums[j..].iter_mut().zip(right) {
+                    *sum += factor * control;
+                }
+            }
+        }
+    }
+    unscale(tripled, &mut sums);
+    sums.iter().map(|sum| (sum.x + sum.y + sum.z, sum.w)).collect()
+}
+
 /// Adds the products of each two rows, coordinate by coordinate, to `sums`.
 #[inline(always)]
 fn add_products<R: AsRef<[DVec4]>>(rows: &[R], sums: &mut [DVec4]) {

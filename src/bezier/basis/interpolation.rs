@@ -1,6 +1,6 @@
 //! Bernstein coefficients of the polynomial through points.
 
-use super::bernstein::MAX_ORDER;
+use crate::limits::MAX_ORDER;
 use std::f64::consts::PI;
 
 /// Returns the values at `t` in [0, 1] of the Bernstein polynomials of a degree below

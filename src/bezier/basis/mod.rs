@@ -7,8 +7,9 @@ mod interpolation;
 mod power_form;
 mod restriction;
 
-pub use bernstein::MAX_ORDER;
-pub(crate) use bernstein_product::{binomials, dot_products, length_bounds, scaled, squares, unscale};
+pub(crate) use bernstein_product::{
+    binomials, dot_products, length_bounds, scaled, squares, triple_products, unscale,
+};
 pub(crate) use grid_basis::GridBasis;
 pub(crate) use interpolation::{Interpolation, bernstein};
 pub(crate) use restriction::{Restriction, elevation_shares};

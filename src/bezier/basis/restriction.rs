@@ -1,8 +1,8 @@
 //! Restriction of polynomials to an interval as a matrix of Bernstein coefficients.
 
-use super::bernstein::MAX_ORDER;
 use super::{bernstein, binomials};
 use crate::axis::Axis;
+use crate::limits::MAX_ORDER;
 use glam::DVec4;
 
 /// The matrix that restricts the Bernstein coefficients of a polynomial to an interval, and elevates

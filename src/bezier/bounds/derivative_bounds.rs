@@ -33,7 +33,7 @@ impl DerivativeBounds {
         }
     }
 
-    /// Returns the bounds by other parameters, of which an interval of length 1
+    /// Returns the bounds by other parameters; an interval of theirs of length 1
     /// of these parameters spans h and k.
     pub(crate) fn rescaled(mut self, [h, k]: [f64; 2]) -> Self {
         for bounds in [&mut self.first[..], &mut self.second, &mut self.third] {

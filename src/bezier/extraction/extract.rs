@@ -3,12 +3,12 @@
 use crate::axis::Axis;
 use crate::bezier::patch::Entry;
 use crate::bezier::patch::evaluate::contract;
-use crate::bezier::{MAX_ORDER, PatchSet, PointError};
+use crate::bezier::{PatchSet, PointError};
 use crate::bvh::Aabb;
-use crate::model::{Model, NurbsSurface};
-use crate::parallel::{map, map_items, ranges};
+use crate::model::{Model, NurbsSurface, Span, breaks, multiplicities, spans};
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
+use crate::threads::parallel::{map, map_items, ranges};
 use bytemuck::zeroed_vec;
 use glam::{DVec3, DVec4};
 use std::ops::Range;
@@ -24,15 +24,6 @@ const CENTERS_ON_DIAGONAL: f64 = (1_u32 << 22) as f64;
 /// The exponent bits of a float64. Without its other bits, a positive number
 /// is the largest power of two not above it.
 const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
-
-/// A non-empty knot span with the linear map from its degree + 1 control
-/// points to its Bézier controls.
-pub(crate) struct Span {
-    pub(crate) first_control: usize,
-    pub(crate) ends: [f64; 2],
-    /// `operator[k][i]` is the coefficient of control point `first_control + i` in Bézier control k.
-    pub(crate) operator: Vec<[f64; MAX_ORDER]>,
-}
 
 /// The grid of the patches of one surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,7 +126,7 @@ pub fn extract(model: &Model) -> BezierModel {
             let control_count = range.len() * extraction.patch_size();
             let (entries, other_entries) = rest.0.split_at_mut(range.len());
             let (controls, other_controls) = rest.1.split_at_mut(control_count);
-            parts.push((extraction, Part { range, entries, first_control, controls }));
+            parts.push((extraction, PatchRange { range, entries, first_control, controls }));
             first_control += control_count;
             rest = (other_entries, other_controls);
         }
@@ -173,7 +164,7 @@ pub(in crate::bezier) fn center_of(points: impl Iterator<Item = DVec3>, grid: f6
 }
 
 /// A part of the patches of one surface, to be filled in.
-struct Part<'a> {
+struct PatchRange<'a> {
     /// The positions of the patches in the surface's grid, v fastest.
     range: Range<usize>,
     entries: &'a mut [Entry],
@@ -232,7 +223,7 @@ impl<'a> Extraction<'a> {
     }
 
     /// Fills in a part of the surface's patches; returns the rounding of their controls.
-    fn fill(&self, part: Part<'_>) -> PointError {
+    fn fill(&self, part: PatchRange<'_>) -> PointError {
         let Self { index, surface, spans: [in_u, in_v], weight_scale, grid } = self;
         let degree = surface.degree();
         let (rows, columns) = (degree[0] + 1, degree[1] + 1);
@@ -284,70 +275,4 @@ impl<'a> Extraction<'a> {
         }
         point_error
     }
-}
-
-/// Returns the ends of consecutive spans, each once.
-fn breaks(spans: &[Span]) -> Vec<f64> {
-    let starts = spans.iter().map(|span| span.ends[0]);
-    starts.chain(spans.last().map(|span| span.ends[1])).collect()
-}
-
-/// Returns the multiplicities of the ends of consecutive spans, with degree + 1 for the first and the last.
-///
-/// From one span to the next the first control point moves by the multiplicity of the knot between them.
-fn multiplicities(spans: &[Span], degree: usize) -> Vec<u8> {
-    let inner = spans.windows(2).map(|pair| pair[1].first_control - pair[0].first_control);
-    // Valid knots are repeated at most degree + 1 times, 16.
-    std::iter::once(degree + 1)
-        .chain(inner)
-        .chain([degree + 1])
-        .map(|multiplicity| multiplicity as u8)
-        .collect()
-}
-
-/// Returns the non-empty spans of the domain.
-pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
-    (degree..count)
-        .filter(|&index| knots[index] < knots[index + 1])
-        .map(|index| Span {
-            first_control: index - degree,
-            ends: [knots[index], knots[index + 1]],
-            operator: (0..=degree)
-                .map(|k| blossom(knots, degree, index, [knots[index], knots[index + 1]], k))
-                .collect(),
-        })
-        .collect()
-}
-
-/// Returns the coefficients of a span's control points in the blossom at the first
-/// argument, degree - k times, and the second, k times, both in the span.
-///
-/// Both factors of a level are quotients of differences of knots, so each has a
-/// relative error of three roundings (lemma R3 of docs/rounding.md). `1 - fraction`
-/// would not: near 1 the fraction's error is as large as the complement, and a
-/// control of small weight then moves by its whole weight ratio.
-pub(super) fn blossom(
-    knots: &[f64],
-    degree: usize,
-    span: usize,
-    arguments: [f64; 2],
-    k: usize,
-) -> [f64; MAX_ORDER] {
-    let mut coefficients = [[0.0; MAX_ORDER]; MAX_ORDER];
-    for (index, row) in coefficients.iter_mut().enumerate().take(degree + 1) {
-        row[index] = 1.0;
-    }
-    for level in 1..=degree {
-        let argument = if level <= k { arguments[1] } else { arguments[0] };
-        for index in 0..=degree - level {
-            let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
-            let fraction = (argument - low) / (high - low);
-            let complement = (high - argument) / (high - low);
-            let next = coefficients[index + 1];
-            for (coefficient, next) in coefficients[index].iter_mut().zip(next) {
-                *coefficient = complement * *coefficient + fraction * next;
-            }
-        }
-    }
-    coefficients[0]
 }

@@ -1,9 +1,9 @@
 //! Curves made from edges in space where the file has none in the parameters.
 
+use super::found_curve::{FoundCurve, lifted};
 use super::gap::Gap;
-use super::projection::{Projector, Traced};
-use super::uses::{FoundCurve, lifted};
-use crate::brep::nurbs::{Conic, Curve, Frame, Spline, Surface, project};
+use super::projection::{Projector, Traced, angle, on_meridian};
+use crate::brep::nurbs::{Curve, Frame, Spline, Surface, project};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Topology};
 use glam::{DAffine3, DVec3};
@@ -170,27 +170,6 @@ fn revolution_parameters(
     Some(parameters)
 }
 
-/// Returns the parameter of the profile's point nearest to a meridian's point at this radius and
-/// height: that on the same side of the axis, unless the surface passes the point on the other
-/// side alone, as the second half of a cone does.
-pub(super) fn on_meridian(profile: &Curve, radius: f64, height: f64) -> Option<f64> {
-    let [near, far] = [radius, -radius].map(|x| {
-        let point = DVec3::new(x, 0.0, height);
-        on_profile(profile, point).map(|v| (v, profile.point(v).distance(point)))
-    });
-    let ((near, distance), (far, other)) = (near?, far?);
-    let passes = LINE_TOLERANCE * radius.hypot(height);
-    Some(if distance > passes && other < OTHER_SIDE * distance { far } else { near })
-}
-
-/// The part of a distance that another one must be below to be clearly less.
-const OTHER_SIDE: f64 = 0.5;
-
-/// Returns the angle by which a point of the profile is turned to a point of the surface.
-pub(super) fn angle(local: DVec3, on_profile: DVec3) -> f64 {
-    local.y.atan2(local.x) - on_profile.y.atan2(on_profile.x)
-}
-
 /// Returns the ends of the parameter line through points with these parameters; `None` where
 /// a point is farther from the line's point of equal parameter than the tolerance.
 fn parameter_line(
@@ -214,21 +193,4 @@ fn parameter_line(
         let (start, end) = (on_line(&parameters[0]), on_line(&parameters[parameters.len() - 1]));
         (gap <= LINE_TOLERANCE * size && start != end).then_some([start, end])
     })
-}
-
-/// Returns the parameter of a profile's point nearest to a point of the plane y = 0, for
-/// lines and circles.
-pub(super) fn on_profile(profile: &Curve, point: DVec3) -> Option<f64> {
-    match profile {
-        Curve::Line { point: origin, direction } => {
-            Some((point - *origin).dot(*direction) / direction.length_squared())
-        }
-        Curve::Conic { conic: Conic::Elliptic, center, x, y } => {
-            let from_center = point - *center;
-            let [a, b] = [x, y].map(|axis| from_center.dot(*axis) / axis.length_squared());
-            Some(b.atan2(a))
-        }
-        Curve::Trimmed { basis, .. } => on_profile(basis, point),
-        _ => None,
-    }
 }

@@ -7,6 +7,7 @@
 //! the loops meet in equal floats.
 
 mod fit;
+mod found_curve;
 mod gap;
 mod inversion;
 mod joints;
@@ -58,8 +59,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim, is_measured: bool| FaceArrays {
         gap: scale * net.error,
-        // An approximated surface is compared with the file's at points.
-        gap_measured: is_measured || net.error > 0.0,
+        gap_measured: is_measured || net.is_measured,
         surface: net.into_arrays(&face.location),
         trim,
         reversed: false,
@@ -131,7 +131,7 @@ fn net(surface: &Surface, ranges: [[f64; 2]; 2]) -> Result<SurfaceNet, FaceFault
         let why = "the loops leave the surface so far that its continuation has weights below 0";
         return Err(FaceFault::new("BREP_OUTSIDE_DOMAIN", why));
     }
-    Ok(net)
+    Ok(net.of_accepted_degree()?)
 }
 
 fn curve_arrays(mapped: &Mapped) -> TrimCurveArrays {

@@ -1,10 +1,10 @@
 //! The curves of a wire's edges in the parameter plane of a face.
 
+use super::found_curve::{FoundCurve, lifted};
 use super::gap::Gap;
 use super::inversion::invert;
 use super::section::Section;
-use crate::brep::gap::Lifted;
-use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::nurbs::Spline;
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
 use glam::{DAffine3, DVec3};
@@ -36,29 +36,6 @@ pub(super) struct TrimUse {
     pub(super) deviation: f64,
     /// Whether the file places the curve; one made from the edge may lie periods away.
     pub(super) is_placed: bool,
-}
-
-/// The curve of an edge, in its direction, with the fields of [`TrimUse`].
-pub(super) struct FoundCurve {
-    pub(super) curve: Spline,
-    pub(super) gap: Gap,
-    pub(super) fitted: bool,
-    pub(super) section: Option<(Section, Gap)>,
-    pub(super) deviation: f64,
-    pub(super) is_placed: bool,
-}
-
-impl FoundCurve {
-    /// Adds the plane section of the surface that the edge is if it is nearer to the edge than
-    /// the curve, whose ends it then takes. The edge's curve goes to the coordinates of
-    /// the surface by `to_face`.
-    pub(super) fn with_section(self, to_face: &DAffine3, lifted: &Lifted<'_>) -> Self {
-        let Some(section) = Section::new(lifted.edge, to_face, lifted.surface) else { return self };
-        match section.gap(&self.curve, lifted, self.gap.length) {
-            Some(gap) => Self { section: Some((section, gap)), ..self },
-            None => self,
-        }
-    }
 }
 
 impl TrimUse {
@@ -240,23 +217,3 @@ fn p_curve<'a>(
 
 /// The largest difference of entries of equal locations, which products round differently.
 const SAME_LOCATION: f64 = 1e-9;
-
-/// Returns a curve on the surface, over a range, beside the edge; `None` if either is missing.
-pub(super) fn lifted<'a>(
-    file: &'a Topology,
-    face: &Face,
-    edge: &'a Edge,
-    location: &DAffine3,
-    (curve, range): (&'a Curve, [f64; 2]),
-) -> Option<Lifted<'a>> {
-    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return None };
-    Some(Lifted {
-        surface: &file.surfaces[surface],
-        surface_location: face.location,
-        curve,
-        range,
-        edge: &file.curves[space.curve],
-        edge_location: *location * space.location,
-        edge_range: space.range,
-    })
-}

@@ -1,8 +1,7 @@
 //! Parameters of an edge as a function of those of a part of a curve.
 
-use super::local::Local;
+use super::local::{Ends, Local};
 use super::nearest::nearest;
-use super::part::Ends;
 use std::f64::consts::PI;
 
 /// A polynomial on [-1, 1] that increases or decreases throughout, so that it maps the part

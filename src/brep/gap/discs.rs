@@ -3,9 +3,8 @@
 use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::interpolant::{COUNTS, remainder};
-use super::local::{Local, LocalSurface};
+use super::local::{Ends, Local, LocalSurface};
 use super::majorant::{CurveMajorant, SurfaceMajorant};
-use super::part::Ends;
 use glam::{DMat3, DVec3};
 
 /// The largest exponent of the ellipses ρ = 2, 4, ….

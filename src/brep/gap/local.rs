@@ -4,6 +4,9 @@ use super::Lifted;
 use crate::brep::nurbs::{Curve, Frame, Surface, project};
 use glam::{DVec3, DVec4};
 
+/// The parameters of corresponding points of the curve and the edge, at both ends.
+pub(super) type Ends = [(f64, f64); 2];
+
 /// A curve on the cell around a parameter.
 pub(super) enum LocalCurve<'a> {
     /// The homogeneous Taylor coefficients of a spline at its centre, by which it is evaluated

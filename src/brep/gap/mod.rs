@@ -16,7 +16,7 @@ mod part;
 
 use super::nurbs::{Curve, Surface};
 use glam::{DAffine3, DVec3};
-use part::Part;
+use part::GapPart;
 use std::collections::BinaryHeap;
 
 /// The bound is at most this factor above the largest distance found, unless it is below
@@ -65,7 +65,7 @@ impl Lifted<'_> {
         let whole = [(self.range[0], self.edge_range[0]), (self.range[1], self.edge_range[1])];
         let mut lower = self.measured();
         let floor = resolution * self.size();
-        let first = Part::new(self, whole, floor.max(lower));
+        let first = GapPart::new(self, whole, floor.max(lower));
         lower = lower.max(first.lower);
         let mut parts = BinaryHeap::from([first]);
         let mut refinements = 0;
@@ -84,7 +84,7 @@ impl Lifted<'_> {
             }
             parts.pop();
             for ends in halves {
-                let part = Part::new(self, ends, floor.max(lower));
+                let part = GapPart::new(self, ends, floor.max(lower));
                 lower = lower.max(part.lower);
                 parts.push(part);
             }

@@ -5,16 +5,13 @@ use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::discs::Discs;
 use super::interpolant::{largest, points};
-use super::local::{Local, LocalCurve, LocalSurface};
+use super::local::{Ends, Local, LocalCurve, LocalSurface};
 use super::majorant::CurveMajorant;
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// The parameters of corresponding points of the curve and the edge, at both ends.
-pub(super) type Ends = [(f64, f64); 2];
-
 /// A part of the curve that corresponds to one of the edge.
-pub(super) struct Part {
+pub(super) struct GapPart {
     ends: Ends,
     /// An upper bound on the distance of corresponding points.
     pub(super) upper: f64,
@@ -36,7 +33,7 @@ enum Cut {
 /// Part of the distance found by which the interpolation may be off.
 const REMAINDER_PART: f64 = 0.02;
 
-impl Part {
+impl GapPart {
     /// Bounds a part. `found` is a distance near which the bound need not be more accurate.
     pub(super) fn new(lifted: &Lifted<'_>, ends: Ends, found: f64) -> Self {
         let unbounded = |cut| Self { ends, upper: f64::INFINITY, lower: 0.0, sampled: 0.0, cut };
@@ -137,22 +134,22 @@ impl Part {
     }
 }
 
-impl PartialEq for Part {
+impl PartialEq for GapPart {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Part {}
+impl Eq for GapPart {}
 
-impl PartialOrd for Part {
+impl PartialOrd for GapPart {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
 /// By the upper bound, so that the worst part is cut first.
-impl Ord for Part {
+impl Ord for GapPart {
     fn cmp(&self, other: &Self) -> Ordering {
         self.upper.total_cmp(&other.upper)
     }

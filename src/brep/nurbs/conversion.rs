@@ -6,6 +6,9 @@ pub(crate) enum Unconvertible {
     /// The offset of a curve or surface is not rational, and no piecewise polynomial of the
     /// size allowed follows it, as where it has cusps.
     Offset,
+    /// The degree is above the model's, and no pieces of a lower one of the number allowed follow the
+    /// surface, as where its weights are far apart.
+    Degree,
     /// The range is too long, or too far from the first period, to be that of an edge.
     Range,
 }
@@ -15,6 +18,7 @@ impl Unconvertible {
     pub(crate) fn code(self) -> &'static str {
         match self {
             Self::Offset => "BREP_OFFSET",
+            Self::Degree => "BREP_DEGREE",
             Self::Range => "BREP_RANGE",
         }
     }
@@ -24,6 +28,9 @@ impl Unconvertible {
         match self {
             Self::Offset => {
                 "the offset is not rational, and no NURBS of the size allowed is within the tolerance of it"
+            }
+            Self::Degree => {
+                "the degree is above 15, and no NURBS of the size allowed is within the tolerance of the surface"
             }
             Self::Range => "the range is longer than 16 periods, or a million periods from 0",
         }

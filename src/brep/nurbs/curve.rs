@@ -4,10 +4,9 @@ use super::basis::Basis;
 use super::conic::Conic;
 use super::conversion::{Unconvertible, check_range};
 use super::frame::Frame;
-use super::interpolation;
+use super::net::interpolated_curve;
 use super::parameter_map::ParameterMap;
-use super::spline::{self, Spline, project};
-use super::surface::CLOSED;
+use super::spline::{self, CLOSED, Spline, project};
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -207,7 +206,7 @@ impl Curve {
 
     /// Returns the rational curve over `range`, a clamped spline, the map from this curve's
     /// parameter to the spline's, and the deviation: 0 unless the curve is an offset that is
-    /// not rational, of which [`interpolation::curve`] makes one.
+    /// not rational; [`interpolated_curve`] approximates them.
     ///
     /// # Errors
     /// [`Unconvertible`], also for a range that is empty.
@@ -237,7 +236,7 @@ impl Curve {
                 let (basis, _, _) = basis.spline(range)?;
                 let mut breaks = basis.knots;
                 breaks.dedup();
-                interpolation::curve(&|t| self.point(t), &breaks)
+                interpolated_curve(&|t| self.point(t), &breaks)
             }
         }
     }

@@ -1,17 +1,16 @@
-//! Curves and surfaces of the file: evaluation, and exact conversion to NURBS.
+//! Curves and surfaces of the file: evaluation, and conversion to NURBS.
 
 mod basis;
 mod conic;
 mod conversion;
 mod curve;
 mod frame;
-mod interpolation;
 mod nearest;
+mod net;
 mod parameter_map;
 mod part;
 mod spline;
 mod surface;
-mod surface_net;
 
 pub(crate) use basis::Basis;
 pub(crate) use conic::Conic;
@@ -19,8 +18,8 @@ pub(crate) use conversion::Unconvertible;
 pub(crate) use curve::{Curve, SplineCurve};
 pub(crate) use frame::Frame;
 pub(crate) use nearest::nearest_parameter;
+pub(crate) use net::SurfaceNet;
 pub(crate) use parameter_map::ParameterMap;
-pub(crate) use part::Part;
-pub(crate) use spline::{Spline, project};
+pub(crate) use part::CurvePart;
+pub(crate) use spline::{Spline, elevated, project};
 pub(crate) use surface::{SplineSurface, Surface};
-pub(crate) use surface_net::SurfaceNet;

@@ -17,14 +17,14 @@ impl Curve {
 }
 
 /// The part of a curve that an edge is.
-pub(crate) struct Part {
+pub(crate) struct CurvePart {
     pub(crate) curve: Curve,
     pub(crate) range: [f64; 2],
     /// Whether it runs from the second end to the first one.
     pub(crate) turned: bool,
 }
 
-impl Part {
+impl CurvePart {
     /// Returns the part of a curve from one parameter to another. Around a closed curve it runs
     /// over the curve's end, and it is the whole curve if the ends are one vertex; an open curve
     /// has one part between two points, whatever the direction stated.

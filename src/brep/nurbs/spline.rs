@@ -3,6 +3,10 @@
 use crate::chebyshev::binomial;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
+/// The distance of the ends of a closed curve or surface relative to its coordinates: the
+/// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
+pub(super) const CLOSED: f64 = 1e-9;
+
 /// A rational B-spline curve `(w x, w y, w z, w)`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
@@ -30,7 +34,12 @@ impl Spline {
 
     /// Returns the point at a parameter. Beyond the domain the outer spans continue.
     pub(crate) fn point(&self, parameter: f64) -> DVec3 {
-        project(self.blossom(self.span(parameter), |_| parameter))
+        project(self.homogeneous(parameter))
+    }
+
+    /// Returns the homogeneous point at a parameter, as [`Self::point`] does.
+    pub(crate) fn homogeneous(&self, parameter: f64) -> DVec4 {
+        self.blossom(self.span(parameter), |_| parameter)
     }
 
     /// Returns the derivative at a parameter.
@@ -130,7 +139,7 @@ impl Spline {
 ///
 /// De Boor's algorithm leaves the polar forms `e_j = b(at, …, at, k_1, …, k_j)` with the knots k
 /// beside the span on one of its sides. Coefficient m is `binomial(degree, m)` times the polar
-/// form with m arguments replaced by the unit vector, of which the differences
+/// form with m arguments replaced by the unit vector; the differences
 /// `(g_(j+1) - g_j) / (k_(j+1) - at)` replace one each, as polar forms are affine in every
 /// argument (L. Ramshaw, *Blossoming: a connect-the-dots approach to splines*). The knots are
 /// those of the farther side, so that no difference is divided by less than half of the span.
@@ -167,6 +176,23 @@ pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &mut [
     }
 }
 
+/// Returns the Bernstein coefficients of the same polynomial in a degree at least as high.
+///
+/// A control point of degree n + 1 is the mean of two neighbours of degree n: `P'_i = i / (n + 1)
+/// P_(i-1) + (1 - i / (n + 1)) P_i` (Piegl and Tiller, *The NURBS Book*, 5.5).
+pub(crate) fn elevated(mut points: Vec<DVec4>, degree: usize) -> Vec<DVec4> {
+    while points.len() <= degree {
+        let count = points.len() as f64;
+        let mean = |index: usize| {
+            let part = index as f64 / count;
+            let before = if index == 0 { DVec4::ZERO } else { points[index - 1] };
+            part * before + (1.0 - part) * points.get(index).copied().unwrap_or(DVec4::ZERO)
+        };
+        points = (0..=points.len()).map(mean).collect();
+    }
+    points
+}
+
 /// Returns the point of homogeneous coordinates.
 pub(crate) fn project(point: DVec4) -> DVec3 {
     point.xyz() / point.w
@@ -194,12 +220,36 @@ pub(crate) fn blossom(
     controls: &[DVec4],
     argument: impl Fn(usize) -> f64,
 ) -> DVec4 {
-    // Most degrees are small, and clearing unused control points takes longer than the rest.
+    // Most degrees are small: loops of a known length are unrolled, and clearing unused control
+    // points takes longer than the rest.
     match degree {
-        0..=3 => blossom_within::<4>(knots, degree, span, controls, argument),
-        4..=7 => blossom_within::<8>(knots, degree, span, controls, argument),
+        1 => blossom_of::<2>(knots, span, controls, argument),
+        2 => blossom_of::<3>(knots, span, controls, argument),
+        3 => blossom_of::<4>(knots, span, controls, argument),
+        0 | 4..=7 => blossom_within::<8>(knots, degree, span, controls, argument),
         _ => blossom_within::<MAX_ORDER>(knots, degree, span, controls, argument),
     }
+}
+
+/// [`blossom`] for the degree N - 1.
+fn blossom_of<const N: usize>(
+    knots: &[f64],
+    span: usize,
+    controls: &[DVec4],
+    argument: impl Fn(usize) -> f64,
+) -> DVec4 {
+    let mut work: [DVec4; N] = std::array::from_fn(|index| controls[index]);
+    // The knots on both sides of the span that the arguments are between.
+    let around = &knots[span + 2 - N..span + N];
+    for level in 1..N {
+        let parameter = argument(level - 1);
+        for index in 0..N - level {
+            let (low, high) = (around[level + index - 1], around[N - 1 + index]);
+            let fraction = (parameter - low) / (high - low);
+            work[index] = (1.0 - fraction) * work[index] + fraction * work[index + 1];
+        }
+    }
+    work[0]
 }
 
 /// [`blossom`] for a degree below N.
@@ -233,10 +283,10 @@ pub(crate) fn tensor_point(
 ) -> DVec3 {
     let row = span(knots_u, p, knots_u.len() - p - 1, u);
     let column = span(knots_v, q, knots_v.len() - q - 1, v);
-    if p.max(q) < 4 {
-        tensor_within::<4>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
-    } else {
-        tensor_within::<MAX_ORDER>([p, q], [knots_u, knots_v], [row, column], [u, v], control)
+    match p.max(q) {
+        0..=3 => tensor_within::<4>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
+        4..=7 => tensor_within::<8>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
+        _ => tensor_within::<MAX_ORDER>([p, q], [knots_u, knots_v], [row, column], [u, v], control),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{self, Spline, blossom, project, span, tensor_point};
+use super::spline::{self, CLOSED, Spline, blossom, project, span, tensor_point};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -126,10 +126,6 @@ impl SplineSurface {
         }
     }
 }
-
-/// The distance of the ends of a closed curve or surface relative to its coordinates: the
-/// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
-pub(super) const CLOSED: f64 = 1e-9;
 
 /// The sine of the angle between the tangents, or the one of rounding, below which a normal
 /// has no digits.
@@ -285,8 +281,8 @@ impl Surface {
         }
     }
 
-    /// Returns the values of v at which all u are one point: the poles of a sphere and
-    /// the apex of a cone.
+    /// Returns the values of v at which all u are one point: the poles of a sphere and of a
+    /// degenerate torus, and the apex of a cone.
     pub(crate) fn poles(&self) -> Vec<f64> {
         match self {
             Self::Revolution { kind: "sphere", .. } => vec![-FRAC_PI_2, FRAC_PI_2],
@@ -294,6 +290,7 @@ impl Surface {
             Self::Revolution { profile: Curve::Line { point, direction }, .. } if direction.x != 0.0 => {
                 vec![-point.x / direction.x]
             }
+            Self::Revolution { profile: Curve::Trimmed { range, .. }, kind: "torus", .. } => range.to_vec(),
             Self::Trimmed { basis, .. } => basis.poles(),
             _ => Vec::new(),
         }

@@ -26,7 +26,7 @@ pub(super) use taylor::halved_sides;
 
 use super::cell_context::{CellContext, UpperBound};
 use super::near_copies::blocks::{BlockUpperBound, DifferenceByPieces, OneSpline};
-use super::near_copies::difference::{DifferenceOverKnotLines, PolynomialDifference};
+use super::near_copies::difference::{DifferenceOverKnotLines, PolynomialDifference, ProjectiveDifference};
 use bilinear::Bilinear;
 use convex_combination::{ConvexCombination, add_carrying_feet};
 use heights::Heights;
@@ -40,7 +40,7 @@ use taylor::{Taylor, TaylorAcrossSeams};
 const WITH_ANY_FOOT: [&dyn UpperBound; 5] = [&SameNet, &InSphere, &Lipschitz, &Taylor, &TaylorAcrossSeams];
 
 /// The bounds that need the nearest feet, cheapest first.
-const WITH_NEAREST_FEET: [&dyn UpperBound; 9] = [
+const WITH_NEAREST_FEET: [&dyn UpperBound; 10] = [
     &ConvexCombination,
     &InSphere,
     &Lipschitz,
@@ -48,6 +48,7 @@ const WITH_NEAREST_FEET: [&dyn UpperBound; 9] = [
     &TaylorAcrossSeams,
     &PolynomialDifference,
     &DifferenceOverKnotLines,
+    &ProjectiveDifference,
     &Heights,
     &Bilinear,
 ];

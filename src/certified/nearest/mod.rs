@@ -68,7 +68,7 @@ impl<'a> NearestPoint<'a> {
         self.near(&Query { target, known, sufficient }).nearest()
     }
 
-    /// The nearest foot by the certified search, of which the distance is
+    /// The nearest foot by the certified search, whose distance is
     /// within `gap`, unless the known foot is nearer.
     pub(super) fn certified(&self, target: DVec3, known: Foot, gap: f64) -> Foot {
         let start = Some((known.patch, known.parameters));

@@ -35,7 +35,7 @@ impl Shortlist {
     }
 
     /// Lists the patches around a witness at this distance from B, for cells of
-    /// this radius, where so many queries were made that it pays and the
+    /// this radius, where the number of queries made it worth it and the
     /// present list is not about a point within a radius.
     pub(super) fn update(&mut self, target: &Target, witness: DVec3, distance: f64, radius: f64) {
         let is_stale = |nearby: &NearbyPatches| nearby.center.distance(witness) > radius;

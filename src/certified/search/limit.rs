@@ -17,7 +17,7 @@ impl Limit {
         Self { at, gap: 0.0 }
     }
 
-    /// Returns the distances of the models that are to be told apart, ascending: up to the
+    /// Returns the distances of the models that are to be distinguished, ascending: up to the
     /// first every source keeps the limit, up to the second the models do, above the third no
     /// source does. Each is rounded to the safe side.
     fn levels(self) -> [f64; 3] {

@@ -22,7 +22,7 @@ use super::nearest::{Foot, NearestPoint, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
 use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
-use crate::parallel::{is_few, map_short, together};
+use crate::threads::parallel::{is_few, map_short, together};
 use blocks::by_blocks;
 use frontier::Frontier;
 use incumbent::Incumbent;
@@ -64,7 +64,7 @@ pub(crate) struct Interval {
     pub(crate) upper: f64,
 }
 
-/// What ends a search.
+/// Stopping criterion.
 #[derive(Debug, Clone, Copy)]
 struct Goal {
     /// The width that upper and lower bounds may differ by.
@@ -75,8 +75,8 @@ struct Goal {
     rounding: f64,
     /// How much farther a point of A may be than the points that are searched.
     slack: f64,
-    /// The part of an interval's width that rounding and slack take.
-    lost: f64,
+    /// The part of an interval's width that is reserved for rounding and slack.
+    reserved_width: f64,
 }
 
 /// Counters of the work done.
@@ -128,13 +128,14 @@ impl<'a> BranchAndBound<'a> {
     pub(crate) fn new(pair: Pair<'a>, tolerance: f64, limit: Option<Limit>, slack: f64) -> Self {
         let rounding = point_error(&pair);
         // Both ends of the interval are rounded, and so is a certified distance.
-        let lost = slack + 2.0 * rounding + closest_point_error(&pair);
-        let reachable = if lost < MAX_ROUNDING_PART * tolerance { tolerance - lost } else { lost };
+        let reserved_width = slack + 2.0 * rounding + closest_point_error(&pair);
+        let is_small = reserved_width < MAX_ROUNDING_PART * tolerance;
+        let reachable = if is_small { tolerance - reserved_width } else { reserved_width };
         let root = SearchNode::root(bounds::whole_models(&pair));
         let mut search = Self {
             pair,
             nearest: NearestPoint::new(pair.b),
-            goal: Goal { tolerance: reachable, limit, rounding, slack, lost },
+            goal: Goal { tolerance: reachable, limit, rounding, slack, reserved_width },
             frontier: Frontier::new(root),
             incumbent: Incumbent::default(),
             blocks: None,
@@ -156,7 +157,7 @@ impl<'a> BranchAndBound<'a> {
     /// The least width that an interval can be requested to have, given the
     /// rounding of these coordinates.
     pub(crate) fn min_tolerance(&self) -> f64 {
-        self.goal.lost / MAX_ROUNDING_PART
+        self.goal.reserved_width / MAX_ROUNDING_PART
     }
 
     pub(crate) fn witness(&self) -> Option<&Witness> {
@@ -204,9 +205,9 @@ impl<'a> BranchAndBound<'a> {
     /// Whether the rounding of these coordinates decides the width that a search without a limit can reach, and it is
     /// reached although nodes are left.
     fn is_as_narrow_as_possible(&self) -> bool {
-        let Goal { tolerance, limit, lost, .. } = self.goal;
+        let Goal { tolerance, limit, reserved_width, .. } = self.goal;
         let Interval { lower, upper } = self.interval();
-        limit.is_none() && tolerance <= lost && upper - lower <= self.min_tolerance()
+        limit.is_none() && tolerance <= reserved_width && upper - lower <= self.min_tolerance()
     }
 
     /// The pruning threshold: a node whose upper bound is at most this is not

@@ -66,7 +66,7 @@ fn rounding_and_slack_widen_the_interval() {
             assert!((upper - 1.0 - slack) / rounding >= 0.99, "{upper} with slack {slack}");
             assert!((1.0 - lower) / rounding >= 0.99, "{lower}");
             assert!(upper - lower <= 1.0 + lost);
-            assert_eq!(search.goal.lost, lost);
+            assert_eq!(search.goal.reserved_width, lost);
             assert_eq!(search.min_tolerance(), 2.0 * lost);
             // What is requested is the width with all that rounding and slack take.
             assert_eq!(search.tolerance(), 1.0 - lost);
@@ -101,7 +101,7 @@ fn a_limit_is_decided_by_the_interval() {
     });
 }
 
-/// With a gap the search also tells whether every source keeps the limit: the distance is 1, so that the
+/// With a gap the search also decides whether every source keeps the limit: the distance is 1, so that the
 /// sources' is from 0.75 to 1.25.
 #[test]
 fn a_limit_with_a_gap_is_decided_on_both_sides_of_it() {
@@ -129,7 +129,7 @@ fn a_limit_with_a_gap_is_decided_on_both_sides_of_it() {
 #[test]
 fn a_search_below_rounding_stops_where_the_interval_is_narrow() {
     with_squares(|pair| {
-        let lost = BranchAndBound::new(pair, 1.0, None, 0.0).goal.lost;
+        let lost = BranchAndBound::new(pair, 1.0, None, 0.0).goal.reserved_width;
         for (above, limit, stop) in
             [(0.25, None, Some(Stop::Precision)), (1.5, None, None), (0.25, Some(Limit::exact(1.0)), None)]
         {

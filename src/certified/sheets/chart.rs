@@ -15,12 +15,15 @@
 
 use super::super::rounding::{JetScale, UNIT_ROUNDOFF};
 use super::Sheets;
-use super::lines::MARGIN;
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet, Patch, PatchGrid, SeamJumps};
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
 use std::ops::RangeInclusive;
+
+/// A relative margin that covers the rounding of the seams that may be crossed, in the parameters of the
+/// other patches.
+pub(super) const MARGIN: f64 = 1e-8;
 
 /// The largest number of seams that a map may cross on one side. A cell is halved if its
 /// image touches more patches.

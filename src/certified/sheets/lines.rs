@@ -1,16 +1,12 @@
 //! The knot lines of a surface, and its patches between them, in the parameters of a chart.
 
 use super::super::rounding::UNIT_ROUNDOFF;
-use super::chart::Chart;
+use super::chart::{Chart, MARGIN};
 use crate::axis::Axis;
 use std::ops::RangeInclusive;
 
 /// The rounding of a seam's parameter, in units of the sizes of its terms.
 const LINE_ROUNDINGS: f64 = 16.0;
-
-/// A relative margin that covers the rounding of the seams that may be crossed, in the parameters of the
-/// other patches.
-pub(super) const MARGIN: f64 = 1e-8;
 
 impl Chart<'_> {
     /// The lines at the ends of the patches that cover a range of parameters along
@@ -75,7 +71,8 @@ impl Chart<'_> {
         (breaks[span + 1] - breaks[span]) / self.own_width(axis)
     }
 
-    fn own_width(&self, axis: Axis) -> f64 {
+    /// The width of the chart's span.
+    pub(in crate::certified) fn own_width(&self, axis: Axis) -> f64 {
         let (breaks, index) = (&self.grid.breaks[axis], self.index[axis]);
         breaks[index + 1] - breaks[index]
     }

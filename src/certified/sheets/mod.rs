@@ -10,8 +10,8 @@ use super::rounding::JetScale;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, LocalDerivativeBounds, Patch, SeamJumps};
 use crate::flatness::Places;
-use crate::lazy_table::LazyTable;
 use crate::param_box::ParamBox;
+use crate::threads::LazyTable;
 use std::ops::Range;
 
 /// What the sheets of a model have, each computed at its first use.

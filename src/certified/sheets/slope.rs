@@ -62,6 +62,19 @@ impl Chart<'_> {
         (1.0 + SUM_ROUNDINGS * UNIT_ROUNDOFF) * error + self.jet_scale().quadratic_error(steps, JET_ROUNDINGS)
     }
 
+    /// An upper bound on the length of the derivative along an axis within `extent` of the chart's point.
+    pub(in crate::certified) fn speed(&self, axis: Axis, reach: &Reach, extent: [f64; 2]) -> f64 {
+        let [rows, columns] = self.all_touched(extent, reach);
+        let mut speed = 0.0;
+        for m in rows {
+            for n in columns.clone() {
+                let bounds = self.derivatives(extent, [m, n], Over::Parts);
+                speed = upper_max(speed, bounds.first[axis.index()]);
+            }
+        }
+        speed
+    }
+
     /// A bound on the jumps of points between any two points within `extent` of the chart's.
     pub(in crate::certified) fn gap(&self, reach: &Reach, extent: [f64; 2]) -> f64 {
         let touched = self.all_touched(extent, reach);

@@ -9,14 +9,14 @@ use crate::engine::PreparedTarget;
 use glam::DVec3;
 
 /// The flat patches of one face.
-pub(super) struct Face {
+pub(super) struct FacePatches {
     target: Target,
     bounds: Vec<LocalDerivativeBounds>,
     /// The box of the patches.
     aabb: Aabb,
 }
 
-impl Face {
+impl FacePatches {
     /// Returns the faces of a model, each with its patches in their order. O(patches p q).
     pub(super) fn all(model: &PreparedModel, flat: &PreparedTarget) -> Vec<Self> {
         let count = model.face_count();

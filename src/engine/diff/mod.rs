@@ -71,6 +71,7 @@ impl DiffOptions {
 /// one but with an undecided face it is undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum FaceState {
     /// Every point of the face is within the limit of the other model.
     Unchanged,

@@ -1,15 +1,15 @@
 //! The searches that decide the faces' states.
 
-use super::face::Face;
+use super::face::FacePatches;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
-use crate::parallel::map;
 use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
+use crate::threads::parallel::map;
 use glam::DVec3;
 use web_time::Instant;
 
@@ -30,8 +30,7 @@ const NARROWING_CELLS: usize = 65_536;
 /// that an event loop gets its turn in time.
 const FACES_AT_ONCE: usize = 16;
 
-/// The number of cells of a face before it is put back to be searched on its own:
-/// nearly all faces need fewer.
+/// After this many cells a face leaves the parallel pass and is searched alone: nearly all faces need fewer.
 const FIRST_CELLS: usize = 256;
 
 impl Engine {
@@ -72,8 +71,8 @@ impl Engine {
         let started = Instant::now();
         let [flat_a, flat_b] = [a, b].map(|model| model.target(Flatness::Loose));
         let (whole_a, whole_b) = (flat_a.operand(a), flat_b.operand(b));
-        let faces_a = Face::all(a, &flat_a);
-        let faces_b = Face::all(b, &flat_b);
+        let faces_a = FacePatches::all(a, &flat_a);
+        let faces_b = FacePatches::all(b, &flat_b);
         let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
         let budget = Budget { started, max_cells: options.max_cells, max_seconds: options.max_seconds };
@@ -124,9 +123,9 @@ impl Engine {
 /// The faces of one model, and the model that they are compared with.
 struct Side<'a> {
     whole: Operand<'a>,
-    faces: &'a [Face],
+    faces: &'a [FacePatches],
     other: Operand<'a>,
-    others: &'a [Face],
+    others: &'a [FacePatches],
     /// The pieces of both models.
     pieces: [&'a FacePieces; 2],
     /// The gaps of the faces, and the largest of the other model.

@@ -1,7 +1,31 @@
 //! Signed deviations, and their statistics over an area.
 
-use crate::engine::FaceDeviations;
+use crate::engine::Signs;
 use serde::Serialize;
+
+/// The samples of one face, or of a piece of a trimmed one, v fastest.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct FaceDeviations {
+    /// Index of the face in the sampled model.
+    pub face: usize,
+    /// Numbers of samples along u and v.
+    pub counts: [usize; 2],
+    /// The points, x y z each.
+    pub points: Vec<f64>,
+    /// Their feet on the other model, x y z each.
+    pub feet: Vec<f64>,
+    /// Their distances.
+    pub distances: Vec<f64>,
+    /// The distances with signs.
+    pub signed: Vec<f64>,
+    /// What the signs stand for: the other model where it is a solid.
+    pub signs: Signs,
+    /// The area of the surface that each sample stands for.
+    pub areas: Vec<f64>,
+    /// The ends of the projections: [`crate::result::Status`] as a number.
+    pub statuses: Vec<u8>,
+}
 
 /// Statistics of the deviation over the area of the sampled model. They are
 /// estimates: sums over samples without error bounds.

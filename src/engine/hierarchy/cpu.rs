@@ -5,8 +5,8 @@ use crate::bvh::Aabb;
 use crate::error::Result;
 use crate::hierarchy::{BRANCHING, GridTree, LevelBounds, Pairs, Traversal, boxes, extremes, pyramid};
 use crate::model::RigidTransform;
-use crate::parallel::map;
 use crate::progress::Progress;
+use crate::threads::parallel::map;
 use std::ops::Range;
 
 /// The number of boxes of A, or of parts, after which a checkpoint is due.

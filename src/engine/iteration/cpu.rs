@@ -5,8 +5,8 @@ use crate::closest::{Status, Target};
 use crate::error::Result;
 use crate::iteration::{Candidate, Projected, Rule, Sampling, StatusCounts, project, reduce, sample};
 use crate::model::RigidTransform;
-use crate::parallel::map;
 use crate::progress::Progress;
+use crate::threads::parallel::map;
 use std::ops::Range;
 
 /// The number of samples between two checkpoints.

@@ -10,7 +10,7 @@ use super::result::DirectedResult;
 use super::signs::{SignRule, SignSource};
 use super::{
     Bounds, Details, DistanceOptions, FaceDeviations, IterationDetails, PreparedModel, PreparedSampling,
-    PreparedTarget, Processor, Seconds, SurfacePoint,
+    PreparedTarget, Processor, Seconds,
 };
 use crate::closest::{Closest, Projection, Status, closest, contraction, nearest_control};
 use crate::error::{Error, Result};
@@ -20,6 +20,7 @@ use crate::iteration::{Candidate, Projected, StatusCounts, sample};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
+use crate::surface_point::SurfacePoint;
 use backend::IterationBackend;
 use cpu::CpuIteration;
 use glam::DVec3;

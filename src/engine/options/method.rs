@@ -13,6 +13,7 @@ use std::ops::RangeInclusive;
 /// The name of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum MethodName {
     /// Branch and bound to an interval of the requested width.
     #[default]
@@ -35,6 +36,7 @@ impl Display for MethodName {
 
 /// The method that computes the distance, with the options that only it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Method {
     /// Branch and bound to an interval of the requested width.
     Certified(CertifiedOptions),

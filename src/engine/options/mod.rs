@@ -16,6 +16,7 @@ use std::fmt::Debug;
 /// Where the kernels run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Backend {
     /// On the GPU if there is one, else on the CPU, and the result says why.
     #[default]
@@ -99,7 +100,7 @@ pub(super) fn at_least_zero(option: &'static str, found: f64) -> Result<()> {
 }
 
 /// # Errors
-/// [`Error::OptionOutOfRange`] unless a grid may have so many samples along a direction.
+/// [`Error::OptionOutOfRange`] unless a grid may have this number of samples along a direction.
 pub(super) fn require_samples(found: usize) -> Result<()> {
     require("samples", COUNTS.contains(&found), found, "2 to 1024")
 }

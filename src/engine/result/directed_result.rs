@@ -1,8 +1,7 @@
 //! The result of one direction, before it is named by model.
 
-use crate::engine::{Details, FaceDeviations, SurfacePoint};
-use crate::model::RigidTransform;
-use glam::DVec3;
+use crate::engine::{Details, FaceDeviations};
+use crate::surface_point::SurfacePoint;
 
 /// The result of one direction by one method; points are in the frame of `to`.
 pub(in crate::engine) struct DirectedResult {
@@ -19,12 +18,4 @@ pub(in crate::engine) struct DirectedResult {
     pub(in crate::engine) to: SurfacePoint,
     pub(in crate::engine) details: Details,
     pub(in crate::engine) deviations: Vec<FaceDeviations>,
-}
-
-impl SurfacePoint {
-    /// Returns the image of the point under the transform, with the same parameters.
-    pub(in crate::engine) fn moved(&self, transform: &RigidTransform) -> Self {
-        let point = transform.apply(DVec3::from_array(self.point)).to_array();
-        Self { point, face_name: self.face_name.clone(), ..*self }
-    }
 }

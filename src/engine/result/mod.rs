@@ -4,9 +4,10 @@ mod directed_result;
 mod symmetric;
 mod with_gaps;
 
-use super::{MethodName, Signs, Statistics};
+use super::{FaceDeviations, MethodName, Statistics};
 pub use crate::certified::Stop;
 use crate::iteration::StatusCounts;
+use crate::surface_point::SurfacePoint;
 pub(super) use directed_result::DirectedResult;
 use serde::Serialize;
 use std::fmt::{Display, Formatter};
@@ -237,36 +238,6 @@ pub struct Witness {
     pub b: SurfacePoint,
 }
 
-/// A point of a model.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-#[non_exhaustive]
-pub struct SurfacePoint {
-    /// Index of the face.
-    pub face: usize,
-    /// The face's name in its source, if it has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub face_name: Option<String>,
-    /// Parameter u on it.
-    pub u: f64,
-    /// Parameter v on it.
-    pub v: f64,
-    /// On a mesh, the index of the triangle; u and v are then the weights of its second and
-    /// third corner.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub triangle: Option<usize>,
-    /// On a mesh, the weights of the triangle's corners: at least 0, with the sum 1 up to rounding.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub barycentric: Option<[f64; 3]>,
-    /// Of a cloud, the index of the point.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub index: Option<usize>,
-    /// The point at these parameters, off by up to 1024 roundings of the largest coordinate of
-    /// its surface, as knots are removed that change it by less (R15 of docs/rounding.md), and by
-    /// the deviation of a trimmed face's cut. The interval includes both.
-    pub point: [f64; 3],
-}
-
 /// Numbers of patches after cutting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
@@ -295,28 +266,4 @@ impl std::ops::AddAssign for Seconds {
         self.compile += other.compile;
         self.solve += other.solve;
     }
-}
-
-/// The samples of one face, or of a piece of a trimmed one, v fastest.
-#[derive(Debug, Clone, PartialEq, Default)]
-#[non_exhaustive]
-pub struct FaceDeviations {
-    /// Index of the face in the sampled model.
-    pub face: usize,
-    /// Numbers of samples along u and v.
-    pub counts: [usize; 2],
-    /// The points, x y z each.
-    pub points: Vec<f64>,
-    /// Their feet on the other model, x y z each.
-    pub feet: Vec<f64>,
-    /// Their distances.
-    pub distances: Vec<f64>,
-    /// The distances with signs.
-    pub signed: Vec<f64>,
-    /// What the signs stand for: the other model where it is a solid.
-    pub signs: Signs,
-    /// The area of the surface that each sample stands for.
-    pub areas: Vec<f64>,
-    /// The ends of the projections: [`crate::result::Status`] as a number.
-    pub statuses: Vec<u8>,
 }

@@ -3,7 +3,7 @@
 use super::super::FacetTarget;
 use super::FacetSearch;
 use super::node::{Domain, Node, Region, Sample};
-use super::part::{MAX_LEVELS, Part, Step};
+use super::part::{MAX_LEVELS, Step, TrianglePart};
 use super::patch_cell::{CellStep, MIN_LENGTH, PatchCell};
 use super::source::{Measured, Source, Start};
 use crate::bezier::PatchSet;
@@ -117,7 +117,7 @@ impl FacetSearch<'_> {
                 }
                 super::super::Facet::Triangle(corners) => {
                     let corners = corners.map(|corner| self.transform.apply(corner));
-                    let part = Part::new(corners, start.piece);
+                    let part = TrianglePart::new(corners, start.piece);
                     stack.push(node.child(Region::Part(place, part), start, upper));
                 }
             }
@@ -129,7 +129,7 @@ impl FacetSearch<'_> {
         &self,
         node: &Node,
         place: u32,
-        mut part: Part,
+        mut part: TrianglePart,
         b: &FacetTarget,
         threshold: f64,
         explored: &mut Explored,

@@ -1,6 +1,6 @@
 //! The nodes of the search, and the order in which they are bounded.
 
-use super::part::Part;
+use super::part::TrianglePart;
 use super::patch_cell::PatchCell;
 use super::source::Start;
 use glam::DVec3;
@@ -12,7 +12,7 @@ pub(super) enum Region {
     /// All facets below a node of A's tree.
     Node(u32),
     /// A part of a triangle, by its place in the order of the leaves.
-    Part(u32, Part),
+    Part(u32, TrianglePart),
     /// A cell of a patch.
     Cell(PatchCell),
 }

@@ -20,7 +20,7 @@ pub(super) const MAX_LEVELS: u32 = 128;
 
 /// A triangle within one of A, moved.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct TrianglePart {
     pub(super) corners: [DVec3; 3],
     /// The nearest facets of B of the corners, where they are known.
     pub(super) feet: [FacetFoot; 3],
@@ -36,7 +36,7 @@ pub(super) enum Step {
     /// The corner of this index is farther than the threshold.
     Far(usize),
     /// What is left; the rest is within this distance, at most the threshold.
-    Split { decided: f64, parts: [Option<Part>; 2] },
+    Split { decided: f64, parts: [Option<TrianglePart>; 2] },
 }
 
 /// A cut along the reach of one facet of B: the points within the threshold of it, which are
@@ -52,7 +52,7 @@ struct Cut {
     ends: [DVec3; 2],
 }
 
-impl Part {
+impl TrianglePart {
     pub(super) fn new(corners: [DVec3; 3], facet: u32) -> Self {
         Self { corners, feet: [FacetFoot::start(facet); 3], level: 0 }
     }

@@ -2,7 +2,7 @@
 
 use super::super::rounding::sag_rounding;
 use super::super::{Facet, FacetFoot, FacetTarget};
-use super::part::{Part, Step};
+use super::part::{Step, TrianglePart};
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
 use crate::model::RigidTransform;
@@ -123,7 +123,7 @@ impl PatchCell {
 /// Returns a bound on the distance of the two triangles between the corners that is at most the
 /// threshold, if a few parts show that there is one.
 fn cover(corners: &[Corner; 4], b: &FacetTarget, threshold: f64) -> Option<f64> {
-    let part = |indices: [usize; 3]| Part {
+    let part = |indices: [usize; 3]| TrianglePart {
         corners: indices.map(|index| corners[index].point),
         feet: indices.map(|index| corners[index].foot),
         level: 0,

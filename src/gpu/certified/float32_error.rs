@@ -31,7 +31,7 @@ impl Float32Error {
     /// Bounds the errors from the coefficients `c_ij` of [`Patch::monomials`].
     ///
     /// Numerators. Let u be the unit roundoff. With |σ|, |τ| <= 1, a sum of
-    /// terms, each of which passes through n roundings, is off by at most
+    /// terms that pass through n roundings each is off by at most
     /// `n u` times the sum of their sizes, in any order of summation that a
     /// compiler chooses. Horner's rule takes two roundings a degree; the a-th
     /// derivative by it operates on results of the (a-1)-th, so its terms pass

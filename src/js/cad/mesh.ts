@@ -71,7 +71,9 @@ export async function readMesh(
     const mesh = read(content, format);
     try {
       const unit = mesh.unit ?? options.unit;
-      return NurbsModel.of(PreparedModel.fromFacets(mesh.positions, mesh.triangles, unit));
+      const { positions, triangles } = mesh;
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      return NurbsModel.of(prepared, null, { positions, triangles });
     } finally {
       mesh.free();
     }

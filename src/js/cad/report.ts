@@ -13,7 +13,7 @@ export interface SkippedFace {
   why: string;
 }
 
-/** A face of which the file leaves something open, and what was decided. */
+/** A face that the file does not define fully, and what was decided. */
 export interface FaceNote {
   /** The face's name or number in its file. */
   face: string;

@@ -1,5 +1,5 @@
 import { HausdorffError } from "../error.js";
-import type { OnProgress } from "./options.js";
+import type { OnProgress } from "./progress.js";
 
 /** A pair of bounds that contains a distance. */
 type Interval = readonly [lower: number, upper: number];

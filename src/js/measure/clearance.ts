@@ -1,4 +1,5 @@
-import type { OnProgress, Transform, Vector3 } from "./options.js";
+import type { Transform, Vector3 } from "./options.js";
+import type { OnProgress } from "./progress.js";
 import type { SurfacePoint } from "./result.js";
 
 /** Options of `Hausdorff.clearance`. */

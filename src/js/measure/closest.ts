@@ -1,4 +1,5 @@
-import type { OnProgress, Transform } from "./options.js";
+import type { Transform } from "./options.js";
+import type { OnProgress } from "./progress.js";
 import type { Signs } from "./result.js";
 
 /** Options of `Hausdorff.closestPoints`. */

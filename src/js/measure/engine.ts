@@ -1,6 +1,6 @@
 import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
-import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
+import type { BestFit, BestFitOptions } from "../fit/fit.js";
 import type { BrepText, Numbers } from "../model/surface.js";
 import type { ClearanceOptions, ClearanceResult, GapOptions, GapsResult } from "./clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";

@@ -1,5 +1,6 @@
 import { HausdorffError } from "../error.js";
 import { requireSignal } from "./cancelled.js";
+import type { OnProgress } from "./progress.js";
 
 /** The processor to compute on: `auto` is the GPU if there is one, else the CPU. */
 export type Backend = "auto" | "gpu" | "cpu";
@@ -93,18 +94,6 @@ export interface HierarchyOptions extends CommonOptions {
 
 /** Options of `Hausdorff.distance`, by the method that they name; those of another one are refused. */
 export type DistanceOptions = CertifiedOptions | IterationOptions | HierarchyOptions;
-
-/**
- * The type of `onProgress`. `stalled` is true while a search by method
- * `certified` gains nothing: its interval has not halved over ten times the
- * cells that it took to the last halving, so that it may take much longer than
- * so far, and a budget or the signal may have to end it.
- */
-export type OnProgress = (
-  fraction: number,
-  interval?: [lower: number, upper: number],
-  stalled?: boolean,
-) => void;
 
 /**
  * Options of any method.

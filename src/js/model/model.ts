@@ -5,6 +5,7 @@ import { checkKeys } from "../keys.js";
 import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
+import { type FacetArrays, facetTessellation } from "./facet-tessellation.js";
 import type { Solid } from "./solid.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
@@ -31,14 +32,26 @@ export class NurbsModel {
   /** What reading its CAD file kept, approximated and left out; null for other models. */
   readonly report: CadReport | null;
 
-  private constructor(prepared: PreparedModel, report: CadReport | null) {
+  /** The arrays of a mesh or a cloud of points, which displays them. */
+  readonly #facets: FacetArrays | undefined;
+
+  private constructor(
+    prepared: PreparedModel,
+    report: CadReport | null,
+    facets: FacetArrays | undefined,
+  ) {
     this.#prepared = prepared;
     this.report = report;
+    this.#facets = facets;
   }
 
   /** @internal */
-  static of(prepared: PreparedModel, report: CadReport | null = null): NurbsModel {
-    return new NurbsModel(prepared, report);
+  static of(
+    prepared: PreparedModel,
+    report: CadReport | null = null,
+    facets?: FacetArrays,
+  ): NurbsModel {
+    return new NurbsModel(prepared, report, facets);
   }
 
   /**
@@ -111,11 +124,14 @@ export class NurbsModel {
    * Triangles that deviate from the model by at most the options' tolerance, provided
    * that about a million of them suffice.
    *
+   * Those of a mesh are its own, whatever the options are; a cloud of points has vertices only.
+   *
    * @throws {HausdorffError} `OPTION_OUT_OF_RANGE` unless the tolerance is
    * positive and finite; `OPTION_INVALID`.
    */
   tessellate(options: TessellationOptions = {}): Tessellation {
     const prepared = this.prepared;
+    if (this.#facets !== undefined) return facetTessellation(this.#facets);
     return translating(() => prepared.tessellate(options) as Tessellation);
   }
 

@@ -4,7 +4,7 @@ import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { PeerLoader } from "../cad/peers/peers.js";
 import { HausdorffError } from "../error.js";
-import type { BestFit, BestFitOptions } from "../fit/best-fit.js";
+import type { BestFit, BestFitOptions } from "../fit/fit.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
 import { requireSignal } from "../measure/cancelled.js";
@@ -74,7 +74,7 @@ export function connectBy(platform: Connect): void {
 }
 
 /**
- * The class `Hausdorff` of the main entry, of which all work is done in a worker:
+ * The class `Hausdorff` of the main entry with all work done in a worker:
  * the caller's thread only sends and receives. Results' arrays are transferred.
  */
 export class Hausdorff implements DistanceEngine<NurbsModel> {

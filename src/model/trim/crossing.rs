@@ -45,7 +45,7 @@ const DIRECTED: usize = 16;
 
 /// A part of a piece, in fractions of the domain.
 #[derive(Clone)]
-struct Arc {
+struct CurveRange {
     piece: TrimPiece,
     low: DVec2,
     high: DVec2,
@@ -89,14 +89,14 @@ pub(super) fn find(winding: &Winding) -> Option<TrimFault> {
     None
 }
 
-fn append_arcs(piece: &TrimPiece, loop_index: usize, arcs: &mut Vec<Arc>) {
+fn append_arcs(piece: &TrimPiece, loop_index: usize, arcs: &mut Vec<CurveRange>) {
     let mut stack = vec![(piece.clone(), 0)];
     while let Some((piece, halvings)) = stack.pop() {
         let points: Vec<DVec2> = piece.points().collect();
         let length: f64 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
         let chord = piece.start().distance(piece.end());
         if halvings == MAX_HALVINGS || length <= (1.0 + MAX_EXCESS) * chord {
-            arcs.push(Arc::new(piece, 0, loop_index));
+            arcs.push(CurveRange::new(piece, 0, loop_index));
         } else {
             stack.extend(piece.halves().map(|half| (half, halvings + 1)));
         }
@@ -104,7 +104,7 @@ fn append_arcs(piece: &TrimPiece, loop_index: usize, arcs: &mut Vec<Arc>) {
 }
 
 /// Returns a fault at a crossing of two arcs.
-fn fault(winding: &Winding, whole: &Arc, other: &Arc) -> Option<TrimFault> {
+fn fault(winding: &Winding, whole: &CurveRange, other: &CurveRange) -> Option<TrimFault> {
     if !whole.is_near(other) {
         return None;
     }
@@ -115,7 +115,7 @@ fn fault(winding: &Winding, whole: &Arc, other: &Arc) -> Option<TrimFault> {
             continue;
         }
         comparisons += 1;
-        let refines = |arc: &Arc| arc.sagitta > MAX_SAGITTA && arc.refinements < MAX_REFINEMENTS;
+        let refines = |arc: &CurveRange| arc.sagitta > MAX_SAGITTA && arc.refinements < MAX_REFINEMENTS;
         if comparisons < MAX_COMPARISONS && (refines(&a) || refines(&b)) {
             if refines(&a) && (a.sagitta >= b.sagitta || !refines(&b)) {
                 pairs.extend(a.halves().map(|half| (half, b.clone())));
@@ -135,7 +135,7 @@ fn fault(winding: &Winding, whole: &Arc, other: &Arc) -> Option<TrimFault> {
     None
 }
 
-impl Arc {
+impl CurveRange {
     fn new(piece: TrimPiece, refinements: u32, loop_index: usize) -> Self {
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for point in piece.points() {
@@ -218,7 +218,7 @@ impl Chord {
 ///
 /// A region between two crossings lies along either arc. At the distance s from a crossing under
 /// the angle θ its width is about s sin θ, until the arcs bend towards each other.
-fn overlap(winding: &Winding, arc: &Arc, chords: &[Chord; 2], at: DVec2) -> Option<TrimFault> {
+fn overlap(winding: &Winding, arc: &CurveRange, chords: &[Chord; 2], at: DVec2) -> Option<TrimFault> {
     let [a, b] = chords;
     let (d, e) = (a.direction().normalize_or_zero(), b.direction().normalize_or_zero());
     let sine = d.perp_dot(e).abs();

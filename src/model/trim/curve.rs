@@ -2,10 +2,9 @@
 
 use super::TrimCurveArrays;
 use super::piece::{TrimPiece, homogeneous, point_of};
-use crate::bezier::{MAX_ORDER, spans};
 use crate::error::TrimFault;
-use crate::limits::{MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
-use crate::model::knots;
+use crate::limits::{MAX_ORDER, MAX_WEIGHT_RATIO, MIN_WEIGHT, is_in_range};
+use crate::model::{knots, spans};
 use crate::rounding::gamma;
 use glam::{DVec2, DVec3};
 

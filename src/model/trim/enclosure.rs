@@ -1,6 +1,6 @@
 //! Whether a box of parameters lies in the trimmed region.
 
-use super::winding::{Arc, Winding};
+use super::winding::{Winding, WindingPiece};
 use crate::param_box::ParamBox;
 use glam::DVec2;
 
@@ -24,20 +24,42 @@ impl Winding {
         let high = (high + margin).clamp(DVec2::ZERO, DVec2::ONE);
         let is_box = parameters.intervals().iter().all(|[low, high]| low <= high) && low.cmplt(high).all();
         is_box
-            && !self.arcs().any(|arc| !arc.is_on_border() && self.may_enter(arc, [low, high]))
-            && self.number(self.parameters(0.5 * (low + high))) == Some(1)
+            && !self.arcs().any(|arc| !arc.is_on_border && self.may_enter(arc, [low, high]))
+            && self.holds(0.5 * (low + high))
+    }
+
+    /// Returns true only if a point, in fractions of the domain, has winding number 1. O(arcs), without the
+    /// angles of arcs beside it.
+    ///
+    /// The number is that of the arcs that cross the ray from the point towards smaller u, upwards less
+    /// downwards. An arc in a box that the ray does not meet, or that is wholly on the ray's side, does so as its
+    /// chord does, of which the lower end counts.
+    pub(super) fn holds(&self, point: DVec2) -> bool {
+        let mut number = 0;
+        for arc in self.arcs() {
+            let [low, high] = arc.bounds;
+            if point.y < low.y || point.y > high.y || point.x < low.x {
+                continue;
+            }
+            if point.x <= high.x {
+                return self.number(self.parameters(point)) == Some(1);
+            }
+            let [from, to] = arc.ends.map(|end| end.y > point.y);
+            number += i32::from(from) - i32::from(to);
+        }
+        number == 1
     }
 
     /// Returns whether an arc may have a point in a box.
-    fn may_enter(&self, arc: &Arc, [low, high]: [DVec2; 2]) -> bool {
-        let is_apart = |arc: &Arc| {
-            let distances = arc.ends.map(|end| end.distance(end.clamp(low, high)));
-            distances[0] + distances[1] > arc.length
-        };
-        let enters = |arc: &Arc| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
+    fn may_enter(&self, arc: &WindingPiece, [low, high]: [DVec2; 2]) -> bool {
+        if arc.is_apart([low, high]) {
+            return false;
+        }
+        let enters =
+            |arc: &WindingPiece| arc.ends.iter().any(|end| end.cmpge(low).all() && end.cmple(high).all());
         let mut stack = vec![(arc.clone(), 0)];
         while let Some((arc, halvings)) = stack.pop() {
-            if is_apart(&arc) {
+            if arc.is_apart([low, high]) {
                 continue;
             }
             if halvings == MAX_HALVINGS || enters(&arc) {
@@ -49,19 +71,12 @@ impl Winding {
     }
 }
 
-impl Arc {
-    /// Returns whether the arc runs along a border line of the domain.
-    fn is_on_border(&self) -> bool {
-        let mut points = self.piece.points();
-        let Some(first) = points.next() else { return false };
-        let mut lines = [first.x == 0.0, first.x == 1.0, first.y == 0.0, first.y == 1.0];
-        for point in points {
-            lines[0] &= point.x == 0.0;
-            lines[1] &= point.x == 1.0;
-            lines[2] &= point.y == 0.0;
-            lines[3] &= point.y == 1.0;
-        }
-        lines.contains(&true)
+impl WindingPiece {
+    /// Returns true only if no point of the arc is in a box.
+    pub(super) fn is_apart(&self, [low, high]: [DVec2; 2]) -> bool {
+        let is_beside = self.bounds[1].cmplt(low).any() || self.bounds[0].cmpgt(high).any();
+        let distances = || self.ends.map(|end| end.distance(end.clamp(low, high)));
+        is_beside || distances().iter().sum::<f64>() > self.length
     }
 }
 

@@ -9,11 +9,13 @@ mod enclosure;
 mod nesting;
 mod orientation;
 mod piece;
+mod rim;
 mod winding;
 
 pub(super) use beyond::extended_surface;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
+pub use rim::{Rim, RimSide};
 pub use winding::{RESOLUTION, Winding};
 
 use crate::axis::Axis;

@@ -9,9 +9,10 @@
 //! ACM Transactions on Graphics 43(4) (2024), article 38.
 
 use super::piece::{TrimPiece, homogeneous, point_of};
+use crate::axis::Axis;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
-use glam::{DVec2, Vec3Swizzles};
+use glam::DVec2;
 use std::f64::consts::TAU;
 
 /// The largest number of halvings of a piece: 2^-50 of the domain is below the rounding
@@ -28,18 +29,22 @@ pub const RESOLUTION: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct Winding {
     domain: ParamBox,
-    loops: Vec<Vec<Arc>>,
+    loops: Vec<Vec<WindingPiece>>,
     /// The rounding of a coordinate of the domain, as a fraction of its range.
     rounding: f64,
 }
 
 /// A piece in fractions of the domain.
 #[derive(Debug, Clone)]
-pub(super) struct Arc {
+pub(super) struct WindingPiece {
     pub(super) piece: TrimPiece,
     pub(super) ends: [DVec2; 2],
     /// An upper bound on the length of the control polygon, with the rounding of its points.
     pub(super) length: f64,
+    /// A box that contains it.
+    pub(super) bounds: [DVec2; 2],
+    /// Whether it runs along a border line of the domain.
+    pub(super) is_on_border: bool,
 }
 
 impl Winding {
@@ -60,11 +65,21 @@ impl Winding {
                 for control in &mut scaled.controls {
                     *control = homogeneous(winding.fraction(point_of(*control)), control.z);
                 }
-                arcs.push(Arc::new(scaled, rounding));
+                arcs.push(WindingPiece::new(scaled, rounding));
             }
             winding.loops.push(arcs);
         }
         winding
+    }
+
+    /// Returns the place of (u, v) in fractions of the domain.
+    pub(crate) fn place(&self, parameters: [f64; 2]) -> [f64; 2] {
+        self.fraction(parameters.into()).to_array()
+    }
+
+    /// Returns the fraction of the domain that a unit of a parameter is.
+    pub(crate) fn scale(&self, axis: Axis) -> f64 {
+        self.domain.lengths()[axis.index()].recip()
     }
 
     pub(super) fn fraction(&self, point: DVec2) -> DVec2 {
@@ -99,15 +114,20 @@ impl Winding {
     }
 
     /// Returns the pieces of all loops.
-    pub(super) fn arcs(&self) -> impl Iterator<Item = &Arc> {
+    pub(super) fn arcs(&self) -> impl Iterator<Item = &WindingPiece> {
         self.loops.iter().flatten()
     }
 
+    /// Returns the pieces of a loop.
+    pub(super) fn arcs_of(&self, index: usize) -> impl Iterator<Item = &WindingPiece> {
+        self.loops[index].iter()
+    }
+
     /// Returns the halves of an arc that was halved `halvings` times.
-    pub(super) fn halves(&self, arc: &Arc, halvings: u32) -> [Arc; 2] {
+    pub(super) fn halves(&self, arc: &WindingPiece, halvings: u32) -> [WindingPiece; 2] {
         let rounding =
             self.rounding + gamma(f64::from(halvings + 1) * (2.0 * arc.piece.degree() as f64 + 4.0));
-        arc.piece.halves().map(|half| Arc::new(half, rounding))
+        arc.piece.halves().map(|half| WindingPiece::new(half, rounding))
     }
 
     /// Returns the number of loops.
@@ -138,7 +158,7 @@ impl Winding {
     }
 
     /// Returns the angle under which the point sees the arc.
-    fn angle(&self, arc: &Arc, point: DVec2) -> Option<f64> {
+    fn angle(&self, arc: &WindingPiece, point: DVec2) -> Option<f64> {
         if let Some(angle) = arc.chord_angle(point) {
             return Some(angle);
         }
@@ -157,17 +177,30 @@ impl Winding {
     }
 }
 
-impl Arc {
+impl WindingPiece {
     /// Makes the arc of a piece whose points have this rounding.
     fn new(piece: TrimPiece, rounding: f64) -> Self {
         let mut length = 0.0;
-        let mut previous = piece.controls[0].xy() / piece.controls[0].z;
-        for point in piece.points().skip(1) {
-            length += previous.distance(point) + 2.0 * rounding;
+        let mut previous = piece.start();
+        let mut bounds = [previous; 2];
+        let mut lines = [true; 4];
+        for (index, point) in piece.points().enumerate() {
+            if index > 0 {
+                length += previous.distance(point) + 2.0 * rounding;
+            }
             previous = point;
+            bounds = [bounds[0].min(point), bounds[1].max(point)];
+            let on = [point.x == 0.0, point.x == 1.0, point.y == 0.0, point.y == 1.0];
+            lines = [0, 1, 2, 3].map(|line| lines[line] && on[line]);
         }
-        let ends = [piece.start(), piece.end()];
-        Self { ends, length: length * (1.0 + gamma(64.0)) + 4.0 * rounding, piece }
+        let margin = DVec2::splat(rounding);
+        Self {
+            ends: [piece.start(), piece.end()],
+            length: length * (1.0 + gamma(64.0)) + 4.0 * rounding,
+            bounds: [bounds[0] - margin, bounds[1] + margin],
+            is_on_border: lines.contains(&true),
+            piece,
+        }
     }
 
     /// Returns the angle of the chord if the point is outside the ellipse.

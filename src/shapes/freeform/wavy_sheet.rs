@@ -2,8 +2,9 @@
 
 use crate::error::{Error, Result};
 use crate::model::Model;
+use crate::refine::net_surface;
 use crate::shapes::curves::clamped_knots;
-use crate::shapes::{named, net_surface, positive};
+use crate::shapes::{named, positive};
 use std::f64::consts::TAU;
 
 /// The degree of a sheet along both axes.

@@ -2,7 +2,8 @@
 
 use crate::error::Result;
 use crate::model::Model;
-use crate::shapes::{named, net_surface, positive};
+use crate::refine::net_surface;
+use crate::shapes::{named, positive};
 
 /// The Bézier knots of degrees 1 and 2.
 const LINEAR: [f64; 4] = [0.0, 0.0, 1.0, 1.0];

@@ -3,9 +3,10 @@
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::refine::net_surface;
 use crate::shapes::curves::interpolate;
 use crate::shapes::operations::cut_surface;
-use crate::shapes::{Naca4, PlaneCurve, named, net_surface, positive};
+use crate::shapes::{Naca4, PlaneCurve, named, positive};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The number of points that the section's cubic spline interpolates: its error is

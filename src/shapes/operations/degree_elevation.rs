@@ -1,9 +1,9 @@
 //! Degree elevation.
 
-use super::control_net::map_lines;
 use crate::axis::Axis;
 use crate::error::Result;
 use crate::model::NurbsSurface;
+use crate::refine::map_lines;
 use glam::DVec4;
 
 /// Returns the same surface with its degree along `axis` raised by one.

@@ -1,9 +1,9 @@
 //! Degree reduction.
 
-use super::control_net::map_lines;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
+use crate::refine::map_lines;
 use crate::shapes::curves::basis;
 use glam::DVec4;
 

@@ -1,10 +1,11 @@
 //! Refits of surfaces, as fitters and translators of CAD data make them.
 
+use super::parts::require_whole;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::{Model, NurbsSurface};
+use crate::refine::net_surface;
 use crate::shapes::curves::{DEGREE, UniformSpline, basis};
-use crate::shapes::net_surface;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// Returns the polynomial bicubic B-spline surface over [0, 1]² that interpolates
@@ -82,7 +83,7 @@ fn through(counts: [usize; 2], point: impl Fn(usize, usize) -> Result<DVec3>) ->
 /// # Errors
 /// Those of [`refit_surface`]; `MODEL_TRIMMED` for a model with a trimmed face.
 pub fn refit_model(model: &Model, count: usize) -> Result<Model> {
-    model.require_whole()?;
+    require_whole(model)?;
     let surfaces = model.surfaces().iter().map(|surface| refit_surface(surface, [count; 2]));
     Model::new(model.name().map(|name| format!("{name}, refitted")), surfaces.collect::<Result<_>>()?)
 }

@@ -2,8 +2,9 @@
 
 use crate::error::Result;
 use crate::model::NurbsSurface;
+use crate::refine::net_surface;
+use crate::shapes::PlaneCurve;
 use crate::shapes::curves::{UNIT_CIRCLE, UNIT_CIRCLE_KNOTS};
-use crate::shapes::{PlaneCurve, net_surface};
 
 /// Returns the surface that `profile`, with x as radius and y as height, sweeps in
 /// a full turn about the z axis; u is the angle from the x axis, v runs along the

@@ -9,7 +9,7 @@ mod run;
 mod snapper;
 
 use super::curve::Curve;
-use super::face::Face;
+use super::face::UnitFace;
 use glam::DVec2;
 use graph::Graph;
 use polynomial::polynomial_pieces;
@@ -63,7 +63,7 @@ const MAX_COMPOSED_DEGREE: usize = 120;
 
 /// Splits the loops where v is stationary and at knots, snaps the ends, and joins chains
 /// to graphs. `Err` says in words what prevents it.
-pub(super) fn boundary(face: &Face) -> Result<Boundary, String> {
+pub(super) fn boundary(face: &UnitFace) -> Result<Boundary, String> {
     let loops: Vec<Vec<Curve>> = face
         .loops
         .iter()
@@ -103,7 +103,12 @@ impl Boundary {
     }
 
     /// Adds a chain of runs of one direction, in the order of their loop.
-    fn add_chain(&mut self, face: &Face, snapper: &mut Snapper, mut chain: Vec<Run>) -> Result<(), String> {
+    fn add_chain(
+        &mut self,
+        face: &UnitFace,
+        snapper: &mut Snapper,
+        mut chain: Vec<Run>,
+    ) -> Result<(), String> {
         let Some(first) = chain.first() else { return Ok(()) };
         if first.change > 0 {
             chain.reverse();
@@ -112,7 +117,7 @@ impl Boundary {
     }
 
     /// Adds runs of increasing v head to tail as one graph, or as the graphs of their halves.
-    fn add_runs(&mut self, face: &Face, snapper: &mut Snapper, runs: &[Run]) -> Result<(), String> {
+    fn add_runs(&mut self, face: &UnitFace, snapper: &mut Snapper, runs: &[Run]) -> Result<(), String> {
         let (first, last) = (&runs[0], &runs[runs.len() - 1]);
         let ends = [first.ends[0], last.ends[1]];
         let (v, change) = ([ends[0].y, ends[1].y], first.change);
@@ -141,7 +146,7 @@ impl Boundary {
     }
 
     /// Adds a run as polynomial curves, whose joints take a level that is near.
-    fn add_pieces(&mut self, face: &Face, snapper: &mut Snapper, run: &Run) -> Result<(), String> {
+    fn add_pieces(&mut self, face: &UnitFace, snapper: &mut Snapper, run: &Run) -> Result<(), String> {
         let (pieces, error) = polynomial_pieces(&run.curve, face.tolerances.snap)?;
         let count = pieces.len();
         let [mut low, end] = run.ends;
@@ -182,7 +187,7 @@ mod tests {
             ..TrimCurveArrays::default()
         };
         let trim = Trim::new(0, &plane, vec![(0..5).map(side).collect()]).unwrap();
-        let mut face = Face::new(0, &plane, &trim, 1e-9, false).unwrap();
+        let mut face = UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap();
         face.tolerances.snap = [1e-10; 2];
         let found = boundary(&face).unwrap();
         assert!((0.5 * apart..=2.0 * apart).contains(&found.moved[1]), "{:?}", found.moved);

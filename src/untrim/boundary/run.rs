@@ -4,7 +4,7 @@ use super::Flat;
 use super::snapper::Snapper;
 use crate::axis::Axis;
 use crate::untrim::curve::{Curve, divided, roots};
-use crate::untrim::face::{Face, V_ROUNDING};
+use crate::untrim::face::{UnitFace, V_ROUNDING};
 use glam::{DVec2, DVec3};
 
 /// A curve of increasing v between two vertices, before chains of runs are joined.
@@ -41,7 +41,7 @@ const MAX_FLAT_SNAPS: f64 = 4.0;
 
 impl Runs {
     /// Moves the ends of a loop's curves to their snapped vertices.
-    pub(super) fn of_loop(face: &Face, snapper: &Snapper, curves: &[Curve]) -> Result<Self, String> {
+    pub(super) fn of_loop(face: &UnitFace, snapper: &Snapper, curves: &[Curve]) -> Result<Self, String> {
         let mut runs = Self::default();
         for (curve, next) in curves.iter().zip(curves.iter().cycle().skip(1)) {
             let run = runs.run(face, snapper, curve, [curve.start(), next.start()])?;
@@ -54,7 +54,7 @@ impl Runs {
     /// curves are noted and give `None`.
     fn run(
         &mut self,
-        face: &Face,
+        face: &UnitFace,
         snapper: &Snapper,
         curve: &Curve,
         vertices: [DVec2; 2],
@@ -110,7 +110,7 @@ impl Runs {
 }
 
 /// Splits a curve at stationary v and at knot lines.
-pub(super) fn split(face: &Face, curve: &Curve) -> Vec<Curve> {
+pub(super) fn split(face: &UnitFace, curve: &Curve) -> Vec<Curve> {
     let mut parameters = vec![0.0, 1.0];
     let hull = curve.hull();
     // What is flat is not split for its waves.
@@ -159,7 +159,7 @@ fn rises(curve: &Curve, tolerance: f64, depth: usize) -> bool {
 }
 
 /// Returns whether the tangents agree where the run `after` follows `before`.
-pub(super) fn is_smooth(face: &Face, before: &Run, after: &Run) -> bool {
+pub(super) fn is_smooth(face: &UnitFace, before: &Run, after: &Run) -> bool {
     let scale = DVec2::from(face.lipschitz);
     let tangent = |curve: &Curve, at_end: bool| {
         let controls = &curve.controls;

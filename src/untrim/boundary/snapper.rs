@@ -1,7 +1,7 @@
 //! The moves of coordinates to knots and common values.
 
 use crate::untrim::curve::Curve;
-use crate::untrim::face::Face;
+use crate::untrim::face::UnitFace;
 use glam::DVec2;
 
 /// Moves coordinates to knots and common values.
@@ -19,7 +19,7 @@ pub(super) struct Snapper {
 impl Snapper {
     /// Clusters the values of v at the ends of `curves`: knots represent what is near
     /// them, and the first of a cluster what follows it within the tolerance.
-    pub(super) fn new<'a>(face: &Face, curves: impl Iterator<Item = &'a Curve>) -> Self {
+    pub(super) fn new<'a>(face: &UnitFace, curves: impl Iterator<Item = &'a Curve>) -> Self {
         let snap_v = face.tolerances.snap[1];
         let mut values: Vec<f64> = curves.flat_map(|curve| [curve.start().y, curve.end().y]).collect();
         values.sort_by(f64::total_cmp);

@@ -4,11 +4,11 @@ use super::Cell;
 use crate::axis::Axis;
 use crate::untrim::boundary::graph::Graph;
 use crate::untrim::boundary::{Arc, Flat, Side};
-use crate::untrim::face::Face;
+use crate::untrim::face::UnitFace;
 
 /// Adds cells without height for the flat parts of the boundary that no cell touches: slivers
 /// lower than the tolerance.
-pub(super) fn add(face: &Face, flats: &[Flat], arcs: &mut Vec<Arc>, cells: &mut Vec<Cell>) {
+pub(super) fn add(face: &UnitFace, flats: &[Flat], arcs: &mut Vec<Arc>, cells: &mut Vec<Cell>) {
     let margin = face.tolerances.snap[0];
     for flat in flats {
         let touching = cells.iter().filter(|cell| cell.v.contains(&flat.v));
@@ -31,7 +31,7 @@ pub(super) fn add(face: &Face, flats: &[Flat], arcs: &mut Vec<Arc>, cells: &mut 
 }
 
 /// Adds a cell without height for each knot span of an interval of u.
-fn add_part(face: &Face, [from, to]: [f64; 2], v: f64, arcs: &mut Vec<Arc>, cells: &mut Vec<Cell>) {
+fn add_part(face: &UnitFace, [from, to]: [f64; 2], v: f64, arcs: &mut Vec<Arc>, cells: &mut Vec<Cell>) {
     let mut ends = vec![from];
     ends.extend(face.breaks[0].iter().copied().filter(|&knot| from < knot && knot < to));
     ends.push(to);

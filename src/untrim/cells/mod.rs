@@ -9,7 +9,7 @@ mod unfolded;
 
 use super::boundary::graph::Graph;
 use super::boundary::{Arc, Boundary, Side};
-use super::face::Face;
+use super::face::UnitFace;
 use crate::axis::Axis;
 use std::collections::HashMap;
 
@@ -57,7 +57,7 @@ struct Gap {
 /// winding number is not 0, joined over consecutive slabs. [`balance`] proves of them, as they
 /// are after all later cuts, that they cover the face once (lemma T1 of docs/trimming.md).
 /// O(slabs × arcs across one).
-pub(super) fn cells(face: &Face, boundary: &Boundary) -> Cells {
+pub(super) fn cells(face: &UnitFace, boundary: &Boundary) -> Cells {
     let mut arcs = boundary.arcs.clone();
     let range = arcs
         .iter()
@@ -102,7 +102,7 @@ pub(super) fn cells(face: &Face, boundary: &Boundary) -> Cells {
 }
 
 /// Returns the values of v between which no arc begins, ends or crosses a knot line, increasing.
-fn levels(face: &Face, boundary: &Boundary, arcs: &[Arc], range: [f64; 2]) -> Vec<f64> {
+fn levels(face: &UnitFace, boundary: &Boundary, arcs: &[Arc], range: [f64; 2]) -> Vec<f64> {
     let mut levels: Vec<f64> = arcs.iter().flat_map(|arc| arc.v).collect();
     levels.extend(&boundary.crossings);
     levels.extend(face.breaks[1].iter().filter(|&&knot| range[0] < knot && knot < range[1]));

@@ -1,13 +1,13 @@
 //! Cells as ruled maps of the unit square, which do not fold.
 
 use super::Cell;
-use super::sides::{Part, follow, part};
+use super::sides::{ArcPart, follow, part};
 use super::unfolded::folds;
 use crate::rounding::upper_max;
 use crate::untrim::boundary::graph::Graph;
 use crate::untrim::boundary::{Arc, Side};
 use crate::untrim::curve::{Curve, elevated, halves};
-use crate::untrim::face::{Face, V_ROUNDING};
+use crate::untrim::face::{UnitFace, V_ROUNDING};
 use glam::{DVec2, DVec3};
 
 /// The map `φ(s, t) = (1 - s) left(t) + s right(t)` of the unit square onto a cell.
@@ -52,7 +52,7 @@ const MAX_TILTED_DEGREE: usize = crate::limits::MAX_DEGREE;
 const MAX_SIGN_DEPTH: usize = 30;
 
 /// Maps a cell, or says how to cut it.
-pub(in crate::untrim) fn mapped(face: &Face, arcs: &[Arc], cell: &Cell) -> Mapped {
+pub(in crate::untrim) fn mapped(face: &UnitFace, arcs: &[Arc], cell: &Cell) -> Mapped {
     let sides = cell.sides.map(|arc| &arcs[arc].side);
     if let [Side::Own(left), Side::Own(right)] = sides
         && let [Some(left_part), Some(right_part)] = sides.map(|side| part(side, cell.v))
@@ -67,7 +67,7 @@ pub(in crate::untrim) fn mapped(face: &Face, arcs: &[Arc], cell: &Cell) -> Mappe
 }
 
 /// Returns the map between two sides, at least one of them a graph.
-fn between(face: &Face, cell: &Cell, sides: [&Side; 2]) -> Option<Ruling> {
+fn between(face: &UnitFace, cell: &Cell, sides: [&Side; 2]) -> Option<Ruling> {
     let composed = |graph: &Graph, height: &Curve| follow(graph, height, face.tolerances.composite);
     match sides {
         [Side::Graph(_), Side::Graph(_)] => {
@@ -90,7 +90,7 @@ fn between(face: &Face, cell: &Cell, sides: [&Side; 2]) -> Option<Ruling> {
 }
 
 /// Returns the map between two sides with equal v and weight at equal parameters.
-fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) -> Option<Ruling> {
+fn matched(face: &UnitFace, cell: &Cell, [left, right]: [ArcPart; 2], height: usize) -> Option<Ruling> {
     let degree = left.curve.degree().max(right.curve.degree());
     let moved = largest(left.moved, right.moved);
     let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
@@ -104,7 +104,7 @@ fn matched(face: &Face, cell: &Cell, [left, right]: [Part; 2], height: usize) ->
 /// Returns the map between two curves, with the sides moved into the cell's rectangle of knots,
 /// if that is within the tolerance of crossings: only there the patch is the surface (lemma T3).
 fn confined(
-    face: &Face,
+    face: &UnitFace,
     cell: &Cell,
     curves: [Curve; 2],
     height: Option<usize>,
@@ -163,10 +163,10 @@ fn reversal(coefficients: &[DVec2], tolerance: f64, depth: usize) -> Option<f64>
 
 /// Maps a cell between two curves in their own parameters: directly if the map does not fold,
 /// else on both sides of a straight line, if their boxes leave room for one.
-fn two_curves(face: &Face, cell: &Cell, curves: [&Curve; 2], parts: [Part; 2]) -> Mapped {
+fn two_curves(face: &UnitFace, cell: &Cell, curves: [&Curve; 2], parts: [ArcPart; 2]) -> Mapped {
     let degree: usize = face.patch(cell.rectangle).degree.iter().sum();
     let ends = [0, 1].map(|end| {
-        let at = |part: &Part| if end == 0 { part.curve.start().x } else { part.curve.end().x };
+        let at = |part: &ArcPart| if end == 0 { part.curve.start().x } else { part.curve.end().x };
         0.5 * (at(&parts[0]) + at(&parts[1]))
     });
     if (face.affine || degree <= MAX_TILTED_DEGREE)
@@ -183,7 +183,7 @@ fn two_curves(face: &Face, cell: &Cell, curves: [&Curve; 2], parts: [Part; 2]) -
 }
 
 /// Returns the map between two curves whose v differ at equal parameters, if it does not fold.
-fn tilted(face: &Face, cell: &Cell, [left, right]: [Part; 2]) -> Option<Ruling> {
+fn tilted(face: &UnitFace, cell: &Cell, [left, right]: [ArcPart; 2]) -> Option<Ruling> {
     let allowed = [FOLD_PART * face.tolerances.crossing, 0.5 * face.tolerances.snap[1]];
     let folds = folds(&left.curve, &right.curve, allowed)?;
     let moved = largest(left.moved, right.moved);
@@ -207,7 +207,7 @@ mod tests {
     use crate::shapes::figure5_plane;
 
     /// A trimmed plane, whose domain is one rectangle of knots.
-    fn face() -> Face {
+    fn face() -> UnitFace {
         let plane = figure5_plane().unwrap().surfaces()[0].clone();
         let corners = [[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]].map(|corner| plane.domain().at(corner));
         let side = |k: usize| TrimCurveArrays {
@@ -217,7 +217,7 @@ mod tests {
             ..TrimCurveArrays::default()
         };
         let trim = Trim::new(0, &plane, vec![(0..3).map(side).collect()]).unwrap();
-        let mut face = Face::new(0, &plane, &trim, 1e-9, false).unwrap();
+        let mut face = UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap();
         face.tolerances.crossing = 1e-9;
         face.tolerances.composite = 1e-9;
         face

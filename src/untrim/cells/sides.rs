@@ -8,7 +8,7 @@ use crate::untrim::curve::{Curve, casteljau, divided, elevated};
 use glam::{DVec2, DVec3};
 
 /// A part of an arc as a curve.
-pub(super) struct Part {
+pub(super) struct ArcPart {
     pub(super) curve: Curve,
     /// Upper bounds on the distances in u and v between the curve and the arc (lemma T3).
     pub(super) moved: [f64; 2],
@@ -19,11 +19,11 @@ const COMPOSITE_DEGREES: [usize; 9] = [1, 2, 3, 4, 5, 7, 9, 12, 15];
 
 /// Returns the part of an arc between two levels; `None` where the curve cannot be solved for
 /// them.
-pub(super) fn part(side: &Side, levels: [f64; 2]) -> Option<Part> {
+pub(super) fn part(side: &Side, levels: [f64; 2]) -> Option<ArcPart> {
     match side {
         Side::Graph(graph) => {
             let curve = graph.restricted(levels);
-            Some(Part { moved: moves(graph, &curve), curve })
+            Some(ArcPart { moved: moves(graph, &curve), curve })
         }
         Side::Own(own) => {
             let [from, to] = levels.map(|v| own.solve(v));
@@ -32,7 +32,7 @@ pub(super) fn part(side: &Side, levels: [f64; 2]) -> Option<Part> {
             }
             let curve = own.restricted(from, to);
             let missed = [curve.start().y - levels[0], curve.end().y - levels[1]].map(f64::abs);
-            Some(Part { curve, moved: [0.0, upper_max(missed[0], missed[1])] })
+            Some(ArcPart { curve, moved: [0.0, upper_max(missed[0], missed[1])] })
         }
     }
 }
@@ -58,10 +58,10 @@ fn moves(graph: &Graph, curve: &Curve) -> [f64; 2] {
 
 /// Returns the graph as a curve with the same v and weight as `height` at equal
 /// parameters, within `tolerance` of the graph in u.
-pub(super) fn follow(graph: &Graph, height: &Curve, tolerance: f64) -> Option<Part> {
+pub(super) fn follow(graph: &Graph, height: &Curve, tolerance: f64) -> Option<ArcPart> {
     if graph.degree() <= 1 {
         let curve = line(graph, height);
-        return Some(Part { moved: moves(graph, &curve), curve });
+        return Some(ArcPart { moved: moves(graph, &curve), curve });
     }
     let degree = height.degree();
     let value = |t: f64| {
@@ -95,7 +95,7 @@ pub(super) fn follow(graph: &Graph, height: &Curve, tolerance: f64) -> Option<Pa
             let x = x.iter().map(|&x| DVec3::new(x, 0.0, 0.0)).collect::<Vec<_>>();
             let (x, height) = (elevated(&x, raised), elevated(&height.controls, raised));
             let controls = x.iter().zip(&height).map(|(x, h)| DVec3::new(x.x, h.y, h.z)).collect();
-            return Some(Part { curve: Curve { controls }, moved: [error, 0.0] });
+            return Some(ArcPart { curve: Curve { controls }, moved: [error, 0.0] });
         }
     }
     None

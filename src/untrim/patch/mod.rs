@@ -4,7 +4,7 @@ mod proof;
 
 use super::cells::ruling::Ruling;
 use super::curve::{Curve, casteljau, divided, restricted};
-use super::face::Face;
+use super::face::UnitFace;
 use crate::axis::Axis;
 use crate::bezier::{Patch, extract, power_of_two_below};
 use crate::chebyshev::{MAX_NODES, binomial, coefficients, nodes, to_bernstein};
@@ -37,7 +37,7 @@ pub(super) struct Composed {
 /// degree D. Their Chebyshev series of degree D, found from D + 1 values, is truncated. The
 /// deviation is that which [`Composition::deviation`] proves of the finished patch.
 /// O(p (p q + q²) D + p D²).
-pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
+pub(super) fn composed(face: &UnitFace, ruling: &Ruling) -> Option<Composed> {
     let patch = face.patch(ruling.rectangle);
     let degree = composed_degree(face, &patch, ruling);
     if degree >= MAX_NODES {
@@ -81,7 +81,7 @@ pub(super) fn composed(face: &Face, ruling: &Ruling) -> Option<Composed> {
 /// Returns an upper bound on the distance between `cut` and the part of the face's `surface` over a
 /// rectangle of normalised parameters that its domain stands for. O(spans × nodes × controls).
 pub(super) fn rectangle_deviation(
-    face: &Face,
+    face: &UnitFace,
     surface: &NurbsSurface,
     cut: &NurbsSurface,
     part: ParamBox,
@@ -123,13 +123,13 @@ fn relative(surface: &NurbsSurface, center: DVec3) -> Vec<DVec4> {
 }
 
 /// Returns whether patch and map are polynomials, so that all weights are equal.
-fn is_polynomial(face: &Face, patch: &Patch<'_>, ruling: &Ruling) -> bool {
+fn is_polynomial(face: &UnitFace, patch: &Patch<'_>, ruling: &Ruling) -> bool {
     let sides = ruling.left.is_polynomial() && ruling.right.is_polynomial();
     sides && (face.affine || !patch.rational)
 }
 
 /// Returns the degree in t of the composition's homogeneous form.
-fn composed_degree(face: &Face, patch: &Patch<'_>, ruling: &Ruling) -> usize {
+fn composed_degree(face: &UnitFace, patch: &Patch<'_>, ruling: &Ruling) -> usize {
     let [p, q] = patch.degree;
     let (left, right) = (ruling.left.degree(), ruling.right.degree());
     let polynomial = ruling.left.is_polynomial() && ruling.right.is_polynomial();
@@ -146,7 +146,7 @@ fn composed_degree(face: &Face, patch: &Patch<'_>, ruling: &Ruling) -> usize {
 
 /// Returns the homogeneous controls in s of the composition at t, times a power of the
 /// sides' weights that makes them polynomials in t.
-fn across(face: &Face, patch: &Patch<'_>, ruling: &Ruling, t: f64) -> Vec<DVec4> {
+fn across(face: &UnitFace, patch: &Patch<'_>, ruling: &Ruling, t: f64) -> Vec<DVec4> {
     let [left, right] = [&ruling.left, &ruling.right].map(|curve: &Curve| curve.at(t));
     let [p, q] = patch.degree;
     let is_matched = ruling.height.is_some();

@@ -6,7 +6,7 @@ use crate::limits::MAX_DEGREE;
 use crate::rounding::{gamma, upper_max};
 use crate::untrim::cells::ruling::Ruling;
 use crate::untrim::curve::divided;
-use crate::untrim::face::Face;
+use crate::untrim::face::UnitFace;
 use glam::{DVec2, DVec4, Vec4Swizzles};
 
 /// The number of nodes along s and along t, in multiples of the degree: the largest value there
@@ -15,7 +15,7 @@ const OVERSAMPLING: usize = 2;
 
 /// A surface composed with a ruled map.
 pub(super) struct Composition<'a> {
-    pub(super) face: &'a Face,
+    pub(super) face: &'a UnitFace,
     pub(super) patch: Patch<'a>,
     pub(super) ruling: &'a Ruling,
     /// The degrees in s and t of its homogeneous form.
@@ -84,7 +84,7 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    fn new(face: &Face, patch: Patch<'a>, ruling: &Ruling, ends: [DVec2; 2]) -> Self {
+    fn new(face: &UnitFace, patch: Patch<'a>, ruling: &Ruling, ends: [DVec2; 2]) -> Self {
         let rectangle = face.rectangle(ruling.rectangle);
         let (low, lengths) = (DVec2::from(rectangle.low()), DVec2::from(rectangle.lengths()));
         let ends = ends.map(|end| (end - low) / lengths);
@@ -136,7 +136,7 @@ mod tests {
     use crate::untrim::curve::Curve;
 
     /// A rational biquadratic face over [0, 1]², and a map onto a trapezium in it.
-    fn face_and_ruling() -> (Face, Ruling) {
+    fn face_and_ruling() -> (UnitFace, Ruling) {
         let control_points = (0..9)
             .map(|k| {
                 let (i, j) = (f64::from(k / 3), f64::from(k % 3));
@@ -157,7 +157,7 @@ mod tests {
         let trim = Trim::new(0, &surface, vec![(0..4).map(side).collect()]).unwrap();
         let line = |from: usize, to: usize| Curve::line(corners[from].into(), corners[to].into());
         let ruling = Ruling::between_lines([line(0, 3), line(1, 2)], [0, 0]);
-        (Face::new(0, &surface, &trim, 1e-9, false).unwrap(), ruling)
+        (UnitFace::new(0, &surface, &trim, 1e-9, false).unwrap(), ruling)
     }
 
     /// The point of a patch at the largest value of a Bernstein polynomial.

@@ -57,7 +57,7 @@ fn a_lone_loop_on_a_torus_bounds_the_region_on_its_left() {
     assert_eq!(refused(TORUS, &both), "BREP_LOOP_DIRECTIONS");
 }
 
-/// A strip that winds twice around a cylinder, with a hole in its first turn, of which the place in
+/// A strip that winds twice around a cylinder, with a hole in its first turn, whose place in
 /// the second one is nearer to the middle of the strip's box.
 #[test]
 fn a_hole_lies_in_the_turn_of_a_strip_that_contains_it() {

@@ -4,7 +4,7 @@ use super::{Seams, TORUS, TORUS_AREA, orders};
 use crate::support::brep::{BrepText, minus, plus};
 use crate::{area_of, assert_near, read};
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use std::f64::consts::{PI, TAU};
 
 /// The seams of the torus that begins at the angle v of its tube.

@@ -3,8 +3,8 @@
 
 use glam::{DVec3, DVec4};
 use nurbs_hausdorff::ParamBox;
-use nurbs_hausdorff::bezier::{DerivativeBounds, LocalDerivativeBounds, Patch};
-use nurbs_hausdorff::closest::{CriticalPoint, SquaredDistance};
+use nurbs_hausdorff::internals::bezier::{DerivativeBounds, LocalDerivativeBounds, Patch};
+use nurbs_hausdorff::internals::closest::{CriticalPoint, SquaredDistance};
 
 /// The rounding of bounds on derivatives over a whole patch, relative to the bound.
 const ROUNDING: f64 = 1e-11;

@@ -3,8 +3,10 @@
 
 use crate::support::models;
 use nurbs_hausdorff::ParamBox;
-use nurbs_hausdorff::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract};
-use nurbs_hausdorff::flatness::{FlatPatches, Flatness, flatten};
+use nurbs_hausdorff::internals::bezier::{
+    DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, extract,
+};
+use nurbs_hausdorff::internals::flatness::{FlatPatches, Flatness, flatten};
 use nurbs_hausdorff::shapes::{list, shape};
 
 /// Part of the diagonal by which points may differ, times the degree for every

@@ -4,8 +4,8 @@
 use crate::support::evaluator::evaluate_on_span;
 use crate::support::models;
 use glam::{DVec3, DVec4};
-use nurbs_hausdorff::bezier::{BezierModel, Jet, Patch, extract};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::bezier::{BezierModel, Jet, Patch, extract};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
 use nurbs_hausdorff::shapes::{list, shape};
 use nurbs_hausdorff::{Axis, Model, NurbsSurface, ParamBox, SurfaceArrays};
 

@@ -1,7 +1,7 @@
 //! Boxes, and the tree over them.
 
 use glam::DVec3;
-use nurbs_hausdorff::bvh::{Aabb, Bvh};
+use nurbs_hausdorff::internals::bvh::{Aabb, Bvh};
 use proptest::collection::vec;
 use proptest::prelude::*;
 

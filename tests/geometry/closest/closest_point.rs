@@ -2,10 +2,10 @@
 
 use crate::support::evaluator;
 use glam::DVec3;
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::Target;
-use nurbs_hausdorff::closest::{Closest, CriticalPoint, SquaredDistance, closest, newton};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::bezier::extract;
+use nurbs_hausdorff::internals::closest::Target;
+use nurbs_hausdorff::internals::closest::{Closest, CriticalPoint, SquaredDistance, closest, newton};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
 use nurbs_hausdorff::shapes::{shape, sphere, torus};
 use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;
@@ -72,7 +72,7 @@ fn points_as_near_to_everything() {
 
 #[test]
 fn no_patches_have_no_closest_point() {
-    let none = Target::new(nurbs_hausdorff::bezier::PatchSet::default());
+    let none = Target::new(nurbs_hausdorff::internals::bezier::PatchSet::default());
     assert!(closest(&none, DVec3::ZERO, GAP).is_none());
 }
 

@@ -1,8 +1,10 @@
 //! Foot points on one patch against geometry and against dense sampling.
 
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{BezierModel, Patch, extract};
-use nurbs_hausdorff::closest::{Foot, Status, contraction, nearest_control, newton, tangent_plane};
+use nurbs_hausdorff::internals::bezier::{BezierModel, Patch, extract};
+use nurbs_hausdorff::internals::closest::{
+    Foot, Status, contraction, nearest_control, newton, tangent_plane,
+};
 use nurbs_hausdorff::shapes::{lateral, sphere, torus};
 use nurbs_hausdorff::{Model, SurfaceArrays};
 use proptest::collection::vec;

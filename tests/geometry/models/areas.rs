@@ -1,7 +1,7 @@
 //! Areas contain the analytic ones and are as narrow as stated.
 
 use crate::support::trims::{circle, cylinder, face, plane, quarter_parameter, rectangle, reversed};
-use nurbs_hausdorff::engine::PreparedModel;
+use nurbs_hausdorff::internals::engine::PreparedModel;
 use nurbs_hausdorff::shapes::{self, shape};
 use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{Area, Model, ModelArrays, ModelInfo};

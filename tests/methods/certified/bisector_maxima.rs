@@ -3,7 +3,7 @@
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult};
 use nurbs_hausdorff::shapes::operations::reduce_degree;
 use nurbs_hausdorff::shapes::{shape, torus};
 use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};

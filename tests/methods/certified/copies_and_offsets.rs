@@ -3,7 +3,7 @@
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult};
 use nurbs_hausdorff::shapes::operations::{elevate_degree, transformed};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, NurbsSurface, RigidTransform, SurfaceArrays};

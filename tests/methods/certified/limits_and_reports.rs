@@ -3,10 +3,10 @@
 
 use crate::support::fixtures::peaked_sheet;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::engine::{
     CertifiedDetails, DistanceOptions, DistanceResult, Engine, PreparedModel, Stop,
 };
-use nurbs_hausdorff::progress::{Monitor, NoMonitor};
+use nurbs_hausdorff::internals::progress::{Monitor, NoMonitor};
 use nurbs_hausdorff::shapes::operations::{cut_model, elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{shape, sphere, sphere_parts, torus};
 use nurbs_hausdorff::{Axis, CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};

@@ -3,9 +3,9 @@
 
 use crate::support::cpu::measure;
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::{Target, closest};
-use nurbs_hausdorff::engine::DistanceOptions;
+use nurbs_hausdorff::internals::bezier::extract;
+use nurbs_hausdorff::internals::closest::{Target, closest};
+use nurbs_hausdorff::internals::engine::DistanceOptions;
 use nurbs_hausdorff::shapes::operations::{part, transformed};
 use nurbs_hausdorff::shapes::{lateral, shape, sphere, torus};
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};

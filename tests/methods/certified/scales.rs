@@ -4,7 +4,7 @@
 use crate::support::cpu::measure;
 use crate::support::fixtures::with_grid;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, MethodName};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult, MethodName};
 use nurbs_hausdorff::shapes::{sphere, torus};
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform, SurfaceArrays};
 

@@ -3,10 +3,10 @@
 use crate::support::fixtures::{model, square, translation, turned};
 use crate::support::gpu::{engine, measure};
 use glam::DVec3;
-use nurbs_hausdorff::engine::{
+use nurbs_hausdorff::internals::engine::{
     Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel, Processor,
 };
-use nurbs_hausdorff::progress::Monitor;
+use nurbs_hausdorff::internals::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::transformed;
 use nurbs_hausdorff::shapes::{figure5_cylinder, figure5_plane, shape, sphere};
 use nurbs_hausdorff::{Error, HierarchyOptions, Method, Model, RigidTransform};

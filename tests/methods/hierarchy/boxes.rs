@@ -3,9 +3,9 @@
 use crate::support::evaluator;
 use crate::support::fixtures::{model, square, translation, turned};
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{BezierModel, extract};
-use nurbs_hausdorff::bvh::Aabb;
-use nurbs_hausdorff::hierarchy::{
+use nurbs_hausdorff::internals::bezier::{BezierModel, extract};
+use nurbs_hausdorff::internals::bvh::Aabb;
+use nurbs_hausdorff::internals::hierarchy::{
     CellPart, ChildRange, DistanceBounds, GridCell, GridTree, MAX_CHILDREN, Pairs, Traversal, boxes,
     extremes, pyramid,
 };

@@ -2,9 +2,11 @@
 
 use crate::support::gpu::{engine, measure};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::closest::Projection;
-use nurbs_hausdorff::engine::{Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel};
-use nurbs_hausdorff::progress::Monitor;
+use nurbs_hausdorff::internals::closest::Projection;
+use nurbs_hausdorff::internals::engine::{
+    Backend, DistanceOptions, DistanceResult, Engine, MethodName, PreparedModel,
+};
+use nurbs_hausdorff::internals::progress::Monitor;
 use nurbs_hausdorff::shapes::operations::{elevate_degree, insert_knot, transformed};
 use nurbs_hausdorff::shapes::{FIGURE5_SAMPLES, figure5_cylinder, figure5_plane, shape, sphere};
 use nurbs_hausdorff::{

@@ -3,10 +3,10 @@
 
 use crate::support::evaluator;
 use glam::DVec3;
-use nurbs_hausdorff::bezier::{BezierModel, extract};
-use nurbs_hausdorff::closest::{Projection, Status, Target};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
-use nurbs_hausdorff::iteration::{
+use nurbs_hausdorff::internals::bezier::{BezierModel, extract};
+use nurbs_hausdorff::internals::closest::{Projection, Status, Target};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::iteration::{
     Culling, PAGE_SAMPLES, Projected, Rule, Sampling, SamplingRule, project, reduce, sample,
 };
 use nurbs_hausdorff::shapes::{shape, sphere};
@@ -232,7 +232,7 @@ fn the_tree_and_all_patches_give_the_same_distances() {
 
 #[test]
 fn projections_on_nothing_are_infinitely_far() {
-    let nothing = Target::new(nurbs_hausdorff::bezier::PatchSet::default());
+    let nothing = Target::new(nurbs_hausdorff::internals::bezier::PatchSet::default());
     for culling in [Culling::Tree, Culling::None] {
         let rule = Rule { projection: Projection::Newton, iterations: 5, step_tolerance: 0.01, culling };
         assert_eq!(project(&nothing, DVec3::ZERO, &rule).distance_squared, f64::INFINITY);

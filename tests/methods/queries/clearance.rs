@@ -1,7 +1,7 @@
 //! Clearances against distances known from geometry, and against samples.
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Engine, PreparedModel, Stop};
+use nurbs_hausdorff::internals::engine::{Engine, PreparedModel, Stop};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere, torus};
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, GapOptions, Model, Overlap, RigidTransform};
 

@@ -1,7 +1,7 @@
 //! Closest points against distances known from geometry.
 
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{ClosestPointOptions, ClosestPoints, Engine};
+use nurbs_hausdorff::internals::engine::{ClosestPointOptions, ClosestPoints, Engine};
 use nurbs_hausdorff::shapes::{sphere, torus};
 use nurbs_hausdorff::{Error, Model, PreparedModel, RigidTransform, Signs};
 

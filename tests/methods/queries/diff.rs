@@ -3,7 +3,7 @@
 use crate::support::cpu;
 use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
+use nurbs_hausdorff::internals::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
 
@@ -129,7 +129,7 @@ fn without_time_faces_are_undecided_and_the_interval_true() {
 }
 
 /// A plate whose hole moved: the farthest points are on the hole's edge, and no bound but one over
-/// tiny cells tells them from those beside it.
+/// tiny cells distinguishes them from those beside it.
 #[test]
 fn a_face_that_is_decided_ends_after_few_cells() {
     let plate = |x: f64| {

@@ -1,7 +1,7 @@
 //! The field: distances of samples, finished on the whole of the other model.
 
 use crate::support::{cpu, models};
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, MethodName};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult, MethodName};
 
 /// The largest number of Bézier patches of the models measured here, to keep the time short.
 const MAX_PATCHES: usize = 3000;
@@ -64,7 +64,7 @@ fn distances_are_those_of_the_nearest_points() {
 #[test]
 fn a_field_without_its_distance_is_that_of_the_distance() {
     use nurbs_hausdorff::PreparedModel;
-    use nurbs_hausdorff::engine::{Engine, FieldOptions};
+    use nurbs_hausdorff::internals::engine::{Engine, FieldOptions};
     use nurbs_hausdorff::shapes::{sphere, torus};
     let (ball, ring) = (sphere(glam::DVec3::ZERO, 1.0).unwrap(), torus(3.0, 0.5).unwrap());
     let with_distance = measured(&ball, &ring, MethodName::Certified);

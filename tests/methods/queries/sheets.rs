@@ -2,7 +2,7 @@
 
 use super::solids::face;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::{ClosestPointOptions, Model, Signs, SurfaceArrays};
 
 /// Returns the signed distances of points from a sheet of these faces.

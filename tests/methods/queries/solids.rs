@@ -1,7 +1,7 @@
 //! Sides of points and signs of deviations against bodies known from formulas.
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
 use nurbs_hausdorff::shapes::{cone, cylinder, sphere, torus};
 use nurbs_hausdorff::{DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays};

@@ -1,7 +1,7 @@
 //! Models whose control points change on the same knots.
 
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult, Engine, PreparedModel};
 use nurbs_hausdorff::{HierarchyOptions, Method, Model, shapes};
 
 /// The sheet with every control point moved by a wave of this phase.

@@ -108,7 +108,19 @@ test("wrong meshes are refused by their code", async () => {
   await assert.rejects(hd.distance(mesh, surface, { method: "iteration" }), unsupported);
   await assert.rejects(hd.field(surface, mesh), unsupported);
   await assert.rejects(hd.diff(mesh, surface), unsupported);
-  assert.throws(() => mesh.tessellate(), unsupported);
   assert.throws(() => mesh.update(0, []), unsupported);
   for (const model of [mesh, surface]) model.dispose();
+});
+
+test("a mesh is displayed by its own triangles, and a cloud by its points", () => {
+  // Far from the origin, where float32 alone would not tell the corners apart.
+  const corners = [1e6, 0, 0, 1e6 + 1, 0, 0, 1e6, 1, 0];
+  const mesh = hd.mesh({ positions: corners, triangles: [0, 1, 2] }).tessellate();
+  const at = (vertex) =>
+    [0, 1, 2].map((axis) => mesh.positions[3 * vertex + axis] + mesh.origin[axis]);
+  assert.deepEqual([0, 1, 2].flatMap(at), corners);
+  assert.deepEqual([...mesh.normals], [0, 0, 1, 0, 0, 1, 0, 0, 1]);
+  assert.deepEqual(mesh.faces, [{ firstIndex: 0, indexCount: 3 }]);
+  const cloud = hd.mesh({ positions: corners }).tessellate();
+  assert.deepEqual([cloud.positions.length, cloud.indices.length], [9, 0]);
 });

@@ -8,19 +8,20 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { environment, must } from "../../../scripts/process.mjs";
+import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
+import { environment } from "../../../scripts/process.mjs";
 import { interchangeSquare } from "../support.mjs";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const COMMANDS = {
   node: [process.execPath, join(root, "dist/cli/main.js")],
-  native: [join(root, "target/release/nurbs-hausdorff")],
+  native: [native],
 };
 const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
 after(() => rmSync(folder, { recursive: true }));
 
 before(async () => {
-  await must("cargo", ["build", "--release", "--locked", "--bin", "nurbs-hausdorff"]);
+  await buildCommand();
   for (let z = 0; z < 6; z++) {
     writeFileSync(join(folder, `${z}.json`), JSON.stringify(interchangeSquare(z)));
   }

@@ -49,7 +49,7 @@ const files = [
 
 /**
  * Limits on gaps, in mm. The largest known in STEP are NIST's 0.007; hammer.iges, a part of 50 m
- * by its unit, has 2.63, of which OpenCASCADE's translation keeps 1.03.
+ * by its unit, has 2.63; OpenCASCADE's translation keeps 1.03.
  */
 const MAX_GAPS = { step: 0.01, iges: 2.7 };
 

@@ -7,13 +7,13 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { environment, must } from "../../../scripts/process.mjs";
+import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
+import { environment } from "../../../scripts/process.mjs";
 import { interchangeSquare } from "../support.mjs";
 import { missing, sharedFile } from "./files.mjs";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const main = join(root, "dist/cli/main.js");
-const native = join(root, "target/release/nurbs-hausdorff");
 const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
 after(() => rmSync(folder, { recursive: true }));
 
@@ -46,7 +46,7 @@ const table = JSON.parse(readFileSync(join(root, "src/js/cli/options.json"), "ut
 const squares = {};
 
 before(async () => {
-  await must("cargo", ["build", "--release", "--locked", "--bin", "nurbs-hausdorff"]);
+  await buildCommand();
   for (const z of [0, 3]) {
     squares[z] = file(`square-${z}.json`, JSON.stringify(interchangeSquare(z)));
   }
@@ -152,7 +152,7 @@ test("both describe models with the same numbers", () => {
     const [json, expected] = both("info", model, "--json").map(({ stdout }) => JSON.parse(stdout));
     const areas = [json, expected].map(withoutAreas);
     assert.deepEqual(json, expected);
-    // Cosines, of which the nodes are made, differ in their last digits.
+    // Cosines, which the nodes are made of, differ in their last digits.
     areas[0].forEach((end, index) => {
       assert.ok(Math.abs(end - areas[1][index]) <= 1e-12 * end, `${end}, ${areas[1][index]}`);
     });

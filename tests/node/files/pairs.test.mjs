@@ -6,12 +6,13 @@ import { tmpdir } from "node:os";
 import { delimiter, dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { environment, must } from "../../../scripts/process.mjs";
+import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
+import { environment } from "../../../scripts/process.mjs";
 import { interchangeSquare } from "../support.mjs";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const main = join(root, "dist/cli/main.js");
-const COMMANDS = [[process.execPath, main], [join(root, "target/release/nurbs-hausdorff")]];
+const COMMANDS = [[process.execPath, main], [native]];
 const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
 after(() => rmSync(folder, { recursive: true }));
 
@@ -21,7 +22,7 @@ function write(path, content) {
 }
 
 before(async () => {
-  await must("cargo", ["build", "--release", "--locked", "--bin", "nurbs-hausdorff"]);
+  await buildCommand();
   const square = (z) => JSON.stringify(interchangeSquare(z));
   for (const side of ["old", "new"]) {
     write(`${side}/same.json`, square(0));

@@ -58,7 +58,7 @@ test("points multiplied by their weights, passed without saying so, are another 
   assert.ok(lower > 0.1, `${lower}`);
 });
 
-test("a weight that is not positive and a flag that is none are refused", () => {
+test("a weight that is not positive and a flag that is not a boolean are refused", () => {
   const surface = square(0);
   const controlPoints = surface.controlPoints.with(3, 0);
   const refused = (changes, check) =>

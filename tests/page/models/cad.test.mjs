@@ -50,13 +50,13 @@ for (const [side, name, format, unit, needed] of [
 test("a file in another format is refused with the formats that are read", async () => {
   const { page } = opened;
   await page.setInputFiles("#file-a", {
-    name: "part.stl",
-    mimeType: "model/stl",
-    buffer: Buffer.from("solid part\nendsolid part\n"),
+    name: "part.dwg",
+    mimeType: "application/acad",
+    buffer: Buffer.from("AC1027\n"),
   });
   const error = page.locator('#error[data-code="FORMAT_UNSUPPORTED"]');
   await error.waitFor();
-  assert.match(await error.textContent(), /part\.stl.*STL.*STEP, IGES/);
+  assert.match(await error.textContent(), /part\.dwg.*STEP, IGES/);
 });
 
 test("models of different units are not measured unless B is scaled", async () => {

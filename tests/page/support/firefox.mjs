@@ -9,6 +9,7 @@ import { join } from "node:path";
 import { setTimeout as wait } from "node:timers/promises";
 import { preview } from "vite";
 import { which } from "../../../scripts/process.mjs";
+import { PLAIN } from "./open.mjs";
 import { saveScreenshot } from "./screenshots.mjs";
 
 /** Milliseconds in which Firefox has to listen, and in which a condition has to hold. */
@@ -17,6 +18,8 @@ const TIMEOUT = 60_000;
 
 /** Lets WebGL run on Mesa's software, which Firefox otherwise takes for too slow. */
 const SOFTWARE_WEBGL = { "webgl.force-enabled": true };
+/** The camera is where it goes at once. */
+const WITHOUT_MOTION = { "ui.prefersReducedMotion": 1 };
 
 /** A port that nothing listens on. */
 function freePort() {
@@ -89,11 +92,11 @@ function commands(socket) {
 }
 
 /** Opens the page in the Firefox at this path. */
-export async function openFirefox(executable, path = "") {
+export async function openFirefox(executable, path = PLAIN) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
   const port = await freePort();
   const profile = mkdtempSync(join(tmpdir(), "firefox-"));
-  const preferences = { "marionette.port": port, ...SOFTWARE_WEBGL };
+  const preferences = { "marionette.port": port, ...SOFTWARE_WEBGL, ...WITHOUT_MOTION };
   const lines = Object.entries(preferences).map(
     ([name, value]) => `user_pref("${name}", ${value});\n`,
   );

@@ -7,8 +7,11 @@ import { saveScreenshot } from "./screenshots.mjs";
 /** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
 const TIMEOUT = 60_000;
 
+/** The main page with the least of work: one direction, and no colours. */
+export const PLAIN = "#symmetric=&deviation=";
+
 /**
- * Opens the page. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
+ * Opens the page, all that it folds unfolded but the faces, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
  * `touch: true` gives the device a touch screen; `path` selects another page than the main one, and `prepare` receives the
  * page before it is loaded.
  */
@@ -17,7 +20,7 @@ export async function open({
   webgl = true,
   touch = false,
   size = { width: 1280, height: 800 },
-  path = "",
+  path = PLAIN,
   prepare = async () => {},
 } = {}) {
   const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
@@ -28,6 +31,13 @@ export async function open({
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.setDefaultTimeout(TIMEOUT);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    document.addEventListener("DOMContentLoaded", () => {
+      for (const details of document.querySelectorAll("#panel details:not(#tree)"))
+        details.open = true;
+    });
+  });
   await prepare(page);
   await page.goto(new URL(path, server.resolvedUrls.local[0]).href);
   return {

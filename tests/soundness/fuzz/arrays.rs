@@ -4,7 +4,7 @@
 use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::surfaces::{any_arrays, plane};
-use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::internals::bezier::extract;
 use nurbs_hausdorff::{CertifiedOptions, DistanceOptions, HierarchyOptions, Method, MethodName, Model};
 
 pub fn check(bytes: &[u8]) {
@@ -23,7 +23,7 @@ pub fn check(bytes: &[u8]) {
             Method::Certified(CertifiedOptions { max_cells: Some(32), ..Default::default() })
         }
         MethodName::Hierarchy => Method::Hierarchy(HierarchyOptions { grid: 4, ..Default::default() }),
-        MethodName::Iteration => method.into(),
+        other => other.into(),
     };
     let options = DistanceOptions { method, samples: 4, symmetric: true, ..DistanceOptions::default() };
     let result = distance(&model, &other, &options);

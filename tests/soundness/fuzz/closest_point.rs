@@ -6,9 +6,9 @@ use super::support::surfaces::tame_model;
 use crate::support::evaluator::{distance, evaluate_on_span};
 use glam::DVec3;
 use nurbs_hausdorff::Axis;
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::{Closest, Target, closest};
-use nurbs_hausdorff::flatness::{Flatness, flatten};
+use nurbs_hausdorff::internals::bezier::extract;
+use nurbs_hausdorff::internals::closest::{Closest, Target, closest};
+use nurbs_hausdorff::internals::flatness::{Flatness, flatten};
 
 /// An upper bound on the rounding of the independent evaluator.
 const ROUNDING: f64 = 1e-9;

@@ -5,7 +5,7 @@ use super::support::sampling::{ends, spans};
 use super::support::surfaces::tame_model;
 use crate::support::evaluator::{distance, evaluate_on_span};
 use nurbs_hausdorff::Axis;
-use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::internals::bezier::extract;
 
 /// A bound on the difference for coordinates of at most 10 and weights from 1/8
 /// to 8: some hundred roundings of 2^-53, times the ratio of the weights, times

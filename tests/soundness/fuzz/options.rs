@@ -10,7 +10,7 @@ use nurbs_hausdorff::{Backend, DistanceOptions, Error, Method, NamedOptions};
 const MAX_CELLS: usize = 50;
 const MAX_SAMPLES: usize = 6;
 
-/// The bytes before the text, of which a pair of models is made.
+/// The bytes before the text, which a pair of models is made of.
 const MODEL_BYTES: usize = 64;
 
 pub fn check(bytes: &[u8]) {
@@ -25,7 +25,7 @@ pub fn check(bytes: &[u8]) {
     match &mut options.method {
         Method::Certified(budgets) => cut(budgets.max_cells.get_or_insert(MAX_CELLS), MAX_CELLS),
         Method::Hierarchy(hierarchy) => cut(&mut hierarchy.grid, MAX_SAMPLES),
-        Method::Iteration(_) => {}
+        _ => {}
     }
     if options.backend == Backend::Auto {
         options.backend = Backend::Cpu;

@@ -31,7 +31,7 @@ pub fn check(bytes: &[u8]) {
     let Some(b) = model(b) else { return };
     let sampled = Samples::new(&a, STEPS);
     let [least, largest] = if to_plane {
-        // The distance of each point is |z|, the largest of which is in the controls' hull.
+        // The distance of each point is |z|, and the largest is in the controls' hull.
         let largest = |heights: &mut dyn Iterator<Item = f64>| heights.map(f64::abs).fold(0.0, f64::max);
         let controls = a.surfaces()[0].control_points();
         [

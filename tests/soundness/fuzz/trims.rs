@@ -6,9 +6,9 @@ use super::support::results::{assert_numbers, distance};
 use super::support::sampling::span_at;
 use super::support::surfaces::{plane, tame_arrays};
 use crate::support::evaluator;
-use nurbs_hausdorff::model::ModelArrays;
-use nurbs_hausdorff::model::trim::{FaceArrays, Trim, TrimCurveArrays};
-use nurbs_hausdorff::untrim::untrim;
+use nurbs_hausdorff::internals::model::ModelArrays;
+use nurbs_hausdorff::internals::model::trim::{FaceArrays, Trim, TrimCurveArrays};
+use nurbs_hausdorff::internals::untrim::untrim;
 use nurbs_hausdorff::{
     Axis, CertifiedOptions, DistanceOptions, Error, Method, Model, NurbsSurface, PreparedModel,
 };

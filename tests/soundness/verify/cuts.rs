@@ -5,7 +5,7 @@ use crate::proof::Surface;
 use crate::proof::Verdict;
 use crate::proof::cut::{Cut, Finding, Map, Piece, Ruled, check};
 use crate::support::trims::{arcs, circle, face, plane, rectangle, reversed};
-use nurbs_hausdorff::model::trim::TrimCurveArrays;
+use nurbs_hausdorff::internals::model::trim::TrimCurveArrays;
 use nurbs_hausdorff::{Model, ModelArrays};
 use std::time::{Duration, Instant};
 

@@ -86,7 +86,7 @@ fn quotients_and_roots_round_outward() {
     }
 }
 
-/// Operations on intervals contain the results of all numbers inside, of which the ends and some
+/// Operations on intervals contain the results of all numbers inside; the ends and some
 /// between are tried.
 #[test]
 fn interval_operations_contain_all_results() {

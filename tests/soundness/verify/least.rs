@@ -3,9 +3,9 @@
 use super::{SETTINGS, SHIFT, parallelogram, parsed};
 use crate::proof::{self, LeastClaim, Motion, Report, Verdict, Witness};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{Engine, PreparedModel, SurfacePoint};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{ClearanceOptions, Model, RigidTransform};
+use nurbs_hausdorff::{Engine, PreparedModel, SurfacePoint};
 
 /// A pair of models, A moved, whose least distance is known.
 struct Known {

@@ -8,7 +8,7 @@ mod remainders;
 
 use crate::proof::{self, Claim, Motion, Report, Settings, Verdict, Witness};
 use glam::{DQuat, DVec3};
-use nurbs_hausdorff::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere};
 use nurbs_hausdorff::{Model, RigidTransform, SurfaceArrays};
 use std::path::Path;

@@ -4,14 +4,17 @@
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { element } from "./elements.ts";
 
-export function onFilesDropped(callback: (files: Sides<File>) => void): void {
+/** Calls back with files that are dropped; `zone` takes them for either model, one after the other. */
+export function onFilesDropped(callback: (files: Sides<File>) => void, zone?: HTMLElement): void {
   const stage = element("stage");
   const overlay = element("drop");
   const rows: Record<Side, HTMLElement> = { a: element("model-a"), b: element("model-b") };
 
+  let nextSide: Side = "a";
   const sideAt = (event: DragEvent): Side | undefined => {
     const target = event.target instanceof Node ? event.target : null;
     const row = SIDES.find((side) => rows[side].contains(target));
+    if (zone?.contains(target)) return nextSide;
     if (row !== undefined || !stage.contains(target)) return row;
     const { left, width } = stage.getBoundingClientRect();
     return event.clientX < left + width / 2 ? "a" : "b";
@@ -35,6 +38,9 @@ export function onFilesDropped(callback: (files: Sides<File>) => void): void {
     if (first === undefined) return;
     const side = sideAt(event);
     if (second !== undefined) callback({ a: first, b: second });
-    else if (side !== undefined) callback({ [side]: first });
+    else if (side !== undefined) {
+      callback({ [side]: first });
+      nextSide = side === "a" ? "b" : "a";
+    }
   });
 }

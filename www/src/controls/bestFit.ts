@@ -9,6 +9,11 @@ const STOP = "Stop fitting";
 const button = element("best-fit", HTMLButtonElement);
 const text = element("fit-text");
 
+/** The root mean square, in diagonals, above which a fit is no good one. */
+const POOR = 0.01;
+const POOR_TEXT =
+  ". A poor fit: the parts differ much, or A has to be turned by hand near to where it belongs.";
+
 let running = false;
 
 /** Calls back when the user starts or stops a fit. */
@@ -33,7 +38,9 @@ export function showFit(reply: FitReply, diagonal: number): void {
     case "done": {
       const { rms, rmsBefore, steps, converged } = reply.fit;
       const end = converged ? "" : ", not converged";
-      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})`;
+      const poor = rms > POOR * diagonal ? POOR_TEXT : "";
+      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})${poor}`;
+      text.dataset.poor = `${poor !== ""}`;
       break;
     }
     default:

@@ -15,9 +15,16 @@ const orthographic = input("orthographic");
 const gizmo = select("gizmo");
 const axis = select("section-axis");
 const [position, flipped] = [input("section-at"), input("section-flip")];
+const [wiped, border] = [input("wipe"), input("wipe-at")];
 
-/** What is shown of a model. */
-export const visibility = (side: Side): Visibility => shown[side].value as Visibility;
+/** What is shown of a model; undefined where the page decides. */
+export function visibility(side: Side): Visibility | undefined {
+  const { value } = shown[side];
+  return value === "auto" ? undefined : (value as Visibility);
+}
+
+/** The border between A and B in the view, as a part of its width; undefined without one. */
+export const wipe = (): number | undefined => (wiped.checked ? border.valueAsNumber : undefined);
 
 export const isOrthographic = (): boolean => orthographic.checked;
 
@@ -42,9 +49,22 @@ export function onDisplay(onView: (view: StandardView) => void, onChange: () => 
   });
   const changed = () => {
     element("section-controls").hidden = axis.value === "";
+    border.hidden = !wiped.checked;
+    const line = element("wipe-line");
+    line.hidden = !wiped.checked;
+    line.style.left = `${100 * border.valueAsNumber}%`;
     onChange();
   };
-  for (const control of [...Object.values(shown), orthographic, gizmo, axis, position, flipped]) {
+  for (const control of [
+    ...Object.values(shown),
+    orthographic,
+    gizmo,
+    axis,
+    position,
+    flipped,
+    wiped,
+    border,
+  ]) {
     control.addEventListener("input", changed);
   }
   changed();

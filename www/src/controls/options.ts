@@ -2,7 +2,7 @@
 import type { IterationOptions } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import type { Overlays } from "../scene/view.ts";
-import type { PlainOptions } from "../worker/protocol.ts";
+import { type PlainOptions, SIDES, type Side } from "../worker/protocol.ts";
 
 type Flatness = NonNullable<IterationOptions["flatness"]>;
 
@@ -12,7 +12,7 @@ const select = (id: string) => element(id, HTMLSelectElement);
 const [samples, samplesText] = [input("samples"), element("samples-text")];
 const [method, tolerance, flatness] = [select("method"), select("tolerance"), select("flatness")];
 const [symmetric, triangles] = [input("symmetric"), input("triangles")];
-const [deviation, lines] = [input("deviation"), input("lines")];
+const [deviation, lines, painted] = [input("deviation"), input("lines"), select("paint")];
 
 /** What is drawn in addition to the models. */
 export const overlays = (): Overlays => ({
@@ -21,20 +21,22 @@ export const overlays = (): Overlays => ({
   triangles: triangles.checked,
 });
 
-const needsField = (): boolean => deviation.checked || lines.checked;
+/** The models whose deviations are mapped. */
+export function paint(): readonly Side[] {
+  if (!deviation.checked && !lines.checked) return [];
+  return painted.value === "both" ? SIDES : [painted.value as Side];
+}
 
 /** The options of a measurement except the transform. */
 export function distanceOptions(): PlainOptions {
-  const sampled = { samples: Number(samples.value) };
-  const deviations = needsField();
-  const common = {
-    relativeTolerance: Number(tolerance.value),
-    symmetric: symmetric.checked,
-    ...(deviations && { deviations, ...sampled }),
-  };
+  const common = { relativeTolerance: Number(tolerance.value), symmetric: symmetric.checked };
   switch (method.value) {
     case "iteration":
-      return { ...common, ...sampled, method: "iteration", flatness: flatness.value as Flatness };
+      return {
+        ...common,
+        ...{ method: "iteration", samples: Number(samples.value) },
+        flatness: flatness.value as Flatness,
+      };
     case "hierarchy":
       return { ...common, method: "hierarchy" };
     default:
@@ -50,7 +52,7 @@ export function onChange(callback: () => void): void {
   };
   for (const control of [
     ...[samples, method, tolerance, flatness],
-    ...[symmetric, deviation, lines, triangles],
+    ...[symmetric, deviation, lines, triangles, painted],
   ]) {
     control.addEventListener("input", changed);
   }
@@ -60,7 +62,7 @@ export function onChange(callback: () => void): void {
 /** Hides the options that do not apply to the chosen method. */
 function showApplicable(): void {
   samplesText.textContent = `${samples.value}²`;
-  const applicable = [method.value, needsField() ? "field" : ""];
+  const applicable = [method.value];
   for (const row of document.querySelectorAll<HTMLElement>("[data-methods]")) {
     row.hidden = !row.dataset.methods?.split(" ").some((name) => applicable.includes(name));
   }

@@ -7,6 +7,8 @@ export interface Preset {
   a: string;
   b: string;
   placement: Placement;
+  /** The allowed deviation to begin with. */
+  allowed?: number;
 }
 
 /** The shapes at the positions in which they are constructed. */
@@ -15,7 +17,10 @@ export const IN_PLACE: Placement = { move: [0, 0, 0], turn: 0 };
 const moved = (x: number, y: number, z: number, turn = 0): Placement => ({ move: [x, y, z], turn });
 
 export const presets: readonly Preset[] = [
-  { title: "Two wavy sheets", a: "wavy-sheet", b: "wavy-sheet-b", placement: moved(0, 0, 0.06) },
+  {
+    title: "Bracket and its revision",
+    ...{ a: "bracket", b: "bracket-revised", placement: IN_PLACE, allowed: 0.2 },
+  },
   { title: "Concentric spheres", a: "sphere", b: "sphere-larger", placement: IN_PLACE },
   {
     title: "NACA wings 2412 and 2415",
@@ -39,5 +44,9 @@ export const presets: readonly Preset[] = [
     a: "fig5-plane",
     b: "fig5-cylinder",
     placement: IN_PLACE,
+  },
+  {
+    title: "Experiments: two wavy sheets",
+    ...{ a: "wavy-sheet", b: "wavy-sheet-b", placement: moved(0, 0, 0.06) },
   },
 ];

@@ -3,6 +3,7 @@ import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
 import { ACCEPT } from "../files/formats.ts";
+import { allowed, setAllowed } from "../results/verdict.ts";
 import {
   type DisplayModel,
   type Placement,
@@ -25,10 +26,24 @@ const lists: Record<Side, HTMLSelectElement> = {
 /** The shapes shown. */
 const shown: Sides<string> = {};
 let open: (sources: Sides<Source>, placement: Placement) => void = () => {};
+/** The allowed deviation that an example began with, until the user changes it. */
+let proposed: number | undefined;
+
+/** Allows what an example states; models of the user are not judged by an example's. */
+function propose(limit: number | undefined): void {
+  if (proposed === undefined && limit === undefined) return;
+  const isProposed = allowed()?.above === proposed;
+  if (limit !== undefined || isProposed) setAllowed(limit);
+  proposed = limit;
+}
 
 /** Calls back with the models that the user selects. Only presets move A; other models keep their positions. */
-export function onSource(callback: (sources: Sides<Source>, placement: Placement) => void): void {
-  open = callback;
+export function onSource(listener: (sources: Sides<Source>, placement: Placement) => void): void {
+  const callback = (sources: Sides<Source>, placement: Placement, limit?: number) => {
+    propose(limit);
+    listener(sources, placement);
+  };
+  open = listener;
   pair.append(
     ...presets.map(({ title }, index) => new Option(title, `${index}`)),
     otherOption("own pair"),
@@ -36,7 +51,7 @@ export function onSource(callback: (sources: Sides<Source>, placement: Placement
   pair.addEventListener("change", () => {
     const preset = presets[Number(pair.value)];
     if (preset === undefined) return;
-    callback({ a: { shape: preset.a }, b: { shape: preset.b } }, preset.placement);
+    callback({ a: { shape: preset.a }, b: { shape: preset.b } }, preset.placement, preset.allowed);
   });
   for (const side of SIDES) {
     lists[side].addEventListener("change", () => {
@@ -51,11 +66,20 @@ export function onSource(callback: (sources: Sides<Source>, placement: Placement
       input.value = "";
     });
   }
-  onFilesDropped((files) => {
-    const sources = Object.entries(files).map(([side, file]) => [side, { file }]);
-    callback(Object.fromEntries(sources), IN_PLACE);
+  const openFiles = (files: Sides<File>) => callback(sourcesOf(files), IN_PLACE);
+  onFilesDropped(openFiles, element("dropzone"));
+  const both = element("file-both", HTMLInputElement);
+  both.accept = ACCEPT;
+  both.addEventListener("change", () => {
+    const [a, b] = both.files ?? [];
+    if (a !== undefined) openFiles(b === undefined ? { a } : { a, b });
+    both.value = "";
   });
 }
+
+/** The sources that files are, A's first. */
+export const sourcesOf = (files: Sides<File>): Sides<Source> =>
+  Object.fromEntries(Object.entries(files).map(([side, file]) => [side, { file }]));
 
 /**
  * Opens the shapes that a state of the page names, without a state the first
@@ -93,6 +117,7 @@ export function fillShapes(shapes: ShapeInfo[]): void {
 /** Shows or hides the note that models are being loaded, or what for, which takes a while for large files. */
 export function setLoading(loading: boolean, text = "loading…"): void {
   element("loading").hidden = !loading;
+  element("load-cancel").hidden = !loading;
   element("loading").textContent = text;
 }
 

@@ -14,7 +14,7 @@ export class DeformingScene {
   readonly #viewport: Viewport;
   readonly #sheet: Mesh;
   readonly #part: Mesh;
-  readonly #arrow = new Arrow(element("label"), cssColor("accent"));
+  readonly #arrow = new Arrow(element("label"), [], cssColor("accent"));
 
   /** @throws {Error} without WebGL. */
   static async open(canvas: HTMLCanvasElement): Promise<DeformingScene> {
@@ -40,8 +40,8 @@ export class DeformingScene {
 
   show(triangles: Tessellation, { witness, computed, diagonal }: DistanceResult): void {
     show(this.#sheet, triangles);
-    const text = distanceText(computed, diagonal);
-    this.#arrow.show(witness.a.point, witness.b.point, text, ORIGIN);
+    const texts = { length: distanceText(computed, diagonal), from: "", to: "" };
+    this.#arrow.show(witness.a.point, witness.b.point, texts, ORIGIN);
     this.#viewport.draw();
   }
 }

@@ -1,77 +1,95 @@
 // What each export contains.
-import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult, Vector3 } from "nurbs-hausdorff";
 import { metresPerUnit } from "../files/fileNotes.ts";
-import { deviationSummary, painted } from "../inspection/deviationPanel.ts";
+import { painted } from "../inspection/deviationPanel.ts";
+import { sizeText } from "../inspection/placeList.ts";
+import type { Place } from "../inspection/places.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
-import type { PlainOptions, Probe } from "../worker/protocol.ts";
-import { dataUrl, download, pictureOf } from "./download.ts";
+import type { DisplayModel, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
+import { download } from "./download.ts";
 import type { ExportFormat } from "./exportPanel.ts";
 import { gltfOf } from "./gltf.ts";
-import { reportOf } from "./report.ts";
+import { contentOf } from "./report/content.ts";
+import { reportOf } from "./report/report.ts";
+import type { Views } from "./views.ts";
 
 export interface ExportedState {
   view: View;
-  canvas: HTMLCanvasElement;
+  views: Views;
   result: DistanceResult | undefined;
   diff: DiffResult | undefined;
   pins: Probe[];
+  /** The worst place of each face. */
+  places: Place[];
   options: PlainOptions;
-  /** The names of the models. */
-  names: { a: string; b: string };
-  /** Requests the samples from the worker, which offers them when it has the table. */
+  models: Sides<DisplayModel>;
+  /** Requests the vertices of the maps from the worker, which offers them when it has the table. */
   requestCsv: () => void;
 }
 
 const NAME = "hausdorff";
+/** The worst places that the report has pictures of. */
+const PICTURED = 4;
 
 /** Makes a file and offers it. */
 export async function exportAs(format: ExportFormat, state: ExportedState): Promise<void> {
+  const { view, views } = state;
   switch (format) {
     case "json":
       download(`${NAME}.json`, jsonOf(state));
       break;
     case "csv":
       if (painted() === undefined) {
-        throw new Error("The table contains the samples of the deviation: show it first.");
+        throw new Error("The table contains the deviations of the map: show its colours first.");
       }
       state.requestCsv();
       break;
     case "png":
-      download(`${NAME}.png`, await picture(state));
+      download(`${NAME}.png`, await views.picture());
       break;
     case "gltf":
-      download(`${NAME}.glb`, await gltfOf(state.view.models, painted(), metresPerUnit()));
+      download(`${NAME}.glb`, await gltfOf(view.models, painted(), metresPerUnit()));
       break;
     case "report": {
-      const image = await dataUrl(await picture(state));
-      const content = { picture: image, settings: settingsOf(state) };
-      download(`${NAME}-report.html`, reportOf({ ...content, deviation: deviationSummary() }));
+      const content = { ...(await contentOf(state)), views: await views.all() };
+      download(`${NAME}-report.html`, reportOf({ ...content, places: await placesOf(state) }));
       break;
     }
   }
 }
 
-function picture({ view, canvas }: ExportedState): Promise<Blob> {
-  view.renderForExport();
-  return pictureOf(canvas);
+/** Pictures of the worst places, after which the view is where it was. */
+async function placesOf({ view, views, places, result }: ExportedState) {
+  const { camera } = view;
+  const all: { title: string; picture: string }[] = [];
+  for (const place of places.slice(0, PICTURED)) {
+    const map = painted()?.maps[place.side];
+    if (map === undefined) break;
+    const at = (all: Float32Array): Vector3 => {
+      const [x = 0, y = 0, z = 0] = all.subarray(3 * place.vertex, 3 * place.vertex + 3);
+      return [x, y, z];
+    };
+    const { models } = view;
+    view.lookAt(
+      models.place(place.side, at(map.positions)),
+      models.turn(place.side, at(map.normals)),
+    );
+    const size = sizeText(place, result?.diagonal ?? 1);
+    const title = `${place.side.toUpperCase()} ${place.name}: ${size}`;
+    all.push({ title, picture: (await views.take(title)).picture });
+  }
+  view.camera = camera;
+  return all;
 }
 
-function jsonOf({ result, diff, pins, options, names }: ExportedState): Blob {
+function jsonOf({ result, diff, pins, options, models }: ExportedState): Blob {
+  const nameOf = (model: DisplayModel | undefined) => {
+    const source = model?.source;
+    if (source === undefined) return "";
+    return "shape" in source ? source.shape : source.file.name;
+  };
+  const names = { a: nameOf(models.a), b: nameOf(models.b) };
   const content = { models: names, options, state: formState(), result, faces: diff, pins };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
-}
-
-function settingsOf({ names, options }: ExportedState): [string, string][] {
-  const { method, relativeTolerance, symmetric, transform } = options;
-  const rotation = transform?.rotation ?? [0, 0, 0, 1];
-  return [
-    ["A", names.a],
-    ["B", names.b],
-    ["method", `${method}`],
-    ["tolerance", `${relativeTolerance} of the diagonal`],
-    ["distance", symmetric ? "symmetric (max of A to B, B to A)" : "directed, A to B"],
-    ["translation of A", (transform?.translation ?? [0, 0, 0]).join(", ")],
-    ["rotation of A, quaternion", rotation.join(", ")],
-  ];
 }

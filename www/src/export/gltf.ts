@@ -1,8 +1,17 @@
-// The models as glTF, A in the colours of its deviation.
-import { DoubleSide, Float32BufferAttribute, Group, Mesh, MeshStandardMaterial } from "three";
+// The models as glTF, in the colours of their deviations.
+import {
+  DoubleSide,
+  Float32BufferAttribute,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  Points,
+  PointsMaterial,
+} from "three";
 import type { ColorScale } from "../scene/colors/scale.ts";
 import type { Models } from "../scene/models.ts";
-import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
+import type { MapDisplay } from "../worker/map/display.ts";
+import type { Sides } from "../worker/protocol.ts";
 
 /**
  * Returns a binary glTF file: metres with y up, as glTF defines. Faces are drawn from both sides,
@@ -11,7 +20,7 @@ import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
  */
 export async function gltfOf(
   models: Models,
-  painted: { field: FieldDisplay; scale: ColorScale } | undefined,
+  painted: { maps: Sides<MapDisplay>; scale: ColorScale } | undefined,
   metres: number,
 ): Promise<Blob> {
   const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
@@ -22,27 +31,30 @@ export async function gltfOf(
   group.position.copy(models.center);
   root.add(group);
   for (const { side, mesh } of models.exported) {
-    const copy = new Mesh(
-      mesh.geometry.clone(),
-      new MeshStandardMaterial({ roughness: 0.6, side: DoubleSide }),
-    );
+    const geometry = mesh.geometry.clone();
+    const copy =
+      mesh instanceof Points
+        ? new Points(geometry, new PointsMaterial())
+        : new Mesh(geometry, new MeshStandardMaterial({ roughness: 0.6, side: DoubleSide }));
     copy.name = side.toUpperCase();
     mesh.updateWorldMatrix(true, false);
     copy.applyMatrix4(mesh.matrixWorld);
+    const map = painted?.maps[side];
     if (copy.geometry.hasAttribute("uv")) {
       copy.geometry.deleteAttribute("uv");
-      if (painted !== undefined) paint(copy, painted.field, painted.scale);
+      if (painted !== undefined && map !== undefined) paint(copy, map, painted.scale);
     } else copy.material.color.set(models.colorOf(side));
     group.add(copy);
   }
   const file = await new GLTFExporter().parseAsync(root, { binary: true });
-  for (const child of group.children) if (child instanceof Mesh) child.geometry.dispose();
+  for (const child of group.children)
+    if (child instanceof Mesh || child instanceof Points) child.geometry.dispose();
   return new Blob([file as ArrayBuffer], { type: "model/gltf-binary" });
 }
 
 function paint(
-  mesh: Mesh<Mesh["geometry"], MeshStandardMaterial>,
-  { signed, distances }: FieldDisplay,
+  mesh: Mesh<Mesh["geometry"], MeshStandardMaterial> | Points<Mesh["geometry"], PointsMaterial>,
+  { signed, distances }: MapDisplay,
   scale: ColorScale,
 ): void {
   const colors = new Float32Array(3 * signed.length);

@@ -1,4 +1,4 @@
-// The list of changed faces: buttons, of which arrow keys select the next and the previous.
+// The list of changed faces: buttons; arrow keys select the next and the previous.
 import { distanceText, intervalText } from "../common/numbers.ts";
 import type { Change } from "./changes.ts";
 

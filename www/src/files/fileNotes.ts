@@ -30,10 +30,14 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
   }
   const { a = null, b = null } = units;
   const differ = a !== null && b !== null && unitName(a) !== unitName(b);
-  mismatch.hidden = !differ;
-  if (differ) {
-    mismatchText.textContent = `A is in ${unitName(a)} and B in ${unitName(b)}.`;
-  }
+  const oneKnown = (a === null) !== (b === null);
+  mismatch.hidden = !(differ || oneKnown);
+  element("scale-units-label").hidden = !differ;
+  const name = (unit: number | null) => (unit === null ? "an unknown unit" : unitName(unit));
+  mismatchText.textContent = oneKnown
+    ? `A is in ${name(a)} and B in ${name(b)}: the numbers of both are taken as they are.`
+    : `A is in ${name(a)} and B in ${name(b)}.`;
+  element("position-unit").textContent = `in ${commonUnit() ?? "model units"}`;
 }
 
 /** Calls back when the user decides whether B is scaled. */
@@ -53,13 +57,13 @@ export function unitScale(): number {
 /** Returns how many faces of both files were skipped. */
 export const skippedFaces = (): number => (skipped.a ?? 0) + (skipped.b ?? 0);
 
-/** Returns the metres in a unit of the scene, 1 where no file states it. */
+/** Returns the metres in a unit of the scene, 1 where none is stated. */
 export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
 
-/** Returns the unit of the results, or undefined where it is unknown. */
+/** Returns the unit of the results, or undefined where it is unknown of one of the models. */
 export function commonUnit(): string | undefined {
-  const known = units.a ?? units.b ?? null;
-  return known === null ? undefined : unitName(known);
+  const { a = null, b = null } = units;
+  return a === null || b === null ? undefined : unitName(a);
 }
 
 function note(report: CadReport): HTMLElement {

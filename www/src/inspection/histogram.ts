@@ -1,35 +1,53 @@
-// The histogram of the deviation, in the colours of the scale.
+// The histogram of the deviation beside the upright scale, in its colours.
 import type { ColorScale } from "../scene/colors/scale.ts";
-import type { Distribution } from "../worker/field/distribution.ts";
+import type { Distribution } from "../worker/map/distribution.ts";
 import { histogramOf } from "./cumulative.ts";
 
-const BINS = 48;
-/** The size of the drawing, which is stretched to the panel's width. */
-const HEIGHT = 60;
+export const BINS = 48;
+/** The width of the drawing, which is stretched. */
+const WIDTH = 60;
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** Returns the histogram over the scale's range as a drawing. */
-export function histogram(
-  { absolute, signed }: Distribution,
+/** The fractions of the areas in bins over the scale's range. */
+export function binsOf(
+  distributions: readonly Distribution[],
   scale: ColorScale,
   isAbsolute: boolean,
+): number[] {
+  const all = distributions.map(({ absolute, signed }) => (isAbsolute ? absolute : signed));
+  return histogramOf(all, scale.low, scale.high, BINS);
+}
+
+/** Returns the bins as a drawing, the lowest at the foot; calls back with a bin that is pressed. */
+export function histogram(
+  bins: readonly number[],
+  scale: ColorScale,
+  onBin: (bin: number) => void,
 ): SVGSVGElement {
-  const bins = histogramOf(isAbsolute ? absolute : signed, scale.low, scale.high, BINS);
-  const tallest = Math.max(...bins) || 1;
+  const longest = Math.max(...bins) || 1;
   const colors = scale.stops(BINS);
   const drawing = document.createElementNS(SVG, "svg");
-  drawing.setAttribute("viewBox", `0 0 ${BINS} ${HEIGHT}`);
+  drawing.setAttribute("viewBox", `0 0 ${WIDTH} ${BINS}`);
   drawing.setAttribute("preserveAspectRatio", "none");
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", "Histogram of the deviation over A’s area");
+  drawing.setAttribute("aria-label", "Histogram of the deviation over the area");
   for (const [bin, fraction] of bins.entries()) {
-    const height = (HEIGHT * fraction) / tallest;
-    const bar = document.createElementNS(SVG, "rect");
-    const sizes = { x: bin, y: HEIGHT - height, width: 1.02, height };
-    for (const [name, size] of Object.entries(sizes)) bar.setAttribute(name, `${size}`);
-    bar.setAttribute("fill", colors[bin]?.getStyle() ?? "none");
-    drawing.append(bar);
+    const y = BINS - 1 - bin;
+    // Little area is seen too.
+    const width = fraction > 0 ? Math.max(1, (WIDTH * fraction) / longest) : 0;
+    const bar = rectangle({ x: 0, y, width, height: 1.02 }, colors[bin]?.getStyle() ?? "none");
+    const target = rectangle({ x: 0, y, width: WIDTH, height: 1 }, "transparent");
+    target.setAttribute("class", "target");
+    target.addEventListener("click", () => onBin(bin));
+    drawing.append(bar, target);
   }
   return drawing;
+}
+
+function rectangle(sizes: Record<string, number>, fill: string): SVGRectElement {
+  const node = document.createElementNS(SVG, "rect");
+  for (const [name, size] of Object.entries(sizes)) node.setAttribute(name, `${size}`);
+  node.setAttribute("fill", fill);
+  return node;
 }

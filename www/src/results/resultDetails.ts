@@ -8,6 +8,7 @@ import {
   twoDigits,
   upperText,
 } from "../common/numbers.ts";
+import type { Estimates } from "../worker/map/distribution.ts";
 
 export type Detail = [term: string, text: string];
 
@@ -72,17 +73,15 @@ function methods(result: DistanceResult): Detail[] {
   ];
 }
 
-/** Statistics of the deviation over the samples of A; empty for a result without them. */
-export function statisticsOf({ forward, diagonal, ...directed }: DistanceResult): Detail[] {
-  const statistics = forward?.statistics ?? directed.statistics;
-  if (statistics === undefined) return [];
-  const estimate = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+/** Estimates of the deviation over the area of a model. */
+export function statisticsOf(side: string, estimates: Estimates, diagonal: number): Detail[] {
+  const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   return [
-    ["mean", estimate(statistics.mean)],
-    ["signed mean", `≈ ${signedText(statistics.signedMean, diagonal)}`],
-    ["RMS", estimate(statistics.rms)],
-    ["median", estimate(statistics.median)],
-    ["95th percentile", estimate(statistics.percentile95)],
-    ["99th percentile", estimate(statistics.percentile99)],
+    [`${side}: mean`, text(estimates.mean)],
+    [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
+    [`${side}: RMS`, text(estimates.rms)],
+    [`${side}: median`, text(estimates.median)],
+    [`${side}: 95th percentile`, text(estimates.percentile95)],
+    [`${side}: 99th percentile`, text(estimates.percentile99)],
   ];
 }

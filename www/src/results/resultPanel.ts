@@ -4,7 +4,7 @@ import type { DistanceResult } from "nurbs-hausdorff";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit, skippedFaces } from "../files/fileNotes.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
@@ -71,6 +71,9 @@ export function showResult(
   });
   showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
+  element("where").textContent = whereText(result);
+  element("where").title = whereText(result);
+  element("doubts").textContent = doubtsText(result);
   Object.assign(section.dataset, {
     method: result.method,
     computed: result.computed,
@@ -82,6 +85,30 @@ export function showResult(
     from: farthestSide(result),
     state: stateOf(last, pending),
   });
+}
+
+/** Where the distance is attained. */
+function whereText(result: DistanceResult): string {
+  const { a, b } = result.witness;
+  const fromA = farthestSide(result) === "a";
+  const name = ({ face, faceName }: typeof a) => faceName ?? `face ${face}`;
+  const [from, to] = fromA ? [`A ${name(a)}`, `B ${name(b)}`] : [`B ${name(b)}`, `A ${name(a)}`];
+  return `Farthest: ${from}, from ${to}`;
+}
+
+/** What the interval leaves open: the gaps of the files, and faces that were skipped. */
+function doubtsText(result: DistanceResult): string {
+  const { withGaps, gap, diagonal } = result;
+  const skipped = skippedFaces();
+  const parts = [
+    ...(gap > 0
+      ? [
+          `gaps of the files up to ${gapText(result)}: with them ${intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal)}`,
+        ]
+      : []),
+    ...(skipped > 0 ? [`${skipped} ${skipped === 1 ? "face" : "faces"} skipped on reading`] : []),
+  ];
+  return parts.join("; ");
 }
 
 /** The gap of both files, with its unit and whether it is proven. */
@@ -103,6 +130,7 @@ export function clearResult(state: "cancelled" | "failed" | "working"): void {
   width.textContent = "";
   showVerdict();
   details.replaceChildren();
+  for (const id of ["where", "doubts"]) element(id).textContent = "";
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
     delete section.dataset[name];
   }

@@ -6,7 +6,6 @@ import type { EngineState } from "../worker/protocol.ts";
 
 const TITLES = {
   webgl: "No WebGL: the models cannot be drawn, but distances are computed",
-  engine: "No WebGPU: distances are computed on the CPU",
   result: "The GPU could not be used for all of this distance",
 };
 type Kind = keyof typeof TITLES;
@@ -23,10 +22,11 @@ element("dismiss").addEventListener("click", () => {
   draw();
 });
 
-/** Shows the backend, with a warning while there is no GPU. */
+/** Shows the backend, and why it is not a GPU: that costs time and is nothing to warn of. */
 export function showEngine(engine: EngineState): void {
-  element("engine").textContent = engineText(engine);
-  set("engine", engine.notice);
+  const { notice } = engine;
+  element("engine").textContent =
+    notice === null ? engineText(engine) : `${engineText(engine)}: ${notice}`;
 }
 
 /** Shows why the GPU was not used for a distance; that there is no GPU is the engine's warning. */

@@ -1,38 +1,61 @@
 // The faces of one model, coloured by the class of each: one draw call a class.
 import type { Tessellation } from "nurbs-hausdorff";
 import { Box3, BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } from "three";
+import type { Side } from "../worker/protocol.ts";
 import { glass, satin } from "./material.ts";
 
-export type FaceClass = "plain" | "undecided" | "changed";
+export type FaceClass = "plain" | "undecided" | "changed" | "near" | "clash";
 
-const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed"];
+const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed", "near", "clash"];
 
 /** The colour of faces that need no attention, and of faces that the search did not decide. */
 const PLAIN = "#98a3ad";
 const UNDECIDED = "#8a5cc2";
+/** The colours of faces that come near the other model, and of those that meet it. */
+const NEAR = "#f2a93b";
+const CLASH = "#d3122f";
+
+/** How far back coincident faces lie. */
+const OFFSETS: Readonly<Record<Side, number>> = { a: 1, b: 3 };
 
 export class FaceColors {
   readonly mesh: Mesh<BufferGeometry, Material[]>;
   readonly #source: BufferGeometry;
+  /** The indices of all faces: the source's may be without those that are hidden. */
+  readonly #indices: Uint32Array;
+  /** The faces that are not drawn. */
+  hidden: ReadonlySet<number> = new Set();
   readonly #ranges: Tessellation["faces"];
 
-  /** `ranges` are the faces' ranges of the geometry's indices; `color` is the model's colour. */
-  constructor(source: BufferGeometry, ranges: Tessellation["faces"], color: string) {
+  /** Faces of B lie a little behind those of A that coincide; `color` is the model's colour. */
+  constructor(
+    source: BufferGeometry,
+    { indices, faces: ranges }: Pick<Tessellation, "indices" | "faces">,
+    side: Side,
+    color: string,
+  ) {
     this.#source = source;
+    this.#indices = indices;
     this.#ranges = ranges;
     const geometry = new BufferGeometry();
     for (const name of ["position", "normal"]) {
       geometry.setAttribute(name, source.getAttribute(name));
     }
-    this.mesh = new Mesh(geometry, [glass(PLAIN), satin(UNDECIDED), satin(color)]);
+    this.mesh = new Mesh(geometry, [
+      glass(PLAIN),
+      satin(UNDECIDED, OFFSETS[side]),
+      satin(color, OFFSETS[side]),
+      satin(NEAR, OFFSETS[side]),
+      satin(CLASH, OFFSETS[side]),
+    ]);
     this.mesh.visible = false;
   }
 
   /** Shows every face in the colour of its class; without classes, nothing. */
   show(classes: FaceClass[] | undefined): void {
     this.mesh.visible = classes !== undefined;
-    const source = this.#source.getIndex()?.array;
-    if (classes === undefined || source === undefined) return;
+    const source = this.#indices;
+    if (classes === undefined) return;
     const { geometry } = this.mesh;
     const indices = new Uint32Array(source.length);
     geometry.clearGroups();
@@ -40,7 +63,7 @@ export class FaceColors {
     for (const [material, name] of CLASSES.entries()) {
       const begin = end;
       for (const [face, { firstIndex, indexCount }] of this.#ranges.entries()) {
-        if ((classes[face] ?? "plain") !== name) continue;
+        if ((classes[face] ?? "plain") !== name || this.hidden.has(face)) continue;
         indices.set(source.subarray(firstIndex, firstIndex + indexCount), end);
         end += indexCount;
       }
@@ -53,12 +76,11 @@ export class FaceColors {
   box(face: number): Box3 {
     const box = new Box3();
     const range = this.#ranges[face];
-    const indices = this.#source.getIndex();
-    if (range === undefined || indices === null) return box;
+    if (range === undefined) return box;
     const positions = this.#source.getAttribute("position");
     const point = new Vector3();
     for (let at = range.firstIndex; at < range.firstIndex + range.indexCount; at++) {
-      box.expandByPoint(point.fromBufferAttribute(positions, indices.getX(at)));
+      box.expandByPoint(point.fromBufferAttribute(positions, this.#indices[at] ?? 0));
     }
     return box;
   }

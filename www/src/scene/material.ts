@@ -9,7 +9,7 @@ const GRAZING = 0.9;
 const POWER = 2.2;
 
 /** Returns an opaque material of this colour. */
-export function satin(color: string): MeshPhysicalMaterial {
+export function satin(color: string, offset = 1): MeshPhysicalMaterial {
   return new MeshPhysicalMaterial({
     color,
     roughness: 0.45,
@@ -19,17 +19,17 @@ export function satin(color: string): MeshPhysicalMaterial {
     side: DoubleSide,
     // Moves the surface back a little, because the outline lies on it.
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    polygonOffsetFactor: offset,
+    polygonOffsetUnits: offset,
   });
 }
 
 /**
  * Returns a matt material in the colours of a scale. It is drawn among the
  * transparent objects and after them, so that neither gloss nor glass changes
- * the colours.
+ * the colours. The larger the offset is, the farther back it lies.
  */
-export function painted(map: Texture): MeshStandardMaterial {
+export function painted(map: Texture, offset: number): MeshStandardMaterial {
   return new MeshStandardMaterial({
     map,
     transparent: true,
@@ -37,8 +37,8 @@ export function painted(map: Texture): MeshStandardMaterial {
     metalness: 0,
     side: DoubleSide,
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    polygonOffsetFactor: offset,
+    polygonOffsetUnits: offset,
   });
 }
 

@@ -1,5 +1,4 @@
-// One model in the scene: its surface, plain or painted, its outline and its triangles.
-import type { Vector3 as Point } from "nurbs-hausdorff";
+// One model in the scene: its surface, plain or painted, its outline, its triangles and its cap.
 import {
   type Box3,
   BufferAttribute,
@@ -11,10 +10,12 @@ import {
   Mesh,
   MeshBasicMaterial,
   type Plane,
+  Points,
+  PointsMaterial,
   type Texture,
-  Vector3,
 } from "three";
-import type { DisplayModel } from "../worker/protocol.ts";
+import type { DisplayModel, Side } from "../worker/protocol.ts";
+import { Cap } from "./cap.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
 import { glass, painted, satin } from "./material.ts";
 
@@ -22,34 +23,53 @@ import { glass, painted, satin } from "./material.ts";
 export type Visibility = "solid" | "glass" | "hidden";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
+/** The size of the points of a scan, in pixels. */
+const POINT_SIZE = 3;
+/** The opacity of colours that are seen through. */
+const SEE_THROUGH = 0.4;
 
 export class ModelMesh {
   readonly group = new Group();
   readonly model: DisplayModel;
   readonly #satin: Material;
   readonly #glass: Material;
-  readonly #surface: Mesh;
-  readonly #painted: Mesh;
+  readonly #surface: Mesh | Points;
+  readonly #painted: Mesh | Points;
   readonly #triangles: Mesh;
   readonly #outline: LineSegments;
   readonly #faces: FaceColors;
+  readonly #cap: Cap | undefined;
   #hasPaint = false;
+  #visibility: Visibility = "solid";
+  #hidden: ReadonlySet<number> = new Set();
+  /** The painted triangles with their faces, of which those of hidden faces are not drawn. */
+  #paintedTriangles: { indices: Uint32Array; faces: Uint32Array } | undefined;
 
   /** `map` is the colour scale of the paint. */
-  constructor(model: DisplayModel, color: string, map: Texture) {
+  constructor(model: DisplayModel, side: Side, color: string, map: Texture) {
     this.model = model;
-    this.#painted = new Mesh(new BufferGeometry(), painted(map));
     const { positions, normals, indices } = model.tessellation;
+    const isCloud = indices.length === 0;
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-    geometry.setIndex(new BufferAttribute(indices, 1));
+    if (!isCloud) geometry.setIndex(new BufferAttribute(indices, 1));
     const edges = new BufferGeometry();
     edges.setAttribute("position", geometry.getAttribute("position"));
-    edges.setIndex(new BufferAttribute(model.outline, 1));
-    this.#satin = satin(color);
-    this.#glass = glass(color);
-    this.#surface = new Mesh(geometry, this.#satin);
+    edges.setIndex(new BufferAttribute(model.outline.edges, 1));
+    const dots = { size: POINT_SIZE, sizeAttenuation: false };
+    this.#satin = isCloud ? new PointsMaterial({ color, ...dots }) : satin(color);
+    this.#glass = isCloud
+      ? new PointsMaterial({ color, ...dots, transparent: true, opacity: SEE_THROUGH })
+      : glass(color);
+    this.#surface = isCloud ? new Points(geometry, this.#satin) : new Mesh(geometry, this.#satin);
+    // B lies a little behind A, so that coincident colours do not fight for depth.
+    const paint = isCloud
+      ? new PointsMaterial({ map, ...dots, transparent: true })
+      : painted(map, side === "a" ? 1 : 3);
+    this.#painted = isCloud
+      ? new Points(new BufferGeometry(), paint)
+      : new Mesh(new BufferGeometry(), paint);
     this.#outline = new LineSegments(
       edges,
       new LineBasicMaterial({ color: 0x0d151d, transparent: true, opacity: 0.55 }),
@@ -59,48 +79,78 @@ export class ModelMesh {
     this.#triangles = new Mesh(geometry, new MeshBasicMaterial(TRIANGLES));
     this.#triangles.visible = false;
     this.#triangles.renderOrder = 3;
+    for (const material of [this.#satin, this.#glass, paint]) {
+      if ("flatShading" in material) material.flatShading = model.isMesh;
+    }
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
-    this.#faces = new FaceColors(geometry, model.tessellation.faces, color);
+    this.#faces = new FaceColors(geometry, model.tessellation, side, color);
     this.group.add(
       ...[this.#surface, this.#painted, this.#faces.mesh],
       ...[this.#outline, this.#triangles],
     );
+    if (model.closed) {
+      // All faces, whichever are hidden: what is counted has to close.
+      const whole = new BufferGeometry();
+      whole.setAttribute("position", geometry.getAttribute("position"));
+      whole.setIndex(new BufferAttribute(indices, 1));
+      this.#cap = new Cap(whole, side, color);
+      this.group.add(this.#cap.group);
+    }
     this.group.matrixAutoUpdate = false;
+  }
+
+  /** The face of the cut through the model, which is placed in the scene. */
+  get cap(): Cap | undefined {
+    return this.#cap;
   }
 
   set visibility(visibility: Visibility) {
     const transparent = visibility === "glass";
+    this.#visibility = visibility;
     this.group.visible = visibility !== "hidden";
     this.#surface.material = transparent ? this.#glass : this.#satin;
     this.#surface.renderOrder = transparent ? 1 : 0;
+    const paint = this.#painted.material as Material;
+    paint.opacity = transparent ? SEE_THROUGH : 1;
+    paint.depthWrite = !transparent;
+    // Before what is solid, whose colours it then does not change.
+    this.#painted.renderOrder = transparent ? 1 : 2;
+  }
+
+  get visibility(): Visibility {
+    return this.#visibility;
   }
 
   /** The planes that cut the model open. */
   set clipping(planes: Plane[]) {
     for (const material of this.#materials()) material.clippingPlanes = planes;
+    this.#cap?.cut(this.#visibility === "solid" ? planes[0] : undefined);
   }
 
   /** The mesh that the pointer can hit, in the model's coordinates relative to its origin. */
-  get target(): Mesh {
+  get target(): Mesh | Points {
     return this.#surface;
   }
 
   /** What an export contains: the painted surface if there is paint. */
-  get exported(): Mesh {
+  get exported(): Mesh | Points {
     return this.#hasPaint ? this.#painted : this.#surface;
   }
 
   set triangles(visible: boolean) {
-    this.#triangles.visible = visible;
+    this.#triangles.visible = visible && this.#surface instanceof Mesh;
   }
 
   /** Shows coloured triangles instead of the surface; without a geometry, the surface. */
-  paint(geometry?: BufferGeometry, origin: Point = [0, 0, 0]): void {
+  paint(geometry?: BufferGeometry, faces: Uint32Array = new Uint32Array()): void {
     this.#painted.geometry.dispose();
     if (geometry !== undefined) this.#painted.geometry = geometry;
-    this.#painted.position.set(...origin).sub(new Vector3(...this.model.tessellation.origin));
     this.#hasPaint = geometry !== undefined;
+    const indices = geometry?.getIndex()?.array;
+    this.#paintedTriangles =
+      indices === undefined ? undefined : { indices: indices as Uint32Array, faces };
+    this.#hidePaint();
     this.#showSurface();
   }
 
@@ -108,6 +158,43 @@ export class ModelMesh {
   classify(classes: FaceClass[] | undefined): void {
     this.#faces.show(classes);
     this.#showSurface();
+  }
+
+  /** Draws all faces but these. */
+  hideFaces(hidden: ReadonlySet<number>): void {
+    if (this.#surface instanceof Points) return;
+    this.#hidden = hidden;
+    this.#faces.hidden = hidden;
+    const { tessellation, outline } = this.model;
+    const { indices, faces } = tessellation;
+    const kept = keep(
+      indices,
+      hidden,
+      (face) => {
+        const { firstIndex = 0, indexCount = 0 } = faces[face] ?? {};
+        return [firstIndex, firstIndex + indexCount];
+      },
+      faces.length,
+    );
+    this.#surface.geometry.setIndex(new BufferAttribute(kept, 1));
+    const edges = keep(
+      outline.edges,
+      hidden,
+      (face) => [outline.ends[face - 1] ?? 0, outline.ends[face] ?? 0],
+      faces.length,
+    );
+    this.#outline.geometry.setIndex(new BufferAttribute(edges, 1));
+    this.#hidePaint();
+  }
+
+  #hidePaint(): void {
+    if (this.#paintedTriangles === undefined) return;
+    const { indices, faces } = this.#paintedTriangles;
+    const kept =
+      this.#hidden.size === 0
+        ? indices
+        : indices.filter((_, at) => !this.#hidden.has(faces[Math.floor(at / 3)] ?? 0));
+    this.#painted.geometry.setIndex(new BufferAttribute(kept, 1));
   }
 
   /** The box of one face, in scene coordinates. */
@@ -124,6 +211,7 @@ export class ModelMesh {
   dispose(): void {
     this.group.removeFromParent();
     this.#faces.dispose();
+    this.#cap?.dispose();
     const parts = [this.#surface, this.#painted, this.#outline, this.#triangles];
     for (const part of parts) part.geometry.dispose();
     for (const material of this.#materials()) material.dispose();
@@ -134,4 +222,24 @@ export class ModelMesh {
     const parts = [this.#painted, this.#outline, this.#triangles];
     return [this.#satin, this.#glass, ...material, ...parts.flatMap((part) => part.material)];
   }
+}
+
+/** The indices of all faces but the hidden ones. */
+function keep(
+  indices: Uint32Array<ArrayBuffer>,
+  hidden: ReadonlySet<number>,
+  rangeOf: (face: number) => [from: number, to: number],
+  count: number,
+): Uint32Array<ArrayBuffer> {
+  if (hidden.size === 0) return indices;
+  const ranges = Array.from({ length: count }, (_, face) => face)
+    .filter((face) => !hidden.has(face))
+    .map((face) => indices.subarray(...rangeOf(face)));
+  const kept = new Uint32Array(ranges.reduce((sum, { length }) => sum + length, 0));
+  let end = 0;
+  for (const range of ranges) {
+    kept.set(range, end);
+    end += range.length;
+  }
+  return kept;
 }

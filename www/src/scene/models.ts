@@ -1,7 +1,16 @@
 // The two models in the scene.
 import type { Vector3 as Point } from "nurbs-hausdorff";
-import { Box3, Group, type Mesh, type Plane, type Texture, Vector3 } from "three";
-import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
+import {
+  Box3,
+  Group,
+  Matrix4,
+  type Mesh,
+  type Plane,
+  type Points,
+  type Texture,
+  Vector3,
+} from "three";
+import type { MapDisplay } from "../worker/map/display.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Viewport } from "./camera/viewport.ts";
 import type { FaceClass } from "./faces.ts";
@@ -9,6 +18,11 @@ import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
 import type { Pose } from "./pose.ts";
 import { clippingPlanes, type Section } from "./section.ts";
+
+/** The side of a cap's plane, in diagonals of the scene: it covers all cuts. */
+const CAP_SIZE = 2.5;
+/** How far a box reaches beyond the other one that it encloses, in diagonals. */
+const ENCLOSING = 0.01;
 
 export class Models {
   readonly group = new Group();
@@ -47,9 +61,10 @@ export class Models {
       const model = models[side];
       if (model === undefined) continue;
       this.#meshes[side]?.dispose();
-      const mesh = new ModelMesh(model, this.#colors[side], this.#map);
+      const mesh = new ModelMesh(model, side, this.#colors[side], this.#map);
       this.#meshes[side] = mesh;
       this.group.add(mesh.group);
+      if (mesh.cap !== undefined) this.group.add(mesh.cap.plane);
     }
     this.#centre();
   }
@@ -70,11 +85,50 @@ export class Models {
     }
   }
 
-  /** Cuts both models open. */
+  /** Cuts both models open; closed ones are capped. */
   cut(section: Section | undefined): void {
-    const planes = clippingPlanes(section, this.box);
-    for (const mesh of Object.values(this.#meshes)) mesh.clipping = planes;
+    const { box } = this;
+    const planes = clippingPlanes(section, box);
+    const size = CAP_SIZE * box.getSize(new Vector3()).length();
+    for (const mesh of Object.values(this.#meshes)) {
+      if (mesh.cap !== undefined) mesh.cap.size = size;
+      mesh.clipping = planes;
+    }
     this.#planes = planes;
+  }
+
+  /** The planes of the section. */
+  get planes(): readonly Plane[] {
+    return this.#planes;
+  }
+
+  /** Draws all faces of a model but these. */
+  hideFaces(side: Side, hidden: ReadonlySet<number>): void {
+    this.#meshes[side]?.hideFaces(hidden);
+  }
+
+  /** Draws only one of the models, or both again. */
+  only(side: Side | undefined): void {
+    for (const one of SIDES) {
+      const mesh = this.#meshes[one];
+      if (mesh === undefined) continue;
+      const shown = mesh.visibility !== "hidden" && (side === undefined || side === one);
+      mesh.group.visible = shown;
+      if (mesh.cap !== undefined) mesh.cap.plane.visible = shown && mesh.cap.group.visible;
+    }
+  }
+
+  /** The model that encloses the other one, which it would hide; undefined if none does. */
+  get outer(): Side | undefined {
+    const { a, b } = this.#meshes;
+    if (a === undefined || b === undefined) return undefined;
+    const [boxA, boxB] = [a, b].map(({ target, group }) => {
+      group.updateWorldMatrix(true, true);
+      return new Box3().setFromObject(target);
+    }) as [Box3, Box3];
+    const margin = ENCLOSING * this.diagonal;
+    if (boxB.clone().expandByScalar(-margin).containsBox(boxA)) return "b";
+    return boxA.clone().expandByScalar(-margin).containsBox(boxB) ? "a" : undefined;
   }
 
   /** The point of a model that the view's ray hits first, in the model's coordinates. */
@@ -85,10 +139,16 @@ export class Models {
   ): { side: Side; near: Point } | undefined {
     const visible = SIDES.filter((side) => this.#meshes[side]?.group.visible);
     const targets = visible.flatMap((side) => this.#meshes[side]?.target ?? []);
-    const hit = viewport
+    const hits = viewport
       .hits(clientX, clientY, targets)
-      .find(({ point }) => this.#planes.every((plane) => plane.distanceToPoint(point) >= 0));
-    const side = visible.find((side) => this.#meshes[side]?.target === hit?.object);
+      .filter(({ point }) => this.#planes.every((plane) => plane.distanceToPoint(point) >= 0));
+    const sideOf = (object: unknown) =>
+      visible.find((side) => this.#meshes[side]?.target === object);
+    // What is seen through is meant only where nothing else is.
+    const hit =
+      hits.find(({ object }) => this.#meshes[sideOf(object) ?? "a"]?.visibility === "solid") ??
+      hits[0];
+    const side = sideOf(hit?.object);
     const mesh = side && this.#meshes[side];
     if (hit === undefined || side === undefined || mesh === undefined) return undefined;
     const local = mesh.target.worldToLocal(hit.point.clone());
@@ -110,16 +170,20 @@ export class Models {
   }
 
   /** The meshes to export, with their names. */
-  get exported(): { side: Side; mesh: Mesh }[] {
+  get exported(): { side: Side; mesh: Mesh | Points }[] {
     return SIDES.flatMap((side) => {
       const mesh = this.#meshes[side];
       return mesh === undefined ? [] : [{ side, mesh: mesh.exported }];
     });
   }
 
-  /** Paints A by its deviation, in units of `unit`. */
-  paint(field: FieldDisplay, unit: number): void {
-    this.#meshes.a?.paint(deviationGeometry(field, unit), field.origin);
+  /** Paints models by their deviations, in units of `unit`; those without a map are plain. */
+  paint(maps: Sides<MapDisplay>, unit: number): void {
+    for (const side of SIDES) {
+      const map = maps[side];
+      if (map === undefined) this.#meshes[side]?.paint();
+      else this.#meshes[side]?.paint(deviationGeometry(map, unit), map.faces);
+    }
   }
 
   /** Colours the faces of both models by their classes; without classes, as models. */
@@ -132,9 +196,25 @@ export class Models {
     return this.#meshes[side]?.faceBox(face) ?? new Box3();
   }
 
-  /** Removes the paint from A. */
-  clearPaint(): void {
-    this.#meshes.a?.paint();
+  /** A point that is relative to a model's tessellation, in scene coordinates. */
+  place(side: Side, [x, y, z]: Point): Vector3 {
+    return new Vector3(x, y, z).applyMatrix4(this.#meshes[side]?.group.matrix ?? new Matrix4());
+  }
+
+  /** A direction of a model in the scene. */
+  turn(side: Side, [x, y, z]: Point): Vector3 {
+    const matrix = this.#meshes[side]?.group.matrix ?? new Matrix4();
+    return new Vector3(x, y, z).transformDirection(matrix);
+  }
+
+  /** The models drawn. */
+  get drawn(): Sides<DisplayModel> {
+    return Object.fromEntries(
+      SIDES.flatMap((side) => {
+        const model = this.#meshes[side]?.model;
+        return model === undefined ? [] : [[side, model]];
+      }),
+    );
   }
 
   /** Whether both models are loaded. */

@@ -52,7 +52,7 @@ export class Pose {
   }
 }
 
-/** Returns the angles about x, y and z, in degrees, of which the pose's rotation is made. */
+/** Returns the angles about x, y and z, in degrees, that make the pose's rotation. */
 export function degreesOf(rotation: Quaternion): Vector3 {
   const { x, y, z } = new Euler().setFromQuaternion(rotation, ORDER);
   return new Vector3(x, y, z).multiplyScalar(MathUtils.RAD2DEG);

@@ -1,14 +1,14 @@
 // The view of the models and a result. Without WebGL it draws nothing.
-import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult, Vector3 as Point, SurfacePoint } from "nurbs-hausdorff";
 import { Vector3 } from "three";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { certifiedText, distanceText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
-import type { FieldDisplay } from "../worker/field/fieldDisplay.ts";
-import type { DisplayModel, Side, Sides } from "../worker/protocol.ts";
-import { Axes } from "./camera/axes.ts";
+import type { MapDisplay } from "../worker/map/display.ts";
+import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { ViewCube } from "./camera/cube.ts";
 import { STANDARD_VIEWS, type StandardView } from "./camera/standardViews.ts";
 import { Viewport } from "./camera/viewport.ts";
 import { cssColor } from "./colors/css.ts";
@@ -18,7 +18,7 @@ import type { FaceClass } from "./faces.ts";
 import { Gizmo, type GizmoMode, type OnGizmo } from "./gizmo.ts";
 import type { Visibility } from "./mesh.ts";
 import { Models } from "./models.ts";
-import { Arrow } from "./overlays/arrow.ts";
+import { Arrow, type ArrowTexts } from "./overlays/arrow.ts";
 import { ProjectionLines } from "./overlays/projectionLines.ts";
 import type { Pose } from "./pose.ts";
 import type { Section } from "./section.ts";
@@ -26,6 +26,8 @@ import type { Section } from "./section.ts";
 /** The radius of the view around the arrow, in lengths of the arrow, and its minimum, in diagonals. */
 const APPROACH_RADIUS = 2;
 const MIN_APPROACH_RADIUS = 1e-5;
+/** The least radius of the view around a place of a map, in diagonals: what surrounds it is seen. */
+const PLACE_RADIUS = 0.12;
 /** The radius of the view around a face, in diagonals of its box: a little more than its sphere's. */
 const FACE_RADIUS = 0.6;
 
@@ -42,14 +44,23 @@ export interface Display {
   orthographic: boolean;
   section: Section | undefined;
   gizmo: GizmoMode;
+  /** The part of the view, from the left, that shows A only, and the rest B. */
+  wipe: number | undefined;
 }
 
 export class View {
   readonly pins = new Pins();
   readonly #scale = new ScaleTexture();
   readonly models = new Models({ a: cssColor("a"), b: cssColor("b") }, this.#scale.texture);
-  readonly #arrow = new Arrow(element("label"), cssColor("accent"));
-  readonly #lines = new ProjectionLines(this.#scale.texture);
+  readonly #arrow = new Arrow(
+    element("label"),
+    [element("label-from"), element("label-to")],
+    cssColor("accent"),
+  );
+  readonly #lines = {
+    a: new ProjectionLines(this.#scale.texture),
+    b: new ProjectionLines(this.#scale.texture),
+  };
   readonly #viewport: Viewport | undefined;
   readonly #gizmo: Gizmo | undefined;
   #overlays: Overlays = { deviation: false, lines: false, triangles: false };
@@ -68,6 +79,7 @@ export class View {
       return new View(canvas, onGizmo, await Viewport.open(canvas));
     } catch (error) {
       element("tools").hidden = true;
+      element("axes", SVGSVGElement).toggleAttribute("hidden", true);
       withoutWebGl(error instanceof Error ? error.message : `${error}`);
       return new View(canvas, onGizmo, undefined);
     }
@@ -75,14 +87,19 @@ export class View {
 
   private constructor(canvas: HTMLCanvasElement, onGizmo: OnGizmo, viewport: Viewport | undefined) {
     if (viewport === undefined) return;
-    viewport.scene.add(this.models.group, this.#arrow.group, this.#lines.lines);
+    viewport.scene.add(
+      this.models.group,
+      this.#arrow.group,
+      this.#lines.a.lines,
+      this.#lines.b.lines,
+    );
     this.#viewport = viewport;
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
-    const axes = new Axes(element("axes", SVGSVGElement));
+    const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
       this.#arrow.update(viewport);
-      this.pins.update(viewport, this.models.center);
-      axes.update(viewport.camera);
+      this.pins.update(viewport, this.models.center, this.models.planes);
+      cube.update(viewport.camera);
     };
   }
 
@@ -92,8 +109,9 @@ export class View {
     void this.#viewport?.compile();
   }
 
-  fit(): void {
-    this.#viewport?.fit(this.models.box);
+  /** Shows both models; `atOnce` without a way to it. */
+  fit(atOnce = false): void {
+    this.#viewport?.fit(this.models.box, undefined, atOnce);
   }
 
   /** Shows both models from a standard direction. */
@@ -117,10 +135,62 @@ export class View {
     this.#viewport?.draw();
   }
 
+  /** Looks at a point of the scene from near, at once, from where its surface is seen. */
+  lookAt(point: Vector3, normal: Vector3): void {
+    this.#viewport?.approachAtOnce(point, PLACE_RADIUS * this.models.diagonal, normal);
+  }
+
   /** Draws at once and without handles, so that the canvas can be read in the same task. */
   renderForExport(): void {
     this.#gizmo?.without(() => this.#viewport?.render());
     this.#viewport?.draw();
+  }
+
+  /** Calls back when the user moved the camera by hand. */
+  onCamera(callback: (place: number[]) => void): void {
+    const viewport = this.#viewport;
+    viewport?.controls.addEventListener("end", () => callback(viewport.place));
+  }
+
+  /** Where the camera is, to show the same view again; none without WebGL. */
+  get camera(): number[] {
+    return this.#viewport?.place ?? [];
+  }
+
+  set camera(place: number[]) {
+    if (this.#viewport !== undefined) this.#viewport.place = place;
+  }
+
+  /** Zooms to a point of a result, and shows an arrow from it to its foot. */
+  approach(from: Point, to: Point, texts: ArrowTexts, normal?: Vector3): void {
+    this.#arrow.show(from, to, texts, this.models.center);
+    const radius = Math.max(
+      APPROACH_RADIUS * this.#arrow.length,
+      PLACE_RADIUS * this.models.diagonal,
+    );
+    this.#viewport?.approach(this.#arrow.middle, radius, normal);
+  }
+
+  /** Shows an arrow between two points of a result, or that of the result again. */
+  point(arrow?: { from: Point; to: Point; texts: ArrowTexts }): void {
+    if (arrow === undefined) this.#showArrow();
+    else this.#arrow.show(arrow.from, arrow.to, arrow.texts, this.models.center);
+    this.#viewport?.draw();
+  }
+
+  /** Draws all faces of a model but these. */
+  hideFaces(side: Side, hidden: ReadonlySet<number>): void {
+    this.models.hideFaces(side, hidden);
+    this.#viewport?.draw();
+  }
+
+  /** Zooms to one face. */
+  approachFace(side: Side, face: number): void {
+    const box = this.models.faceBox(side, face);
+    if (box.isEmpty()) return;
+    const size = FACE_RADIUS * box.getSize(new Vector3()).length();
+    const radius = Math.max(size, MIN_APPROACH_RADIUS * this.models.diagonal);
+    this.#viewport?.approach(box.getCenter(new Vector3()), radius);
   }
 
   approachArrow(): void {
@@ -137,7 +207,17 @@ export class View {
     this.models.pose(pose);
     this.models.setDisplay(display.visibility, overlays.triangles);
     this.models.cut(display.section);
-    if (this.#viewport !== undefined) this.#viewport.orthographic = display.orthographic;
+    if (this.#viewport !== undefined) {
+      this.#viewport.orthographic = display.orthographic;
+      const { wipe } = display;
+      this.#viewport.wipe =
+        wipe === undefined
+          ? undefined
+          : {
+              fraction: wipe,
+              only: (left) => this.models.only(left === undefined ? undefined : left ? "a" : "b"),
+            };
+    }
     if (this.#gizmo !== undefined) {
       this.#gizmo.mode = display.gizmo;
       this.#gizmo.place(pose, this.models.center);
@@ -148,17 +228,21 @@ export class View {
   showResult(result: DistanceResult, replaced: boolean): void {
     this.#result = result;
     if (this.#diff === undefined) this.#showArrow();
-    if (replaced) this.#hideField();
+    if (replaced) this.#hideMaps();
     this.#viewport?.draw();
   }
 
-  /** Shows the deviation of A, whose largest distance is `largest`. */
-  showField(field: FieldDisplay, scale: ColorScale, largest: number): void {
+  /** Shows the deviations of models, whose largest distance is `largest`. */
+  showMaps(maps: Sides<MapDisplay>, scale: ColorScale, largest: number): void {
     const { deviation, lines } = this.#overlays;
     this.#unit = largest;
     this.#scale.show(scale, largest);
-    if (deviation) this.models.paint(field, largest);
-    if (lines) this.#lines.show(field, largest, this.models.center);
+    this.models.paint(deviation ? maps : {}, largest);
+    for (const side of SIDES) {
+      const map = maps[side];
+      if (lines && map) this.#lines[side].show(map, largest, this.models.center);
+      else this.#lines[side].hide();
+    }
     this.#viewport?.draw();
   }
 
@@ -171,7 +255,7 @@ export class View {
   hideResult(): void {
     this.#result = undefined;
     this.#showArrow();
-    this.#hideField();
+    this.#hideMaps();
     this.#viewport?.draw();
   }
 
@@ -183,6 +267,12 @@ export class View {
     );
     if (diff === undefined) this.#showArrow();
     else this.#arrow.hide();
+    this.#viewport?.draw();
+  }
+
+  /** Colours faces by classes of any kind, and greys the others; without any, ends that. */
+  classify(classes: Sides<FaceClass[]>): void {
+    this.models.classify(classes);
     this.#viewport?.draw();
   }
 
@@ -200,7 +290,8 @@ export class View {
     this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
     const length = new Vector3(...from).distanceTo(new Vector3(...to));
-    this.#arrow.show(from, to, distanceText(length, diff.diagonal), this.models.center);
+    const texts = { length: distanceText(length, diff.diagonal), from: "", to: "" };
+    this.#arrow.show(from, to, texts, this.models.center);
     const box = this.models.faceBox(side, difference.face);
     for (const point of [from, to]) {
       box.expandByPoint(new Vector3(...point).sub(this.models.center));
@@ -219,17 +310,25 @@ export class View {
       return;
     }
     const { witness, computed, lower, upper, diagonal } = this.#result;
-    const [from, to] =
-      farthestSide(this.#result) === "a" ? [witness.a, witness.b] : [witness.b, witness.a];
-    const text = certifiedText(computed, [lower, upper], diagonal);
-    this.#arrow.show(from.point, to.point, text, this.models.center);
+    const fromA = farthestSide(this.#result) === "a";
+    const [from, to] = fromA ? [witness.a, witness.b] : [witness.b, witness.a];
+    const [own, other] = fromA ? ["A", "B"] : ["B", "A"];
+    const texts = {
+      length: certifiedText(computed, [lower, upper], diagonal),
+      from: `${own}: ${nameOf(from)}`,
+      to: `${other}: ${nameOf(to)}`,
+    };
+    this.#arrow.show(from.point, to.point, texts, this.models.center);
   }
 
-  #hideField(): void {
-    this.models.clearPaint();
-    this.#lines.hide();
+  #hideMaps(): void {
+    this.models.paint({}, 1);
+    for (const lines of Object.values(this.#lines)) lines.hide();
   }
 }
+
+/** The face of a point, by its name in the source. */
+const nameOf = ({ face, faceName }: SurfacePoint): string => faceName ?? `face ${face}`;
 
 /** The classes of a model of whose faces only one has a class of its own. */
 function only(face: number, [own = "plain"]: FaceClass[]): FaceClass[] {

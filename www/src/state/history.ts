@@ -7,9 +7,13 @@ const PAUSE = 150;
 /** The largest number of states kept. */
 const MAX_STATES = 200;
 
+/** The camera's parameter, and significant digits of its place. */
+const CAMERA = "camera";
+const CAMERA_DIGITS = 5;
+
 /** Controls whose values are about one pair of models. */
 const OF_PAIR = [
-  ...["a", "b", "limit", "range", "section-at"],
+  ...["a", "b", "limit", "limit-below", "below", "range", "section-at"],
   ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
 ];
 
@@ -20,6 +24,9 @@ export class History {
   readonly #restore: (state: string) => void;
   /** Whether a model is of a file, which no address opens. */
   ofFiles = false;
+  /** Called with the state of files, which the address does not hold. */
+  onFileState: (state: string) => void = () => {};
+  #camera = "";
   #past: string[] = [];
   #future: string[] = [];
   #current: string | undefined;
@@ -44,6 +51,23 @@ export class History {
   /** The state in the page's address, if there is one. */
   static get linked(): string | undefined {
     return location.hash.length > 1 ? location.hash.slice(1) : undefined;
+  }
+
+  /** The camera's place in a state. */
+  static cameraOf(state: string | undefined): number[] | undefined {
+    const numbers = (new URLSearchParams(state).get(CAMERA) ?? "").split(",").map(Number);
+    const valid = numbers.length === 6 && numbers.every((value) => Number.isFinite(value));
+    return valid && numbers.slice(0, 3).some((value, axis) => value !== numbers[axis + 3])
+      ? numbers
+      : undefined;
+  }
+
+  /** Keeps the camera's place in the address; undoing does not move it. */
+  set camera(place: number[]) {
+    const text = place.map((value) => `${Number(value.toPrecision(CAMERA_DIGITS))}`).join(",");
+    if (text === this.#camera) return;
+    this.#camera = text;
+    if (this.#current !== undefined) this.#show(this.#current);
   }
 
   /** Records the state of the controls, once they rest. */
@@ -82,7 +106,10 @@ export class History {
 
   #show(state: string): void {
     this.#current = state;
-    const shared = this.ofFiles ? withoutPair(state) : state;
+    if (this.ofFiles) this.onFileState(state);
+    const own = this.ofFiles ? withoutPair(state) : state;
+    const camera = this.#camera === "" ? "" : `${CAMERA}=${this.#camera}`;
+    const shared = [own, camera].filter((part) => part !== "").join("&");
     history.replaceState(null, "", shared === "" ? location.pathname : `#${shared}`);
     this.#showButtons();
   }

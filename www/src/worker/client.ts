@@ -4,6 +4,7 @@ import type {
   Placement,
   PlainDiffOptions,
   PlainFitOptions,
+  PlainGapOptions,
   PlainOptions,
   Reply,
   Request,
@@ -12,33 +13,79 @@ import type {
   Source,
 } from "./protocol.ts";
 
+/** Milliseconds after which a load is not waited for when another one is requested. */
+const PATIENCE = 1000;
+
 export class Client {
-  readonly #worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  readonly #onReply: (reply: Reply) => void;
+  #worker: Worker;
   #newest = 0;
   /** The first run with the current models. */
   #first = 0;
+  /** The models that are loaded, which a new worker loads again. */
+  #sources: Sides<Source> = {};
+  /** When the load in progress began. */
+  #loading: number | undefined;
 
   /** Starts the worker. Replies to runs with models that were replaced since are discarded. */
   constructor(onReply: (reply: Reply) => void) {
-    this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-      if (data.kind === "loaded") this.#first = this.#newest + 1;
-      if (!("run" in data) || data.run === undefined || data.run >= this.#first) onReply(data);
-    };
-    this.#worker.onerror = (event) => {
+    this.#onReply = onReply;
+    this.#worker = this.#start();
+  }
+
+  #start(): Worker {
+    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#take(data);
+    worker.onerror = (event) => {
       const message = event.message ?? "the worker's script could not be loaded";
-      onReply({ kind: "failed", code: "UNEXPECTED", message });
+      this.#onReply({ kind: "failed", code: "UNEXPECTED", message });
     };
+    return worker;
   }
 
-  /** Loads one model or both; if one is invalid, none is replaced. */
+  #take(reply: Reply): void {
+    if (reply.kind === "loaded") {
+      this.#first = this.#newest + 1;
+      for (const [side, { source }] of Object.entries(reply.models)) {
+        this.#sources[side as Side] = source;
+      }
+    }
+    const ended = reply.kind === "loaded" || (reply.kind === "failed" && reply.run === undefined);
+    if (ended) this.#loading = undefined;
+    if (!("run" in reply) || reply.run === undefined || reply.run >= this.#first) {
+      this.#onReply(reply);
+    }
+  }
+
+  /**
+   * Loads one model or both; if one is invalid, none is replaced. A load that takes long already
+   * is given up, as a reader cannot be interrupted: a new worker loads the others again.
+   */
   load(sources: Sides<Source>, placement: Placement): void {
-    this.#post({ kind: "load", sources, placement });
+    const isLate = this.#loading !== undefined && performance.now() - this.#loading > PATIENCE;
+    if (isLate) this.#restart();
+    const all = isLate ? { ...this.#sources, ...sources } : sources;
+    this.#loading = performance.now();
+    this.#post({ kind: "load", sources: all, placement });
   }
 
-  /** Requests a measurement, which replaces the current one. */
-  measure(options: PlainOptions): void {
+  /** Gives up the load in progress, and loads the models before it again. */
+  stopLoading(placement: Placement): void {
+    if (this.#loading === undefined) return;
+    this.#restart();
+    if (Object.keys(this.#sources).length > 0) this.load(this.#sources, placement);
+  }
+
+  #restart(): void {
+    this.#worker.terminate();
+    this.#loading = undefined;
+    this.#worker = this.#start();
+  }
+
+  /** Requests a measurement, and maps of some models; it replaces the current one. */
+  measure(options: PlainOptions, paint: readonly Side[]): void {
     this.#newest += 1;
-    this.#post({ kind: "measure", run: this.#newest, options });
+    this.#post({ kind: "measure", run: this.#newest, options, paint });
   }
 
   /** Returns whether no newer measurement was requested. */
@@ -68,12 +115,21 @@ export class Client {
     this.#post({ kind: "cancelFit" });
   }
 
+  /** Requests the least distance, and the pairs of faces nearer than `below`; replaces the current one. */
+  clearance(options: PlainGapOptions): void {
+    this.#post({ kind: "clearance", options });
+  }
+
+  cancelClearance(): void {
+    this.#post({ kind: "cancelClearance" });
+  }
+
   /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */
   probe(id: number, side: Side, near: Vector3, transform: Transform, scale: number): void {
     this.#post({ kind: "probe", id, side, near, transform, scale });
   }
 
-  /** Requests the samples of the last measurement as a table. */
+  /** Requests the vertices of the last maps as a table. */
   csv(): void {
     this.#post({ kind: "csv" });
   }

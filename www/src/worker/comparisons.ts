@@ -1,7 +1,18 @@
-// The tasks that compare both models beside the measurement: face by face, and the best fit.
+// The tasks that compare both models beside the measurement: face by face, the best fit, and
+// the clearance.
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff";
+import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";
-import type { DiffState, FitState, PlainDiffOptions, PlainFitOptions, Reply } from "./protocol.ts";
+import { withOverlap } from "./overlap.ts";
+import type {
+  ClearanceState,
+  DiffState,
+  FitState,
+  PlainDiffOptions,
+  PlainFitOptions,
+  PlainGapOptions,
+  Reply,
+} from "./protocol.ts";
 
 interface Pair {
   a: NurbsModel;
@@ -12,11 +23,13 @@ export class Comparisons {
   readonly #engine: Hausdorff;
   readonly #faces: Latest<DiffState>;
   readonly #fit: Latest<FitState>;
+  readonly #clearance: Latest<ClearanceState>;
 
   constructor(engine: Hausdorff, reply: (reply: Reply) => void) {
     this.#engine = engine;
     this.#faces = new Latest((state) => reply({ kind: "diff", ...state }));
     this.#fit = new Latest((state) => reply({ kind: "fit", ...state }));
+    this.#clearance = new Latest((state) => reply({ kind: "clearance", ...state }));
   }
 
   /** Compares the models face by face. */
@@ -29,13 +42,34 @@ export class Comparisons {
     });
   }
 
-  /** Fits A to B from the position of the options. */
+  /** Fits A to B, from the position of the options and from others. */
   fit({ a, b }: Pair, options: PlainFitOptions): Promise<void> {
     return this.#fit.run(async (signal, report) => {
       const onProgress = (step: number, rms: number) => report({ state: "working", step, rms });
-      const fit = await this.#engine.bestFit(a, b, { ...options, signal, onProgress });
+      const fit = await globalFit(this.#engine, { a, b }, { options, signal, onProgress });
       return { state: "done", fit };
     });
+  }
+
+  /** Measures how near the models come, and which faces do. */
+  clearance({ a, b }: Pair, { below, ...options }: PlainGapOptions): Promise<void> {
+    return this.#clearance.run(async (signal) => {
+      const found = await this.#engine.clearance(a, b, { ...options, signal });
+      const { transform = {}, scaleUnits } = options;
+      const scale = scaleUnits === true && a.unit !== null && b.unit !== null ? b.unit / a.unit : 1;
+      const at = { transform, scale, signal };
+      const clearance = await withOverlap(this.#engine, { a, b }, found, at);
+      const near = Math.max(below ?? 0, clearance.tolerance);
+      const gaps =
+        clearance.lower <= near
+          ? await this.#engine.gaps(a, b, { ...options, below: near, signal })
+          : undefined;
+      return { state: "done", clearance, gaps };
+    });
+  }
+
+  cancelClearance(): void {
+    this.#clearance.drop();
   }
 
   cancelFaces(): void {
@@ -46,9 +80,10 @@ export class Comparisons {
     this.#fit.cancel();
   }
 
-  /** Ends both tasks because their models are replaced; a fit is replied to. */
+  /** Ends all tasks because their models are replaced; a fit is replied to. */
   drop(): void {
     this.#faces.drop();
+    this.#clearance.drop();
     this.#fit.cancel();
   }
 }

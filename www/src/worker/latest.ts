@@ -1,4 +1,5 @@
-// A kind of task of which one runs, and a new request replaces it.
+// A kind of task whose newest request replaces the one in progress.
+import { Latest as Newest } from "nurbs-hausdorff";
 import { codeOf, isCancelled, messageOf } from "./failure.ts";
 import type { Ended } from "./protocol.ts";
 
@@ -7,7 +8,7 @@ type Task<Report> = (signal: AbortSignal, report: (report: Report) => void) => P
 
 export class Latest<Report> {
   readonly #reply: (report: Report | Ended) => void;
-  #abort = new AbortController();
+  readonly #newest = new Newest();
 
   constructor(reply: (report: Report | Ended) => void) {
     this.#reply = reply;
@@ -15,30 +16,28 @@ export class Latest<Report> {
 
   /** Runs a task, whose every end is replied to; the one in progress ends without a reply. */
   async run(task: Task<Report>): Promise<void> {
-    this.drop();
-    const abort = this.#abort;
-    const reply = (report: Report | Ended) => {
-      if (this.#abort === abort) this.#reply(report);
-    };
+    let last: Report | Ended | undefined;
     try {
-      reply(await task(abort.signal, reply));
-    } catch (error) {
-      reply(
-        isCancelled(error)
-          ? { state: "cancelled" }
-          : { state: "failed", code: codeOf(error), message: messageOf(error) },
+      last = await this.#newest.run((signal) =>
+        task(signal, (report) => {
+          if (!signal.aborted) this.#reply(report);
+        }),
       );
+    } catch (error) {
+      last = isCancelled(error)
+        ? { state: "cancelled" }
+        : { state: "failed", code: codeOf(error), message: messageOf(error) };
     }
+    if (last !== undefined) this.#reply(last);
   }
 
   /** Cancels the task in progress, which is replied to. */
   cancel(): void {
-    this.#abort.abort();
+    this.#newest.cancel();
   }
 
   /** Ends the task in progress without a reply, because its models are replaced. */
   drop(): void {
-    this.#abort.abort();
-    this.#abort = new AbortController();
+    this.#newest.drop();
   }
 }

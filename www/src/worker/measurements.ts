@@ -2,16 +2,17 @@
 import type {
   DistanceOptions,
   DistanceResult,
-  FaceDeviations,
   Hausdorff,
   NurbsModel,
   OnProgress,
-  Statistics,
 } from "nurbs-hausdorff";
 import { isCancelled } from "./failure.ts";
-import { buffersOf, fieldDisplay } from "./field/fieldDisplay.ts";
-import { withWitness } from "./field/witness.ts";
-import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
+import type { MapOf } from "./map/csv.ts";
+import { buffersOf, type MapDisplay, mapDisplay } from "./map/display.ts";
+import { directedFrom, entriesOf, Maps } from "./map/maps.ts";
+import type { Measuring } from "./map/measured.ts";
+import type { Placing } from "./map/placed.ts";
+import type { EngineState, PlainOptions, Reply, Side, Sides } from "./protocol.ts";
 
 /**
  * Milliseconds for which a measurement continues although a newer request waits.
@@ -22,21 +23,22 @@ import type { EngineState, PlainOptions, Reply, Sides } from "./protocol.ts";
  */
 const GRACE = { certified: 120, others: 4000 };
 
-/** The number of samples of a side of a surface unless the options name another. */
-const DEFAULT_SAMPLES = 64;
+/** The part of the progress that is the distance's where colours follow, and the coarse colours'. */
+const DISTANCE_PART = 0.5;
+const COARSE_PART = 0.25;
+const FIRST_PART: [begin: number, part: number] = [DISTANCE_PART, COARSE_PART];
+const SECOND_PART: typeof FIRST_PART = [DISTANCE_PART + COARSE_PART, COARSE_PART];
 
-/** More samples than these take so long that coarse ones are shown first. */
-const MANY_SAMPLES = 20_000;
-
-/** The part of the samples along each side that the coarse colours have, and their least number. */
-const COARSE_FACTOR = 5;
-const MIN_COARSE = 5;
-
-interface Requested {
-  /** Whether it was made while another was measured, so that more may follow. */
-  hurried: boolean;
+/** A request for a distance, and for the maps of some sides. */
+export interface Request {
   run: number;
   options: PlainOptions;
+  paint: readonly Side[];
+}
+
+interface Requested extends Request {
+  /** Whether it was made while another was measured, so that more may follow. */
+  hurried: boolean;
   abort: AbortController;
 }
 
@@ -44,8 +46,9 @@ export class Measurements {
   readonly #engine: Hausdorff;
   readonly #reply: (reply: Reply, transfer?: Transferable[]) => void;
   readonly #fail: (error: unknown, run: number) => void;
+  readonly #maps = new Maps();
   #models: Sides<NurbsModel> = {};
-  #fields: FaceDeviations[] | undefined;
+  #painted: MapOf[] = [];
   #waiting: Requested | undefined;
   #running: Requested | undefined;
 
@@ -73,14 +76,14 @@ export class Measurements {
     return this.#models;
   }
 
-  /** The samples of the last measurement; undefined if it had none. */
-  get fields(): FaceDeviations[] | undefined {
-    return this.#fields;
+  /** The maps of the last measurement; none if it had none. */
+  get painted(): readonly MapOf[] {
+    return this.#painted;
   }
 
-  request(run: number, options: PlainOptions): void {
-    const hurried = this.#running !== undefined && isHurriable(options);
-    this.#waiting = { hurried, run, options, abort: new AbortController() };
+  request(request: Request): void {
+    const hurried = this.#running !== undefined && isHurriable(request.options);
+    this.#waiting = { ...request, hurried, abort: new AbortController() };
     if (this.#running === undefined) void this.#runAll();
   }
 
@@ -100,15 +103,13 @@ export class Measurements {
   }
 
   async #measure(requested: Requested): Promise<void> {
-    const { run, options, abort } = requested;
+    const { run, options, paint, abort } = requested;
     const { a, b } = this.#models;
     if (a === undefined || b === undefined) return;
-    this.#fields = undefined;
-    // Method `iteration` has its samples at once; those of the others come after the
-    // distance, of A only, which alone the page draws.
-    const colours = options.deviations === true && options.method !== "iteration";
-    const part = colours ? 0.5 : 1;
+    this.#painted = [];
+    const colours = paint.length > 0;
     try {
+      const part = colours ? DISTANCE_PART : 1;
       const result = await this.#engine.distance(a, b, {
         ...searchOptions(options, requested.hurried),
         signal: abort.signal,
@@ -118,8 +119,8 @@ export class Measurements {
       // The last of a row has its time.
       if (again) this.#waiting = { ...requested, hurried: false };
       const pending = again || (colours && !abort.signal.aborted);
-      this.#show(requested, result, (result.forward ?? result).deviations, pending);
-      if (pending && !again) await this.#colour(requested, result);
+      this.#show(requested, result, {}, pending);
+      if (pending && !again) await this.#paint(requested, result);
     } catch (error) {
       if (isCancelled(error)) {
         this.#reply({ kind: "cancelled", run, interval: error.interval });
@@ -127,36 +128,74 @@ export class Measurements {
     }
   }
 
-  /** Samples the deviation of A, coarsely first where that shows colours much sooner. */
-  async #colour(requested: Requested, result: DistanceResult): Promise<void> {
-    const { a, b } = this.#models;
-    const { options, abort } = requested;
-    if (a === undefined || b === undefined) return;
-    const { samples = DEFAULT_SAMPLES, transform, scaleUnits } = options;
-    const { upper } = result.forward ?? result;
-    const common = { upper, ...(transform && { transform }), ...(scaleUnits && { scaleUnits }) };
-    const many = a.faceCount * samples ** 2 > MANY_SAMPLES;
-    const coarse = many ? [Math.max(MIN_COARSE, Math.round(samples / COARSE_FACTOR))] : [];
+  /** Makes the maps, coarsely first, as that shows colours much sooner. */
+  async #paint(requested: Requested, result: DistanceResult): Promise<void> {
+    const { options } = requested;
+    const placing = this.#placing(options);
+    let coarse: Sides<MapOf["map"]> = {};
     try {
-      for (const count of [...coarse, samples]) {
-        const fine = count === samples;
-        const found = await this.#engine.field(a, b, {
-          ...common,
-          samples: count,
-          signal: abort.signal,
-          // A newer request ends the refinement of colours that are shown.
-          onProgress: this.#progress(requested, fine && many ? 0 : GRACE.others, {
-            begin: fine ? 0.5 : 0,
-            part: fine ? 0.5 : 0,
-          }),
-        });
-        this.#show(requested, withStatistics(result, found.statistics), found.deviations, !fine);
-      }
+      coarse = await this.#each(requested, result, FIRST_PART, (_, own, measuring) =>
+        this.#maps.coarse(own, result, measuring),
+      );
+      this.#show(requested, result, displayed(coarse, placing), true);
+      const fine = await this.#each(requested, result, SECOND_PART, async (side, _, measuring) => {
+        const map = coarse[side];
+        return map && this.#maps.fine(map, result.diagonal, measuring);
+      });
+      this.#keep(fine, placing);
+      this.#show(requested, result, displayed(fine, placing), false);
     } catch (error) {
       if (!isCancelled(error)) throw error;
-      // The result stays, without colours that are not those of the samples requested.
-      this.#show(requested, result, undefined, false);
+      // Of a newer request come newer colours; else the coarse ones stay, if there are any.
+      if (this.#waiting !== undefined) return;
+      this.#keep(coarse, placing);
+      this.#show(requested, result, displayed(coarse, placing), false);
     }
+  }
+
+  #keep(maps: Sides<MapOf["map"]>, placing: Placing): void {
+    this.#painted = entriesOf(maps).map(([side, map]) => ({ side, map, placing }));
+  }
+
+  /** Calls a function for every side to paint, and returns what it makes. */
+  async #each<T>(
+    requested: Requested,
+    result: DistanceResult,
+    [begin, part]: [number, number],
+    make: (side: Side, own: NurbsModel, measuring: Measuring) => Promise<T | undefined>,
+  ): Promise<Sides<T>> {
+    const { paint, options, abort } = requested;
+    const made: Sides<T> = {};
+    const { a, b } = this.#models;
+    if (a === undefined || b === undefined) return made;
+    const report = this.#progress(requested, begin > DISTANCE_PART ? 0 : GRACE.others, {
+      begin,
+      part,
+    });
+    let count = 0;
+    for (const side of paint) {
+      const [own, other] = side === "a" ? [a, b] : [b, a];
+      const onPoints = (more: number) => {
+        count += more;
+        // The number of points to come is not known.
+        report(1 - BATCH_SHARE / (BATCH_SHARE + count), undefined);
+      };
+      const { upper } = directedFrom(result, side) ?? { upper: Number.POSITIVE_INFINITY };
+      const measuring: Measuring = {
+        ...this.#placing(options),
+        ...{ engine: this.#engine, side, other, upper, signal: abort.signal, onPoints },
+      };
+      const one = await make(side, own, measuring);
+      if (one !== undefined) made[side] = one;
+    }
+    return made;
+  }
+
+  /** Where the models are, in a measurement with these options. */
+  #placing({ transform = {}, scaleUnits }: PlainOptions): Placing {
+    const [a, b] = [this.#models.a?.unit ?? null, this.#models.b?.unit ?? null];
+    const scale = scaleUnits === true && a !== null && b !== null ? b / a : 1;
+    return { transform, scale };
   }
 
   /**
@@ -181,27 +220,32 @@ export class Measurements {
   #show(
     { run, options }: Requested,
     result: DistanceResult,
-    fields: FaceDeviations[] | undefined,
+    maps: Sides<MapDisplay>,
     pending: boolean,
   ): void {
     const transform = options.transform ?? {};
-    this.#fields = fields && withWitness(fields, result);
-    const field = this.#fields && fieldDisplay(this.#fields, transform);
     const engine = engineState(this.#engine);
-    const plain = withoutDeviations(result);
     this.#reply(
-      { kind: "measured", run, result: plain, field, pending, transform, engine },
-      field && buffersOf(field),
+      { kind: "measured", run, result, maps, pending, transform, engine },
+      Object.values(maps).flatMap(buffersOf),
     );
   }
 }
 
-/** Returns the options of a search without samples, and within a budget of time if it is hurried. */
+/** Points after which half of the progress of a map is shown. */
+const BATCH_SHARE = 50_000;
+
+/** What the page draws of maps. */
+function displayed(maps: Sides<MapOf["map"]>, placing: Placing): Sides<MapDisplay> {
+  return Object.fromEntries(
+    entriesOf(maps).map(([side, map]) => [side, mapDisplay(map, side, placing)]),
+  );
+}
+
+/** Returns the options of a search, within a budget of time if it is hurried. */
 function searchOptions(options: PlainOptions, hurried: boolean): DistanceOptions {
-  if (options.method === "iteration") return options;
-  const { deviations, samples, sampling, ...rest } = options;
-  if (rest.method === "hierarchy" || !hurried) return rest;
-  return { ...rest, maxSeconds: GRACE.certified / 1000 };
+  if (options.method === "iteration" || options.method === "hierarchy" || !hurried) return options;
+  return { ...options, maxSeconds: GRACE.certified / 1000 };
 }
 
 /** Whether a budget of time may end the method early, with an interval. */
@@ -216,24 +260,6 @@ const isUnfinished = (result: DistanceResult): boolean =>
   [result, result.forward, result.reverse].some(
     (part) => part?.method === "certified" && part.stop === "time",
   );
-
-/** Returns a result with statistics of the samples of A. */
-function withStatistics(result: DistanceResult, statistics?: Statistics): DistanceResult {
-  if (statistics === undefined) return result;
-  const { forward } = result;
-  // Of the same method as before.
-  if (forward === undefined) return { ...result, statistics };
-  return { ...result, forward: { ...forward, statistics } } as DistanceResult;
-}
-
-function withoutDeviations<Result extends DistanceResult>(result: Result): Result {
-  const { deviations, forward, reverse, ...rest } = result;
-  return {
-    ...rest,
-    ...(forward && { forward: withoutDeviations(forward) }),
-    ...(reverse && { reverse: withoutDeviations(reverse) }),
-  } as Result;
-}
 
 /** The time that a measurement has beside a newer request; a budget ends a hurried one. */
 const graceOf = ({ hurried, options }: Requested): number => {

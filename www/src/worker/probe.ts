@@ -1,7 +1,7 @@
 // The distance of one point of a model from the other model, for the point under the pointer.
 import type { Hausdorff, NurbsModel, Transform, Vector3 } from "nurbs-hausdorff";
+import { placed, unplaced } from "./map/placed.ts";
 import type { Probe, Side, Sides } from "./protocol.ts";
-import { moved, movedBack } from "./rigid.ts";
 
 /** A point near a model, in that model's own coordinates. */
 export interface NearPoint {
@@ -21,19 +21,16 @@ export async function probe(
 ): Promise<Probe | undefined> {
   if (a === undefined || b === undefined) return undefined;
   const [own, other] = side === "a" ? [a, b] : [b, a];
-  /** From the coordinates of a model to those of the result, and back. */
-  const placed = (model: NurbsModel, point: Vector3) =>
-    model === a ? moved(point, transform) : scaled(point, scale);
-  const unplaced = (model: NurbsModel, point: Vector3) =>
-    model === a ? movedBack(point, transform) : scaled(point, 1 / scale);
+  const otherSide: Side = side === "a" ? "b" : "a";
+  const placing = { transform, scale };
   const onOwn = await engine.closestPoints(own, [...near]);
-  const point = placed(own, vector(onOwn.feet));
+  const point = placed(side, vector(onOwn.feet), placing);
   const [u = 0, v = 0] = onOwn.parameters;
-  const onOther = await engine.closestPoints(other, [...unplaced(other, point)]);
+  const onOther = await engine.closestPoints(other, [...unplaced(otherSide, point, placing)]);
   const size = other === b ? scale : 1;
   return {
     ...{ side, face: faceName(own, onOwn.faces[0]), u, v, point },
-    foot: placed(other, vector(onOther.feet)),
+    foot: placed(otherSide, vector(onOther.feet), placing),
     footFace: faceName(other, onOther.faces[0]),
     distance: size * (onOther.distances[0] ?? Number.NaN),
     bound: size * (onOther.bounds[0] ?? Number.NaN),
@@ -43,10 +40,6 @@ export async function probe(
 
 const vector = ([x = 0, y = 0, z = 0]: Float64Array): Vector3 => [x, y, z];
 
-const scaled = ([x, y, z]: Vector3, factor: number): Vector3 => [
-  factor * x,
-  factor * y,
-  factor * z,
-];
-
-const faceName = (model: NurbsModel, face = 0): string => model.faceName(face) ?? `face ${face}`;
+/** The name of a face in its source, or its number. */
+export const faceName = (model: NurbsModel, face = 0): string =>
+  model.faceName(face) ?? `face ${face}`;

@@ -2,11 +2,14 @@
 import type {
   BestFit,
   BestFitOptions,
+  ClearanceResult,
   DiffOptions,
   DiffResult,
   DistanceOptions,
   DistanceResult,
   ErrorCode,
+  GapOptions,
+  GapsResult,
   ShapeInfo,
   Tessellation,
   Transform,
@@ -14,7 +17,7 @@ import type {
 } from "nurbs-hausdorff";
 import type { CadReport } from "nurbs-hausdorff/cad";
 
-import type { FieldDisplay } from "./field/fieldDisplay.ts";
+import type { MapDisplay } from "./map/display.ts";
 
 export type Side = "a" | "b";
 
@@ -23,7 +26,7 @@ export const SIDES: readonly Side[] = ["a", "b"];
 /** A value for each of the two models, or for one of them. */
 export type Sides<T> = Partial<Record<Side, T>>;
 
-/** The source of a model: a shape's name, or a file, of which all surfaces or only the first are used. */
+/** The source of a model: a shape's name, or a file, with all surfaces or only the first. */
 export type Source = { shape: string } | { file: File; firstSurface?: boolean };
 
 /** The initial position of model A. */
@@ -48,6 +51,9 @@ export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
 /** The options of a best fit that can be posted to a worker. */
 export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onProgress">;
 
+/** The options of a clearance and its gaps that can be posted to a worker. */
+export type PlainGapOptions = Omit<GapOptions, "signal" | "onProgress">;
+
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
   side: Side;
@@ -67,15 +73,24 @@ export interface Probe {
 
 export type Request =
   | { kind: "load"; sources: Sides<Source>; placement: Placement }
-  | { kind: "measure"; run: number; options: PlainOptions }
+  /** `paint` names the models whose deviations are mapped. */
+  | { kind: "measure"; run: number; options: PlainOptions; paint: readonly Side[] }
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
   | { kind: "cancelDiff" }
   | { kind: "fit"; options: PlainFitOptions }
   | { kind: "cancelFit" }
+  | { kind: "clearance"; options: PlainGapOptions }
+  | { kind: "cancelClearance" }
   /** `near` is in the model's own coordinates; `scale` is A's units in one of B's. */
   | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform; scale: number }
   | { kind: "csv" };
+
+/** Edges of a tessellation: two vertices each, and for every face the end of its edges. */
+export interface Outline {
+  edges: Uint32Array<ArrayBuffer>;
+  ends: number[];
+}
 
 /** What the page needs to draw a model. */
 export interface DisplayModel {
@@ -87,8 +102,14 @@ export interface DisplayModel {
   report: CadReport | null;
   box: { min: Vector3; max: Vector3 };
   tessellation: Tessellation;
-  /** The vertices of the tessellation's open edges, two per edge. */
-  outline: Uint32Array<ArrayBuffer>;
+  /** The edges of its faces. */
+  outline: Outline;
+  /** Whether its faces close, so that a cut through it has a face. */
+  closed: boolean;
+  /** Whether its triangles are the model itself, flat each. */
+  isMesh: boolean;
+  /** The names of its faces in their source. */
+  faceNames: string[];
 }
 
 /** An error code of the package, or `UNEXPECTED` for any other exception. */
@@ -115,10 +136,19 @@ export type FitState =
   | { state: "working"; step: number; rms: number }
   | { state: "done"; fit: BestFit };
 
+/** The state of a clearance; `gaps` where faces come nearer than asked for. */
+export type ClearanceState = {
+  state: "done";
+  clearance: ClearanceResult;
+  gaps: GapsResult | undefined;
+};
+
+export type ClearanceReply = { kind: "clearance" } & (ClearanceState | Ended);
 export type DiffReply = { kind: "diff" } & (DiffState | Ended);
 export type FitReply = { kind: "fit" } & (FitState | Ended);
 
 export type Reply =
+  | ClearanceReply
   | DiffReply
   | FitReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
@@ -135,9 +165,8 @@ export type Reply =
   | {
       kind: "measured";
       run: number;
-      /** Without its field, of which the page draws `field`. */
       result: DistanceResult;
-      field: FieldDisplay | undefined;
+      maps: Sides<MapDisplay>;
       /** Whether the same result follows with colours, or with finer ones. */
       pending: boolean;
       /** The transform of A with which the result was computed. */

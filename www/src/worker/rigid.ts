@@ -24,7 +24,7 @@ function rotate(p: Vector3, [x, y, z, w]: readonly [number, number, number, numb
   return [p[0] + 2 * (w * a + d), p[1] + 2 * (w * b + e), p[2] + 2 * (w * c + f)];
 }
 
-const cross = ([a, b, c]: Vector3, [x, y, z]: Vector3): Vector3 => [
+export const cross = ([a, b, c]: Vector3, [x, y, z]: Vector3): Vector3 => [
   b * z - c * y,
   c * x - a * z,
   a * y - b * x,

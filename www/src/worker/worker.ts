@@ -1,8 +1,9 @@
 // The worker, which owns the engine and the two models: computations do not block the page.
 import { Hausdorff } from "nurbs-hausdorff";
+import { examples } from "../examples/index.ts";
 import { Comparisons } from "./comparisons.ts";
 import { codeOf, messageOf } from "./failure.ts";
-import { csvOf } from "./field/csv.ts";
+import { csvOf } from "./map/csv.ts";
 import { engineState, Measurements } from "./measurements.ts";
 import { load } from "./models/load.ts";
 import { probe } from "./probe.ts";
@@ -25,7 +26,7 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
   const { a, b } = measurements.models;
   switch (data.kind) {
     case "measure":
-      measurements.request(data.run, data.options);
+      measurements.request(data);
       break;
     case "cancel":
       measurements.cancel();
@@ -42,11 +43,17 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancelFit":
       comparisons.cancelFit();
       break;
+    case "clearance":
+      if (a && b) void comparisons.clearance({ a, b }, data.options);
+      break;
+    case "cancelClearance":
+      comparisons.cancelClearance();
+      break;
     case "probe":
       void reportProbe(started, data);
       break;
     case "csv":
-      reply({ kind: "csv", table: csvOf(measurements.fields ?? []) });
+      reply({ kind: "csv", table: csvOf([...measurements.painted]) });
       break;
     case "load":
       loaded = loaded.then(() => replace(started, data));
@@ -67,7 +74,7 @@ async function replace(
       tessellation.positions.buffer,
       tessellation.normals.buffer,
       tessellation.indices.buffer,
-      outline.buffer,
+      outline.edges.buffer,
     ]);
     reply({ kind: "loaded", models: display, placement }, transfer);
   } catch (error) {
@@ -86,7 +93,11 @@ async function reportProbe(
 
 async function start() {
   const engine = await Hausdorff.create();
-  reply({ kind: "ready", engine: engineState(engine), shapes: Hausdorff.shapes() });
+  reply({
+    kind: "ready",
+    engine: engineState(engine),
+    shapes: [...examples, ...Hausdorff.shapes()],
+  });
   const measurements = new Measurements(engine, reply, fail);
   return { engine, measurements, comparisons: new Comparisons(engine, reply) };
 }

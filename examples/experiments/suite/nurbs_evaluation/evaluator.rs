@@ -1,7 +1,7 @@
 //! Evaluation of a NURBS surface from its own knots and control points.
 
 use glam::{DVec3, DVec4, Vec4Swizzles};
-use nurbs_hausdorff::bezier::MAX_ORDER;
+use nurbs_hausdorff::internals::bezier::MAX_ORDER;
 use nurbs_hausdorff::{Axis, NurbsSurface};
 
 /// A surface with its homogeneous control points and their Greville abscissae.

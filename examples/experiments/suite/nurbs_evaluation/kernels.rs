@@ -1,7 +1,7 @@
 //! The evaluations per second of the two kernels of `evaluation.wgsl`.
 
 use crate::suite::Anyhow;
-use nurbs_hausdorff::bezier::extract;
+use nurbs_hausdorff::internals::bezier::extract;
 use nurbs_hausdorff::{Axis, Model, NurbsSurface};
 use std::time::Instant;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -14,7 +14,7 @@ const EVALUATIONS: usize = 64;
 const INVOCATIONS: usize = 1 << 12;
 const WORKGROUP: u32 = 64;
 
-/// The number of dispatches, of which the fastest counts.
+/// The number of dispatches; the fastest counts.
 const ROUNDS: usize = 10;
 
 /// The largest difference of the two kernels' sums, relative to the largest sum: they

@@ -9,9 +9,9 @@ use super::{Anyhow, Setup, Table};
 use evaluator::NurbsEvaluator;
 use glam::DVec3;
 use nurbs_hausdorff::RigidTransform;
-use nurbs_hausdorff::bezier::extract;
-use nurbs_hausdorff::closest::{Projection, Target, closest};
-use nurbs_hausdorff::iteration::{Culling, Rule, Sampling, SamplingRule, project, sample};
+use nurbs_hausdorff::internals::bezier::extract;
+use nurbs_hausdorff::internals::closest::{Projection, Target, closest};
+use nurbs_hausdorff::internals::iteration::{Culling, Rule, Sampling, SamplingRule, project, sample};
 use nurbs_hausdorff::shapes::{WavySheet, wavy_sheet};
 use std::time::Instant;
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use nurbs_hausdorff::Axis;
-use nurbs_hausdorff::bezier::{Jet, Patch, PatchSet};
+use nurbs_hausdorff::internals::bezier::{Jet, Patch, PatchSet};
 
 /// The number of samples of normals along each axis of a patch.
 const SAMPLES: usize = 9;

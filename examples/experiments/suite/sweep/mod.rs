@@ -6,7 +6,7 @@ use super::chart::{Axis, Panel, Series, Style};
 use super::inputs::pairs::{Pair, pairs};
 use super::inputs::plan::Plan;
 use super::{Anyhow, Setup};
-use nurbs_hausdorff::engine::{DistanceResult, MethodName};
+use nurbs_hausdorff::internals::engine::{DistanceResult, MethodName};
 use positions::{Curve, sweep, table};
 
 /// `sweep-NAME`: runs every requested pair.

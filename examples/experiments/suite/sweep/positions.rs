@@ -5,8 +5,10 @@ use super::super::inputs::plan::Plan;
 use super::super::methods::{Entry, methods};
 use super::super::{Anyhow, Cell, Setup, Table};
 use nurbs_hausdorff::Error;
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, IterationOptions, Method, PreparedModel};
-use nurbs_hausdorff::flatness::Flatness;
+use nurbs_hausdorff::internals::engine::{
+    DistanceOptions, DistanceResult, IterationOptions, Method, PreparedModel,
+};
+use nurbs_hausdorff::internals::flatness::Flatness;
 use std::time::Instant;
 
 /// The outcome of one method at one position.

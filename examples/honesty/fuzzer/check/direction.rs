@@ -5,7 +5,8 @@ use crate::proof;
 use crate::support::evaluator::point;
 use fastrand::Rng;
 use glam::DVec3;
-use nurbs_hausdorff::engine::{DistanceOptions, DistanceResult, SurfacePoint};
+use nurbs_hausdorff::SurfacePoint;
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult};
 use nurbs_hausdorff::{Model, RigidTransform};
 use std::cell::{Cell, OnceCell};
 

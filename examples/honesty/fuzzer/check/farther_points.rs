@@ -7,7 +7,7 @@ use super::super::trims::Rim;
 use super::direction::Direction;
 use fastrand::Rng;
 use glam::{DVec2, DVec3};
-use nurbs_hausdorff::engine::DistanceResult;
+use nurbs_hausdorff::internals::engine::DistanceResult;
 use std::f64::consts::TAU;
 
 /// The number of samples along each axis of a surface of A, one at random in each

@@ -2,7 +2,9 @@
 
 use super::super::pairs::Pair;
 use super::super::partners::scale_and_shift;
-use nurbs_hausdorff::engine::{Backend, Details, DistanceOptions, DistanceResult, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{
+    Backend, Details, DistanceOptions, DistanceResult, Engine, PreparedModel,
+};
 use nurbs_hausdorff::{Error, Model, RigidTransform};
 
 thread_local! {

@@ -11,15 +11,15 @@ use super::attacks;
 use super::pairs::{Pair, pair};
 use super::trims;
 use fastrand::Rng;
-use nurbs_hausdorff::engine::DistanceOptions;
-use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, IterationOptions, Method, MethodName};
+use nurbs_hausdorff::internals::engine::DistanceOptions;
+use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, Method, MethodName};
 use std::time::Instant;
 
 /// Samples of method `iteration` and cells of method `hierarchy` along each direction.
 const SAMPLES_OF_ITERATION: usize = 12;
 const GRID_OF_HIERARCHY: usize = 16;
 
-/// The refusal of a pair of which no valid model was drawn.
+/// The refusal of a pair for which no valid model was drawn.
 const NOT_DRAWN: &str = "NOT_DRAWN";
 
 /// The outcome of the check of a pair.
@@ -78,10 +78,10 @@ fn method(pair: &Pair) -> Method {
         MethodName::Certified => {
             Method::Certified(CertifiedOptions { max_cells: Some(pair.max_cells), ..Default::default() })
         }
-        MethodName::Iteration => Method::Iteration(IterationOptions::default()),
         MethodName::Hierarchy => {
             Method::Hierarchy(HierarchyOptions { grid: GRID_OF_HIERARCHY, ..Default::default() })
         }
+        other => other.into(),
     }
 }
 

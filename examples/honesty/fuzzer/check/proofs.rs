@@ -7,7 +7,7 @@ use super::farther_points::Sample;
 use crate::proof::{self, Motion, Side, Witness};
 use glam::DVec2;
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::engine::SurfacePoint;
+use nurbs_hausdorff::SurfacePoint;
 use std::time::{Duration, Instant};
 
 /// The time after which the proof that a point is farther than `upper` is given up, and the number

@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 /// A loop, head to tail, in fractions of the domain.
 pub(crate) type Ring = Vec<TrimCurveArrays>;
 
-/// The gaps between loops that nearly touch; those below 0 are overlaps, of which validation
+/// The gaps between loops that nearly touch; those below 0 are overlaps, and validation
 /// refuses the larger ones.
 const GAPS: [f64; 9] = [0.0, 0.0, 1e-13, 1e-9, 1e-6, 1e-4, -1e-8, -1e-5, -1e-3];
 

@@ -12,7 +12,7 @@ use super::surfaces::{Weights, direction, magnitude, surface, surface_of_degree,
 use fastrand::Rng;
 use glam::{DQuat, DVec2, DVec3};
 use loops::Ring;
-use nurbs_hausdorff::engine::{Backend, MethodName};
+use nurbs_hausdorff::internals::engine::{Backend, MethodName};
 use nurbs_hausdorff::shapes::{lateral, sphere, torus};
 use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};

@@ -77,7 +77,7 @@ pub(crate) fn patches_of(model: &Model, index: usize, frame: &Frame, motion: &Mo
     patches
 }
 
-/// The control points in the frame, multiplied by weights of which the largest is near 1: one
+/// The control points in the frame, multiplied by weights, the largest near 1: one
 /// factor for all weights of a surface changes no point.
 fn homogeneous(surface: &Surface, frame: &Frame, motion: &Motion) -> Vec<Vec<Homogeneous>> {
     let heaviest = surface.ctrl.iter().flatten().map(|point| point[3]).fold(0.0, f64::max);

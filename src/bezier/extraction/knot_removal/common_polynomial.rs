@@ -1,8 +1,8 @@
 //! Polynomials that several spans of a spline have in common.
 
-use crate::bezier::basis::bernstein::MAX_ORDER;
 use crate::bezier::basis::{Interpolation, bernstein};
-use crate::bezier::extraction::extract::{Span, blossom};
+use crate::limits::MAX_ORDER;
+use crate::model::{Span, blossom};
 use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;

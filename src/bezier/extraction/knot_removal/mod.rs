@@ -20,8 +20,8 @@ mod tests;
 
 use crate::axis::Axis;
 use crate::model::{Model, NurbsSurface};
-use crate::parallel::map;
 use crate::rounding::{UNIT_ROUNDOFF, upper_max};
+use crate::threads::parallel::map;
 use net::Net;
 
 /// The largest error of a surface with fewer knots, in units of the rounding of the model's

@@ -3,9 +3,9 @@
 use super::common_polynomial::{Continuation, Lines, Piece, Pieces};
 use crate::axis::Axis;
 use crate::bezier::basis::Interpolation;
-use crate::bezier::extraction::extract::{Span, power_of_two_below, spans};
+use crate::bezier::extraction::extract::power_of_two_below;
 use crate::bvh::Aabb;
-use crate::model::{NurbsSurface, SurfaceArrays};
+use crate::model::{NurbsSurface, Span, SurfaceArrays, spans};
 use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::borrow::Cow;

@@ -50,7 +50,7 @@ impl Comparison for Diff<'_> {
             verdict: match state {
                 FaceState::Unchanged => Verdict::Passed,
                 FaceState::Changed => Verdict::Failed,
-                FaceState::Undecided => Verdict::Undecided,
+                _ => Verdict::Undecided,
             },
             word: word(state).to_owned(),
             summary: summary(&result),
@@ -66,8 +66,8 @@ impl Comparison for Diff<'_> {
 fn word(state: FaceState) -> &'static str {
     match state {
         FaceState::Unchanged => "unchanged",
-        FaceState::Undecided => "undecided",
         FaceState::Changed => "changed",
+        _ => "undecided",
     }
 }
 

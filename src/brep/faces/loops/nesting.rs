@@ -79,7 +79,7 @@ fn points(trim_use: &TrimUse) -> Vec<DVec2> {
 /// others run counter-clockwise.
 ///
 /// On a surface closed in both parameters a clockwise loop inside of no other is a hole
-/// in the whole surface, whose rectangle becomes the outer loop; on other surfaces, of which no
+/// in the whole surface, whose rectangle becomes the outer loop; on other surfaces, where no
 /// face covers the rest, it is a loop of the wrong direction, which is reversed.
 ///
 /// # Errors

@@ -1,10 +1,11 @@
 //! Points of space projected on a surface of the file.
 
+mod meridian;
 mod tracing;
 
+pub(super) use meridian::{angle, on_meridian};
 pub(super) use tracing::Traced;
 
-use super::inversion::{angle, on_meridian};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::brep::nurbs::{Conic, Curve, Frame, Surface};
@@ -186,7 +187,8 @@ impl<'a> Projector<'a> {
     fn on_spline(&mut self, surface: &Surface, point: DVec3) -> Option<DVec3> {
         if self.search.is_none() {
             let [Some(u), Some(v)] = surface.natural_ranges() else { return None };
-            let arrays = surface.net([u, v]).ok()?.into_arrays(&DAffine3::IDENTITY);
+            let net = surface.net([u, v]).ok()?.of_accepted_degree().ok()?;
+            let arrays = net.into_arrays(&DAffine3::IDENTITY);
             let model = Model::new(None, vec![NurbsSurface::new(0, arrays).ok()?]).ok()?;
             let patches = extract(&model);
             let target = Target::new(patches.patches.clone());

@@ -10,7 +10,7 @@ pub(in crate::brep::iges) struct Global {
     pub(super) delimiters: Delimiters,
     /// Millimetres per unit of length; `None` for a unit that is not known.
     pub(in crate::brep::iges) unit: Option<f64>,
-    /// The smallest distance that the file tells apart, in its unit.
+    /// The smallest distance that the file resolves, in its unit.
     pub(in crate::brep::iges) resolution: f64,
 }
 

@@ -1,10 +1,13 @@
 //! Arcs of conics by the coefficients of their equation, type 104.
 
 use super::Scale;
-use super::curves::range_of;
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::nurbs::{Conic, Curve, nearest_parameter};
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// The angle below which an arc is a whole turn: its ends are one point to the digits of files.
+const NO_ANGLE: f64 = 1e-9;
 
 /// The part of the larger coefficient below which the other one of a parabola is 0.
 const PARABOLIC: f64 = 1e-9;
@@ -124,4 +127,10 @@ impl Equation {
             y: tangent,
         })
     }
+}
+
+/// Returns the range from an angle counter-clockwise to another one, a whole turn for equal ones.
+pub(super) fn range_of(start: f64, end: f64) -> [f64; 2] {
+    let angle = (end - start).rem_euclid(TAU);
+    [start, start + if angle <= NO_ANGLE { TAU } else { angle }]
 }

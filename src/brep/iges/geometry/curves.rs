@@ -1,12 +1,12 @@
 //! Curves, in space or in a parameter plane.
 
+use super::conics::range_of;
 use super::placement::placed;
 use super::{MAX_NESTING, Scale, conics, power_basis, splines};
 use crate::brep::iges::file::{Entity, File, Found};
 use crate::brep::nurbs::{Conic, Curve, Spline};
 use crate::brep::report::FaceFault;
 use glam::{DAffine3, DVec3};
-use std::f64::consts::TAU;
 
 /// A curve that is made of no others, with its range and place.
 #[derive(Debug, Clone)]
@@ -19,9 +19,6 @@ pub(in crate::brep::iges) struct Leaf {
 /// The most curves of a composite one. A curve may stand in many others, so that a short file
 /// could describe more than memory holds.
 const MAX_LEAVES: usize = 1 << 16;
-
-/// The angle below which an arc is a whole turn: its ends are one point to the digits of files.
-const NO_ANGLE: f64 = 1e-9;
 
 /// Reads a curve as the curves that it is made of, head to tail.
 ///
@@ -96,12 +93,6 @@ fn arc(entity: &Entity, scale: Scale) -> Found<(Curve, [f64; 2])> {
         y: radius * DVec3::Y,
     };
     Ok((curve, range_of(start.y.atan2(start.x), end.y.atan2(end.x))))
-}
-
-/// Returns the range from an angle counter-clockwise to another one, a whole turn for equal ones.
-pub(super) fn range_of(start: f64, end: f64) -> [f64; 2] {
-    let angle = (end - start).rem_euclid(TAU);
-    [start, start + if angle <= NO_ANGLE { TAU } else { angle }]
 }
 
 /// Reads a polygon; its parameter is the number of the point.

@@ -3,7 +3,7 @@
 use super::curves::Leaf;
 use super::placement::frame_before;
 use crate::brep::iges::file::Found;
-use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::nurbs::{Curve, Spline, elevated};
 use glam::DVec4;
 
 /// Returns curves head to tail as one curve, whose parameter counts the lengths of theirs from 0,
@@ -60,27 +60,14 @@ pub(in crate::brep::iges) fn over(mut spline: Spline, [start, end]: [f64; 2]) ->
 }
 
 /// Returns a curve as Bézier pieces of a higher degree, over knots of that multiplicity.
-///
-/// A control point of degree n + 1 is the mean of two neighbours of degree n: `P'_i = i / (n + 1)
-/// P_(i-1) + (1 - i / (n + 1)) P_i` (Piegl and Tiller, *The NURBS Book*, 5.5).
 pub(super) fn raised(spline: &Spline, degree: usize) -> Spline {
     let pieces = spline.pieces();
     let mut knots = vec![spline.domain()[0]; degree + 1];
     let mut controls: Vec<DVec4> = Vec::new();
-    for piece in &pieces {
-        let mut points = piece.controls.clone();
-        while points.len() <= degree {
-            let count = points.len() as f64;
-            let mean = |index: usize| {
-                let part = index as f64 / count;
-                let before = if index == 0 { DVec4::ZERO } else { points[index - 1] };
-                part * before + (1.0 - part) * points.get(index).copied().unwrap_or(DVec4::ZERO)
-            };
-            points = (0..=points.len()).map(mean).collect();
-        }
+    for piece in pieces {
         let shared = usize::from(!controls.is_empty());
-        controls.extend(&points[shared..]);
         knots.extend(vec![piece.domain()[1]; degree]);
+        controls.extend(&elevated(piece.controls, degree)[shared..]);
     }
     knots.push(spline.domain()[1]);
     Spline { degree, knots, controls }

@@ -4,7 +4,7 @@ use super::pairing::{Pair, Piece};
 use super::{Shapes, Sheet, used};
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::iges::geometry::{Leaf, leaves};
-use crate::brep::nurbs::{Curve, Part, nearest_parameter};
+use crate::brep::nurbs::{Curve, CurvePart, nearest_parameter};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, PCurve, ShapeKind, SpaceCurve, Use};
 use glam::{DAffine3, DVec3};
@@ -177,7 +177,8 @@ impl Shapes<'_> {
                     return Err("its curve has no range".to_owned());
                 };
                 let closed = ends[0].shape == ends[1].shape;
-                let Part { curve, range, turned } = Part::between(curve.clone(), [from, to], closed)?;
+                let CurvePart { curve, range, turned } =
+                    CurvePart::between(curve.clone(), [from, to], closed)?;
                 (curve, range, turned)
             }
         };

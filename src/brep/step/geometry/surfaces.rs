@@ -6,7 +6,7 @@ use crate::brep::nurbs::{Conic, Curve, Frame, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::step::exchange::{Entity, Exchange};
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Reads a surface.
 ///
@@ -89,9 +89,23 @@ fn elementary(file: &Exchange<'_>, entity: &Entity<'_>, scale: &Scale) -> Result
             (line(radius, half_angle.tan()), "cone")
         }
         "SPHERICAL_SURFACE" => (circle(0.0, length(entity, 2, scale)?), "sphere"),
-        _ => (circle(length(entity, 2, scale)?, length(entity, 3, scale)?), "torus"),
+        kind => {
+            let [major, minor] = [length(entity, 2, scale)?, length(entity, 3, scale)?];
+            let whole = circle(major, minor);
+            let is_degenerate = kind == "DEGENERATE_TOROIDAL_SURFACE" && major < minor;
+            let sheet = if is_degenerate { sheet(whole, major / minor, entity.flag(4)?) } else { whole };
+            (sheet, "torus")
+        }
     };
     Ok(Surface::Revolution { frame, profile, kind })
+}
+
+/// Returns the part of a circle that passes the axis which makes the outer sheet of a degenerate
+/// torus, or the inner one, between its ends on the axis. `ratio` is that of the radii.
+fn sheet(circle: Curve, ratio: f64, is_outer: bool) -> Curve {
+    let end = (-ratio).acos();
+    let range = if is_outer { [-end, end] } else { [end, TAU - end] };
+    Curve::Trimmed { range, basis: Box::new(circle) }
 }
 
 /// Reads the bounds of a trimmed surface. The parameters of one traversed backwards in u or v
@@ -141,10 +155,13 @@ pub(super) fn parameter_factors(surface: &Surface, scale: &Scale) -> [f64; 2] {
 
 /// Returns the units of u and v.
 fn parameter_units(surface: &Surface) -> [Parameter; 2] {
-    let of_curve = |curve: &Curve| match curve {
-        Curve::Conic { conic: Conic::Elliptic, .. } => Parameter::Angle,
-        _ => Parameter::Number,
-    };
+    fn of_curve(curve: &Curve) -> Parameter {
+        match curve {
+            Curve::Conic { conic: Conic::Elliptic, .. } => Parameter::Angle,
+            Curve::Trimmed { basis, .. } => of_curve(basis),
+            _ => Parameter::Number,
+        }
+    }
     match surface {
         Surface::Plane(_) => [Parameter::Length; 2],
         Surface::Revolution { kind: "cylinder" | "cone", .. } => [Parameter::Angle, Parameter::Length],

@@ -20,9 +20,11 @@ const OTHER_BODIES: [&str; 9] = [
     "SOLID_MODEL",
 ];
 
-/// Entities with such endings that have no faces, or only copies of those of other bodies.
-const WITHOUT_FACES: [&str; 4] =
-    ["EDGE_BASED_WIREFRAME_MODEL", "SHELL_BASED_WIREFRAME_MODEL", "TESSELLATED_SOLID", "TESSELLATED_SHELL"];
+/// Entities with such endings that have no faces.
+const WITHOUT_FACES: [&str; 2] = ["EDGE_BASED_WIREFRAME_MODEL", "SHELL_BASED_WIREFRAME_MODEL"];
+
+/// Bodies of triangles, whose third attribute is the body that they are a picture of, if any.
+const TRIANGULATED: [&str; 2] = ["TESSELLATED_SOLID", "TESSELLATED_SHELL"];
 
 /// The name of a body and the shapes that it is made of.
 type Body = (Option<String>, Vec<Use>);
@@ -81,7 +83,8 @@ impl Shapes<'_> {
             "SHELL_BASED_SURFACE_MODEL" | "FACE_BASED_SURFACE_MODEL" => entity.references(1)?,
             kind => {
                 let is_body = OTHER_BODIES.iter().any(|ending| kind.ends_with(ending));
-                let without = WITHOUT_FACES.contains(&kind);
+                let is_picture = TRIANGULATED.contains(&kind) && entity.reference(2).is_ok();
+                let without = is_picture || WITHOUT_FACES.contains(&kind);
                 return if is_body && !without { Err(entity.unknown("a body with faces")) } else { Ok(None) };
             }
         };

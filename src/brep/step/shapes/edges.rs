@@ -1,7 +1,7 @@
 //! Edges: the parts of curves between vertices.
 
 use super::{Shapes, used};
-use crate::brep::nurbs::{Curve, Part, nearest_parameter};
+use crate::brep::nurbs::{Curve, CurvePart, nearest_parameter};
 use crate::brep::report::FaceFault;
 use crate::brep::step::geometry::{curve, point, trimmed};
 use crate::brep::topology::{Edge, PCurve, ShapeKind, SpaceCurve, Use};
@@ -56,7 +56,8 @@ impl Shapes<'_> {
         let parameters = ends.map(|end| nearest_parameter(&geometry, end.point));
         let [Some(from), Some(to)] = parameters else { return Err(fault("its curve has no range")) };
         let closed = start.shape == end.shape;
-        let Part { curve, range, turned } = Part::between(geometry, [from, to], closed).map_err(fault)?;
+        let CurvePart { curve, range, turned } =
+            CurvePart::between(geometry, [from, to], closed).map_err(fault)?;
         let ends = if turned { [ends[1], ends[0]] } else { ends };
         let distances = [0, 1].map(|end| curve.point(range[end]).distance(ends[end].point));
         let size = curve.size(range);

@@ -1,6 +1,7 @@
 //! The tangent plane of B at a foot, and the part of B that lies over it.
 
-use super::quadric::{Piece, Quadric, symmetric_product};
+use super::piece::Piece;
+use super::quadric::{Quadric, symmetric_product};
 use crate::axis::Axis;
 use crate::bezier::Jet;
 use crate::certified::reparametrization::pseudo_inverse;
@@ -38,11 +39,34 @@ pub(super) struct Frame<'a> {
 
 /// The part of B over a box of parameters.
 pub(super) struct Image {
-    pub(super) pieces: Vec<Piece>,
-    /// How far `P (a - B(y))` can be from zero along each axis where y is the fixed point.
+    pub(super) parts: Vec<Part>,
+    /// The ends of the box.
+    ends: [[f64; 2]; 2],
+    /// How far the surface is followed.
+    reach: Reach,
+    /// How far points of B may jump in it.
+    pub(super) gap: f64,
+}
+
+/// A piece of B with the range of its parameters, relative to the foot's, and their rounding.
+pub(super) struct Part {
+    pub(super) piece: Piece,
+    pub(super) places: [[f64; 2]; 2],
+    errors: [f64; 2],
+}
+
+/// Where the fixed points for the points of a cell are, by functions g of space that are near B's parameters.
+#[derive(Clone, Copy)]
+pub(super) struct Placement {
+    pub(super) functions: [Quadric; 2],
+    /// How far `g(a) - g(B(y))` can be from zero along each axis where y is the fixed point.
     pub(super) overshoot: [f64; 2],
+    /// How far `y - β - g(a)` can.
+    pub(super) lag: [f64; 2],
     /// The ranges of the fixed points' parameters.
     pub(super) feet: [[f64; 2]; 2],
+    /// How far the ranges of F are beyond the ends of the box.
+    beyond: [[f64; 2]; 2],
 }
 
 /// The nearest number of a range; NaN, which is in no range, stays.
@@ -69,7 +93,7 @@ impl<'a> Frame<'a> {
         for (tangent, row) in tangents.iter().zip(&inverse) {
             rest -= DMat3::from_cols(row.x * tangent, row.y * tangent, row.z * tangent);
         }
-        let measured = Quadric { normal, form: rest }.size();
+        let measured = Quadric { linear: normal, form: rest }.size();
         let sizes = 1.0 + columns[0] * rows[0] + columns[1] * rows[1];
         let along = [0, 1].map(|axis| normal.dot(tangents[axis]).abs() / columns[axis]);
         let skew = measured + along[0] + along[1] + gamma(FRAME_ROUNDINGS * sizes);
@@ -80,56 +104,77 @@ impl<'a> Frame<'a> {
     /// The part of B over a box of parameters that contains the fixed points for all points of a piece
     /// of A, up to the overshoot at the ends of B's surface. `None` where B turns too far or has too
     /// many patches for it.
-    pub(super) fn image(&self, a: &Piece) -> Option<Image> {
-        let places = self.inverse.map(|row| a.range(row));
-        let mut extent = places.map(|[low, high]| ENLARGEMENT * upper_max(-low, high));
+    pub(super) fn image(&self, a: &Piece) -> Option<(Image, Placement)> {
+        let functions = self.inverse.map(Quadric::of_plane);
+        let ranges = functions.map(|function| a.values(&function).range());
+        let mut extent = ranges.map(|[low, high]| ENLARGEMENT * upper_max(-low, high));
         for _ in 0..MAX_BOXES {
             let reach = self.chart.reach_over_creases(extent);
             let ends = [0, 1].map(|axis| {
                 let (at, [low, high]) = (self.chart.parameters[axis], reach.domain[axis]);
                 [(at - extent[axis]).clamp(low, high), (at + extent[axis]).clamp(low, high)]
             });
-            let (pieces, lags) = self.pieces(&reach, extent, ends)?;
+            let parts = self.parts(&reach, extent, ends)?;
             let gap = self.chart.gap(&reach, extent);
-            let (mut overshoot, mut lack, mut feet) = ([0.0; 2], [0.0; 2], ends);
+            let image = Image { parts, ends, reach, gap };
+            let placement = self.placement(a, &image, functions);
+            let mut lack = [0.0; 2];
             for axis in 0..2 {
-                let (at, [start, end]) = (self.chart.parameters[axis], ends[axis]);
-                let [first, last] = [0, 1].map(|end| at + places[axis][end] + lags[axis][end]);
-                let beyond = [start - first, last - end];
-                let jump = self.inverse[axis].length() * gap;
-                let rounding = gamma(PLACE_ROUNDINGS) * (1.0 + extent[axis]);
-                overshoot[axis] = upper_max(upper_max(beyond[0], beyond[1]), 0.0) + jump + rounding;
-                let free = [first - jump - rounding, last + jump + rounding];
-                feet[axis] = free.map(|parameter| clamped(parameter, [start, end]));
                 // Beyond an end of the surface there is nothing more.
-                for (side, beyond) in beyond.into_iter().enumerate() {
-                    if ends[axis][side] != reach.domain[axis][side] {
+                let sides = ends[axis].iter().zip(&image.reach.domain[axis]).zip(placement.beyond[axis]);
+                for ((end, last), beyond) in sides {
+                    if end != last {
                         lack[axis] = upper_max(lack[axis], beyond);
                     }
                 }
             }
             if lack == [0.0; 2] {
-                return Some(Image { pieces, overshoot, feet });
+                return Some((image, placement));
             }
             extent = [0, 1].map(|axis| ENLARGEMENT * (extent[axis] + lack[axis]));
         }
         None
     }
 
-    /// The pieces of B over a box, and the range of `(y - β) - P (B(y) - b)` over it for each axis;
-    /// `None` where they are many.
-    fn pieces(
-        &self,
-        reach: &Reach,
-        extent: [f64; 2],
-        ends: [[f64; 2]; 2],
-    ) -> Option<(Vec<Piece>, [[f64; 2]; 2])> {
+    /// Where the fixed points are by functions that follow B's parameters to second order.
+    pub(super) fn closer_placement(&self, a: &Piece, image: &Image) -> Placement {
+        self.placement(a, image, self.inverse.map(|row| self.osculating(row)))
+    }
+
+    pub(super) fn placement(&self, a: &Piece, image: &Image, functions: [Quadric; 2]) -> Placement {
+        let ranges = functions.map(|function| a.values(&function).range());
+        let radius = image.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius));
+        let [mut overshoot, mut lag] = [[0.0; 2]; 2];
+        let [mut feet, mut beyond] = [[[0.0; 2]; 2]; 2];
+        for axis in Axis::BOTH {
+            let (index, function) = (axis.index(), &functions[axis.index()]);
+            let [mut least, mut largest] = [0.0_f64; 2];
+            for Part { piece, places, errors } in &image.parts {
+                let [low, high] = piece.values(function).lag(axis, places[index]);
+                least = lower_min(least, low - errors[index]);
+                largest = upper_max(largest, high + errors[index]);
+            }
+            let (at, [start, end]) = (self.chart.parameters[index], image.ends[index]);
+            let [first, last] = [at + ranges[index][0] + least, at + ranges[index][1] + largest];
+            let slope = function.linear.length() + 2.0 * function.size() * radius;
+            let rounding = gamma(PLACE_ROUNDINGS) * (1.0 + (end - at).abs() + (at - start).abs());
+            let margin = slope * image.gap + rounding;
+            beyond[index] = [start - first, last - end];
+            overshoot[index] = upper_max(upper_max(beyond[index][0], beyond[index][1]), 0.0) + margin;
+            lag[index] = upper_max(-least, largest) + overshoot[index];
+            feet[index] = [first - margin, last + margin].map(|parameter| clamped(parameter, [start, end]));
+        }
+        Placement { functions, overshoot, lag, feet, beyond }
+    }
+
+    /// The pieces of B over a box; `None` where they are many.
+    fn parts(&self, reach: &Reach, extent: [f64; 2], ends: [[f64; 2]; 2]) -> Option<Vec<Part>> {
         let chart = &self.chart;
         let [rows, columns] = chart.all_touched(extent, reach);
         if rows.clone().count() * columns.clone().count() > MAX_PATCHES {
             return None;
         }
-        let (mut pieces, mut lags) = (Vec::new(), [[0.0_f64; 2]; 2]);
+        let mut parts = Vec::new();
         for row in rows {
             for column in columns.clone() {
                 let offsets = [row, column];
@@ -138,36 +183,62 @@ impl<'a> Frame<'a> {
                 let controls = patch.restricted(part[0], part[1]);
                 let shift = self.jet.point - patch.center;
                 let piece = Piece::new(patch.degree, controls, shift, chart.radius(offsets));
-                for axis in Axis::BOTH {
-                    let index = axis.index();
-                    let places = part[index]
-                        .map(|end| chart.parameter(axis, offsets[index], end) - chart.parameters[index]);
-                    let [low, high] = piece.lag(axis, places, self.inverse[index]);
-                    let [start, end] = [0, 1].map(|line| chart.line_error(axis, offsets[index] + line));
-                    lags[index][0] = lower_min(lags[index][0], low - start - end);
-                    lags[index][1] = upper_max(lags[index][1], high + start + end);
-                }
-                pieces.push(piece);
+                let places = Axis::BOTH.map(|axis| {
+                    let (index, at) = (axis.index(), chart.parameters[axis.index()]);
+                    part[index].map(|end| chart.parameter(axis, offsets[index], end) - at)
+                });
+                let errors = Axis::BOTH.map(|axis| {
+                    let line = offsets[axis.index()];
+                    chart.line_error(axis, line) + chart.line_error(axis, line + 1)
+                });
+                parts.push(Part { piece, places, errors });
             }
         }
-        Some((pieces, lags))
+        Some(parts)
     }
 
-    /// The paraboloid that osculates B at the foot, as a function that vanishes on it.
-    pub(super) fn paraboloid(&self) -> Quadric {
+    /// The function with this gradient at the foot that changes on B, to second order, as along its tangent
+    /// plane: of the normal, it vanishes on the paraboloid that osculates B.
+    pub(super) fn osculating(&self, gradient: DVec3) -> Quadric {
         let [s, t] = self.inverse;
-        let [ss, st, tt] = [self.jet.ss, self.jet.st, self.jet.tt].map(|vector| self.normal.dot(vector));
+        let [ss, st, tt] = [self.jet.ss, self.jet.st, self.jet.tt].map(|vector| gradient.dot(vector));
         let form = symmetric_product(s, s) * ss
             + symmetric_product(s, t) * (2.0 * st)
             + symmetric_product(t, t) * tt;
-        Quadric { normal: self.normal, form: form * -0.5 }
+        Quadric { linear: gradient, form: form * -0.5 }
     }
 
-    /// The function that vanishes on the tangent plane.
-    pub(super) fn plane(&self) -> Quadric {
-        Quadric { normal: self.normal, form: DMat3::ZERO }
+    /// An upper bound on the distance of two points of B that are `steps` apart along the axes of its
+    /// parameters, both in a box; `None` where the surface is not followed over all of it, or over many patches.
+    pub(super) fn drift(&self, image: &Image, parameters: [[f64; 2]; 2], steps: [f64; 2]) -> Option<f64> {
+        if steps == [0.0; 2] {
+            return Some(0.0);
+        }
+        let extent = [0, 1].map(|axis| {
+            let ([low, high], at) = (parameters[axis], self.chart.parameters[axis]);
+            upper_max(at - low, high - at)
+        });
+        // The rounding of the box's ends.
+        let extent = extent.map(|extent| extent + gamma(PLACE_ROUNDINGS) * (1.0 + extent));
+        let is_reached = (0..2).all(|axis| {
+            let ([low, high], [first, last]) = (parameters[axis], image.reach.domain[axis]);
+            let margin = DRIFT_MARGIN * (last - first);
+            first - margin <= low && high <= last + margin
+        });
+        let [rows, columns] = self.chart.all_touched(extent, &image.reach);
+        let is_few = rows.count() * columns.count() <= MAX_PATCHES;
+        (is_reached && is_few).then(|| {
+            let along = Axis::BOTH.map(|axis| {
+                let step = steps[axis.index()];
+                if step > 0.0 { step * self.chart.speed(axis, &image.reach, extent) } else { 0.0 }
+            });
+            along[0] + along[1] + self.chart.gap(&image.reach, extent)
+        })
     }
 }
+
+/// How far, relative to the surface's, a box may be beyond it by the rounding of both.
+const DRIFT_MARGIN: f64 = 1e-9;
 
 /// The largest skewness of the frame: with more, rounding or nearly parallel tangents spoil the bound.
 const MAX_SKEW: f64 = 1e-6;

@@ -19,21 +19,31 @@
 //! vanishes on a plane, a sphere, a cylinder or a cone, A and B on it are at no distance however their
 //! parameters run.
 
+mod fit;
 mod frame;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod over_faces;
+mod piece;
 mod quadric;
+mod rim;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod terms;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
 use crate::certified::cell_context::{CellContext, UpperBound};
+use crate::certified::faces::FaceChart;
+use crate::certified::rounding::gamma;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
-use frame::Frame;
-use glam::{DMat3, DVec3, Vec4Swizzles};
-use quadric::{Piece, Quadric};
+use fit::{Fit, ORDERS, POINTS_ALONG};
+use frame::{Frame, Image, Part, Placement};
+use glam::{DVec3, Vec4Swizzles};
+use piece::Piece;
+use quadric::{Cubic, Quadric};
 
 /// The largest distance of a cell from B, relative to the cell's radius, at which it is tried.
 const MAX_DISTANCE: f64 = 0.0625;
@@ -41,8 +51,12 @@ const MAX_DISTANCE: f64 = 0.0625;
 /// The largest height of a first or second order by which a cell may leave B, relative to the threshold.
 const MAX_SLOPE: f64 = 4.0;
 
-/// The part of the sum of the eigenvalues that is added to the normal equations of a tilt.
-const REGULARIZATION: f64 = 1e-12;
+/// The part of the threshold, for each order, by which a function may vary over a cell: no closer one of that
+/// order is looked for.
+const SUFFICIENT_SPREAD: f64 = 0.125;
+
+/// The largest length of `T o`, relative to the threshold, that is not looked at more closely.
+const MAX_BEYOND: f64 = 0.125;
 
 /// The bound from the nearest known foot. O(p² q²) for each patch of B that is touched.
 pub(super) struct Heights;
@@ -57,52 +71,48 @@ impl UpperBound for Heights {
         let chart = Chart::new(context.pair.b.sheets?, foot.patch, foot.parameters);
         let over_face = context.pair.b.faces.and_then(|faces| {
             let face = faces.chart(&chart)?;
-            let bound = over(context, face.chart, threshold, |feet| face.holds(feet))?;
+            let bound = over(context, face.chart, threshold, Some(&face))?;
             Some(bound + face.point_error)
         });
-        over_face.or_else(|| over(context, chart, threshold, |_| true))
+        over_face.or_else(|| over(context, chart, threshold, None))
     }
 }
 
-/// The bound over the part of B in a chart; `None` where not all feet, by the ranges of their parameters,
-/// belong to B.
+/// The bound over the part of B in a chart, of a face where it is that of one; `None` where a point of B that
+/// is compared with the cell may be beyond the face.
 fn over(
     context: &CellContext<'_>,
     chart: Chart<'_>,
     threshold: f64,
-    holds: impl FnOnce([[f64; 2]; 2]) -> bool,
+    face: Option<&FaceChart<'_>>,
 ) -> Option<f64> {
     let frame = Frame::new(chart)?;
     if !leaves_slowly(context, &frame, threshold) {
         return None;
     }
     let a = piece_of_a(context, &frame);
-    let image = frame.image(&a)?;
-    let beyond: f64 = (0..2).map(|axis| frame.tangents[axis].length() * image.overshoot[axis]).sum();
-    let is_over = beyond <= threshold && holds(image.feet);
-    if !is_over {
+    let (image, placement) = frame.image(&a)?;
+    let mut over = Over { frame: &frame, a: &a, image: &image, placement, overrun: 0.0 };
+    let is_held = |over: &Over<'_>| face.is_none_or(|face| face.holds(over.placement.feet));
+    if over.beyond() > MAX_BEYOND * threshold || !is_held(&over) {
+        let linear_lag = over.placement.lag;
+        over.placement = frame.closer_placement(&a, &image);
+        if !is_held(&over) {
+            over.overrun = rim::overrun(&over, face?, linear_lag, threshold)?;
+        }
+    }
+    let rest = threshold - over.overrun;
+    if !(over.beyond() <= rest) {
         return None;
     }
-    let over = Over { skew: frame.skew, beyond, a: &a, b: &image.pieces };
-    let mut least = over.upper_bound(&frame.plane());
-    let at_center = frame.normal.dot(context.jet.point - frame.jet.point);
-    for level in 0..2 {
-        if least <= threshold {
-            break;
-        }
-        let paraboloid = frame.paraboloid();
-        let quadric = if level == 0 { paraboloid } else { tilted(&paraboloid, &a, at_center) };
-        let bound = over.upper_bound(&quadric);
-        least = if bound < least { bound } else { least };
-    }
-    Some(least)
+    Some(over.least_bound(rest) + over.overrun)
 }
 
 /// Whether the derivatives of A's height over B up to second order may let a bound reach the threshold.
 fn leaves_slowly(context: &CellContext<'_>, frame: &Frame<'_>, threshold: f64) -> bool {
     let (a, [h, k]) = (&context.jet, context.cell.half);
     let [s, t] = [h * a.s, k * a.t];
-    let paraboloid = frame.paraboloid();
+    let paraboloid = frame.osculating(frame.normal);
     let height = |vector: DVec3| frame.normal.dot(vector);
     let second = |own: DVec3, x: DVec3, y: DVec3| 0.5 * height(own) + x.dot(paraboloid.form * y);
     let first = height(s).abs() + height(t).abs();
@@ -124,52 +134,85 @@ fn piece_of_a(context: &CellContext<'_>, frame: &Frame<'_>) -> Piece {
 
 /// A cell and the part of B over it.
 struct Over<'a> {
-    skew: f64,
-    /// l of the lemma.
-    beyond: f64,
+    frame: &'a Frame<'a>,
     a: &'a Piece,
-    b: &'a [Piece],
+    image: &'a Image,
+    placement: Placement,
+    /// How far the points of B that are compared with the cell's may be from its face.
+    overrun: f64,
 }
 
 impl Over<'_> {
-    /// The lemma's bound; infinite where it does not apply.
-    fn upper_bound(&self, quadric: &Quadric) -> f64 {
-        let &Self { skew, beyond, a, b } = self;
-        let ranges = |piece: &Piece| {
-            if quadric.form == DMat3::ZERO { piece.range(quadric.normal) } else { piece.range_of(quadric) }
+    /// l of the lemma.
+    fn beyond(&self) -> f64 {
+        (0..2).map(|axis| self.frame.tangents[axis].length() * self.placement.overshoot[axis]).sum()
+    }
+
+    /// The least bound, or the first that is at most the threshold, by functions of rising order.
+    fn least_bound(&self, threshold: f64) -> f64 {
+        let plane = Cubic::of(Quadric::of_plane(self.frame.normal));
+        let mut least = self.upper_bound(&plane, threshold);
+        if least <= threshold {
+            return least;
+        }
+        let samples = self.a.samples(POINTS_ALONG);
+        let Some(mut fit) = Fit::new(self.frame.normal, self.frame.tangents[0], &samples) else {
+            return least;
         };
-        let [low, high] = ranges(a);
+        let mut sufficient = threshold;
+        for terms in ORDERS {
+            sufficient *= SUFFICIENT_SPREAD;
+            fit.add(terms, sufficient);
+            let function = fit.function();
+            if fit.spread() > threshold {
+                continue;
+            }
+            let bound = self.upper_bound(&function, threshold);
+            least = if bound < least { bound } else { least };
+            if least <= threshold {
+                break;
+            }
+        }
+        least
+    }
+
+    /// The lemma's bound; infinite where it does not apply or is not expected to reach the threshold.
+    fn upper_bound(&self, function: &Cubic, threshold: f64) -> f64 {
+        let Self { frame: &Frame { skew, normal, tangents, .. }, a, .. } = *self;
+        let is_quadric = function.size() == 0.0;
+        let range = |piece: &Piece| {
+            if is_quadric { piece.values(&function.quadric) } else { piece.values_of_cubic(function) }.range()
+        };
+        let [low, high] = range(a);
+        if high - low > 2.0 * threshold {
+            return f64::INFINITY;
+        }
         let (mut difference, mut radius) = (0.0_f64, 0.0_f64);
-        for piece in b {
-            let [least, largest] = ranges(piece);
+        for Part { piece, .. } in &self.image.parts {
+            let [least, largest] = range(piece);
             difference = upper_max(difference, upper_max(largest - low, high - least));
             radius = upper_max(radius, piece.radius);
         }
         let reach = a.radius + radius;
-        let turn = quadric.size() * reach;
-        let turn_of_normal = ROUNDED_UP * (quadric.form * quadric.normal).length() * reach;
-        let applies = turn <= 1.0 && turn_of_normal + skew <= 0.5;
+        let Quadric { linear, form } = function.quadric;
+        let tilt = linear - normal;
+        let turn = tilt.length() + function.quadric.size() * reach + function.size() * reach * reach;
+        let turn_of_normal = normal.dot(tilt).abs()
+            + (form * normal).length() * reach
+            + function.size_along(normal) * reach * reach
+            + gamma(TURN_ROUNDINGS) * (1.0 + turn);
+        let bend: f64 =
+            (0..2).map(|axis| tangents[axis].length() * self.placement.functions[axis].size() * reach).sum();
+        let beyond = self.beyond();
+        let shrunk = 1.0 - turn_of_normal;
+        let rest = 1.0 - bend - skew - (skew * (1.0 + bend) + turn * (bend + skew)) / shrunk;
+        let applies = turn <= 1.0 && turn_of_normal <= 0.5 && rest >= 0.5;
         if !applies {
             return f64::INFINITY;
         }
-        let height = (difference + (skew + turn) * beyond) / (1.0 - turn_of_normal - skew);
-        (height + beyond) / (1.0 - 6.0 * skew)
+        ((difference + (skew + turn) * beyond) / shrunk + beyond) / rest
     }
 }
 
-/// A factor that covers the rounding of the product of a matrix with a vector beside the norm of either.
-const ROUNDED_UP: f64 = 1.0 + 1e-12;
-
-/// A paraboloid with `(n·Y) (c·Y)` added, by which the corners of a cell of A come closest to the value at
-/// the cell's centre.
-fn tilted(paraboloid: &Quadric, a: &Piece, at_center: f64) -> Quadric {
-    let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-    for corner in a.corners() {
-        let row = paraboloid.normal.dot(corner) * corner;
-        matrix += DMat3::from_cols(row.x * row, row.y * row, row.z * row);
-        right -= (paraboloid.value(corner) - at_center) * row;
-    }
-    let trace = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
-    let c = (matrix + DMat3::from_diagonal(DVec3::splat(REGULARIZATION * trace))).inverse() * right;
-    if c.is_finite() { paraboloid.tilted(c) } else { *paraboloid }
-}
+/// Roundings of the turns, relative to the sizes of their terms.
+const TURN_ROUNDINGS: f64 = 64.0;

@@ -1,10 +1,11 @@
 //! Cells over trimmed faces: across the lines of a cut, over its loops and over a seam.
 
 use super::*;
+use crate::axis::Axis;
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, oblique, patch, through};
 use crate::certified::{Cell, Pair, TrimmedFaces};
-use crate::model::trim::{FaceArrays, TrimCurveArrays};
+use crate::model::trim::{FaceArrays, RimSide, TrimCurveArrays};
 use crate::model::{Model, ModelArrays, RigidTransform, SurfaceArrays};
 use crate::pieces::FacePieces;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -165,4 +166,98 @@ fn a_height_over_a_face_is_the_distance() {
     }
     let bound = bound(&patch(raised), &plate(), true, 1.0).unwrap();
     assert!((1e-4..=1e-4 * (1.0 + 1e-9)).contains(&bound), "{bound:e}");
+}
+
+/// A cell that ends beyond an edge of the plate is as far from it as it ends there, and beyond a corner as far as by
+/// both edges; of the pieces it is only by their lines.
+#[test]
+fn a_cell_beyond_a_loop_is_at_its_overrun() {
+    const BEYOND: f64 = 1e-4;
+    let plate = plate();
+    let at = |x: [f64; 2], y: [f64; 2]| {
+        patch(through(|s, t| DVec3::new(x[0] + s * (x[1] - x[0]), y[0] + t * (y[1] - y[0]), 0.0)))
+    };
+    let edge = |low: f64| [low, PLATE + BEYOND];
+    for swapped in [false, true] {
+        for sign in [1.0, -1.0] {
+            let beside = edge(0.8).map(|end| sign * end);
+            let a = if swapped { at([0.3, 0.35], beside) } else { at(beside, [0.3, 0.35]) };
+            let bound = bound(&a, &plate, true, 1e-3).unwrap();
+            assert!((BEYOND..=BEYOND * (1.0 + 1e-3)).contains(&bound), "{bound:e} {swapped} {sign}");
+        }
+    }
+    let bound = bound(&at(edge(0.85), edge(0.86)), &plate, true, 1e-3).unwrap();
+    assert!((2.0_f64.sqrt() * BEYOND..=2.0 * BEYOND * (1.0 + 1e-3)).contains(&bound), "{bound:e}");
+}
+
+/// Of a face of a curved surface with round sides no point of a cell about a loop is farther than its bound, and
+/// bounds over loops are found: the lags of both parameters count.
+#[test]
+fn no_point_about_a_loop_of_a_curved_face_is_farther_than_the_bound() {
+    let random = &mut fastrand::Rng::with_seed(3190);
+    let of = |s: f64, t: f64| DVec3::new(s + 0.2 * s * t, t - 0.2 * s * s, 0.3 * s * t - 0.2 * t * t);
+    let controls = through(of);
+    let surface = SurfaceArrays {
+        degree: [2, 2],
+        knots: [[0.0, 0.0, 0.0, 1.0, 1.0, 1.0].to_vec(), [0.0, 0.0, 0.0, 1.0, 1.0, 1.0].to_vec()],
+        counts: [3, 3],
+        control_points: controls.iter().map(|control| control.to_array()).collect(),
+    };
+    // A polygon of many corners about a circle, and one with a reflex corner.
+    let round: Vec<[f64; 2]> = (0..40)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 40.0)
+        .map(|angle| [0.5 + 0.3 * angle.cos(), 0.5 + 0.35 * angle.sin()])
+        .collect();
+    let bent = [[0.2, 0.2], [0.8, 0.25], [0.75, 0.5], [0.5, 0.55], [0.45, 0.8], [0.25, 0.75]];
+    let (mut bounded, mut over_loops) = (0, 0);
+    for loop_ in [&round[..], &bent[..]] {
+        let b = cut(surface.clone(), &[loop_]);
+        let pair_b = b.pieces.operand();
+        let nearest = NearestPoint::new(pair_b);
+        for _ in 0..300 {
+            let corner = random.usize(0..loop_.len());
+            let [from, to] = [loop_[corner], loop_[(corner + 1) % loop_.len()]];
+            let along = if random.bool() { 0.0 } else { random.f64() };
+            let size = 10.0_f64.powf(-1.3 - 1.5 * random.f64());
+            let shift = size * (random.f64() - 0.5);
+            let middle = [0, 1].map(|axis| from[axis] + along * (to[axis] - from[axis]) + shift);
+            let turn = std::f64::consts::TAU * random.f64();
+            let place = |s: f64, t: f64| {
+                let [x, y] = [size * (s - 0.5), 0.7 * size * (t - 0.5)];
+                [middle[0] + x * turn.cos() - y * turn.sin(), middle[1] + x * turn.sin() + y * turn.cos()]
+            };
+            let a = patch(through(|s, t| {
+                let [u, v] = place(s, t);
+                of(u, v)
+            }));
+            let Some(upper) = bound(&a, &b, true, 0.02) else { continue };
+            bounded += 1;
+            over_loops += usize::from(bound(&a, &b, false, 0.02).is_none_or(|pieces| pieces > upper));
+            for _ in 0..30 {
+                let target = a.operand().patch(0).point([random.f64(), random.f64()]);
+                let foot = nearest.nearest(target, Foot::start(0, [0.5; 2]), 0.0);
+                let foot = nearest.certified(target, foot, 1e-9);
+                assert!(foot.distance() <= upper + 1e-9, "{} {upper} at {middle:?}, {size}", foot.distance());
+            }
+        }
+    }
+    assert!(bounded > 150 && over_loops > 50, "{bounded} {over_loops}");
+}
+
+/// What is left of an excess by the steps of two sides is nothing, for slopes of any size that are allowed.
+#[test]
+fn steps_lead_within_both_sides() {
+    let random = &mut fastrand::Rng::with_seed(31);
+    for _ in 0..200 {
+        let slopes = [random.f64() * 10.0, random.f64() * 0.05];
+        let excesses = [random.f64(), random.f64()];
+        let side = |axis: Axis, slope: f64| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope };
+        let sides = [side(Axis::V, slopes[0]), side(Axis::U, slopes[1])];
+        let [along_u, along_v] = rim::steps(&sides, &excesses);
+        assert!(along_v - slopes[0] * along_u >= excesses[0]);
+        assert!(along_u - slopes[1] * along_v >= excesses[1]);
+        assert!(along_v - slopes[0] * along_u <= excesses[0] * (1.0 + 1e-9) + 1e-9);
+        let both = rim::steps(&[side(Axis::V, 0.0), side(Axis::V, 0.0)], &excesses);
+        assert_eq!(both, [0.0, excesses[0].max(excesses[1])]);
+    }
 }

@@ -1,4 +1,4 @@
-//! The sides along which a cell is halved that no bound decides.
+//! Halved along the side whose halving reduces Taylor's bound more.
 //!
 //! Bounds of first order depend on the cell's longer side in space. Taylor's bound depends on how the
 //! difference of A and B varies instead: along the lines of a cylinder or of a ruled surface that B

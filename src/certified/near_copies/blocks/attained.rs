@@ -136,7 +136,7 @@ fn patches_above_the_threshold_are_left() {
 }
 
 /// The bound of a patch is that of its farthest piece, wherever it is: a tilted sheet over a plane
-/// of which both inner knots cross the patch.
+/// whose two inner knots both cross the patch.
 #[test]
 fn the_farthest_piece_of_a_patch_is_bounded() {
     for tilt in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {

@@ -3,7 +3,7 @@
 //! One map of all of A's knot lines to parameter lines of B serves all patches, which are decided one
 //! by one: their pieces are compared with the patches of B that they are mapped to.
 
-use super::super::difference::{Comparison, Part, RestrictedPart};
+use super::super::difference::{Comparison, RestrictedPart, SpanPart};
 use super::BlockUpperBound;
 use super::context::BlockContext;
 use super::knot_line_map::parts;
@@ -103,6 +103,6 @@ impl Pieces<'_> {
 }
 
 /// The part in the middle of those of a span.
-fn middle_part(parts: &[RestrictedPart]) -> Option<&Part> {
+fn middle_part(parts: &[RestrictedPart]) -> Option<&SpanPart> {
     parts.get(parts.len() / 2).map(RestrictedPart::part)
 }

@@ -1,6 +1,6 @@
 //! A map of A's knot lines to parameter lines of B.
 
-use super::super::difference::Part;
+use super::super::difference::SpanPart;
 use super::super::orientation::Orientation;
 use crate::axis::Axis;
 use crate::certified::sheets::Chart;
@@ -79,13 +79,13 @@ pub(super) fn parts(
     orientation: &Orientation,
     axis: Axis,
     images: &[f64],
-) -> Vec<Vec<Part>> {
+) -> Vec<Vec<SpanPart>> {
     let on_b = orientation.axis_of_b(axis);
     let sign = if orientation.is_backwards(axis) { -1.0 } else { 1.0 };
     images.windows(2).map(|ends| parts_of_span(chart, on_b, sign, [ends[0], ends[1]])).collect()
 }
 
-fn parts_of_span(chart: &Chart<'_>, axis: Axis, sign: f64, [start, end]: [f64; 2]) -> Vec<Part> {
+fn parts_of_span(chart: &Chart<'_>, axis: Axis, sign: f64, [start, end]: [f64; 2]) -> Vec<SpanPart> {
     let length = sign * (end - start);
     let is_proper = length > 0.0;
     if !is_proper {
@@ -112,7 +112,7 @@ fn parts_of_span(chart: &Chart<'_>, axis: Axis, sign: f64, [start, end]: [f64; 2
                 ((parameter - chart.line(axis, offset)) / chart.width(axis, offset)).clamp(0.0, 1.0)
             };
             let (range, image) = ([covered, until].map(fraction), [covered, until].map(local));
-            parts.push(Part { range, offset, image });
+            parts.push(SpanPart { range, offset, image });
             covered = until;
         }
         offset += 1;

@@ -18,9 +18,11 @@ mod net;
 mod one_patch;
 mod over_knot_lines;
 mod piece;
+mod projective;
 mod strip;
 
 pub(in crate::certified) use one_patch::PolynomialDifference;
 pub(in crate::certified) use over_knot_lines::DifferenceOverKnotLines;
-pub(super) use piece::Part;
+pub(super) use piece::SpanPart;
+pub(in crate::certified) use projective::ProjectiveDifference;
 pub(super) use strip::{Comparison, RestrictedPart};

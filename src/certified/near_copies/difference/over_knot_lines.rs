@@ -7,7 +7,7 @@
 
 use super::super::orientation::Orientation;
 use super::aligned_map::AlignedMap;
-use super::piece::Part;
+use super::piece::SpanPart;
 use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Jet;
@@ -148,7 +148,7 @@ impl Rectangle<'_> {
         orientation: &Orientation,
         along: f64,
         axis: Axis,
-    ) -> (Vec<Part>, Vec<[f64; 2]>) {
+    ) -> (Vec<SpanPart>, Vec<[f64; 2]>) {
         let on_b = orientation.axis_of_b(axis);
         let foot = chart.parameters[on_b];
         let [start, end] = self.ranges[axis.index()];
@@ -175,7 +175,7 @@ impl Rectangle<'_> {
                     let on_chart = foot + along * ((parameter - center) / half);
                     ((on_chart - chart.line(on_b, offset)) / chart.width(on_b, offset)).clamp(0.0, 1.0)
                 });
-                parts.push(Part { range: [low, high], offset, image });
+                parts.push(SpanPart { range: [low, high], offset, image });
             }
             low = high;
         }

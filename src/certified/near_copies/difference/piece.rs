@@ -10,7 +10,7 @@ use std::cell::OnceCell;
 
 /// A part of the range of a parameter of A's patch, and the patch of B, by its offset,
 /// with the range of its parameter that the part is mapped to.
-pub(in crate::certified::near_copies) struct Part {
+pub(in crate::certified::near_copies) struct SpanPart {
     pub(in crate::certified::near_copies) range: [f64; 2],
     pub(in crate::certified::near_copies) offset: isize,
     pub(in crate::certified::near_copies) image: [f64; 2],
@@ -24,7 +24,7 @@ pub(in crate::certified::near_copies) struct Piece<'a> {
     chart: &'a Chart<'a>,
     orientation: Orientation,
     /// The parts of A's two ranges.
-    parts: [&'a Part; 2],
+    parts: [&'a SpanPart; 2],
     /// Feet that slide from the image.
     sliding: OnceCell<Sliding<'a>>,
 }
@@ -35,7 +35,7 @@ impl<'a> Piece<'a> {
         patch: Patch<'a>,
         chart: &'a Chart<'a>,
         orientation: Orientation,
-        parts: [&'a Part; 2],
+        parts: [&'a SpanPart; 2],
     ) -> Self {
         Self { pair, patch, chart, orientation, parts, sliding: OnceCell::new() }
     }

@@ -6,7 +6,7 @@
 
 use super::super::orientation::Orientation;
 use super::net::{Net, elevated_degrees};
-use super::piece::{Part, Piece};
+use super::piece::{Piece, SpanPart};
 use crate::axis::Axis;
 use crate::bezier::{Patch, Restriction};
 use crate::certified::Pair;
@@ -26,7 +26,7 @@ pub(in crate::certified::near_copies) struct Comparison<'a> {
 
 /// A part of a span with the restrictions of A and of B to it.
 pub(in crate::certified::near_copies) struct RestrictedPart {
-    part: Part,
+    part: SpanPart,
     axis: Axis,
     restrictions: [Restriction; 2],
 }
@@ -48,7 +48,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// The restrictions to a part along an axis of A.
-    pub(in crate::certified::near_copies) fn restricted(&self, axis: Axis, part: Part) -> RestrictedPart {
+    pub(in crate::certified::near_copies) fn restricted(&self, axis: Axis, part: SpanPart) -> RestrictedPart {
         let ranges = [part.range, part.image];
         let of =
             |side: usize| Restriction::new(self.degrees[side][axis], self.elevated[side][axis], ranges[side]);
@@ -76,7 +76,7 @@ impl<'a> Comparison<'a> {
     pub(in crate::certified::near_copies) fn piece(
         &'a self,
         patch: Patch<'a>,
-        parts: [&'a Part; 2],
+        parts: [&'a SpanPart; 2],
     ) -> Piece<'a> {
         let Self { pair, chart, orientation, .. } = self;
         Piece::new(pair, patch, chart, *orientation, parts)
@@ -103,7 +103,7 @@ impl<'a> Comparison<'a> {
 }
 
 impl RestrictedPart {
-    pub(in crate::certified::near_copies) fn part(&self) -> &Part {
+    pub(in crate::certified::near_copies) fn part(&self) -> &SpanPart {
         &self.part
     }
 }

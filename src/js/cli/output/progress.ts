@@ -1,4 +1,4 @@
-import type { OnProgress } from "../../measure/options.js";
+import type { OnProgress } from "../../measure/progress.js";
 import { exponential } from "./numbers.js";
 
 /** Digits after the point of the interval shown. */

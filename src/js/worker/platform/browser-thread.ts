@@ -1,7 +1,7 @@
 import type { Reply, Request } from "../messages.js";
 import { serve } from "../serve.js";
 
-/** The worker's own scope, of which the DOM's types know only the window's. */
+/** The worker's own scope; the DOM's types know only the window's. */
 const scope = globalThis as unknown as {
   onmessage: (event: MessageEvent<Request>) => void;
   postMessage(reply: Reply, transfer: ArrayBuffer[]): void;

@@ -2,8 +2,8 @@
 //! once, lie on the surface and reach the loops.
 
 use nurbs_hausdorff::NurbsSurface;
-use nurbs_hausdorff::model::trim::Trim;
-use nurbs_hausdorff::untrim::Untrimmed;
+use nurbs_hausdorff::internals::model::trim::Trim;
+use nurbs_hausdorff::internals::untrim::Untrimmed;
 
 use super::Point;
 use crate::support::evaluator;
@@ -216,7 +216,7 @@ pub(super) fn assert_reaches_boundary(trim: &Trim, untrimmed: &Untrimmed, tolera
 
 /// The distance in the parameter plane from a point to one edge of a piece's image: the least
 /// of 17 samples, improved by golden sections around it.
-fn edge_distance(piece: &nurbs_hausdorff::untrim::Piece, side: usize, at: Point) -> f64 {
+fn edge_distance(piece: &nurbs_hausdorff::internals::untrim::Piece, side: usize, at: Point) -> f64 {
     let domain = piece.surface.domain();
     let distance = |x: f64| {
         let [u, v] = piece.map.face_parameters(domain.at([[x, 0.0], [1.0, x], [x, 1.0], [0.0, x]][side]));

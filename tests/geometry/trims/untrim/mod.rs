@@ -3,8 +3,8 @@
 mod coverage;
 
 use coverage::{area, assert_covers, assert_on_surface, assert_reaches_boundary, green};
-use nurbs_hausdorff::model::trim::{Trim, TrimCurveArrays};
-use nurbs_hausdorff::untrim::{ParameterMap, Untrimmed, untrim};
+use nurbs_hausdorff::internals::model::trim::{Trim, TrimCurveArrays};
+use nurbs_hausdorff::internals::untrim::{ParameterMap, Untrimmed, untrim};
 use nurbs_hausdorff::{NurbsSurface, SurfaceArrays};
 use std::f64::consts::PI;
 

@@ -5,8 +5,8 @@ mod placed;
 mod winding;
 
 use crate::support::trims::{circle, ellipse, face, line, plane, polygon, rectangle, reversed};
-use nurbs_hausdorff::model::ModelArrays;
-use nurbs_hausdorff::model::trim::{Trim, TrimCurveArrays, oriented};
+use nurbs_hausdorff::internals::model::ModelArrays;
+use nurbs_hausdorff::internals::model::trim::{Trim, TrimCurveArrays, oriented};
 use nurbs_hausdorff::{Error, Model, NurbsSurface, SurfaceArrays};
 
 /// The plane z = 0 with u = x and v = y over [0, 4]².

@@ -3,8 +3,8 @@
 use super::sheet;
 use crate::support::trims::{circle, face, rectangle, reversed};
 use nurbs_hausdorff::Model;
-use nurbs_hausdorff::model::trim::FaceArrays;
-use nurbs_hausdorff::model::{IDENTITY, InstanceArrays, ModelArrays};
+use nurbs_hausdorff::internals::model::trim::FaceArrays;
+use nurbs_hausdorff::internals::model::{IDENTITY, InstanceArrays, ModelArrays};
 
 /// A model of two trimmed faces, placed twice.
 fn assembly() -> ModelArrays {

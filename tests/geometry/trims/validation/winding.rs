@@ -1,7 +1,7 @@
 //! Winding numbers against the summed angles of chords.
 
 use super::trim;
-use nurbs_hausdorff::model::trim::TrimCurveArrays;
+use nurbs_hausdorff::internals::model::trim::TrimCurveArrays;
 use proptest::prelude::*;
 
 /// Returns 4,000 points of a curve, evaluated by the recurrence of the B-spline basis.

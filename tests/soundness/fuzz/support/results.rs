@@ -9,7 +9,7 @@ pub fn distance(a: &Model, b: &Model, options: &DistanceOptions) -> Result<Dista
     engine.distance(&a, &b, options).wait()
 }
 
-/// Panics where a number of the result is NaN or the interval is none.
+/// Panics where a number of the result is NaN or the interval is empty.
 pub fn assert_numbers(result: &DistanceResult) {
     let DistanceResult { lower, upper, computed, diagonal, .. } = *result;
     assert!(0.0 <= lower && lower <= upper, "{result:?}");

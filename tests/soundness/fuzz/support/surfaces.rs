@@ -9,7 +9,7 @@ const SPANS: [f64; 6] = [1.0, 0.5, 2.0, 0.0, 0.125, 3.0];
 /// The highest degree, as the independent evaluator's recursion is exponential in it.
 const MAX_DEGREE: usize = 4;
 
-/// Arrays of any numbers, of which few are a valid surface.
+/// Arrays of any numbers; few are a valid surface.
 pub fn any_arrays(bytes: &mut Bytes<'_>) -> SurfaceArrays {
     let degree = [0, 1].map(|_| bytes.below(18));
     let counts = [0, 1].map(|axis| (degree[axis] + bytes.below(4)).saturating_sub(bytes.below(2)));

@@ -44,7 +44,7 @@ export class Runs {
     const timeLimit = certified && limit < Number.POSITIVE_INFINITY ? { maxSeconds: limit } : {};
     let timer: ReturnType<typeof setTimeout> | undefined;
     const reply = await this.#request(() => {
-      this.#client.measure({ ...options, ...timeLimit });
+      this.#client.measure({ ...options, ...timeLimit }, []);
       if (!certified && limit < Number.POSITIVE_INFINITY) {
         timer = setTimeout(() => this.cancel(), 1000 * limit);
       }

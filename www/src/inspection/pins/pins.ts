@@ -1,5 +1,5 @@
 // Points of the models with their distances: the one under the pointer, and those pinned.
-import { Vector3 } from "three";
+import { type Plane, Vector3 } from "three";
 import { element } from "../../common/elements.ts";
 import { distanceText, signedText } from "../../common/numbers.ts";
 import { commonUnit } from "../../files/fileNotes.ts";
@@ -62,9 +62,12 @@ export class Pins {
   }
 
   /** Moves the labels to their points on the screen; `center` is the scene's origin. */
-  update(viewport: Viewport, center: Vector3): void {
+  update(viewport: Viewport, center: Vector3, planes: readonly Plane[]): void {
     for (const { probe, node } of this.#pins) {
-      const at = viewport.project(new Vector3(...probe.point).sub(center));
+      const point = new Vector3(...probe.point).sub(center);
+      // What a section cuts away has no pin.
+      const cut = planes.some((plane) => plane.distanceToPoint(point) < 0);
+      const at = cut ? undefined : viewport.project(point);
       node.hidden = at === undefined;
       if (at !== undefined) place(node, at);
     }

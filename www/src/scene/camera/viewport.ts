@@ -24,14 +24,30 @@ import { STANDARD_VIEWS } from "./standardViews.ts";
 const FIELD_OF_VIEW = 32;
 /** The tangent of half the field of view. */
 const TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+/** The sine of half the field of view. */
+const SINE = Math.sin((FIELD_OF_VIEW * Math.PI) / 360);
+/** The cosine of the largest angle from a surface's normal from which it is looked at. */
+const MIN_FACING = 0.4;
+/** The part of a normal in a direction that was turned to it, beside a unit vector along the surface. */
+const TURNED = 1.2;
 /** The clipping planes, in units of the distance from the camera to its target. */
 const NEAR = 1e-3;
 const FAR = 50;
 /** Device pixels per CSS pixel; more cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
-const CONTEXT = { antialias: true, alpha: true } as const;
+const CONTEXT = { antialias: true, alpha: true, stencil: true } as const;
+/** Milliseconds of the camera's way to another view. */
+const WAY = 280;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
+
+/** A border across the view. */
+export interface Wipe {
+  /** The part of the view that is left of it. */
+  fraction: number;
+  /** Shows what belongs left of it, right of it, or with `undefined` everywhere. */
+  only: (left: boolean | undefined) => void;
+}
 
 export class Viewport {
   readonly scene = new Scene();
@@ -47,6 +63,9 @@ export class Viewport {
   #sized = false;
   #drawRequested = false;
   #compiling = 0;
+  /** The part of the view, from the left, that shows one model; undefined where all is shown. */
+  #wipe: Wipe | undefined;
+  #way = 0;
 
   /**
    * Opens a viewport in some short tasks: the context, the renderer's state.
@@ -83,7 +102,32 @@ export class Viewport {
     this.controls = new OrbitControls(this.#perspective, canvas);
     this.controls.listenToKeyEvents(canvas);
     this.controls.addEventListener("change", () => this.draw());
+    // The user's hand ends the camera's own way.
+    this.controls.addEventListener("start", () => cancelAnimationFrame(this.#way));
+    canvas.addEventListener("webglcontextrestored", () => this.draw());
     new ResizeObserver(() => this.#resize()).observe(canvas);
+  }
+
+  /** Draws one model left of a fraction of the view and the other one right of it. */
+  set wipe(wipe: Wipe | undefined) {
+    this.#wipe = wipe;
+    this.draw();
+  }
+
+  /** Where the camera and its target are, to show the same view again. */
+  get place(): number[] {
+    const { position } = this.#perspective;
+    return [...position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set place([x = 0, y = 0, z = 0, ...target]: number[]) {
+    if (![x, y, z, ...target].every(Number.isFinite)) return;
+    if (!this.#sized) this.#resize();
+    cancelAnimationFrame(this.#way);
+    this.#perspective.position.set(x, y, z);
+    this.controls.target.set(target[0] ?? 0, target[1] ?? 0, target[2] ?? 0);
+    this.controls.update();
+    this.draw();
   }
 
   /** The camera that is drawn with. */
@@ -126,21 +170,38 @@ export class Viewport {
     return ray.intersectObjects(objects, false);
   }
 
-  /** Shows the whole box from a direction. */
-  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique): void {
+  /** Shows the whole box from a direction, `atOnce` without a way to it: for models that are new. */
+  fit(box: Box3, direction: Vector3 = STANDARD_VIEWS.oblique, atOnce = false): void {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
-    this.controls.target.copy(box.getCenter(new Vector3()));
-    this.#look(direction, fitDistance(this.#perspective, direction, box));
+    const distance = fitDistance(this.#perspective, direction, box);
+    this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
   }
 
-  /** Shows a sphere, from the current direction. */
-  approach(center: Vector3, radius: number): void {
-    const { position } = this.#perspective;
-    const direction = position.clone().sub(this.controls.target).normalize();
-    this.controls.target.copy(center);
-    this.#look(direction, radius / Math.sin((FIELD_OF_VIEW * Math.PI) / 360));
+  /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
+  approachAtOnce(center: Vector3, radius: number, normal: Vector3): void {
+    const eye = center.clone().addScaledVector(this.#facing(normal), radius / SINE);
+    this.place = [...eye.toArray(), ...center.toArray()];
+  }
+
+  /** Shows a sphere, from the current direction, or where a surface has this normal from its side. */
+  approach(center: Vector3, radius: number, normal?: Vector3): void {
+    const direction = normal === undefined ? this.#direction() : this.#facing(normal);
+    this.#look(center, direction, radius / SINE);
+  }
+
+  /** The direction from the target to the camera. */
+  #direction(): Vector3 {
+    const direction = this.#perspective.position.clone().sub(this.controls.target);
+    return direction.lengthSq() > 0 ? direction.normalize() : STANDARD_VIEWS.oblique.clone();
+  }
+
+  /** The current direction, turned as far as a surface with this normal requires to be seen. */
+  #facing(normal: Vector3): Vector3 {
+    const direction = this.#direction();
+    if (normal.dot(direction) >= MIN_FACING) return direction;
+    return direction.addScaledVector(normal, TURNED - normal.dot(direction)).normalize();
   }
 
   /**
@@ -170,7 +231,22 @@ export class Viewport {
   render(): void {
     this.#updateCameras();
     this.onDraw();
-    this.#renderer.render(this.scene, this.#camera);
+    if (this.#wipe === undefined) this.#renderer.render(this.scene, this.#camera);
+    else this.#renderWiped(this.#wipe);
+  }
+
+  #renderWiped({ fraction, only }: Wipe): void {
+    const { clientWidth, clientHeight } = this.#canvas;
+    const border = Math.round(fraction * clientWidth);
+    this.#renderer.setScissorTest(true);
+    for (const left of [true, false]) {
+      const [from, width] = left ? [0, border] : [border, clientWidth - border];
+      this.#renderer.setScissor(from, 0, width, clientHeight);
+      only(left);
+      this.#renderer.render(this.scene, this.#camera);
+    }
+    only(undefined);
+    this.#renderer.setScissorTest(false);
   }
 
   #updateCameras(): void {
@@ -190,10 +266,33 @@ export class Viewport {
     flat.updateMatrixWorld();
   }
 
-  #look(direction: Vector3, distance: number): void {
-    this.#perspective.position.copy(this.controls.target).addScaledVector(direction, distance);
-    this.controls.update();
-    this.draw();
+  /** Moves the camera to where it sees a target from a direction at a distance. */
+  #look(target: Vector3, direction: Vector3, distance: number, atOnce = false): void {
+    cancelAnimationFrame(this.#way);
+    const eye = target.clone().addScaledVector(direction, distance);
+    // What is nowhere cannot be looked at, and a camera that is nowhere would not come back.
+    if (![...eye.toArray(), ...target.toArray()].every(Number.isFinite)) return;
+    const { position } = this.#perspective;
+    const [fromEye, fromTarget] = [position.clone(), this.controls.target.clone()];
+    const begin = performance.now();
+    const still = atOnce || fromEye.equals(fromTarget) || isStill();
+    const step = () => {
+      const part = still ? 1 : Math.min(1, (performance.now() - begin) / WAY);
+      // Starts and ends slowly.
+      const eased = part * part * (3 - 2 * part);
+      this.controls.target.lerpVectors(fromTarget, target, eased);
+      position.lerpVectors(fromEye, eye, eased);
+      // Around the target rather than through it.
+      const around = lerp(fromEye.distanceTo(fromTarget), distance, eased);
+      position.sub(this.controls.target);
+      // Halfway to the opposite side, no direction is left.
+      if (position.lengthSq() === 0) position.copy(direction);
+      position.setLength(around).add(this.controls.target);
+      this.controls.update();
+      this.draw();
+      if (part < 1) this.#way = requestAnimationFrame(step);
+    };
+    step();
   }
 
   #resize(): void {
@@ -205,3 +304,8 @@ export class Viewport {
     this.draw();
   }
 }
+
+const lerp = (from: number, to: number, part: number): number => from + part * (to - from);
+
+/** Whether the user wants no motion. */
+const isStill = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -7,6 +7,12 @@ const DIVERGING = colors([
   ...["#fddbc7", "#f4a582", "#d6604d", "#b2182b"],
 ]);
 
+/** From negative to positive, as metrologists expect: Tol's discrete rainbow, whose steps are distinct for colour-blind readers. */
+const RAINBOW = colors([
+  ...["#1965b0", "#5289c7", "#7bafde", "#4eb265", "#90c987"],
+  ...["#cae0ab", "#f7f056", "#f6c141", "#f1932d", "#e8601c", "#dc050c"],
+]);
+
 /** From zero to the largest distance: ColorBrewer's scale YlOrRd. */
 const SEQUENTIAL = colors(["#fffff0", "#ffeda0", "#feb24c", "#fc4e2a", "#b10026", "#67001f"]);
 
@@ -15,6 +21,8 @@ const UNSIGNED = new Color("#808890");
 /** For deviations within the limit, and for those that rounding may have made. */
 const WITHIN = new Color("#79b98a");
 const ROUNDING = new Color("#f2f3f4");
+/** For deviations that the user did not ask to see. */
+const UNFOCUSED = new Color("#c3cad1");
 
 /** The numbers of the deviation that a scale is for. */
 export interface Extent {
@@ -26,16 +34,28 @@ export interface Extent {
   floor: number;
 }
 
+/** The colours: from blue over white to red, or a rainbow in steps. */
+export type ScaleMap = "diverging" | "rainbow";
+
+/** What deviations are allowed to be: up to `above`, and down to −`below`. */
+export interface Allowed {
+  above: number;
+  below: number;
+}
+
 /** The choices of the user. */
 export interface ScaleOptions {
+  map: ScaleMap;
   /** Whether distances are shown instead of signed deviations. */
   absolute: boolean;
   /** The end of the scale; undefined for the largest distance. */
   range: number | undefined;
   /** The number of steps of one colour each; 0 for a continuous scale. */
   steps: number;
-  /** Deviations up to this are within the limit, and of one colour. */
-  limit: number | undefined;
+  /** Deviations within this are of one colour. */
+  allowed: Allowed | undefined;
+  /** The only deviations that keep their colours. */
+  focus?: readonly [from: number, to: number] | undefined;
 }
 
 export class ColorScale {
@@ -57,13 +77,22 @@ export class ColorScale {
   /** Returns the colour of a signed deviation; `signed` states whether its sign is known. */
   color(deviation: number, signed = true): Color {
     const size = Math.abs(deviation);
-    const { absolute, limit, steps } = this.#options;
+    const { absolute, allowed, focus, map } = this.#options;
+    const shown = absolute ? size : deviation;
+    if (focus !== undefined && (shown < focus[0] || shown > focus[1])) return UNFOCUSED;
     if (size <= this.#floor) return ROUNDING;
-    if (limit !== undefined && size <= limit) return WITHIN;
+    if (allowed !== undefined && isWithin(deviation, signed, allowed)) return WITHIN;
     if (!signed && !absolute) return UNSIGNED;
-    const value = stepped(absolute ? size : deviation, this.low, this.high, steps);
+    const value = stepped(shown, this.low, this.high, this.#steps);
     const end = Math.max(-this.low, this.high);
+    if (map === "rainbow") return at(RAINBOW, absolute ? value / end : 0.5 + (0.5 * value) / end);
     return absolute ? at(SEQUENTIAL, value / end) : at(DIVERGING, 0.5 + (0.5 * value) / end);
+  }
+
+  /** A rainbow is in steps always: its order is not that of brightness. */
+  get #steps(): number {
+    const { map, steps } = this.#options;
+    return map === "rainbow" && steps === 0 ? RAINBOW.length : steps;
   }
 
   /** The scale from low to high as stops, each from and to a fraction of it. */
@@ -72,6 +101,12 @@ export class ColorScale {
       this.color(this.low + ((index + 0.5) / count) * (this.high - this.low)),
     );
   }
+}
+
+/** Whether a deviation is allowed; one without a sign, if it is with either. */
+function isWithin(deviation: number, signed: boolean, { above, below }: Allowed): boolean {
+  if (!signed) return Math.abs(deviation) <= Math.min(above, below);
+  return deviation <= above && deviation >= -below;
 }
 
 /** Returns the middle of the step that contains the value. */

@@ -20,7 +20,17 @@ const END_RADIUS = 2.6;
 const HEAD_ASPECT = 2.6;
 /** The largest fraction of the arrow's length that the head takes. */
 const MAX_HEAD_FRACTION = 0.5;
+/** Pixels from end to end above which both have labels of their own. */
+const MIN_APART = 70;
 const UP = new Vector3(0, 1, 0);
+
+/** What the arrow's labels say. */
+export interface ArrowTexts {
+  length: string;
+  /** The faces at its ends. */
+  from: string;
+  to: string;
+}
 
 export class Arrow {
   readonly group = new Group();
@@ -28,13 +38,16 @@ export class Arrow {
   readonly #to = new Vector3();
   readonly #middle = new Vector3();
   readonly #label: HTMLElement;
+  readonly #ends: readonly HTMLElement[];
   readonly #shaft: Mesh;
   readonly #head: Mesh;
   readonly #start: Mesh;
   readonly #end: Mesh;
 
-  constructor(label: HTMLElement, color: string) {
+  /** `ends` are labels for the point that the arrow starts from and for the one that it points to, or none. */
+  constructor(label: HTMLElement, ends: readonly HTMLElement[], color: string) {
     this.#label = label;
+    this.#ends = ends;
     // Drawn last and without a depth test, so that the models never cover it.
     const material = new MeshBasicMaterial({
       color,
@@ -54,15 +67,18 @@ export class Arrow {
 
   hide(): void {
     this.group.visible = false;
-    this.#label.hidden = true;
+    for (const label of [this.#label, ...this.#ends]) label.hidden = true;
   }
 
   /** Shows the arrow between two points of the models. `center` is the origin of the scene. */
-  show(from: Point, to: Point, text: string, center: Vector3): void {
+  show(from: Point, to: Point, texts: ArrowTexts, center: Vector3): void {
     this.#from.set(...from).sub(center);
     this.#to.set(...to).sub(center);
     this.#middle.copy(this.#from).lerp(this.#to, 0.5);
-    this.#label.textContent = text;
+    this.#label.textContent = texts.length;
+    for (const [index, label] of this.#ends.entries()) {
+      label.textContent = index === 0 ? texts.from : texts.to;
+    }
     this.group.visible = true;
   }
 
@@ -80,8 +96,15 @@ export class Arrow {
     if (!this.group.visible) return;
     const place = viewport.project(this.#middle);
     this.#label.hidden = place === undefined;
-    this.#label.style.left = `${place?.[0] ?? 0}px`;
-    this.#label.style.top = `${place?.[1] ?? 0}px`;
+    moveTo(this.#label, place);
+    const ends = [viewport.project(this.#from), viewport.project(this.#to)] as const;
+    // Seen head-on, or from far, both ends are at the label.
+    const [from = [0, 0], to = [0, 0]] = ends;
+    const apart = Math.hypot(from[0] - to[0], from[1] - to[1]) >= MIN_APART;
+    for (const [index, label] of this.#ends.entries()) {
+      label.hidden = !apart || ends[index] === undefined || label.textContent === "";
+      moveTo(label, ends[index]);
+    }
     this.#size(viewport.pixelAt(this.#middle));
   }
 
@@ -104,4 +127,9 @@ export class Arrow {
     this.#end.position.copy(this.#to);
     this.#end.scale.setScalar(END_RADIUS * pixel);
   }
+}
+
+function moveTo(label: HTMLElement, place: readonly [number, number] | undefined): void {
+  label.style.left = `${place?.[0] ?? 0}px`;
+  label.style.top = `${place?.[1] ?? 0}px`;
 }

@@ -1,4 +1,4 @@
-// Line segments from the samples of A to their closest points, coloured by the deviation.
+// Line segments from the vertices of a map to their closest points, coloured by the deviation.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -7,7 +7,7 @@ import {
   type Texture,
   type Vector3,
 } from "three";
-import type { FieldDisplay } from "../../worker/field/fieldDisplay.ts";
+import type { MapDisplay } from "../../worker/map/display.ts";
 import { coordinates } from "./deviation.ts";
 
 export class ProjectionLines {
@@ -28,18 +28,18 @@ export class ProjectionLines {
     this.lines.visible = false;
   }
 
-  /** Draws the lines of a field. `center` is the scene's origin; deviations are in units of `unit`. */
-  show(field: FieldDisplay, unit: number, center: Vector3): void {
+  /** Draws the lines of a map. `center` is the scene's origin; deviations are in units of `unit`. */
+  show(map: MapDisplay, unit: number, center: Vector3): void {
     this.lines.geometry.dispose();
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(field.lines, 3));
+    geometry.setAttribute("position", new BufferAttribute(map.lines, 3));
     const ends = Uint32Array.from(
-      { length: 2 * field.lineSamples.length },
-      (_, end) => field.lineSamples[end >> 1] ?? 0,
+      { length: 2 * map.lineVertices.length },
+      (_, end) => map.lineVertices[end >> 1] ?? 0,
     );
-    geometry.setAttribute("uv", new BufferAttribute(coordinates(field, unit, ends), 2));
+    geometry.setAttribute("uv", new BufferAttribute(coordinates(map, unit, ends), 2));
     this.lines.geometry = geometry;
-    this.lines.position.set(...field.lineOrigin).sub(center);
+    this.lines.position.set(...map.lineOrigin).sub(center);
     this.lines.visible = true;
   }
 }

@@ -1,7 +1,12 @@
 // Loading of models from shapes and files.
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+import { meshFormatOf } from "nurbs-hausdorff/cad";
+import { example } from "../../examples/index.ts";
+import { faceName } from "../probe.ts";
 import { type DisplayModel, SIDES, type Sides, type Source } from "../protocol.ts";
 import { type FileReader, reader } from "./cadFiles.ts";
+
+import { isMesh, noted } from "./meshes.ts";
 import { outline } from "./outline.ts";
 
 /** Loaded models and what is drawn of them. */
@@ -39,6 +44,9 @@ export async function load(
         box: model.boundingBox,
         tessellation,
         outline: outline(tessellation),
+        closed: !isMesh(model) && model.solid().closed,
+        isMesh: isMesh(model),
+        faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
       };
     }
   } catch (error) {
@@ -48,15 +56,35 @@ export async function load(
   return { models, display };
 }
 
+/** A file's name without the ending of its packing. */
+const unpackedName = ({ name }: File): string =>
+  name.toLowerCase().endsWith(PACKED) ? name.slice(0, -PACKED.length) : name;
+
+/** The ending of gzipped files, which CAD readers unpack themselves. */
+const PACKED = ".gz";
+
+function unpacked(file: File): Promise<ArrayBuffer> {
+  const stream = file.stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
 async function createModel(
   engine: Hausdorff,
   source: Source,
   readFile: FileReader,
 ): Promise<NurbsModel> {
-  if ("shape" in source) return engine.shape(source.shape);
+  if ("shape" in source) {
+    const own = example(source.shape);
+    return own === undefined ? engine.shape(source.shape) : engine.model(own);
+  }
   const { file, firstSurface } = source;
   try {
     const bytes = await readBytes(file);
+    const name = unpackedName(file);
+    const mesh = meshFormatOf(name);
+    if (mesh !== undefined) {
+      return noted(await engine.readMesh(name === file.name ? bytes : await unpacked(file), mesh));
+    }
     if (!firstSurface) return await readFile(bytes, file.name);
     return engine.model(withFirstSurface(new TextDecoder().decode(bytes)));
   } catch (error) {

@@ -1,5 +1,6 @@
 // The outline of a model: the edges of its faces, creases and gaps.
 import type { Tessellation } from "nurbs-hausdorff";
+import type { Outline } from "../protocol.ts";
 import { type Edge, smooth } from "./edges.ts";
 import { withoutInner } from "./innerBorders.ts";
 
@@ -15,15 +16,20 @@ const BORDER_TOLERANCE = 4e-4;
  * seams and borders between the pieces of one smooth face are not.
  * O(n log n) in the number of triangles.
  */
-export function outline(tessellation: Tessellation): Uint32Array<ArrayBuffer> {
+export function outline(tessellation: Tessellation): Outline {
   const { indices, faces } = tessellation;
   const tolerance = BORDER_TOLERANCE * diagonalOf(tessellation.positions);
-  const edges = faces.flatMap(({ firstIndex, indexCount }) => {
+  const edges = faces.map(({ firstIndex, indexCount }) => {
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
     const edges = withoutDoubled(openEdges(tessellation, own), tessellation);
     return withoutInner(edges, tessellation, tolerance);
   });
-  return new Uint32Array(edges.flat());
+  let end = 0;
+  const ends = edges.map(({ length }) => {
+    end += 2 * length;
+    return end;
+  });
+  return { edges: new Uint32Array(edges.flat(2)), ends };
 }
 
 function openEdges({ positions }: Tessellation, indices: Uint32Array): Edge[] {

@@ -81,7 +81,7 @@ impl Difference {
             let controls = Cow::Borrowed(net.controls.as_slice());
             elevated(controls, net.degree, axis, along)
         });
-        // The steps between the lines along the axis, of so many lines, and between their controls.
+        // The steps between the lines along the axis, with their number, and between their controls.
         let steps = |lines: usize| match axis {
             Axis::U => [1, lines],
             Axis::V => [along + 1, 1],
@@ -234,7 +234,7 @@ mod tests {
     }
 
     /// Lemma R11 by lines: the polynomials are those of the difference, their degree is the larger
-    /// one along the axis and the sum across it, and a coefficient has so many terms.
+    /// one along the axis and the sum across it, and a coefficient has no more terms than stated.
     #[test]
     fn a_difference_by_lines_is_that_of_the_points() {
         let random = &mut fastrand::Rng::with_seed(19);

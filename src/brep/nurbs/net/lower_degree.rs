@@ -1,0 +1,206 @@
+//! Surfaces of a degree above the model's, as pieces of a lower one with a proven distance.
+
+use super::super::conversion::Unconvertible;
+use super::super::spline::{Spline, elevated};
+use super::SurfaceNet;
+use crate::bezier::Interpolation;
+use crate::model::MAX_DEGREE;
+use glam::{DVec3, DVec4, Vec4Swizzles};
+
+/// The degree of the pieces, that of the pieces of offsets: cells of it are cheap to bound.
+const DEGREE: usize = 7;
+
+/// The tolerance relative to the size of the surface, that of the pieces of offsets.
+const TOLERANCE: f64 = 1e-9;
+
+/// The deepest bisection of a span: the distance falls by 2⁸ a level.
+const MAX_DEPTH: usize = 10;
+
+/// The most pieces along one parameter.
+const MAX_PIECES: usize = 1024;
+
+/// The roundings of a residual in units of the largest homogeneous coordinate: four for each of
+/// the 18 elevations from [`DEGREE`] to 25, 100 of the point of a joint, and 20 more of values and
+/// differences.
+const ROUNDING: f64 = 96.0 * f64::EPSILON;
+
+impl SurfaceNet {
+    /// Returns the surface itself if the model accepts its degrees, else one of degree [`DEGREE`]
+    /// along the parameters whose degree is higher. Its distance at equal parameters is bounded by
+    /// lemma T10 and added to the error.
+    ///
+    /// # Errors
+    /// [`Unconvertible::Degree`] if too many pieces are needed, as with weights far apart.
+    pub(crate) fn of_accepted_degree(mut self) -> Result<Self, Unconvertible> {
+        for axis in [0, 1] {
+            if self.degrees[axis] > MAX_DEGREE {
+                let (lines, error) = Lowered::of(&self.lines(axis))?;
+                self.set_lines(axis, &lines);
+                self.error += error;
+            }
+        }
+        Ok(self)
+    }
+
+    /// Returns the rows of control points along an axis as curves.
+    fn lines(&self, axis: usize) -> Vec<Spline> {
+        let (degree, knots) = (self.degrees[axis], &self.knots[axis]);
+        let columns = self.knots[1].len() - self.degrees[1] - 1;
+        let rows = self.controls.len() / columns;
+        let line = |controls| Spline { degree, knots: knots.clone(), controls };
+        if axis == 1 {
+            return self.controls.chunks(columns).map(|row| line(row.to_vec())).collect();
+        }
+        let column = |j: usize| (0..rows).map(|i| self.controls[i * columns + j]).collect();
+        (0..columns).map(|j| line(column(j))).collect()
+    }
+
+    /// Replaces the rows of control points along an axis by those of curves over equal knots.
+    fn set_lines(&mut self, axis: usize, lines: &[Spline]) {
+        let count = lines[0].controls.len();
+        self.controls = if axis == 1 {
+            lines.iter().flat_map(|line| line.controls.iter().copied()).collect()
+        } else {
+            (0..count).flat_map(|i| lines.iter().map(move |line| line.controls[i])).collect()
+        };
+        self.degrees[axis] = lines[0].degree;
+        self.knots[axis].clone_from(&lines[0].knots);
+    }
+}
+
+/// Lines of control points under construction, all over the same knots.
+struct Lowered {
+    interpolation: Interpolation,
+    /// The middle of the surface's control points, and the radius of a ball that contains them.
+    center: DVec3,
+    radius: f64,
+    knots: Vec<f64>,
+    controls: Vec<Vec<DVec4>>,
+    error: f64,
+}
+
+impl Lowered {
+    /// Returns the lines of [`DEGREE`] that stand for clamped lines of a higher one with positive
+    /// weights, and the bound on the distance of both surfaces.
+    fn of(lines: &[Spline]) -> Result<(Vec<Spline>, f64), Unconvertible> {
+        let points = || lines.iter().flat_map(Spline::points);
+        let (low, high) =
+            (points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max));
+        let mut lowered = Self {
+            interpolation: Interpolation::new(DEGREE),
+            center: 0.5 * (low + high),
+            radius: 0.5 * low.distance(high),
+            knots: vec![lines[0].domain()[0]; DEGREE + 1],
+            controls: vec![Vec::new(); lines.len()],
+            error: 0.0,
+        };
+        let pieces: Vec<Vec<Spline>> = lines.iter().map(Spline::pieces).collect();
+        for span in 0..pieces[0].len() {
+            let span: Vec<Spline> = pieces.iter().map(|line| line[span].clone()).collect();
+            lowered.piece(&span, 0)?;
+        }
+        lowered.knots.push(lines[0].domain()[1]);
+        let knots = &lowered.knots;
+        let line = |controls| Spline { degree: DEGREE, knots: knots.clone(), controls };
+        Ok((lowered.controls.into_iter().map(line).collect(), lowered.error))
+    }
+
+    /// Appends the lines of a Bézier piece, or of its halves.
+    fn piece(&mut self, lines: &[Spline], depth: usize) -> Result<(), Unconvertible> {
+        let fits: Vec<Vec<DVec4>> = lines.iter().map(|line| self.fit(line)).collect();
+        let distance = self.distance(lines, &fits);
+        let [start, end] = lines[0].domain();
+        if distance <= TOLERANCE * 2.0 * self.radius {
+            self.error = self.error.max(distance);
+            self.knots.extend([end; DEGREE]);
+            for (line, fit) in self.controls.iter_mut().zip(&fits) {
+                // Both sides of a joint have its homogeneous point, up to rounding.
+                let shared = usize::from(!line.is_empty());
+                line.extend(&fit[shared..]);
+            }
+            return Ok(());
+        }
+        if depth == MAX_DEPTH || self.knots.len() > DEGREE * MAX_PIECES {
+            return Err(Unconvertible::Degree);
+        }
+        let middle = 0.5 * (start + end);
+        for half in [[start, middle], [middle, end]] {
+            let halves: Vec<Spline> = lines.iter().map(|line| line.sub_piece(half)).collect();
+            self.piece(&halves, depth + 1)?;
+        }
+        Ok(())
+    }
+
+    /// Returns the Bernstein coefficients of [`DEGREE`] through homogeneous points of a piece.
+    fn fit(&self, line: &Spline) -> Vec<DVec4> {
+        let [start, end] = line.domain();
+        let at = |&node: &f64| line.homogeneous((1.0 - node) * start + node * end);
+        let values: Vec<DVec4> = self.interpolation.nodes().iter().map(at).collect();
+        self.interpolation.coefficients(&values)
+    }
+
+    /// The bound of lemma T10 on the distance of the surface's part from that of the fits; ∞ where
+    /// these have no positive weights.
+    fn distance(&self, lines: &[Spline], fits: &[Vec<DVec4>]) -> f64 {
+        let (mut residual, mut largest, mut least_weight) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        for (line, fit) in lines.iter().zip(fits) {
+            least_weight = fit.iter().map(|control| control.w).fold(least_weight, f64::min);
+            for (&control, raised) in line.controls.iter().zip(elevated(fit.clone(), line.degree)) {
+                let moved = raised - control;
+                let length = (moved.xyz() - moved.w * self.center).length() + self.radius * moved.w.abs();
+                if !length.is_finite() {
+                    return f64::INFINITY;
+                }
+                residual = residual.max(length);
+                largest =
+                    largest.max(control.xyz().length() + control.w * (self.center.length() + self.radius));
+            }
+        }
+        if least_weight > 0.0 { (residual + ROUNDING * largest) / least_weight } else { f64::INFINITY }
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// The segment from (-1, 0, 0) to (1, 0, 0) in a degree, with the center and the radius of its ball.
+    fn segment(degree: usize) -> (Lowered, Spline) {
+        let ends = vec![DVec4::new(-1.0, 0.0, 0.0, 1.0), DVec4::new(1.0, 0.0, 0.0, 1.0)];
+        let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
+        let line = Spline { degree, knots, controls: elevated(ends, degree) };
+        let lowered = Lowered {
+            interpolation: Interpolation::new(DEGREE),
+            center: DVec3::ZERO,
+            radius: 1.0,
+            knots: Vec::new(),
+            controls: Vec::new(),
+            error: 0.0,
+        };
+        (lowered, line)
+    }
+
+    #[test]
+    fn the_bound_is_attained_by_a_move_and_by_a_change_of_weights() {
+        let (lowered, line) = segment(20);
+        let fit = lowered.fit(&line);
+        assert!(lowered.distance(std::slice::from_ref(&line), std::slice::from_ref(&fit)) < 1e-13);
+        // Points moved by (0, 0.03, 0.04) are 0.05 away.
+        let moved = fit.iter().map(|control| control + DVec4::new(0.0, 0.03, 0.04, 0.0)).collect();
+        let found = lowered.distance(std::slice::from_ref(&line), &[moved]);
+        assert!((found - 0.05).abs() < 1e-13, "{found}");
+        // Weights of 1.25 move the ends to ±0.8, by 0.2, and weights of 0.8 to ±1.25, by 0.25.
+        for (weight, expected) in [(1.25, 0.2), (0.8, 0.25)] {
+            let weighted = fit.iter().map(|control| control.with_w(weight)).collect();
+            let found = lowered.distance(std::slice::from_ref(&line), &[weighted]);
+            assert!((found - expected).abs() < 1e-13, "{found}");
+        }
+    }
+
+    #[test]
+    fn weights_below_zero_bound_nothing() {
+        let (lowered, line) = segment(20);
+        let fit = lowered.fit(&line).iter().map(|control| control.with_w(-1.0)).collect();
+        assert_eq!(lowered.distance(&[line], &[fit]), f64::INFINITY);
+    }
+}

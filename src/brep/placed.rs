@@ -1,0 +1,50 @@
+//! Faces where an assembly places them.
+
+use super::topology::{FaceLabel, ShapeKind, Topology};
+use glam::DAffine3;
+
+/// A face where an assembly places it.
+pub(super) struct Placed {
+    pub(super) shape: usize,
+    pub(super) reversed: bool,
+    pub(super) location: DAffine3,
+    /// The innermost group with a name that the face stands in.
+    pub(super) part: Option<usize>,
+}
+
+impl Placed {
+    pub(super) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
+        match &file.shapes[self.shape].kind {
+            ShapeKind::Face(face) => Some(&face.label),
+            _ => None,
+        }
+    }
+
+    /// Returns the number by which the file calls the face.
+    pub(super) fn entity(&self, file: &Topology) -> Option<u64> {
+        self.label(file).and_then(|label| label.entity)
+    }
+
+    /// Returns the name of the part.
+    pub(super) fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
+        match &file.shapes[self.part?].kind {
+            ShapeKind::Group(name) => name.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the face: that of the file, or its number.
+    pub(super) fn name(&self, file: &Topology, number: usize) -> String {
+        let own = self.label(file).and_then(|label| label.name.clone());
+        own.unwrap_or_else(|| format!("face {number}"))
+    }
+}
+
+/// Returns the row-major 3x4 matrix of an affine map.
+pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
+    let rows = map.matrix3.transpose();
+    let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
+    let t = map.translation;
+    // Adding 0 makes zeros of either sign equal.
+    [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z].map(|entry| entry + 0.0)
+}

@@ -1,0 +1,85 @@
+// Files of users: meshes and scans, kept over a reload, and a load that is stopped.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { file, modelFile, planes } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
+
+let opened;
+let page;
+
+before(async () => {
+  opened = await open();
+  page = opened.page;
+  await page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+/** A square of side 2 at a height as STL, in two triangles. */
+const stl = (height) => {
+  const facet = (corners) =>
+    `facet normal 0 0 1\nouter loop\n${corners.map(([x, y]) => `vertex ${x} ${y} ${height}`).join("\n")}\nendloop\nendfacet\n`;
+  const [a, b, c, d] = [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ];
+  return file(
+    "square.stl",
+    `solid square\n${facet([a, b, c])}${facet([a, c, d])}endsolid square\n`,
+  );
+};
+
+test("a mesh is compared with a surface, and both are painted", async () => {
+  await opened.until("done", () =>
+    page.setInputFiles("#file-a", modelFile("a.json", planes(0.25))),
+  );
+  await opened.until("done", () => page.setInputFiles("#file-b", stl(0)));
+  await opened.until("done", () => page.locator("#deviation").check());
+  const { lower, upper } = await opened.data();
+  assert.ok(Number(lower) <= 0.25 && 0.25 <= Number(upper), `${lower} ${upper}`);
+  const { "A: mean": a, "B: mean": b } = await opened.texts("#statistics");
+  assert.deepEqual([a, b], ["≈ 0.25000", "≈ 0.25000"]);
+  await opened.screenshot("mesh");
+});
+
+test("a scan is drawn as points in its colours, and counted", async () => {
+  const points = ["-0.5 0 0.25", "0.5 0 0.25", "0 0.5 0.5", "0 -0.5 0.25"].join("\n");
+  await page.locator("#limit").fill("0.1");
+  await opened.until("done", () => page.setInputFiles("#file-b", file("scan.xyz", points)));
+  assert.match(
+    await page.locator("#beyond-limit").textContent(),
+    /B: ≈ 25\.0 % of the points are beyond \(1 of 4\)/,
+  );
+  await opened.screenshot("scan");
+});
+
+test("files are kept over a reload with their options, until they are forgotten", async () => {
+  await page.waitForTimeout(400);
+  await page.reload();
+  await page
+    .locator("#shape-b option:checked", { hasText: "scan.xyz" })
+    .waitFor({ state: "attached" });
+  await page.locator('#result[data-state="done"]').waitFor();
+  assert.equal(await page.locator("#shape-a option:checked").textContent(), "a.json");
+  assert.equal(await page.locator("#limit").inputValue(), "0.1");
+  await page.locator("#forget").click();
+  await page.waitForTimeout(300);
+  await page.reload();
+  await page.locator('#result[data-state="done"]').waitFor();
+  assert.equal(await page.locator("#shape-a option:checked").textContent(), "Bracket");
+});
+
+test("a camera in the address is where the view opens, and a wrong one changes nothing", async () => {
+  const url = new URL(page.url());
+  for (const camera of ["1,2,3", "a,b,c,d,e,f", "0,0,0,0,0,0", "5,-5,5,0,0,0"]) {
+    url.hash = `symmetric=&deviation=&camera=${camera}&limit=abc&steps=4`;
+    await page.goto("about:blank");
+    await page.goto(url.href);
+    await page.locator('#result[data-state="done"]').waitFor();
+    assert.equal(await page.locator("#scale-steps").inputValue(), "0");
+  }
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -1,0 +1,171 @@
+// What a newcomer sees: two brackets compared in colours, a verdict, places, and a report.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { open } from "../support/open.mjs";
+
+/** The base plate of the revision is longer by this, and the bores moved by the other. */
+const LONGER = 0.35;
+const MOVED = 0.3;
+
+let opened;
+let page;
+
+before(async () => {
+  opened = await open({ path: "" });
+  page = opened.page;
+  await page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+const text = (selector) => page.locator(selector).textContent();
+
+/** Takes the README's picture, for `npm run picture`; narrower, which keeps the file small. */
+async function takePicture(path) {
+  const size = page.viewportSize();
+  await page.setViewportSize({ width: 1130, height: 800 });
+  await page.locator("#fit").click();
+  await page.mouse.move(0, 0);
+  await page.waitForTimeout(500);
+  await page.screenshot({ path });
+  await page.setViewportSize(size);
+}
+
+test("two brackets are compared at once, with a tolerance and in colours", async () => {
+  const { lower, upper } = await opened.data();
+  assert.ok(Number(lower) <= LONGER + 1e-9 && LONGER - 1e-9 <= Number(upper), `${lower} ${upper}`);
+  assert.equal(await text("#badge"), "FAIL");
+  assert.equal(await text("#unit"), "mm");
+  assert.match(await text("#where"), /A base end, from B base end/);
+  assert.ok(await page.locator("#legend").isVisible());
+  assert.ok(await page.locator("#banner").isHidden());
+  await opened.screenshot("first");
+  if (process.env.PICTURE) await takePicture(process.env.PICTURE);
+});
+
+test("the map holds the certified maximum of both models", async () => {
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#export-csv").click(),
+  ]);
+  const lines = readFileSync(await download.path(), "utf8")
+    .trim()
+    .split("\n")
+    .slice(1);
+  const rows = lines.map((line) => line.split(","));
+  for (const side of ["A", "B"]) {
+    const own = rows.filter(([of]) => of === side);
+    const largest = Math.max(...own.map((row) => Number(row[8])));
+    assert.ok(Math.abs(largest - LONGER) < 1e-8, `${side}: ${largest}`);
+    // Inside the other one is negative: A's end is within B, and B's is outside A.
+    const extreme = own.find((row) => Number(row[8]) === largest);
+    assert.equal(Math.sign(Number(extreme[9])), side === "A" ? -1 : 1, side);
+  }
+  // Every bore of the base plate moved: it is among the places beyond what is allowed.
+  const bore = rows.filter(([side, face]) => side === "A" && face === "10");
+  const farthest = Math.max(...bore.map((row) => Number(row[8])));
+  assert.ok(Math.abs(farthest - MOVED) < 1e-3, `${farthest}`);
+});
+
+test("the worst places are listed, and a key goes through them", async () => {
+  const rows = page.locator("#place-list button");
+  assert.match(await rows.first().textContent(), /base end.*0\.350/);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  assert.equal(await rows.nth(0).getAttribute("aria-pressed"), "true");
+  await page.keyboard.press("n");
+  assert.equal(await rows.nth(1).getAttribute("aria-pressed"), "true");
+  await page.locator("#label", { hasText: "0.350" }).waitFor();
+});
+
+test("a bin of the histogram shows where its deviations are", async () => {
+  await page.locator("#histogram .target").last().dispatchEvent("click");
+  await page.locator("#focus-clear").waitFor();
+  await page.locator("#focus-clear").click();
+  assert.ok(await page.locator("#focus-clear").isHidden());
+});
+
+test("allowed deviations of both signs decide by measured points", async () => {
+  // Outwards 0.4 would do, but inwards A reaches 0.35.
+  await page.locator("#limit").fill("0.4");
+  assert.equal(await text("#badge"), "PASS");
+  await page.locator("#limit-below").fill("0.1");
+  assert.equal(await text("#badge"), "FAIL");
+  assert.match(await text("#verdict"), /measured point is beyond/);
+  await page.locator("#limit-below").fill("");
+  await page.locator("#limit").fill("0.2");
+});
+
+test("a face is hidden, isolated and found by its name", async () => {
+  await page.locator("#tree summary").click();
+  await page.locator("#tree-filter").fill("bearing");
+  const rows = page.locator("#tree-list li");
+  assert.equal(await rows.count(), 2);
+  await rows.first().locator('input[type="checkbox"]').uncheck();
+  assert.ok(!(await rows.first().locator('input[type="checkbox"]').isChecked()));
+  // The classes of a comparison are drawn without the hidden face.
+  await page.locator("#compare").click();
+  await page.locator('#faces[data-state="done"]').waitFor();
+  await page.locator("#faces-clear").click();
+  await page.locator("#tree-all").click();
+  assert.ok(await rows.first().locator('input[type="checkbox"]').isChecked());
+  await page.locator("#tree-filter").fill("");
+  await page.locator("#tree-changed").check();
+  const changed = await page.locator("#tree-list .name").allTextContents();
+  assert.ok(changed.includes("base end") && !changed.includes("upright top"), changed.join());
+  await page.locator("#tree-changed").uncheck();
+});
+
+test("a section is capped, and its deviations are drawn along it", async () => {
+  await page.selectOption("#section-axis", "1");
+  await page.locator("#cut svg").waitFor();
+  assert.ok((await page.locator("#cut polygon").count()) > 100);
+  await page.selectOption("#direction", "back");
+  await opened.screenshot("first-section");
+  await page.selectOption("#section-axis", "");
+  await page.locator("#cut").waitFor({ state: "hidden" });
+});
+
+test("the report has the verdict, views with legends, faces, and numbered axes", async () => {
+  await page.locator("#report-part").fill("Bracket 7");
+  await page.locator("#report-operator").fill("N. N.");
+  for (const view of ["isometric", "front"]) {
+    await page.selectOption("#direction", view);
+    await page.locator("#add-view").click();
+  }
+  await page.locator("#view-count", { hasText: "2 views" }).waitFor();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#export-report").click(),
+  ]);
+  const report = await page.context().browser().newPage();
+  await report.setContent(readFileSync(await download.path(), "utf8"));
+  const all = await report.locator("body").innerText();
+  for (const part of ["Bracket 7", "N. N.", "FAIL", "+0.2 / −0.2 mm", "base end", "beyond"]) {
+    assert.ok(all.includes(part), part);
+  }
+  assert.equal(await report.locator(".view img").count(), 2);
+  assert.equal(await report.locator(".view svg.legend").count(), 2);
+  assert.equal(await report.locator(".places img").count(), 4);
+  assert.match(await report.locator("svg.histogram").textContent(), /%.*deviation/);
+  // Words do not run together, and no element has an identifier of the page's twice.
+  assert.doesNotMatch(all, /undefined|NaN/);
+  await report.close();
+});
+
+test("clearance mode lists the faces that meet, and ends", async () => {
+  await page.locator("#clearance-start").click();
+  await page.locator('#clearance[data-state="done"]').waitFor();
+  assert.match(await text("#clearance-text"), /Touching|Clash/);
+  assert.ok((await page.locator("#gap-list button").count()) > 0);
+  await page.locator("#move-x-exact").fill("100");
+  await page.locator("#clearance-text", { hasText: "Apart by 20" }).waitFor();
+  await page.locator("#move-x-exact").fill("3");
+  await page.locator("#clearance-text", { hasText: "Clash" }).waitFor();
+  await opened.screenshot("first-clash");
+  await opened.until("done", () => page.locator("#clearance-start").click());
+  await opened.until("done", () => page.locator("#move-x-exact").fill("0"));
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

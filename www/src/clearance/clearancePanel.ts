@@ -1,0 +1,147 @@
+// The panel of clearance and clash: the least distance, and the faces that come near each other.
+import type { ClearanceResult, FaceGap, GapsResult, SurfacePoint } from "nurbs-hausdorff";
+import { element } from "../common/elements.ts";
+import { certifiedText, intervalText } from "../common/numbers.ts";
+import { commonUnit } from "../files/fileNotes.ts";
+import type { ClearanceReply } from "../worker/protocol.ts";
+
+/** Pairs listed; more are counted. */
+const MAX_PAIRS = 30;
+
+const section = element("clearance");
+const start = element("clearance-start", HTMLButtonElement);
+const below = element("below", HTMLInputElement);
+const text = element("clearance-text");
+const list = element("gap-list");
+
+/** Whether models clash: they overlap, or their boundaries meet. */
+export type Meeting = "apart" | "touching" | "clash";
+
+/** What the view shows of a clearance. */
+export interface ShownClearance {
+  clearance: ClearanceResult;
+  gaps: GapsResult | undefined;
+  meeting: Meeting;
+}
+
+export interface ClearanceListener {
+  /** The user turned the mode on or off, or changed the distance. */
+  change: () => void;
+  /** The user selected a pair of faces. */
+  select: (gap: FaceGap) => void;
+}
+
+export class ClearancePanel {
+  readonly #listener: ClearanceListener;
+
+  constructor(listener: ClearanceListener) {
+    this.#listener = listener;
+    start.addEventListener("click", () => this.#turn(!this.active));
+    below.addEventListener("input", () => {
+      if (this.active) listener.change();
+    });
+  }
+
+  /** Whether clearances are measured instead of deviations. */
+  get active(): boolean {
+    return start.getAttribute("aria-pressed") === "true";
+  }
+
+  /** The distance below which pairs of faces are listed. */
+  get below(): number {
+    const value = below.valueAsNumber;
+    return Number.isFinite(value) && value >= 0 ? value : 0;
+  }
+
+  /** Ends the mode. */
+  end(): void {
+    if (this.active) this.#turn(false);
+  }
+
+  #turn(on: boolean): void {
+    start.setAttribute("aria-pressed", `${on}`);
+    start.textContent = on ? "End" : "Measure";
+    section.dataset.state = on ? "working" : "idle";
+    if (!on) this.#clear("");
+    this.#listener.change();
+  }
+
+  /** Shows that a new measurement was requested. */
+  showPending(): void {
+    section.dataset.state = "working";
+  }
+
+  /** Shows a reply, and returns what the view shows of it. */
+  show(reply: ClearanceReply): ShownClearance | undefined {
+    if (reply.state !== "done") {
+      section.dataset.state = reply.state;
+      this.#clear(reply.state === "failed" ? `${reply.message} (${reply.code})` : "cancelled");
+      return undefined;
+    }
+    const { clearance, gaps } = reply;
+    const meeting = meetingOf(clearance);
+    section.dataset.state = "done";
+    section.dataset.meeting = meeting;
+    text.textContent = sentence(clearance, meeting);
+    const pairs = gaps?.pairs ?? [];
+    list.replaceChildren(
+      ...pairs.slice(0, MAX_PAIRS).map((pair) => this.#row(pair, clearance.diagonal)),
+    );
+    if (pairs.length > MAX_PAIRS) {
+      const more = document.createElement("li");
+      more.textContent = `and ${pairs.length - MAX_PAIRS} more`;
+      list.append(more);
+    }
+    return { clearance, gaps, meeting };
+  }
+
+  #clear(message: string): void {
+    delete section.dataset.meeting;
+    text.textContent = message;
+    list.replaceChildren();
+  }
+
+  #row(pair: FaceGap, diagonal: number): HTMLElement {
+    const [item, button] = [document.createElement("li"), document.createElement("button")];
+    button.type = "button";
+    const { a, b } = pair.witness;
+    for (const [letter, point] of [
+      ["a", a],
+      ["b", b],
+    ] as const) {
+      const badge = document.createElement("b");
+      badge.className = letter;
+      badge.textContent = letter.toUpperCase();
+      button.append(badge, ` ${nameOf(point)} `);
+    }
+    const size = document.createElement("span");
+    size.className = "size";
+    size.textContent = intervalText(pair.lower, pair.upper, diagonal);
+    button.append(size);
+    button.addEventListener("click", () => this.#listener.select(pair));
+    item.append(button);
+    return item;
+  }
+}
+
+export const nameOf = ({ face, faceName }: SurfacePoint): string => faceName ?? `face ${face}`;
+
+function meetingOf({ overlap, lower, upper, tolerance }: ClearanceResult): Meeting {
+  if (overlap?.kind === "intersecting" || overlap?.kind === "contained") return "clash";
+  return lower === 0 && upper <= tolerance ? "touching" : "apart";
+}
+
+function sentence(result: ClearanceResult, meeting: Meeting): string {
+  const { overlap, lower, upper, diagonal, witness } = result;
+  if (meeting === "clash") {
+    return overlap?.kind === "contained"
+      ? "Clash: a part of one lies inside the other."
+      : "Clash: the parts certainly overlap.";
+  }
+  const unit = commonUnit();
+  const size = certifiedText(upper, [lower, upper], diagonal);
+  const places = `A ${nameOf(witness.a)} and B ${nameOf(witness.b)}`;
+  if (meeting === "touching")
+    return `Touching or crossing: ${places}, ${size}${unit ? ` ${unit}` : ""}.`;
+  return `Apart by ${size}${unit ? ` ${unit}` : ""}, in ${intervalText(lower, upper, diagonal)}: ${places}.`;
+}

@@ -1,0 +1,2 @@
+/** The package's version, which the build puts in. */
+declare const VERSION: string;

@@ -1,0 +1,37 @@
+// What is shown of each model where the user leaves it to the page.
+import type { DistanceResult } from "nurbs-hausdorff";
+import { farthestSide } from "../common/direction.ts";
+import type { Visibility } from "../scene/mesh.ts";
+import type { Models } from "../scene/models.ts";
+import type { Side } from "../worker/protocol.ts";
+import * as display from "./display.ts";
+import * as options from "./options.ts";
+
+/** The distance, in diagonals, up to which models cover each other. */
+const NEARLY = 0.05;
+
+/**
+ * Returns what is shown of the models, so that nothing hides what is painted: of models that nearly
+ * coincide, the one with the farthest point is solid, and one that encloses the other is not.
+ */
+export function visibilities(
+  { outer: enclosing }: Models,
+  result: DistanceResult | undefined,
+): Record<Side, Visibility> {
+  const { lines, deviation: colours } = options.overlays();
+  const painted = colours ? options.paint() : (["a"] as const);
+  const wiped = display.wipe() !== undefined;
+  const near = result === undefined || result.computed < NEARLY * result.diagonal;
+  const covers = painted.length > 1 && near && !wiped;
+  const farthest = result === undefined ? "a" : farthestSide(result);
+  const front = covers ? [farthest] : painted;
+  const outer = wiped ? undefined : enclosing;
+  const auto = (side: Side): Visibility =>
+    side === outer || !front.includes(side) ? "glass" : "solid";
+  // Lines inside a model are seen through it.
+  const of = (side: Side): Visibility => {
+    const shown = display.visibility(side) ?? auto(side);
+    return lines && shown === "solid" ? "glass" : shown;
+  };
+  return { a: of("a"), b: of("b") };
+}

@@ -1,0 +1,91 @@
+// A report to print: verdict, files, pictures with their legends, worst places, faces and figures.
+import { element } from "../../common/elements.ts";
+import type { ReportView } from "../views.ts";
+import { make, table, terms } from "./dom.ts";
+import { histogramDrawing, legendDrawing } from "./drawings.ts";
+import { STYLE } from "./style.ts";
+
+type Terms = readonly (readonly [term: string, text: string])[];
+
+/** What the report contains besides what the page shows. */
+export interface ReportContent {
+  views: readonly ReportView[];
+  /** Pictures of the worst places. */
+  places: readonly { title: string; picture: string }[];
+  verdict: { verdict: string | undefined; terms: Terms };
+  files: readonly { title: string; terms: Terms }[];
+  /** A face a row. */
+  faces: { head: readonly string[]; rows: readonly (readonly string[])[] };
+  /** A pinned point a row. */
+  pins: readonly (readonly string[])[];
+  settings: Terms;
+}
+
+/** Returns the report as a page of its own, which needs nothing else. */
+export function reportOf(content: ReportContent): Blob {
+  const page = document.implementation.createHTMLDocument(titleOf());
+  page.documentElement.lang = "en";
+  page.head.append(make("style", STYLE));
+  page.body.append(...sections(content));
+  return new Blob(["<!doctype html>\n", page.documentElement.outerHTML], { type: "text/html" });
+}
+
+const value = (id: string): string => element(id, HTMLInputElement).value.trim();
+const text = (id: string): string => element(id).textContent?.trim() ?? "";
+
+const titleOf = (): string =>
+  `Comparison${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
+
+function* sections({ views, places, verdict, files, faces, pins, settings }: ReportContent) {
+  yield make("h1", titleOf());
+  yield terms([
+    ["Part", value("report-part")],
+    ["Operator", value("report-operator")],
+    ["Date", value("report-date") || new Date().toISOString().slice(0, 10)],
+  ]);
+  yield make(
+    "section",
+    [
+      make("p", [
+        make("span", (verdict.verdict ?? "no verdict").toUpperCase(), { class: "badge" }),
+        text("verdict"),
+      ]),
+      terms(verdict.terms),
+    ],
+    { class: "card", "data-verdict": verdict.verdict ?? "" },
+  );
+  for (const { title, terms: of } of files) yield* [make("h2", title), terms(of)];
+  yield make("h2", "Views");
+  for (const view of views) yield figure(view);
+  if (places.length > 0) {
+    yield make("h2", "Worst places");
+    yield make(
+      "div",
+      places.map(({ title, picture }) =>
+        make("figure", [make("figcaption", title), make("img", [], { src: picture, alt: title })]),
+      ),
+      { class: "places" },
+    );
+  }
+  const legend = views.find((view) => view.legend !== undefined)?.legend;
+  if (legend !== undefined) {
+    yield make("h2", "Deviation over the area (estimates)");
+    const drawing = make("figure", [make("figcaption", legend.title)]);
+    drawing.append(histogramDrawing(legend));
+    yield* [drawing, element("statistics").cloneNode(true), make("p", text("beyond-limit"))];
+  }
+  if (faces.rows.length > 0) yield* [make("h2", "Faces"), table(faces.head, faces.rows)];
+  if (pins.length > 0) {
+    yield* [make("h2", "Points"), table(["Point", "Place", "Deviation"], pins)];
+  }
+  yield* [make("h2", "Settings"), terms(settings)];
+  yield* [make("h2", "Details"), element("facts").cloneNode(true)];
+  yield make("footer", `Made by nurbs-hausdorff ${VERSION} · ${text("engine")}`);
+}
+
+function figure({ title, picture, legend }: ReportView): HTMLElement {
+  const body = make("div", [make("img", [], { src: picture, alt: title })], { class: "view" });
+  if (legend !== undefined) body.append(legendDrawing(legend));
+  const caption = legend === undefined ? title : `${title}: ${legend.title}`;
+  return make("figure", [make("figcaption", caption), body]);
+}

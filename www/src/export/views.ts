@@ -1,0 +1,58 @@
+// The views that the user chose for the report, each with the legend that it had.
+import { element } from "../common/elements.ts";
+import { painted } from "../inspection/deviationPanel.ts";
+import type { Legend } from "../inspection/legend.ts";
+import type { View } from "../scene/view.ts";
+import { dataUrl, pictureOf } from "./download.ts";
+
+/** A picture with what its colours mean. */
+export interface ReportView {
+  title: string;
+  /** The picture's address. */
+  picture: string;
+  legend: Legend | undefined;
+}
+
+export class Views {
+  readonly #view: View;
+  readonly #canvas: HTMLCanvasElement;
+  #chosen: ReportView[] = [];
+
+  constructor(view: View, canvas: HTMLCanvasElement) {
+    this.#view = view;
+    this.#canvas = canvas;
+  }
+
+  /** The views chosen; without one, what is seen now. */
+  async all(): Promise<ReportView[]> {
+    return this.#chosen.length > 0 ? this.#chosen : [await this.take("As seen")];
+  }
+
+  /** Adds what is seen now. */
+  async add(): Promise<void> {
+    this.#chosen = [...this.#chosen, await this.take(`View ${this.#chosen.length + 1}`)];
+    this.#show();
+  }
+
+  clear(): void {
+    this.#chosen = [];
+    this.#show();
+  }
+
+  /** Returns what is seen now. */
+  async take(title: string): Promise<ReportView> {
+    return { title, picture: await dataUrl(await this.picture()), legend: painted()?.legend };
+  }
+
+  /** The picture of the view, PNG. */
+  picture(): Promise<Blob> {
+    this.#view.renderForExport();
+    return pictureOf(this.#canvas);
+  }
+
+  #show(): void {
+    const { length } = this.#chosen;
+    element("view-count").textContent =
+      length === 0 ? "" : `${length} ${length === 1 ? "view" : "views"} in the report`;
+  }
+}

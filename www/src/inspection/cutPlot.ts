@@ -1,0 +1,125 @@
+// The deviation along a section: the cut of the painted models in its plane, and from it the
+// deviations, enlarged.
+import type { Plane, Vector3 } from "three";
+import { element } from "../common/elements.ts";
+import type { ColorScale } from "../scene/colors/scale.ts";
+import type { MapDisplay } from "../worker/map/display.ts";
+import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
+
+const figure = element("cut");
+const factorInput = element("cut-scale", HTMLInputElement);
+const SVG = "http://www.w3.org/2000/svg";
+/** The part of the drawing's size that the largest deviation has at the scale 1. */
+const UNIT = 0.05;
+
+/** What is cut. */
+export interface CutModels {
+  maps: Sides<MapDisplay>;
+  scale: ColorScale;
+  largest: number;
+  plane: Plane;
+  /** The axis that the plane is orthogonal to. */
+  axis: 0 | 1 | 2;
+  /** A vertex of a map in scene coordinates. */
+  place: (side: Side, vertex: number) => Vector3;
+}
+
+/** A piece of a cut in the coordinates of its plane. */
+interface Piece {
+  from: Vertex;
+  to: Vertex;
+}
+
+interface Vertex {
+  x: number;
+  y: number;
+  deviation: number;
+}
+
+let current: CutModels | undefined;
+factorInput.addEventListener("input", () => showCut(current));
+
+/** Shows a cut; without one, none. */
+export function showCut(cut: CutModels | undefined): void {
+  current = cut;
+  const pieces = cut === undefined ? [] : SIDES.flatMap((side) => piecesOf(cut, side));
+  figure.hidden = pieces.length === 0;
+  if (cut === undefined || pieces.length === 0) return;
+  const all = pieces.flatMap(({ from, to }) => [from, to]);
+  const range = (of: (vertex: Vertex) => number): [number, number] =>
+    all.reduce(
+      ([low, high], vertex) => [Math.min(low, of(vertex)), Math.max(high, of(vertex))],
+      [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY],
+    );
+  const [[left, right], [bottom, top]] = [range(({ x }) => x), range(({ y }) => y)];
+  const size = Math.max(right - left, top - bottom) || 1;
+  const factor = (UNIT * size * 2 ** factorInput.valueAsNumber) / (cut.largest || 1);
+  element("cut-factor").textContent = `× ${Number(factor.toPrecision(2))}`;
+  const drawing = document.createElementNS(SVG, "svg");
+  const margin = UNIT * size * 2 ** factorInput.valueAsNumber;
+  const box = [left - margin, -top - margin, right - left + 2 * margin, top - bottom + 2 * margin];
+  drawing.setAttribute("viewBox", box.join(" "));
+  drawing.setAttribute("role", "img");
+  drawing.setAttribute("aria-label", "The section with its deviations enlarged");
+  // Outwards is to the left along a piece, for the axes in this order, and mirrored for y.
+  const side = Math.sign(cut.plane.normal.getComponent(cut.axis)) * (cut.axis === 1 ? -1 : 1);
+  for (const piece of pieces) drawing.append(...drawn(piece, side * factor, cut.scale));
+  element("cut-plot").replaceChildren(drawing);
+}
+
+/** The pieces in which a plane meets the triangles of a map. */
+function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] {
+  const map = maps[side];
+  if (map === undefined) return [];
+  const { indices, signed, distances } = map;
+  const heights = Float64Array.from(distances, (_, vertex) =>
+    plane.distanceToPoint(place(side, vertex)),
+  );
+  const [across, up] = [(axis + 1) % 3, (axis + 2) % 3].sort();
+  const crossing = (one: number, other: number): Vertex => {
+    const [from, to] = [heights[one] ?? 0, heights[other] ?? 0];
+    const part = from / (from - to || 1);
+    const point = place(side, one).lerp(place(side, other), part);
+    const value = (vertex: number) => {
+      const known = signed[vertex] ?? Number.NaN;
+      return Number.isNaN(known) ? (distances[vertex] ?? 0) : known;
+    };
+    return {
+      ...{ x: point.getComponent(across ?? 0), y: point.getComponent(up ?? 1) },
+      deviation: value(one) + part * (value(other) - value(one)),
+    };
+  };
+  const pieces: Piece[] = [];
+  for (let first = 0; first < indices.length; first += 3) {
+    const [a = 0, b = 0, c = 0] = indices.subarray(first, first + 3);
+    const edges = [
+      [a, b],
+      [b, c],
+      [c, a],
+    ] as const;
+    const isBelow = (vertex: number) => (heights[vertex] ?? 0) < 0;
+    // Anticlockwise, a triangle is entered where it rises through the plane.
+    const rising = edges.find(([from, to]) => isBelow(from) && !isBelow(to));
+    const falling = edges.find(([from, to]) => !isBelow(from) && isBelow(to));
+    if (rising !== undefined && falling !== undefined) {
+      pieces.push({ from: crossing(...rising), to: crossing(...falling) });
+    }
+  }
+  return pieces;
+}
+
+/** The piece itself, and the area between it and its deviations. */
+function drawn({ from, to }: Piece, factor: number, scale: ColorScale): SVGElement[] {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const length = Math.hypot(dx, dy) || 1;
+  const off = ({ x, y, deviation }: Vertex) =>
+    `${x - (factor * deviation * dy) / length},${-(y + (factor * deviation * dx) / length)}`;
+  const area = document.createElementNS(SVG, "polygon");
+  area.setAttribute("points", `${from.x},${-from.y} ${to.x},${-to.y} ${off(to)} ${off(from)}`);
+  area.setAttribute("fill", scale.color((from.deviation + to.deviation) / 2).getStyle());
+  const line = document.createElementNS(SVG, "line");
+  for (const [name, value] of Object.entries({ x1: from.x, y1: -from.y, x2: to.x, y2: -to.y })) {
+    line.setAttribute(name, `${value}`);
+  }
+  return [area, line];
+}

@@ -1,0 +1,102 @@
+// The legend: the scale upright, with ticks at its ends, at zero, at what is allowed and at the
+// extremes found, and the histogram beside it.
+import { element } from "../common/elements.ts";
+import { distanceText, signedText } from "../common/numbers.ts";
+import type { Allowed, ColorScale } from "../scene/colors/scale.ts";
+import type { Distribution } from "../worker/map/distribution.ts";
+import { BINS, binsOf, histogram } from "./histogram.ts";
+
+/** The stops of the scale's gradient. */
+const STOPS = 96;
+/** The least distance of two labels, as a fraction of the scale. */
+const MIN_GAP = 0.075;
+
+/** What the legend shows. */
+export interface Legend {
+  scale: ColorScale;
+  absolute: boolean;
+  allowed: Allowed | undefined;
+  /** The extremes found. */
+  lowest: number;
+  highest: number;
+  diagonal: number;
+  title: string;
+  distributions: readonly Distribution[];
+}
+
+/** A labelled place of the scale. */
+export interface Tick {
+  value: number;
+  text: string;
+  kind: "end" | "zero" | "allowed" | "extreme";
+}
+
+const legend = element("legend");
+
+/** Shows the legend; calls back with the ends of a bin of the histogram that is pressed. */
+export function showLegend(shown: Legend, onBin: (from: number, to: number) => void): void {
+  const { scale, absolute, distributions, title } = shown;
+  legend.hidden = false;
+  element("legend-title").textContent = title;
+  element("scale").style.background = gradient(scale, "to top");
+  element("scale-labels").replaceChildren(...ticksOf(shown).map((tick) => label(tick, scale)));
+  const bins = binsOf(distributions, scale, absolute);
+  const at = (edge: number) => scale.low + (edge / BINS) * (scale.high - scale.low);
+  const pressed = (bin: number) =>
+    onBin(
+      bin === 0 ? Number.NEGATIVE_INFINITY : at(bin),
+      bin === BINS - 1 ? Number.POSITIVE_INFINITY : at(bin + 1),
+    );
+  element("histogram").replaceChildren(histogram(bins, scale, pressed));
+}
+
+export function hideLegend(): void {
+  legend.hidden = true;
+}
+
+/** Returns the colours of a scale as a gradient of the style sheet. */
+export function gradient(scale: ColorScale, direction: string): string {
+  const stops = scale.stops(STOPS).map((color, index) => {
+    const [from, to] = [index, index + 1].map((edge) => `${(100 * edge) / STOPS}%`);
+    return `${color.getStyle()} ${from} ${to}`;
+  });
+  return `linear-gradient(${direction}, ${stops.join(", ")})`;
+}
+
+/** Returns the ticks, the important ones first, without those that would cover each other. */
+export function ticksOf({ scale, absolute, allowed, lowest, highest, diagonal }: Legend): Tick[] {
+  const text = (value: number) =>
+    value === 0 || absolute ? distanceText(value, diagonal) : signedText(value, diagonal);
+  const tick = (kind: Tick["kind"], value: number, prefix = ""): Tick => ({
+    ...{ kind, value },
+    text: `${prefix}${text(value)}`,
+  });
+  const limits =
+    allowed === undefined ? [] : [allowed.above, ...(absolute ? [] : [-allowed.below])];
+  const all = [
+    tick("end", scale.high),
+    tick("end", scale.low),
+    ...limits.map((value) => tick("allowed", value, "allowed ")),
+    ...(absolute ? [] : [tick("extreme", lowest, "least ")]),
+    tick("extreme", highest, "most "),
+    tick("zero", 0),
+  ];
+  const width = scale.high - scale.low;
+  const kept: Tick[] = [];
+  for (const one of all) {
+    if (one.value < scale.low || one.value > scale.high) continue;
+    const isFree = kept.every(({ value }) => Math.abs(value - one.value) >= MIN_GAP * width);
+    if (isFree) kept.push(one);
+  }
+  return kept;
+}
+
+function label({ value, text, kind }: Tick, scale: ColorScale): HTMLElement {
+  const node = document.createElement("span");
+  node.textContent = text;
+  node.dataset.kind = kind;
+  if (value === scale.high) node.id = "scale-high";
+  else if (value === scale.low) node.id = "scale-low";
+  node.style.bottom = `${(100 * (value - scale.low)) / (scale.high - scale.low)}%`;
+  return node;
+}

@@ -1,0 +1,88 @@
+// The list of worst places: a button each, which a key goes through.
+import { element } from "../common/elements.ts";
+import { distanceText, signedText } from "../common/numbers.ts";
+import type { Allowed } from "../scene/colors/scale.ts";
+import type { Place } from "./places.ts";
+
+/** Places listed; a longer list is not read. */
+const MAX_PLACES = 12;
+
+const list = element("place-list");
+const button = element("next-place", HTMLButtonElement);
+
+export class PlaceList {
+  readonly #select: (place: Place) => void;
+  #places: Place[] = [];
+  #selected = -1;
+
+  /** Calls back with the place that the user selects. */
+  constructor(select: (place: Place) => void) {
+    this.#select = select;
+    button.addEventListener("click", () => this.next());
+    window.addEventListener("keydown", ({ key, target, ctrlKey, metaKey }) => {
+      if (key.toLowerCase() !== "n" || ctrlKey || metaKey) return;
+      if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
+      this.next();
+    });
+  }
+
+  /** The places listed. */
+  get places(): readonly Place[] {
+    return this.#places;
+  }
+
+  show(places: Place[], allowed: Allowed | undefined, diagonal: number): void {
+    this.#places = places.slice(0, MAX_PLACES);
+    this.#selected = -1;
+    button.disabled = places.length === 0;
+    list.replaceChildren(
+      ...this.#places.map((place, index) => this.#row(place, index, allowed, diagonal)),
+    );
+  }
+
+  /** Selects the next place, after the last one the first. */
+  next(): void {
+    if (this.#places.length > 0) this.#choose((this.#selected + 1) % this.#places.length);
+  }
+
+  #choose(index: number): void {
+    this.#selected = index;
+    for (const [row, node] of [...list.querySelectorAll("button")].entries()) {
+      node.setAttribute("aria-pressed", `${row === index}`);
+    }
+    const place = this.#places[index];
+    if (place !== undefined) this.#select(place);
+  }
+
+  #row(place: Place, index: number, allowed: Allowed | undefined, diagonal: number): HTMLElement {
+    const [item, row] = [document.createElement("li"), document.createElement("button")];
+    row.type = "button";
+    row.setAttribute("aria-pressed", "false");
+    const letter = document.createElement("b");
+    letter.className = place.side;
+    letter.textContent = place.side.toUpperCase();
+    const [name, size] = [document.createElement("span"), document.createElement("span")];
+    name.textContent = place.name;
+    size.textContent = sizeText(place, diagonal);
+    size.className = "size";
+    if (allowed !== undefined) size.dataset.beyond = `${isBeyond(place, allowed)}`;
+    row.append(letter, name, size);
+    row.addEventListener("click", () => this.#choose(index));
+    item.append(row);
+    return item;
+  }
+}
+
+/** The deviation of a place, with its sign where it has one. */
+export const sizeText = ({ distance, signed }: Place, diagonal: number): string =>
+  Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
+
+/** Whether a face deviates by more than is allowed. */
+export function isBeyond({ distance, signed, lowest, highest }: Place, allowed: Allowed): boolean {
+  if (Number.isNaN(signed)) return distance > Math.min(allowed.above, allowed.below);
+  return (
+    highest > allowed.above ||
+    lowest < -allowed.below ||
+    distance > Math.max(allowed.above, allowed.below)
+  );
+}

@@ -1,0 +1,90 @@
+// What the page draws of a map: triangles, lines and the distribution.
+import type { Vector3 } from "nurbs-hausdorff";
+import type { Side } from "../protocol.ts";
+import { type Distribution, distributionOf, type Estimates, estimatesOf } from "./distribution.ts";
+import { type Placing, placed } from "./placed.ts";
+import type { DeviationMap } from "./refine.ts";
+
+/** The largest number of lines drawn; more would hide the models. */
+const MAX_LINES = 4096;
+
+export interface MapDisplay {
+  /** The vertices in the model's own coordinates, relative to its tessellation's origin. */
+  positions: Float32Array<ArrayBuffer>;
+  normals: Float32Array<ArrayBuffer>;
+  /** Signed deviations; NaN for one without a sign. */
+  signed: Float32Array<ArrayBuffer>;
+  distances: Float32Array<ArrayBuffer>;
+  indices: Uint32Array<ArrayBuffer>;
+  /** The face of every triangle; those of a face follow each other. */
+  faces: Uint32Array<ArrayBuffer>;
+  /** The extremes, in float64. */
+  lowest: number;
+  highest: number;
+  largest: number;
+  /** From vertices to their feet, two ends a line, where the model was, relative to `lineOrigin`. */
+  lines: Float32Array<ArrayBuffer>;
+  /** The vertices from which the lines start. */
+  lineVertices: Uint32Array<ArrayBuffer>;
+  lineOrigin: Vector3;
+  distribution: Distribution;
+  estimates: Estimates | undefined;
+}
+
+/** Returns what to draw of the map of a model. */
+export function mapDisplay(map: DeviationMap, side: Side, placing: Placing): MapDisplay {
+  const distribution = distributionOf(map, side === "b" ? placing.scale : 1);
+  return {
+    ...{ positions: map.positions.slice(), normals: map.normals.slice() },
+    signed: new Float32Array(map.signed),
+    distances: new Float32Array(map.distances),
+    indices: map.triangles.indices.slice(),
+    faces: map.triangles.faces.slice(),
+    ...extremes(map),
+    ...linesOf(map, side, placing),
+    ...{ distribution, estimates: estimatesOf(distribution) },
+  };
+}
+
+/** The buffers that are moved to the page. */
+export function buffersOf(display: MapDisplay): ArrayBuffer[] {
+  const { positions, normals, signed, distances, indices, faces, lines, lineVertices } = display;
+  const { absolute, signed: bySign } = display.distribution;
+  const arrays = [
+    ...[positions, normals, signed, distances, indices, faces, lines, lineVertices],
+    ...[absolute, bySign].flatMap(({ values, areas }) => [values, areas]),
+  ];
+  return arrays.map(({ buffer }) => buffer);
+}
+
+export function extremes({ signed, distances }: Pick<DeviationMap, "signed" | "distances">) {
+  let [lowest, highest, largest] = [0, 0, 0];
+  for (const [index, distance] of distances.entries()) {
+    const value = signed[index] ?? Number.NaN;
+    largest = Math.max(largest, distance);
+    if (value < lowest) lowest = value;
+    if (value > highest) highest = value;
+  }
+  return { lowest, highest, largest };
+}
+
+function linesOf({ points, feet, distances }: DeviationMap, side: Side, placing: Placing) {
+  const step = Math.max(1, Math.ceil(distances.length / MAX_LINES));
+  const count = Math.ceil(distances.length / step);
+  const lineVertices = Uint32Array.from({ length: count }, (_, line) => line * step);
+  const at = (all: Float64Array, vertex: number): Vector3 => [
+    all[3 * vertex] ?? 0,
+    all[3 * vertex + 1] ?? 0,
+    all[3 * vertex + 2] ?? 0,
+  ];
+  const lineOrigin = at(feet, 0);
+  const lines = new Float32Array(6 * count);
+  for (const [line, vertex] of lineVertices.entries()) {
+    const ends = [placed(side, at(points, vertex), placing), at(feet, vertex)];
+    for (const [end, point] of ends.entries()) {
+      const relative = point.map((value, axis) => value - (lineOrigin[axis] ?? 0));
+      lines.set(relative, 6 * line + 3 * end);
+    }
+  }
+  return { lines, lineVertices, lineOrigin };
+}
