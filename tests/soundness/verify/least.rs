@@ -78,3 +78,16 @@ fn wrong_ends_are_refuted() {
         }
     }
 }
+
+/// Only the surfaces of a model are read, so that one with trimmed faces must be told.
+#[test]
+fn trimmed_faces_are_told() {
+    let text = |trim: &str| {
+        format!(
+            r#"{{"surfaces":[{{"degree":[1,1],"knots_u":[0,0,1,1],"knots_v":[0,0,1,1],
+            "ctrl":[[[0,0,0,1],[0,1,0,1]],[[1,0,0,1],[1,1,0,1]]]{trim}}}]}}"#
+        )
+    };
+    let is_trimmed = |trim: &str| proof::Model::from_json(&text(trim)).unwrap().is_trimmed();
+    assert!(!is_trimmed("") && is_trimmed(r#","trim":[[]]"#));
+}
