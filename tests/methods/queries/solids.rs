@@ -171,6 +171,7 @@ fn points_beside_edges_and_corners() {
         }
     }
     assert_eq!(model.side([1.0, 1.0, 1.0]), Side::Undecided);
+    assert_eq!(model.side([f64::NAN, 0.0, 0.0]), Side::Undecided);
     assert_eq!(model.side([1.0, 0.2, 0.3]), Side::Undecided);
 }
 
