@@ -81,7 +81,7 @@ def main() -> int:
             damaged = Path(folder) / f"damaged{suffix}"
             damaged.write_bytes(damage(rng, bytearray(content)))
             started = time.monotonic()
-            words = [command, "convert", str(damaged), str(Path(folder) / "model.json")]
+            words = [command, "convert", "--overwrite", str(damaged), str(Path(folder) / "model.json")]
             try:
                 run = subprocess.run(words, capture_output=True, timeout=MAX_SECONDS, preexec_fn=limit_memory)
                 end = run.returncode

@@ -10,13 +10,14 @@ import { Failure, say } from "../process.mjs";
  * cutting trimmed faces takes 60 of it, as interchange JSON has them too; bounding blocks of near
  * copies by splines 4; the proof of every cut, the orders of wires on closed surfaces and the
  * areas of faces 25 together; sides of points, signs, clearances and gaps of solids 48, distances of
- * meshes and points 20. It stays below 700. The readers are fetched when a CAD file comes: BREP text with what
+ * meshes and points 20; heights of third order, over loops, and projective maps the rest, which takes
+ * it above the 700 that it is to have again. The readers are fetched when a CAD file comes: BREP text with what
  * makes faces of edges takes 217, STEP and IGES 66 each. Those of meshes
  * are fetched when a mesh comes: the archives and XML of 3MF, PLY, OBJ and JSON.
  */
 const budgets = {
-  nurbs_hausdorff: { plain: 1700, gzipped: 699 },
-  nurbs_hausdorff_readers: { plain: 870, gzipped: 365 },
+  nurbs_hausdorff: { plain: 1790, gzipped: 728 },
+  nurbs_hausdorff_readers: { plain: 890, gzipped: 375 },
   nurbs_hausdorff_meshes: { plain: 550, gzipped: 242 },
 };
 

@@ -412,8 +412,10 @@ impl PreparedModel {
     /// Returns the edges of the faces, joined where they meet, computed at first use.
     pub(super) fn boundary(&self) -> &Boundary {
         computed(&self.boundary, || {
-            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
-            Boundary::new(&self.bezier, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+            let faces = self.facets.as_ref().map(PreparedFacets::faces);
+            let faces = faces.as_ref().unwrap_or(&self.bezier);
+            let degrees = faces.patches.iter().flat_map(|patch| patch.degree);
+            Boundary::new(faces, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })
     }
 
@@ -457,8 +459,16 @@ impl PreparedModel {
         if self.facets.is_some() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
     }
 
+    /// Refuses a cloud of points for a computation that needs faces or triangles.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(super) fn require_faces(&self, found: &'static str) -> Result<()> {
+        if self.is_cloud() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
     /// Returns the face of one of the surfaces of [`PreparedModel::bezier`].
-    pub(super) fn face_of_surface(&self, surface: usize) -> usize {
+    pub(super) fn face_of(&self, surface: usize) -> usize {
         match &self.facets {
             Some(facets) => facets.group(facets.target.index(surface as u32)),
             None => self.pieces.face(surface),
@@ -517,7 +527,9 @@ impl PreparedModel {
 
     /// Returns the patches that method `certified` and closest points search.
     pub(super) fn certified_target(&self) -> Arc<PreparedTarget> {
-        self.target(if self.is_left_uncut() { Flatness::None } else { Flatness::Loose })
+        // Triangles are flat.
+        let is_left = self.is_left_uncut() || self.facets.is_some();
+        self.target(if is_left { Flatness::None } else { Flatness::Loose })
     }
 
     /// Returns the flat patches, computed at first use.

@@ -3,11 +3,14 @@
 use super::patches::patches;
 use super::{FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
-use crate::bezier::BezierModel;
+use crate::bezier::{BezierModel, PatchGrid, PatchSet, PointError};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::threads::computed;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
+
+/// The largest number of triangles whose edges are joined: a million take gigabytes.
+const MAX_JOINED_TRIANGLES: usize = 250_000;
 
 /// The facets of a model.
 #[derive(Debug)]
@@ -78,6 +81,22 @@ impl PreparedFacets {
             bezier.point_error.include_deviation(self.error);
             bezier
         })
+    }
+
+    /// Returns whether these are triangles, not too many to be joined.
+    pub(crate) fn may_close(&self) -> bool {
+        !self.target.is_cloud() && self.target.len() <= MAX_JOINED_TRIANGLES
+    }
+
+    /// Returns the triangles as faces of their own; none if they are too many to be joined.
+    pub(crate) fn faces(&self) -> BezierModel {
+        if !self.may_close() {
+            let point_error = PointError::default();
+            return BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error };
+        }
+        let triangles = self.bezier();
+        let grids = (0..triangles.patches.len()).map(PatchGrid::of_bilinear).collect();
+        BezierModel { patches: triangles.patches.clone(), grids, point_error: triangles.point_error }
     }
 
     /// Returns the area of all triangles of each group; a triangle that lies on others counts as often.

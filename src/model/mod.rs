@@ -12,7 +12,6 @@ mod rigid_transform;
 mod surface;
 pub mod trim;
 
-pub(crate) use crate::limits::MAX_DEGREE;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
 pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};

@@ -138,7 +138,7 @@ fn a_search_that_gains_nothing_prints_a_line() {
     let [peaked, even] = [1e8, 1.0].map(|weight| {
         file(&format!("peaked-{weight:e}"), peaked_sheet(weight).to_json().unwrap().as_bytes())
     });
-    let stalled = run(&["distance", &peaked, &even, "--max-cells", "40000"]);
+    let stalled = run(&["distance", &peaked, &even, "--max-cells", "400000"]);
     assert_eq!(stalled.stderr.matches("the interval has not halved").count(), 1, "{}", stalled.stderr);
     assert_eq!(run(&["distance", &even, &even]).stderr, "");
 }

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
     Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets, Method,
-    MethodName, Model, PointCloud, PreparedModel, RigidTransform, TriangleMesh,
+    MethodName, Model, PointCloud, PreparedModel, RigidTransform, Side, TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -278,4 +278,14 @@ fn by_projection(corners: &[DVec3; 3], point: DVec3) -> f64 {
         }
     }
     at.distance(point)
+}
+
+/// A mesh has no faces that [`PreparedModel::solid`] could close, so that no point has a side.
+#[test]
+fn no_point_has_a_side_of_a_mesh() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let tetrahedron = mesh(&corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    assert!(!tetrahedron.solid().closed);
+    assert_eq!(tetrahedron.side([0.1, 0.1, 0.1]), Side::Undecided);
+    assert_eq!(cloud(&corners).side([5.0, 5.0, 5.0]), Side::Undecided);
 }

@@ -25,7 +25,7 @@ export async function install() {
     readdirSync(folder).find((name) => name.endsWith(".tgz")),
   );
   writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));
-  const quiet = ["--ignore-scripts", "--offline", "--no-audit", "--no-fund", "--silent"];
+  const quiet = ["--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund", "--silent"];
   await must("npm", ["install", ...quiet, tarball], { cwd: folder });
   return {
     folder,

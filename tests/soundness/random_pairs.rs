@@ -2,6 +2,7 @@
 //! `cargo run --release --example honesty`.
 
 use crate::fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
 use rayon::prelude::*;
 
@@ -90,4 +91,22 @@ fn meshes_and_points_have_no_false_interval() {
     }
     let converged = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
     assert!((FACETS / 4..FACETS).contains(&converged), "{converged} converged");
+}
+
+/// Poses of random models and of the shapes that ship.
+const CLEARANCES: u64 = 96;
+
+#[test]
+fn clearances_contain_what_brute_force_finds() {
+    let subjects = Subjects::new(false);
+    let seeds = (1..=CLEARANCES).into_par_iter();
+    let outcomes: Vec<Outcome> = seeds.map(|seed| check_clearance(seed, &subjects)).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
+    }
+    let converged = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
+    assert!((CLEARANCES / 4..CLEARANCES).contains(&converged), "{converged} converged");
+    let undecided: usize = outcomes.iter().map(|outcome| outcome.undecided).sum();
+    assert!(undecided <= 4, "{undecided} proofs were given up");
 }

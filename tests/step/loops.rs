@@ -4,7 +4,7 @@ use crate::support::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff::Model;
 
-/// The ways in which a file may turn a part of a face round, each of which another one undoes.
+/// The number of flags by which a file may reverse a part of a face; two flags cancel each other.
 const TURNS: u32 = 5;
 
 /// The square [0, 4]² with the hole [1, 2]² seen from above. Bits of `turns` say: edges run against

@@ -21,7 +21,7 @@ const BUDGETS: [usize; 3] = [1, 1000, 5000];
 /// scaled, about 1e100.
 const MAX_EXPONENT: i32 = 332;
 
-/// The number of pairs of which one is computed on the GPU, as adapters in software are slow.
+/// One pair in this many is computed on the GPU, because software adapters are slow.
 const GPU_SHARE: u64 = 32;
 
 /// Draws a pair of a family.

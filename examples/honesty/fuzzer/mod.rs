@@ -6,6 +6,7 @@
 pub(crate) mod attacks;
 mod brute;
 pub(crate) mod check;
+pub(crate) mod clearance;
 mod collapsed;
 pub(crate) mod facets;
 mod offsets;

@@ -5,7 +5,7 @@ use super::gap::Gap;
 use super::metric::Metric;
 use super::uses::TrimUse;
 use crate::brep::nurbs::{ParameterMap, Spline, SurfaceNet};
-use crate::model::MAX_DEGREE;
+use crate::limits::MAX_DEGREE;
 use glam::DVec3;
 
 /// The tolerance of fits in space, relative to the size of the surface: far below the

@@ -3,7 +3,7 @@
 use super::gap::Gap;
 use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Basis, Curve, Spline, SplineSurface, Surface, SurfaceNet};
-use crate::model::MAX_DEGREE;
+use crate::limits::MAX_DEGREE;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A plane `normal · x = distance` in the coordinates of a surface.

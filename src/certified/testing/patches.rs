@@ -4,6 +4,7 @@ use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, relative};
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
+use crate::chebyshev::binomial;
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
@@ -65,10 +66,6 @@ pub(in crate::certified) fn evaluate(
     let nearest = NearestPoint::new(pair.b);
     let mut context = CellContext::new(&pair, &nearest, cell, &Foot::start(0, [0.5; 2]));
     bound.evaluate(&mut context, threshold)
-}
-
-pub(in crate::certified) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
 }
 
 /// The Bernstein coefficients of `x^power` of this degree.

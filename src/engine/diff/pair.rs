@@ -85,7 +85,7 @@ fn groups(facets: &PreparedFacets) -> Vec<FacetFace<'_>> {
 fn patches_of_faces(model: &PreparedModel) -> Vec<PatchSet> {
     let mut faces = vec![PatchSet::default(); model.face_count()];
     for patch in model.bezier().patches.iter() {
-        faces[model.face_of_surface(patch.surface)].push(patch);
+        faces[model.face_of(patch.surface)].push(patch);
     }
     faces
 }

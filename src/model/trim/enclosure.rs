@@ -32,8 +32,8 @@ impl Winding {
     /// angles of arcs beside it.
     ///
     /// The number is that of the arcs that cross the ray from the point towards smaller u, upwards less
-    /// downwards. An arc in a box that the ray does not meet, or that is wholly on the ray's side, does so as its
-    /// chord does, of which the lower end counts.
+    /// downwards. An arc whose box the ray does not meet, or which is wholly on the ray's side, crosses as its
+    /// chord does; a chord includes its lower end and excludes its upper one.
     pub(super) fn holds(&self, point: DVec2) -> bool {
         let mut number = 0;
         for arc in self.arcs() {

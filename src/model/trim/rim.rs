@@ -3,6 +3,7 @@
 use super::piece::{TrimPiece, point_of};
 use super::winding::{Winding, WindingPiece};
 use crate::axis::Axis;
+use crate::chebyshev::binomial;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_max};
 use glam::{DMat3, DVec2, DVec3};
@@ -254,7 +255,7 @@ impl Graph {
             (weight * sign * (y - a - b * x - c * x * other_x), weight)
         };
         let degree = piece.degree();
-        let row = binomials(degree);
+        let row: Vec<f64> = (0..=degree).map(|k| binomial(degree, k)).collect();
         let (mut values, mut weights) = (vec![0.0; 2 * degree + 1], vec![0.0; 2 * degree + 1]);
         for (i, left) in controls.iter().enumerate() {
             for (k, right) in controls.iter().enumerate() {
@@ -278,15 +279,6 @@ impl Graph {
         }
         if least.is_nan() { f64::NEG_INFINITY } else { least - error }
     }
-}
-
-/// `C(n, k)` for k from 0 to n.
-fn binomials(n: usize) -> Vec<f64> {
-    let mut row = vec![1.0];
-    for k in 0..n {
-        row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
-    }
-    row
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -415,7 +407,7 @@ mod tests {
         }
     }
 
-    /// Away from the loop, and where a box leaves the domain, there is none.
+    /// No rim is found away from the loop, nor in a box that leaves the domain.
     #[test]
     fn there_is_no_rim_where_there_is_no_loop() {
         let winding = region(&POLYGON, 0.0).winding();

@@ -1,7 +1,7 @@
 // `nurbs-hausdorff/cad` on real files and on files made here.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -445,15 +445,19 @@ test("a damaged ON_Brep is refused, whatever bytes it has", { skip: missing }, a
   assert.ok(refused > 100);
 });
 
-test("without any other package STEP and IGES are read, and for 3DM the missing one is named", {
+test("without optional packages STEP and IGES are read, and for 3DM the missing one is named", {
   skip: missing,
 }, () => {
   const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
   try {
-    cpSync(fileURLToPath(new URL("../../../dist", import.meta.url)), join(folder, "dist"), {
-      recursive: true,
-    });
+    const checkout = (path) => fileURLToPath(new URL(`../../../${path}`, import.meta.url));
+    cpSync(checkout("dist"), join(folder, "dist"), { recursive: true });
     writeFileSync(join(folder, "package.json"), '{"type": "module", "version": "0.0.0"}');
+    const { dependencies } = JSON.parse(readFileSync(checkout("package.json"), "utf8"));
+    for (const name of Object.keys(dependencies)) {
+      const modules = join("node_modules", name);
+      cpSync(checkout(modules), join(folder, modules), { recursive: true });
+    }
     const info = (name, path) => {
       writeFileSync(join(folder, name), sharedFile(path));
       const args = ["dist/cli/main.js", "info", name];

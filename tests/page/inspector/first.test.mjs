@@ -44,6 +44,14 @@ test("two brackets are compared at once, with a tolerance and in colours", async
   if (process.env.PICTURE) await takePicture(process.env.PICTURE);
 });
 
+test("a file that cannot be read leaves the models, what is allowed and the verdict", async () => {
+  const buffer = Buffer.from("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=PLANE('',#2);");
+  await page.setInputFiles("#file-a", { name: "cut.step", mimeType: "text/plain", buffer });
+  await page.getByText("STEP_SYNTAX").waitFor();
+  assert.equal(await page.locator("#limit").inputValue(), "0.2");
+  assert.equal(await text("#badge"), "FAIL");
+});
+
 test("the map holds the certified maximum of both models", async () => {
   const [download] = await Promise.all([
     page.waitForEvent("download"),

@@ -28,6 +28,8 @@ const shown: Sides<string> = {};
 let open: (sources: Sides<Source>, placement: Placement) => void = () => {};
 /** The allowed deviation that an example began with, until the user changes it. */
 let proposed: number | undefined;
+/** What the models that are being opened propose: a file that cannot be read leaves what is allowed. */
+let awaited: { limit?: number | undefined } | undefined;
 
 /** Allows what an example states; models of the user are not judged by an example's. */
 function propose(limit: number | undefined): void {
@@ -40,7 +42,7 @@ function propose(limit: number | undefined): void {
 /** Calls back with the models that the user selects. Only presets move A; other models keep their positions. */
 export function onSource(listener: (sources: Sides<Source>, placement: Placement) => void): void {
   const callback = (sources: Sides<Source>, placement: Placement, limit?: number) => {
-    propose(limit);
+    awaited = { limit };
     listener(sources, placement);
   };
   open = listener;
@@ -100,6 +102,7 @@ export function openShapes(state?: string): boolean {
     else if (shown[side] === undefined) sources[side] = { shape: presets[0]?.[side] ?? named };
   }
   if (Object.keys(sources).length === 0) return false;
+  awaited = undefined;
   open(sources, IN_PLACE);
   return true;
 }
@@ -121,8 +124,10 @@ export function setLoading(loading: boolean, text = "loading…"): void {
   element("loading").textContent = text;
 }
 
-/** Selects the entries of the lists that name the models shown. */
+/** Selects the entries of the lists that name the models shown, and allows what they propose. */
 export function showSources(models: Sides<DisplayModel>, placement: Placement): void {
+  if (awaited !== undefined) propose(awaited.limit);
+  awaited = undefined;
   for (const side of SIDES) {
     const model = models[side];
     if (model === undefined) continue;

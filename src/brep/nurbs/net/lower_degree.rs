@@ -4,7 +4,7 @@ use super::super::conversion::Unconvertible;
 use super::super::spline::{Spline, elevated};
 use super::SurfaceNet;
 use crate::bezier::Interpolation;
-use crate::model::MAX_DEGREE;
+use crate::limits::MAX_DEGREE;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The degree of the pieces, that of the pieces of offsets: cells of it are cheap to bound.

@@ -31,7 +31,7 @@ type Column = [f64; POINTS];
 /// A fit of the height over a plane by terms of rising order (modified Gram and Schmidt).
 pub(super) struct Fit {
     normal: DVec3,
-    /// The coordinates of which terms are products.
+    /// The coordinates whose products are the terms.
     coordinates: [DVec3; 3],
     /// Their values at the points.
     points: [Column; 3],

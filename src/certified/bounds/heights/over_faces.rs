@@ -168,8 +168,8 @@ fn a_height_over_a_face_is_the_distance() {
     assert!((1e-4..=1e-4 * (1.0 + 1e-9)).contains(&bound), "{bound:e}");
 }
 
-/// A cell that ends beyond an edge of the plate is as far from it as it ends there, and beyond a corner as far as by
-/// both edges; of the pieces it is only by their lines.
+/// The bound of a cell that ends beyond an edge of the plate is the overrun; beyond a corner it is at most the sum
+/// of both overruns.
 #[test]
 fn a_cell_beyond_a_loop_is_at_its_overrun() {
     const BEYOND: f64 = 1e-4;

@@ -104,7 +104,7 @@ impl Piece {
         Values { degree: self.degree.map(|degree| 3 * degree), coefficients, size, error }
     }
 
-    /// Points on a grid with so many lines along each axis.
+    /// Points on a grid with `count` lines along each axis.
     pub(super) fn samples(&self, count: usize) -> Vec<DVec3> {
         let places = |axis: usize| -> Vec<_> {
             (0..count).map(|line| bernstein(self.degree[axis], line as f64 / (count - 1) as f64)).collect()

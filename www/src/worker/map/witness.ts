@@ -76,7 +76,7 @@ function farness(a: Vector3, b: Vector3, c: Vector3, point: Vector3): number {
   const [ab, ac, ap] = [minus(b, a), minus(c, a), minus(point, a)];
   const normal = cross(ab, ac);
   const square = dot(normal, normal);
-  // A triangle without an area is as far as its first corner.
+  // The corners of a triangle without an area are taken to coincide: the distance is that from the first one.
   if (square === 0) return Math.hypot(...ap);
   const second = dot(cross(ap, ac), normal) / square;
   const third = dot(cross(ab, ap), normal) / square;
