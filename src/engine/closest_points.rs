@@ -1,6 +1,6 @@
 //! The closest points of a model to given points.
 
-use super::signs::{Known, SignSource, Signs};
+use super::signs::{Known, SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
@@ -106,7 +106,9 @@ impl Engine {
         validate(points)?;
         if let Some(facets) = model.facets() {
             let mut progress = Progress::new(monitor, false);
-            return closest_facets(facets, points, &transform, &mut progress).await;
+            let source = facets.may_close().then(|| SignSource::new(model));
+            let rule = source.as_ref().map(SignSource::rule);
+            return closest_facets((facets, rule), points, &transform, &mut progress).await;
         }
         let flat = model.target(Flatness::Loose);
         let target = &flat.target;
@@ -162,18 +164,19 @@ impl Engine {
 /// # Errors
 /// [`Error::Cancelled`].
 async fn closest_facets(
-    facets: &PreparedFacets,
+    (facets, rule): (&PreparedFacets, Option<SignRule<'_>>),
     points: &[f64],
     transform: &RigidTransform,
     progress: &mut Progress<'_>,
 ) -> Result<ClosestPoints> {
     let length = facets.target.bounding_box().farthest_from_origin();
-    let mut found = ClosestPoints::default();
+    let signs = rule.map_or(Signs::Faces, |rule| rule.signs());
+    let mut found = ClosestPoints { signs, ..ClosestPoints::default() };
     let count = points.len() / 3;
     for page in points.chunks(3 * POINTS_AT_ONCE) {
         let parts = map_ranges(page.len() / 3, |range| {
             let mut part = ClosestPoints::default();
-            let mut known = 0;
+            let (mut known, mut side) = (0, Known::default());
             for point in page[3 * range.start..3 * range.end].chunks_exact(3) {
                 let local = DVec3::new(point[0], point[1], point[2]);
                 let point = transform.apply(local);
@@ -182,14 +185,16 @@ async fn closest_facets(
                     + facet_rounding(length.max(point.length()));
                 let (foot, nearest, lower) = facets.target.certified(point, known);
                 known = foot.facet;
-                let facet = facets.target.facet(foot.facet);
-                let (at, distance) = (facet.point(nearest.weights), foot.distance_squared.sqrt());
+                let at = facets.target.facet(foot.facet).point(nearest.weights);
+                let distance = foot.distance_squared.sqrt();
                 part.distances.push(distance);
                 part.bounds.push(distance - lower + rounding);
-                part.signed.push(match facet.normal() {
-                    Some(normal) if normal.dot(point - at) < 0.0 => -distance,
-                    Some(_) => distance,
-                    None => f64::NAN,
+                part.signed.push(match rule {
+                    Some(rule) => {
+                        let jet = facets.target.facet(foot.facet).jet(at);
+                        rule.signed(point, lower - rounding, &jet, &mut side)
+                    }
+                    None => facets.target.signed(foot.facet, &nearest),
                 });
                 part.feet.extend_from_slice(&at.to_array());
                 part.faces.push(facets.target.index(foot.facet) as u32);

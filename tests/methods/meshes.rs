@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets,
-    FieldOptions, Method, MethodName, Model, PointCloud, PreparedModel, RigidTransform, Side, TriangleMesh,
+    Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets, Method,
+    MethodName, Model, PointCloud, PreparedModel, RigidTransform, Side, TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -208,8 +208,6 @@ fn computations_without_facets_are_refused() {
             assert_eq!(result.unwrap_err().code(), "FACETS_UNSUPPORTED");
         }
     }
-    let field = pollster::block_on(engine().field(&exact, &octahedron, &FieldOptions::default()));
-    assert_eq!(field.unwrap_err().code(), "FACETS_UNSUPPORTED");
 }
 
 /// A budget of cells ends the search with a valid interval.
