@@ -14,8 +14,6 @@ pub(crate) struct NearbyPatch {
     pub(crate) patch: u32,
     /// The parameters (s, t) of a point of the patch near the centre.
     pub(crate) parameters: [f64; 2],
-    /// That point.
-    pub(crate) point: DVec3,
     /// A lower bound on the distance from the centre to the patch.
     pub(crate) lower_bound: f64,
     /// A box around the patch.
@@ -47,9 +45,8 @@ impl NearbyPatches {
             if lower_squared < radius_squared {
                 let patch = patches.patch(index as usize);
                 let foot = newton(&patch, center, nearest_control(&patch, center), MAX_ITERATIONS);
-                let parameters = foot.parameters;
-                let (point, lower_bound) = (patch.point(parameters), lower_squared.sqrt());
-                list.push(NearbyPatch { patch: index, parameters, point, lower_bound, aabb });
+                let (parameters, lower_bound) = (foot.parameters, lower_squared.sqrt());
+                list.push(NearbyPatch { patch: index, parameters, lower_bound, aabb });
             }
         }
         list.sort_by(|a, b| a.lower_bound.total_cmp(&b.lower_bound));

@@ -3,7 +3,7 @@
 
 use super::{
     CellContext, ConvexCombination, InSphere, PolynomialDifference, SameNet, Taylor, UpperBound, bvh_node,
-    least, same_net, sphere, whole_models, with_any_foot, with_carrying_feet, with_nearest_feet,
+    least, same_net, sphere, whole_models, with_any_foot, with_nearest_feet,
 };
 use crate::bezier::{LocalDerivativeBounds, extract};
 use crate::certified::nearest::{Foot, NearestPoint};
@@ -292,8 +292,6 @@ fn the_least_bound_of_a_list() {
     }
     assert_attained(with_any_foot(&mut context, 0.0), 3.0, 0.0);
     assert_attained(with_nearest_feet(&mut context, 0.0), 3.0, 0.0);
-    // One foot alone has no combination.
-    assert_eq!(with_carrying_feet(&mut context, 0.0), f64::INFINITY);
 }
 
 /// Two parallel planes, whose difference is constant: the Taylor bound is the distance and J of

@@ -58,29 +58,6 @@ impl UpperBound for ConvexCombination {
     }
 }
 
-/// Adds feet on those of the patches near the incumbent's witness that carry the
-/// maximin over the cell: near a maximum where several patches are equally near,
-/// these are the ones whose combination has no slope.
-pub(super) fn add_carrying_feet(context: &mut CellContext<'_>) {
-    let shortlist = context.nearest.shortlist(context.jet.point);
-    if shortlist.is_empty() {
-        return;
-    }
-    let known = context.foot();
-    let point = context.pair.b.patch(known.patch).point(known.parameters);
-    let points = shortlist.iter().map(|nearby| nearby.point).chain([point]);
-    let to_first_order: Vec<AffineFunction> = points.map(|point| linearized(context, point)).collect();
-    let mut feet = context.feet.clone();
-    for (index, weight) in maximin(&to_first_order).multipliers {
-        if let Some(nearby) = shortlist.get(index).filter(|_| weight > 0.0)
-            && nearby.patch != known.patch
-        {
-            feet.add(context.nearest.on_patch(context.jet.point, nearby.patch, nearby.parameters));
-        }
-    }
-    context.set_feet(feet);
-}
-
 /// The squared distance to a point over the cell, to first order.
 fn linearized(context: &CellContext<'_>, point: DVec3) -> AffineFunction {
     let half = context.cell.half;

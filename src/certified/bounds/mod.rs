@@ -28,7 +28,7 @@ use super::cell_context::{CellContext, UpperBound};
 use super::near_copies::blocks::{BlockUpperBound, DifferenceByPieces, OneSpline};
 use super::near_copies::difference::{DifferenceOverKnotLines, PolynomialDifference, ProjectiveDifference};
 use bilinear::Bilinear;
-use convex_combination::{ConvexCombination, add_carrying_feet};
+use convex_combination::ConvexCombination;
 use heights::Heights;
 use lipschitz::Lipschitz;
 use same_net::SameNet;
@@ -60,12 +60,6 @@ const OF_BLOCKS: [&dyn BlockUpperBound; 2] = [&OneSpline, &DifferenceByPieces];
 /// most the threshold.
 pub(super) fn with_any_foot(context: &mut CellContext<'_>, threshold: f64) -> f64 {
     least(&WITH_ANY_FOOT, context, threshold)
-}
-
-/// The bound by the feet that carry the maximin near the incumbent's witness.
-pub(super) fn with_carrying_feet(context: &mut CellContext<'_>, threshold: f64) -> f64 {
-    add_carrying_feet(context);
-    least(&[&ConvexCombination], context, threshold)
 }
 
 /// The least of the bounds with the nearest feet, or the first that is at most

@@ -10,7 +10,7 @@ pub(crate) use feet::Foot;
 pub(super) use feet::{Feet, Sample};
 
 use super::Operand;
-use crate::closest::{self, NearbyPatch, NearbyPatches, closest_above, nearest_control, newton_below};
+use crate::closest::{self, NearbyPatch, closest_above, nearest_control, newton_below};
 use glam::DVec3;
 use shortlist::Shortlist;
 
@@ -93,13 +93,6 @@ impl<'a> NearestPoint<'a> {
             traversal.examine_tree();
         }
         traversal.feet
-    }
-
-    /// The listed patches, if all patches that can be nearest to the target are listed.
-    pub(super) fn shortlist(&self, target: DVec3) -> &[NearbyPatch] {
-        let nearby = self.shortlist.nearby.as_ref();
-        let is_near = |nearby: &&NearbyPatches| nearby.center.distance(target) < nearby.margin();
-        nearby.filter(is_near).map_or(&[], |nearby| &nearby.list)
     }
 
     /// Forgets the patches queried so far; see [`NearestPoint::update_shortlist`].

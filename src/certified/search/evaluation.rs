@@ -60,9 +60,6 @@ impl BranchAndBound<'_> {
     fn evaluate_cell(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) -> f64 {
         let mut upper = bounds::with_any_foot(context, threshold);
         if upper > threshold {
-            upper = upper.min(bounds::with_carrying_feet(context, threshold));
-        }
-        if upper > threshold {
             self.find_nearest_feet(context, node, threshold);
             upper = upper.min(bounds::with_nearest_feet(context, threshold));
         }
