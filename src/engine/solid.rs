@@ -70,8 +70,8 @@ impl PreparedModel {
             .iter()
             .map(|edge| {
                 let face = face_of(edge.surface);
-                let is_named = self.facets().is_none();
-                let face_name = self.face_name(face).filter(|_| is_named).map(str::to_owned);
+                let named = self.facets().is_none().then_some(face);
+                let face_name = named.and_then(|face| self.face_name(face)).map(str::to_owned);
                 let [start, middle, end] = edge.points.map(|point| point.to_array());
                 FreeEdge { face, face_name, start, middle, end }
             })
