@@ -143,8 +143,8 @@ function draw(now: ShownMaps): ColorScale {
   }).join("; ");
   showDetails(element("statistics"), [
     ...SIDES.flatMap((side) => {
-      const estimates = maps[side]?.estimates;
-      return estimates ? statisticsOf(side.toUpperCase(), estimates, diagonal) : [];
+      const { estimates, signs } = maps[side] ?? {};
+      return estimates && signs ? statisticsOf(side, estimates, signs, diagonal) : [];
     }),
     ["maximum of the map", distanceText(extent.largest, diagonal)],
   ]);
