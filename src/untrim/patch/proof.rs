@@ -1,6 +1,6 @@
 //! The distance of a finished patch from the composition, proven from values.
 
-use crate::bezier::Patch;
+use crate::bezier::{Patch, binomials};
 use crate::chebyshev::{MAX_NODES, node_factor, nodes};
 use crate::limits::MAX_DEGREE;
 use crate::rounding::{gamma, upper_max};
@@ -109,15 +109,19 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Returns the values of the Bernstein polynomials of this degree.
+/// Returns the values of the Bernstein polynomials of this degree, each with at most
+/// 2 degree + 1 roundings: binomials are exact. O(degree).
 fn bernstein(degree: usize, t: f64) -> [f64; MAX_DEGREE + 1] {
     let mut values = [0.0; MAX_DEGREE + 1];
-    values[0] = 1.0;
-    for level in 1..=degree {
-        for index in (1..=level).rev() {
-            values[index] = values[index] * (1.0 - t) + values[index - 1] * t;
-        }
-        values[0] *= 1.0 - t;
+    let mut power = 1.0;
+    for (value, binomial) in values.iter_mut().zip(binomials(degree)) {
+        *value = binomial * power;
+        power *= t;
+    }
+    power = 1.0;
+    for value in values[..=degree].iter_mut().rev() {
+        *value *= power;
+        power *= 1.0 - t;
     }
     values
 }
