@@ -20,6 +20,10 @@ COMPARED = (
     ("brep", "own iges"),
     ("own step", "own iges"),
 )
+# Distance between edge and surface, relative to the diagonal, that a translation adds where the
+# file itself is broken: OpenCASCADE writes the ellipses of oblique sections to IGES up to a
+# hundredth of the part off, and reads them so.
+MAX_EDGE_CHANGE = 1e-5
 # Change of the area, relative to it, with which a translated part is another one.
 MAX_AREA_CHANGE = 1e-4
 
@@ -39,6 +43,11 @@ def same_part(original: Subject, translated: Subject) -> bool:
     if translated is original:
         return True
     return is_valid(translated.shape) and abs(translated.area - original.area) <= MAX_AREA_CHANGE * original.area
+
+
+def has_edges(original: Subject, translated: Subject) -> bool:
+    """Whether a file's edges lie on its surfaces, as OpenCASCADE reads them."""
+    return translated.tolerance <= original.tolerance + MAX_EDGE_CHANGE * original.diagonal
 
 
 def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
@@ -66,6 +75,10 @@ def examine(command: Command, folder: Path, kind: str, seed: int) -> Outcome:
     for name in list(subjects):
         if not same_part(subjects["brep"], subjects[name]):
             outcome.findings.append(f"{name}: not compared: OpenCASCADE's translation changes or breaks it")
+            del subjects[name]
+        elif name.startswith("own") and not has_edges(subjects["brep"], subjects[name]):
+            off = subjects[name].tolerance
+            outcome.findings.append(f"{name}: not compared: OpenCASCADE reads its edges {off:.3g} off their surfaces")
             del subjects[name]
     for name, subject in subjects.items():
         found = reading(command, subject)
