@@ -2,28 +2,35 @@
 
     python3 benches/trimmed/damage.py COMMAND COUNT SEED FILE...
 
-Each damaged file has bytes, digits or lines changed, exchanged, repeated or left out, or ends early.
-The command, `convert` of CAD and `distance` to a point of meshes and points, must end within
-MAX_SECONDS, in MAX_BYTES of address space, with a model or a coded error; every other end is printed, and its file kept beside the working folder. The exit status is 1
-if there is one.
+Each damaged file has bytes, digits, references or lines changed, exchanged, repeated or left out, or
+ends early. The command, `convert` of CAD and `distance` to a point of meshes and points, must end within
+MAX_SECONDS of CPU time, in MAX_BYTES of address space, with a model or a coded error; every other end is
+printed, and its file kept in the working folder. The exit status is 1 if there is one. The largest CPU
+time and resident memory of a run are printed too.
 """
 
 import collections
 import io
 import random
+import re
 import resource
 import subprocess
 import sys
 import tempfile
-import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
 MAX_SECONDS = 10
+# Of a run that waits without using the CPU; other programs slow a run as well.
+MAX_WAITING_SECONDS = 300
 MAX_BYTES = 1 << 30
 # Exit statuses of a model that is read, and of a coded error.
 EXPECTED = (0, 2)
+KIBIBYTES_A_MEBIBYTE = 1024
+# In STEP; in other texts, whole numbers, which references are among.
+REFERENCE = re.compile(rb"#\d+")
+WHOLE_NUMBER = re.compile(rb"(?<![\d.])\d+(?![\d.])")
 MESHES = {".stl", ".ply", ".obj", ".gltf", ".glb", ".3mf", ".xyz", ".pts", ".csv"}
 
 
@@ -37,6 +44,16 @@ def digits_changed(rng: random.Random, content: bytearray) -> bytearray:
     digits = [index for index, byte in enumerate(content) if 48 <= byte <= 57]
     for _ in range(rng.randrange(1, 30) if digits else 0):
         content[rng.choice(digits)] = rng.randrange(48, 58)
+    return content
+
+
+def references_changed(rng: random.Random, content: bytearray) -> bytearray:
+    pattern = REFERENCE if REFERENCE.search(content) else WHOLE_NUMBER
+    found = [match.span() for match in pattern.finditer(content)]
+    chosen = sorted(rng.sample(found, min(len(found), rng.randrange(1, 10))), reverse=True)
+    others = [bytes(content[slice(*rng.choice(found))]) for _ in chosen]
+    for (start, end), other in zip(chosen, others):
+        content[start:end] = other
     return content
 
 
@@ -68,7 +85,15 @@ def repeated(rng: random.Random, content: bytearray) -> bytearray:
 
 Damage = Callable[[random.Random, bytearray], bytearray]
 
-DAMAGES = (bytes_changed, digits_changed, ended_early, lines_left_out, lines_exchanged, repeated)
+DAMAGES = (
+    bytes_changed,
+    digits_changed,
+    references_changed,
+    ended_early,
+    lines_left_out,
+    lines_exchanged,
+    repeated,
+)
 
 
 def damaged(rng: random.Random, damage: Damage, suffix: str, content: bytes) -> bytes:
@@ -82,8 +107,14 @@ def damaged(rng: random.Random, damage: Damage, suffix: str, content: bytes) -> 
     return made.getvalue()
 
 
-def limit_memory() -> None:
+def limit() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MAX_BYTES, MAX_BYTES))
+    resource.setrlimit(resource.RLIMIT_CPU, (MAX_SECONDS, MAX_SECONDS))
+
+
+def cpu_seconds() -> float:
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def main() -> int:
@@ -99,23 +130,24 @@ def main() -> int:
             damage = rng.choice(DAMAGES)
             path = Path(folder) / f"damaged{suffix}"
             path.write_bytes(damaged(rng, damage, suffix, content))
-            started = time.monotonic()
+            before = cpu_seconds()
             words = [command, "convert", "--overwrite", str(path), str(Path(folder) / "model.json")]
             if suffix in MESHES:
                 words = [command, "distance", str(path), str(point), "--max-cells", "100"]
             try:
-                run = subprocess.run(words, capture_output=True, timeout=MAX_SECONDS, preexec_fn=limit_memory)
+                run = subprocess.run(words, capture_output=True, timeout=MAX_WAITING_SECONDS, preexec_fn=limit)
                 end = run.returncode
             except subprocess.TimeoutExpired:
                 end = None
-            slowest = max(slowest, time.monotonic() - started)
+            slowest = max(slowest, cpu_seconds() - before)
             ends[end] += 1
             if end not in EXPECTED:
                 unexpected += 1
                 kept = Path(f"damaged-{seed}-{number}{suffix}")
                 kept.write_bytes(path.read_bytes())
                 print(f"{kept}: ended with {end} after {damage.__name__}", flush=True)
-    print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.1f} s")
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / KIBIBYTES_A_MEBIBYTE
+    print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.2f} CPU s, at most {peak:.0f} MiB")
     return 1 if unexpected else 0
 
 
