@@ -12,6 +12,7 @@ mod cuts;
 #[allow(dead_code, reason = "shared with the example, which uses all of the fuzzer")]
 #[path = "../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
+#[allow(dead_code, reason = "shared with the example, which uses all of the proofs")]
 #[path = "../examples/verify/proof/mod.rs"]
 mod proof;
 #[path = "../tests/support/mod.rs"]

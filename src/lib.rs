@@ -155,7 +155,7 @@ pub use engine::{
     PreparedModel, Shell, Signs, Solid, Statistics, Witness,
 };
 pub use error::{Error, Result};
-pub use facets::{Facets, MeshReport, PointCloud, TriangleMesh};
+pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]

@@ -67,14 +67,9 @@ impl FacePieces {
         Ok((pieces, Cow::Owned(untrimmed)))
     }
 
-    /// Returns the pieces of a model of facets: one face without patches.
-    pub(crate) fn of_facets() -> Self {
-        Self {
-            origins: Arc::new([]),
-            faces: Vec::from([const { 0..0 }]),
-            face_names: vec![None],
-            deviation: 0.0,
-        }
+    /// Returns the pieces of a model of facets: a face of each of these names, without patches.
+    pub(crate) fn of_facets(face_names: Vec<Option<String>>) -> Self {
+        Self { origins: Arc::new([]), faces: vec![0..0; face_names.len()], face_names, deviation: 0.0 }
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that

@@ -1,27 +1,43 @@
-"""Compares the sides of points with OpenCASCADE's BRepClass3d_SolidClassifier.
+"""Compares the sides of points with winding numbers and with OpenCASCADE's BRepClass3d_SolidClassifier.
 
-    python3 benches/peers/sides_occt.py FOLDER
+    python3 benches/peers/sides_occt.py points FOLDER
+    cargo bench --bench sides -- FOLDER/*
+    python3 benches/peers/sides_occt.py compare FOLDER
 
-FOLDER has the STEP files that `cargo bench --bench sides -- FOLDER/*` has classified; its points are
-read from target/sides. Prints, per file, how many points both put on the same side, and the distance
-from the boundary of those on which they differ.
+Needs cadquery-ocp, libigl and numpy. FOLDER has STEP files. `points` writes to target/sides 10,000 random points of
+each box, and 10,000 at 1e-5 to 1e-1 of the diagonal from vertices and edges: on the normals of their faces, on
+the bisectors of these, and on lines from random points through them. `compare` prints how many points the
+bench put on another side than the oracle: where OpenCASCADE's triangles (deflection 1e-5 of the diagonal) are
+farther off than ten deflections their winding number, nearer ones its classifier, for up to a minute a file.
 """
 
 import sys
 import time
 from pathlib import Path
 
-from OCP.BRep import BRep_Builder
+import igl
+import numpy as np
+from OCP.Bnd import Bnd_Box
+from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
+from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
 from OCP.BRepClass3d import BRepClass3d_SolidClassifier
 from OCP.BRepExtrema import BRepExtrema_DistShapeShape
-from OCP.gp import gp_Pnt
+from OCP.BRepMesh import BRepMesh_IncrementalMesh
+from OCP.gp import gp_Pnt, gp_Vec
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_FACE, TopAbs_IN, TopAbs_ON, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_IN, TopAbs_ON, TopAbs_REVERSED, TopAbs_SOLID, TopAbs_VERTEX
 from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS_Compound
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS, TopoDS_Compound
+from OCP.TopTools import TopTools_ShapeMapHasher
 
-POINTS = 1000
+POINTS = 10_000
+DEFLECTION = 1e-5
+NEAR = 10 * DEFLECTION
+OPENCASCADE_SECONDS = 60
+FOLDER = Path("target/sides")
 
 
 def explored(shape, kind):
@@ -31,42 +47,162 @@ def explored(shape, kind):
         explorer.Next()
 
 
-def main(folder):
-    print("| model | solids | points | same | differ | least distance of those that differ | µs a point |")
-    print("|---|---|---|---|---|---|---|")
-    for path in sorted(folder.iterdir()):
-        found = Path("target/sides") / f"{path.stem}.txt"
-        if path.suffix.lower() not in (".step", ".stp") or not found.exists():
+def read(path):
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(path))
+    reader.TransferRoots()
+    return reader.OneShape()
+
+
+def box_of(shape):
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box)
+    low, high = box.CornerMin(), box.CornerMax()
+    return np.array([low.X(), low.Y(), low.Z()]), np.array([high.X(), high.Y(), high.Z()])
+
+
+def normal(face, at):
+    """The face's normal where its surface is nearest to a point; None where it has none."""
+    surface = BRepAdaptor_Surface(face)
+    analysis = BRep_Tool.Surface_s(face)
+    from OCP.ShapeAnalysis import ShapeAnalysis_Surface
+
+    uv = ShapeAnalysis_Surface(analysis).ValueOfUV(gp_Pnt(*at), 1e-7)
+    point, u, v = gp_Pnt(), gp_Vec(), gp_Vec()
+    surface.D1(uv.X(), uv.Y(), point, u, v)
+    across = np.cross([u.X(), u.Y(), u.Z()], [v.X(), v.Y(), v.Z()])
+    length = np.linalg.norm(across)
+    if length < 1e-12:
+        return None
+    return across / length * (-1 if face.Orientation() == TopAbs_REVERSED else 1)
+
+
+def places(shape, random):
+    """Points of vertices and edges, with the normals of the faces there."""
+    faces_at = {}
+    for face in explored(shape, TopAbs_FACE):
+        for kind in (TopAbs_VERTEX, TopAbs_EDGE):
+            for part in explored(face, kind):
+                entry = faces_at.setdefault((kind, TopTools_ShapeMapHasher()(part)), (part, []))
+                entry[1].append(TopoDS.Face(face))
+    found = []
+    for (kind, _), (part, faces) in faces_at.items():
+        if kind == TopAbs_VERTEX:
+            point = BRep_Tool.Pnt_s(TopoDS.Vertex(part))
+        else:
+            edge = TopoDS.Edge(part)
+            if BRep_Tool.Degenerated_s(edge):
+                continue
+            curve = BRepAdaptor_Curve(edge)
+            share = random.random()
+            point = curve.Value((1 - share) * curve.FirstParameter() + share * curve.LastParameter())
+        at = np.array([point.X(), point.Y(), point.Z()])
+        normals = [n for n in (normal(face, at) for face in faces) if n is not None]
+        found.append((at, normals))
+    return found
+
+
+def write_points(path, shape):
+    random = np.random.default_rng(30)
+    low, high = box_of(shape)
+    size = np.linalg.norm(high - low)
+    lines = [(low + (high - low) * (1.1 * random.random(3) - 0.05), "random") for _ in range(POINTS)]
+    near = places(shape, random)
+    while len(lines) < 2 * POINTS:
+        at, normals = near[random.integers(len(near))]
+        choice = random.integers(3)
+        if choice == 0 or not normals:
+            direction, kind = at - (low + (high - low) * random.random(3)), "through"
+        elif choice == 1:
+            direction, kind = normals[random.integers(len(normals))], "normal"
+        else:
+            direction, kind = np.sum(normals, axis=0), "bisector"
+        length = np.linalg.norm(direction)
+        if length < 1e-6:
             continue
-        lines = [line.split() for line in found.read_text().splitlines()[:POINTS]]
-        if not lines:
+        distance = size * 10 ** (-5 + 4 * random.random()) * random.choice([-1, 1])
+        lines.append((at + direction / length * distance, kind))
+    text = "".join(f"{x!r} {y!r} {z!r} {kind}\n" for (x, y, z), kind in ((point.tolist(), kind) for point, kind in lines))
+    (FOLDER / f"{path.stem}.points").write_text(text)
+
+
+def triangles(shape, deflection):
+    BRepMesh_IncrementalMesh(shape, deflection, False, 0.1, False)
+    points, corners = [], []
+    for shape_of_face in explored(shape, TopAbs_FACE):
+        face, place = TopoDS.Face(shape_of_face), TopLoc_Location()
+        mesh = BRep_Tool.Triangulation_s(face, place)
+        if mesh is None:
             continue
-        reader = STEPControl_Reader()
-        reader.ReadFile(str(path))
-        reader.TransferRoots()
-        shape = reader.OneShape()
-        solids = list(explored(shape, TopAbs_SOLID))
-        faces, builder = TopoDS_Compound(), BRep_Builder()
-        builder.MakeCompound(faces)
-        for face in explored(shape, TopAbs_FACE):
-            builder.Add(faces, face)
-        classifiers = [BRepClass3d_SolidClassifier(solid) for solid in solids]
-        same, apart, started = 0, [], time.process_time()
-        for x, y, z, side in lines:
-            point = gp_Pnt(float(x), float(y), float(z))
+        first = len(points)
+        for index in range(1, mesh.NbNodes() + 1):
+            point = mesh.Node(index).Transformed(place.Transformation())
+            points.append((point.X(), point.Y(), point.Z()))
+        flip = face.Orientation() == TopAbs_REVERSED
+        for index in range(1, mesh.NbTriangles() + 1):
+            a, b, c = (first + corner - 1 for corner in mesh.Triangle(index).Get())
+            corners.append((a, c, b) if flip else (a, b, c))
+    return np.array(points), np.array(corners)
+
+
+def compare(path, shape):
+    rows = [line.split() for line in (FOLDER / f"{path.stem}.txt").read_text().splitlines()]
+    points = np.array([[float(x) for x in row[:3]] for row in rows])
+    sides = [row[-1] for row in rows]
+    low, high = box_of(shape)
+    size = np.linalg.norm(high - low)
+    vertices, corners = triangles(shape, DEFLECTION * size)
+    apart = np.sqrt(igl.point_mesh_squared_distance(points, vertices, corners)[0])
+    winding = igl.fast_winding_number(vertices, corners, points)
+    faces, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(faces)
+    for face in explored(shape, TopAbs_FACE):
+        builder.Add(faces, face)
+    classifiers = [BRepClass3d_SolidClassifier(solid) for solid in explored(shape, TopAbs_SOLID)]
+    counts = dict(far=0, near=0, unchecked=0, wrong=0, undecided=0)
+    started = time.process_time()
+    for point, side, distance, number in zip(points, sides, apart, winding, strict=True):
+        if side == "Undecided":
+            counts["undecided"] += 1
+            continue
+        if distance > NEAR * size:
+            # The winding number of solids in voids of others is not above 1 either.
+            inside = round(number) % 2 == 1
+            counts["far"] += 1
+        elif time.process_time() - started > OPENCASCADE_SECONDS:
+            counts["unchecked"] += 1
+            continue
+        else:
             states = []
             for classifier in classifiers:
-                classifier.Perform(point, 1e-7)
+                classifier.Perform(gp_Pnt(*point), 1e-9)
                 states.append(classifier.State())
+            if TopAbs_ON in states:
+                counts["unchecked"] += 1
+                continue
             inside = sum(state == TopAbs_IN for state in states) % 2 == 1
-            if TopAbs_ON in states or inside == (side == "Inside"):
-                same += 1
-            else:
-                vertex = BRepBuilderAPI_MakeVertex(point).Vertex()
-                apart.append(BRepExtrema_DistShapeShape(vertex, faces).Value())
-        each = 1e6 * (time.process_time() - started) / len(lines)
-        least = f"{min(apart):.1e}" if apart else ""
-        print(f"| {path.name} | {len(solids)} | {len(lines)} | {same} | {len(apart)} | {least} | {each:.0f} |")
+            counts["near"] += 1
+        if inside != (side == "Inside"):
+            counts["wrong"] += 1
+            vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*point)).Vertex()
+            off = BRepExtrema_DistShapeShape(vertex, faces).Value()
+            print(f"{path.name}: {point.tolist()} {side}, {off:.2e} from the faces, winding {number:.4f}", file=sys.stderr)
+    print(f"| {path.name} | {len(points)} | {counts['far']} | {counts['near']} | {counts['unchecked']} |"
+          f" {counts['undecided']} | {counts['wrong']} |", flush=True)
 
 
-main(Path(sys.argv[1]))
+def main(step, folder):
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    if step == "compare":
+        print("| model | points | by winding | by classifier | not checked | undecided | on another side |")
+        print("|---|---|---|---|---|---|---|")
+    for path in sorted(Path(folder).iterdir()):
+        if path.suffix.lower() not in (".step", ".stp"):
+            continue
+        if step == "points":
+            write_points(path, read(path))
+        elif (FOLDER / f"{path.stem}.txt").exists():
+            compare(path, read(path))
+
+
+main(*sys.argv[1:])

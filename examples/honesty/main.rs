@@ -21,11 +21,23 @@
 //! point of B's faces is found, B's parts are left out of the proof that lie outside the loops by
 //! these counts.
 //!
+//! With `--clearance`, least distances and overlaps are checked: half of random models, half of the
+//! shapes that ship and the parts of `../shared/models` at random poses. No two points are found, by
+//! samples and descents from the nearest ones, that are nearer than `lower`; the witnesses are points of
+//! both models, `upper` apart; one seed in four is proved in interval arithmetic; and sides of points by
+//! rays through triangles agree with the overlap.
+//!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
+//! With `--facets`, at least one model of each pair is a mesh or a cloud of points: tessellations, near
+//! copies, sheets, slivers and degenerate triangles. Distances to facets are compared with all of them
+//! one by one; faces are compared with the whole.
+//!
 //! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
+// Prepared models that threads share hold types of wgpu, nested deeper than 128.
+#![recursion_limit = "256"]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a tool that stops at the first surprise")]
 
 mod fuzzer;
@@ -37,6 +49,8 @@ mod support;
 
 use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use fuzzer::clearance::{Subjects, check_clearance};
+use fuzzer::facets::check_facets;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -54,9 +68,15 @@ struct Arguments {
     /// Draws models of trimmed faces.
     #[arg(long)]
     trimmed: bool,
+    /// Checks clearances of models and parts at random poses.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]
+    clearance: bool,
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
+    /// Draws meshes and clouds of points.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]
+    facets: bool,
 }
 
 /// The pairs after which progress is printed.
@@ -116,9 +136,14 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
     let summary = Mutex::new(Summary::default());
+    let subjects = arguments.clearance.then(|| Subjects::new(true));
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
-        let outcome = if arguments.trimmed {
+        let outcome = if let Some(subjects) = &subjects {
+            check_clearance(seed, subjects)
+        } else if arguments.facets {
+            check_facets(seed)
+        } else if arguments.trimmed {
             check_trimmed(seed)
         } else if arguments.collapsed {
             check_collapsed(seed)

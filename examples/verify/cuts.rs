@@ -42,5 +42,6 @@ fn surface(surface: &NurbsSurface) -> Surface {
         knots_u: surface.knots(Axis::U).to_vec(),
         knots_v: surface.knots(Axis::V).to_vec(),
         ctrl: surface.control_points().chunks_exact(columns).map(<[_]>::to_vec).collect(),
+        trim: None,
     }
 }

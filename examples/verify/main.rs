@@ -3,9 +3,13 @@
 //! `nurbs-hausdorff distance A.json B.json --json > RESULT.json`
 //! `cargo run --release --example verify -- A.json B.json RESULT.json`
 //!
+//! `nurbs-hausdorff clearance A.json B.json --json > RESULT.json`
+//! `cargo run --release --example verify -- --clearance A.json B.json RESULT.json`
+//!
 //! `cargo run --release --example verify -- --cuts PART.brep OTHER.json`
 //!
-//! The second form proves of every trimmed face that the pieces it is cut into are that face, to its
+//! The second form proves the interval around the least distance, of models without trimmed faces.
+//! The third form proves of every trimmed face that the pieces it is cut into are that face, to its
 //! stated deviation and the slack: they cover it, lie in it, and are points of its surface.
 //!
 //! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
@@ -19,7 +23,7 @@ mod proof;
 
 use clap::Parser;
 use motion::{Rotation, Translation};
-use proof::{Claim, Model, Motion, Report, Settings, Verdict, Witness};
+use proof::{Claim, LeastClaim, Model, Motion, Report, Settings, Verdict, Witness};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -37,6 +41,9 @@ struct Arguments {
     /// The result, as `nurbs-hausdorff distance A B --json` prints it.
     #[arg(required_unless_present = "cuts")]
     result: Option<PathBuf>,
+    /// The result is a clearance, as `nurbs-hausdorff clearance A B --json` prints it.
+    #[arg(long, conflicts_with = "cuts")]
+    clearance: bool,
     /// Models, as BREP text or interchange JSON, whose faces' cuts are proved.
     #[arg(long, num_args = 1.., conflicts_with_all = ["a", "b", "result"])]
     cuts: Vec<PathBuf>,
@@ -67,6 +74,7 @@ struct Stated {
 #[derive(Deserialize)]
 struct StatedWitness {
     a: StatedPoint,
+    b: StatedPoint,
 }
 
 #[derive(Deserialize)]
@@ -74,6 +82,12 @@ struct StatedPoint {
     face: usize,
     u: f64,
     v: f64,
+}
+
+impl StatedPoint {
+    fn witness(&self) -> Witness {
+        Witness { surface: self.face, u: self.u, v: self.v }
+    }
 }
 
 fn main() -> ExitCode {
@@ -177,14 +191,15 @@ fn run(arguments: &Arguments) -> Result<Report, String> {
         Model::from_json(&text).map_err(|reason| format!("{}: {reason}", path.display()))
     };
     let (a, b) = (model(a)?, model(b)?);
+    if [&a, &b].iter().any(|model| model.is_trimmed()) {
+        return Err("a model has trimmed faces, of which only the surfaces are read".to_owned());
+    }
     let text = read(result)?;
     let stated: Stated =
         serde_json::from_str(&text).map_err(|error| format!("{}: {error}", result.display()))?;
     if stated.forward.is_some() {
         return Err("a symmetric result: verify the results of both directions instead".to_owned());
     }
-    let StatedPoint { face, u, v } = stated.witness.a;
-    let claim = Claim { lower: stated.lower, upper: stated.upper, witness: Witness { surface: face, u, v } };
     let motion =
         Motion { rotation: arguments.rotate.0.to_array(), translation: arguments.translate.0.to_array() };
     let time = Duration::try_from_secs_f64(arguments.seconds).map_err(|error| error.to_string())?;
@@ -192,6 +207,13 @@ fn run(arguments: &Arguments) -> Result<Report, String> {
         return Err(format!("slack is {}, expected a number that is not negative", arguments.slack));
     }
     let settings = Settings { time, slack: arguments.slack };
+    let Stated { lower, upper, witness, .. } = stated;
+    let points = [&witness.a, &witness.b].map(StatedPoint::witness);
+    if arguments.clearance {
+        let claim = LeastClaim { lower, upper, witness: points };
+        return Ok(proof::check_least(&a, &motion, &b, &claim, &settings));
+    }
+    let claim = Claim { lower, upper, witness: points[0] };
     Ok(proof::check(&a, &motion, &b, &claim, &settings))
 }
 

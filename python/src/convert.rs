@@ -53,6 +53,7 @@ pub(crate) fn fields(py: Python<'_>, fields: Vec<FaceDeviations>) -> PyResult<Bo
         dict.set_item("signed", field.signed.into_pyarray(py))?;
         dict.set_item("signs", pythonize(py, &field.signs)?)?;
         dict.set_item("areas", field.areas.into_pyarray(py))?;
+        dict.set_item("triangles", field.triangles.into_pyarray(py))?;
         list.append(dict)?;
     }
     Ok(list)

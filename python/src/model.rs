@@ -121,7 +121,10 @@ impl Model {
     fn face_names(&self) -> Vec<Option<String>> {
         match &self.content {
             Content::Surfaces(model) => model.faces().map(|face| face.name().map(str::to_owned)).collect(),
-            Content::Facets { .. } => vec![None],
+            Content::Facets { .. } => {
+                let name = |face| self.prepared.face_name(face).map(str::to_owned);
+                (0..self.prepared.face_count()).map(name).collect()
+            }
         }
     }
 

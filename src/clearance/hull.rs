@@ -65,11 +65,15 @@ pub(super) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64,
     found
 }
 
-/// Returns the index of the point that lies lowest along a direction.
+/// Returns the index of the point that lies lowest along a direction; of one whose height is NaN, if
+/// there is any, as nothing bounds it.
 fn lowest(points: &[DVec3], direction: DVec3) -> usize {
     let mut best = (0, f64::INFINITY);
     for (index, point) in points.iter().enumerate() {
         let height = direction.dot(*point);
+        if height.is_nan() {
+            return index;
+        }
         if height < best.1 {
             best = (index, height);
         }
@@ -107,6 +111,19 @@ mod tests {
             assert!((turned - (2.5 - half.sqrt())).abs() < 1e-7, "{turned}");
             let corner = bound(&cube(DVec3::splat(2.0), 0.0), &cube(DVec3::ZERO, 0.0), start);
             assert!((corner - 3.0_f64.sqrt()).abs() < 1e-7, "{corner}");
+        }
+    }
+
+    /// A point that overflowed may be anywhere.
+    #[test]
+    fn hulls_with_a_point_that_is_not_finite_have_no_bound() {
+        for coordinate in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for index in 0..8 {
+                let mut far = cube(DVec3::X * 3.0, 0.0);
+                far[index].y = coordinate;
+                assert_eq!(bound(&far, &cube(DVec3::ZERO, 0.0), DVec3::X), 0.0, "{coordinate} at {index}");
+                assert_eq!(bound(&cube(DVec3::ZERO, 0.0), &far, -DVec3::X), 0.0, "{coordinate} at {index}");
+            }
         }
     }
 

@@ -62,18 +62,18 @@ impl PatchPair<'_> {
         }
         now
     }
+}
 
-    fn jet_of_a(&self, at: [f64; 2]) -> Jet {
-        let jet = self.a.jet(at);
-        let rotate = |vector| self.transform.rotate(vector);
-        Jet {
-            point: self.transform.apply(jet.point),
-            s: rotate(jet.s),
-            t: rotate(jet.t),
-            ss: rotate(jet.ss),
-            st: rotate(jet.st),
-            tt: rotate(jet.tt),
-        }
+/// Returns the point and the derivatives after a motion.
+pub(super) fn moved(jet: &Jet, transform: &RigidTransform) -> Jet {
+    let rotate = |vector| transform.rotate(vector);
+    Jet {
+        point: transform.apply(jet.point),
+        s: rotate(jet.s),
+        t: rotate(jet.t),
+        ss: rotate(jet.ss),
+        st: rotate(jet.st),
+        tt: rotate(jet.tt),
     }
 }
 
@@ -87,7 +87,7 @@ struct System {
 
 impl System {
     fn new(pair: &PatchPair<'_>, [s, t, u, v]: [f64; 4]) -> Self {
-        let (a, b) = (pair.jet_of_a([s, t]), pair.b.jet([u, v]));
+        let (a, b) = (moved(&pair.a.jet([s, t]), pair.transform), pair.b.jet([u, v]));
         let residual = a.point - b.point;
         let first = [a.s, a.t, -b.s, -b.t];
         let products = first.map(|row| first.map(|column| row.dot(column)));

@@ -1,12 +1,18 @@
 //! Pieces of patches, made when they are first needed and kept for other pairs.
 
 use super::Body;
+use super::carrier::Carrier;
+use super::newton::moved;
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::collections::HashMap;
+
+/// The largest number of control points of a patch whose carrier is looked for, which takes the
+/// square of it, for a torus 16 times that.
+const MAX_CONTROLS: usize = 100;
 
 /// A part of a patch, with its control points after the motion of its model.
 #[derive(Debug, Clone)]
@@ -33,6 +39,8 @@ pub(super) struct Pieces<'a> {
     transform: Option<RigidTransform>,
     /// The index of each whole patch that was needed.
     whole: HashMap<u32, u32>,
+    /// The carrier of each patch that was asked for it, if it has one.
+    carriers: HashMap<u32, Option<Carrier>>,
     list: Vec<Piece>,
     /// The largest number of halvings of a piece.
     pub(super) deepest: u32,
@@ -41,7 +49,14 @@ pub(super) struct Pieces<'a> {
 impl<'a> Pieces<'a> {
     /// Makes the empty list; pieces are moved by `transform`.
     pub(super) fn new(body: Body<'a>, transform: Option<RigidTransform>) -> Self {
-        Self { body, transform, whole: HashMap::new(), list: Vec::new(), deepest: 0 }
+        Self {
+            body,
+            transform,
+            whole: HashMap::new(),
+            carriers: HashMap::new(),
+            list: Vec::new(),
+            deepest: 0,
+        }
     }
 
     /// Returns a piece by its index.
@@ -63,6 +78,26 @@ impl<'a> Pieces<'a> {
         let index = self.add(patch, ParamBox::UNIT, controls, 0);
         self.whole.insert(patch, index);
         index
+    }
+
+    /// Returns the sphere, the cylinder or the torus that a patch lies on, if any.
+    pub(super) fn carrier(&mut self, patch: u32) -> Option<Carrier> {
+        if let Some(&known) = self.carriers.get(&patch) {
+            return known;
+        }
+        let whole = self.whole(patch);
+        let Piece { points, controls, .. } = self.piece(whole);
+        let of_patch = self.patch(patch);
+        let jet = |at: [f64; 2]| {
+            let jet = of_patch.jet(at);
+            self.transform.as_ref().map_or(jet, |transform| moved(&jet, transform))
+        };
+        let weights: Vec<f64> = controls.iter().map(|control| control.w).collect();
+        let found = (points.len() <= MAX_CONTROLS)
+            .then(|| Carrier::of(jet, of_patch.degree, points, &weights))
+            .flatten();
+        self.carriers.insert(patch, found);
+        found
     }
 
     /// Returns the indices of the two halves of a piece.

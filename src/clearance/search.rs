@@ -22,6 +22,10 @@ const HULL_GAP: f64 = 0.25;
 /// The number of pairs bounded between two returns to the caller, about a millisecond of work.
 pub(crate) const PAIRS_AT_ONCE: usize = 512;
 
+/// The number of pairs bounded from which on the carriers of patches are looked for: most searches
+/// end before.
+const CARRIERS_FROM: usize = 2_048;
+
 /// The condition that ends a search.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Goal {
@@ -192,11 +196,11 @@ impl<'a> Search<'a> {
     }
 
     /// Returns whether the clearance is at least the limit, once that is known; `None` without
-    /// a limit.
+    /// a limit. At least 0 means that the models are certainly apart.
     pub(crate) fn at_least(&self) -> Option<bool> {
         let Interval { lower, upper } = self.interval();
         let limit = self.goal.limit?;
-        if lower >= limit {
+        if lower > 0.0 && lower >= limit {
             Some(true)
         } else if upper < limit {
             Some(false)
@@ -390,8 +394,27 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Halves the piece whose hull reaches farther beyond its surface.
+    /// Returns a lower bound on the distance of two patches by the spheres, cylinders or tori that
+    /// they lie on, 0 where none is known.
+    fn carrier_distance(&mut self, pieces: [u32; 2]) -> f64 {
+        if self.pairs < CARRIERS_FROM {
+            return 0.0;
+        }
+        let [a, b] = [0, 1].map(|side| {
+            let patch = self.pieces[side].piece(pieces[side]).patch;
+            self.pieces[side].carrier(patch)
+        });
+        a.zip(b).map_or(0.0, |(a, b)| a.separation(&b))
+    }
+
+    /// Halves the piece whose hull reaches farther beyond its surface, unless the carriers of both
+    /// give a larger bound.
     fn divide_pieces(&mut self, pieces: [u32; 2], direction: DVec3, lower: f64) {
+        let better = self.carrier_distance(pieces);
+        if better > lower {
+            self.push(better, Region::Pieces { pieces, direction });
+            return;
+        }
         let [a, b] = [0, 1].map(|side| self.pieces[side].piece(pieces[side]));
         let side = if a.bend >= b.bend { 0 } else { 1 };
         let levels = [a.level, b.level];

@@ -1,6 +1,6 @@
 //! The closest points of a model to given points.
 
-use super::signs::{Known, SignSource, Signs};
+use super::signs::{Known, SignFoot, SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
@@ -106,7 +106,8 @@ impl Engine {
         validate(points)?;
         if let Some(facets) = model.facets() {
             let mut progress = Progress::new(monitor, false);
-            return closest_facets(facets, points, &transform, &mut progress).await;
+            let source = SignSource::new(model);
+            return closest_facets((facets, source.rule()), points, &transform, &mut progress).await;
         }
         let flat = model.target(Flatness::Loose);
         let target = &flat.target;
@@ -138,7 +139,7 @@ impl Engine {
                             + gamma(DISTANCE_ROUNDINGS) * closest.upper
                             + VANISHING_LENGTH,
                     );
-                    part.signed.push(rule.signed(point, closest.lower, &foot, &mut side));
+                    part.signed.push(rule.signed(point, closest.lower, &SignFoot::Patch(&foot), &mut side));
                     part.feet.extend_from_slice(&foot.point.to_array());
                     part.faces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);
@@ -162,18 +163,18 @@ impl Engine {
 /// # Errors
 /// [`Error::Cancelled`].
 async fn closest_facets(
-    facets: &PreparedFacets,
+    (facets, rule): (&PreparedFacets, SignRule<'_>),
     points: &[f64],
     transform: &RigidTransform,
     progress: &mut Progress<'_>,
 ) -> Result<ClosestPoints> {
     let length = facets.target.bounding_box().farthest_from_origin();
-    let mut found = ClosestPoints::default();
+    let mut found = ClosestPoints { signs: rule.signs(), ..ClosestPoints::default() };
     let count = points.len() / 3;
     for page in points.chunks(3 * POINTS_AT_ONCE) {
         let parts = map_ranges(page.len() / 3, |range| {
             let mut part = ClosestPoints::default();
-            let mut known = 0;
+            let (mut known, mut side) = (0, Known::default());
             for point in page[3 * range.start..3 * range.end].chunks_exact(3) {
                 let local = DVec3::new(point[0], point[1], point[2]);
                 let point = transform.apply(local);
@@ -182,15 +183,12 @@ async fn closest_facets(
                     + facet_rounding(length.max(point.length()));
                 let (foot, nearest, lower) = facets.target.certified(point, known);
                 known = foot.facet;
-                let facet = facets.target.facet(foot.facet);
-                let (at, distance) = (facet.point(nearest.weights), foot.distance_squared.sqrt());
+                let at = facets.target.facet(foot.facet).point(nearest.weights);
+                let distance = foot.distance_squared.sqrt();
                 part.distances.push(distance);
                 part.bounds.push(distance - lower + rounding);
-                part.signed.push(match facet.normal() {
-                    Some(normal) if normal.dot(point - at) < 0.0 => -distance,
-                    Some(_) => distance,
-                    None => f64::NAN,
-                });
+                let of_facet = SignFoot::Facet(&facets.target, foot.facet, &nearest);
+                part.signed.push(rule.signed(point, lower - rounding, &of_facet, &mut side));
                 part.feet.extend_from_slice(&at.to_array());
                 part.faces.push(facets.target.index(foot.facet) as u32);
                 part.parameters.extend_from_slice(&nearest.weights[1..]);

@@ -147,8 +147,7 @@ impl Engine {
         let mut run = self.run(direction, options, progress).await?;
         if options.deviations && options.method.name() != MethodName::Iteration && !run.is_cancelled() {
             let started = Instant::now();
-            let sampling = direction.from.sampling(options.samples, options.sampling);
-            run.result.deviations = direction.deviations(&sampling.sampling, progress).await?;
+            run.result.deviations = direction.deviations(options.samples, options.sampling, progress).await?;
             run.seconds.solve += started.elapsed().as_secs_f64();
         }
         Ok(run)
@@ -178,9 +177,6 @@ impl Engine {
         let in_range = direction.is_in_float32_range();
         if method != MethodName::Certified {
             direction.require_surfaces("a method other than certified")?;
-        }
-        if options.deviations {
-            direction.require_surfaces("deviations")?;
         }
         loop {
             let device = self.gpu_for(options.backend)?;

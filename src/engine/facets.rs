@@ -3,12 +3,13 @@
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
+use super::prepared::PreparedTarget;
 use super::result::DirectedResult;
 use super::{CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop};
-use crate::bezier::BezierModel;
+use crate::bezier::PatchSet;
 use crate::certified::{Gains, Interval, Limit};
 use crate::error::{Error, Result};
-use crate::facets::{Domain, End, FacetSearch, Measured, PreparedFacets, Source};
+use crate::facets::{Certified, Domain, End, FacetSearch, Measured, PreparedFacets, Source, Start};
 use crate::flatness::MAX_HALVINGS;
 use crate::progress::Progress;
 use crate::rounding::gamma;
@@ -19,12 +20,45 @@ use web_time::Instant;
 /// distance of its control points from its centre: lemma R6 of docs/rounding.md.
 const RESTRICTION_ROUNDINGS: f64 = 16.0;
 
+impl PreparedModel {
+    /// Returns patches of this model as A of a search over facets.
+    pub(super) fn patches_as_source<'a>(&self, patches: &'a PatchSet) -> Source<'a> {
+        let control_box = self.control_box();
+        let degrees = patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
+        let restriction = gamma(RESTRICTION_ROUNDINGS * degrees as f64) * control_box.diagonal();
+        let error = self.bezier().point_error.after(0) + restriction;
+        Source::Patches { patches, error, control_box }
+    }
+
+    /// Returns this model as B of a search over facets; `patches` are its certified target where it
+    /// has no facets, and `None` is returned without them.
+    pub(super) fn measured<'a>(&'a self, patches: Option<&'a PreparedTarget>) -> Option<Measured<'a>> {
+        match self.facets() {
+            Some(PreparedFacets { target, error, .. }) => {
+                Some(Measured::Facets { facets: target, error: *error })
+            }
+            None => patches.map(|patches| Measured::Patches {
+                target: &patches.target,
+                error: self.bezier().point_error.after(MAX_HALVINGS),
+            }),
+        }
+    }
+
+    /// Returns the point of this model that a search over facets found nearest.
+    pub(super) fn point_of_b(&self, closest: &Certified) -> SurfacePoint {
+        let Start { piece, parameters } = closest.start;
+        match self.facets() {
+            Some(_) => self.facet_point(piece, closest.weights, closest.point),
+            None => self.certified_target().surface_point(self, piece, parameters, closest.point),
+        }
+    }
+}
+
 impl Direction<'_> {
     /// Whether the search over facets measures this direction: where B has facets, and from points.
     /// Triangles are measured to surfaces as patches, by the search over those.
     pub(super) fn is_of_facets(&self) -> bool {
-        let is_cloud = self.from.facets().is_some_and(|facets| facets.target.is_cloud());
-        self.to.facets().is_some() || is_cloud
+        self.to.facets().is_some() || self.from.is_cloud()
     }
 
     /// Runs the search over facets.
@@ -38,26 +72,10 @@ impl Direction<'_> {
         let diagonal = self.diagonal();
         let source = match self.from.facets() {
             Some(PreparedFacets { target, error, .. }) => Source::Facets { facets: target, error: *error },
-            None => {
-                let BezierModel { patches, point_error, .. } = self.from.bezier();
-                let control_box = self.from.control_box();
-                let degrees =
-                    patches.iter().fold(0, |most, patch| most.max(patch.degree[0] + patch.degree[1]));
-                let restriction = gamma(RESTRICTION_ROUNDINGS * degrees as f64) * control_box.diagonal();
-                Source::Patches { patches, error: point_error.after(0) + restriction, control_box }
-            }
+            None => self.from.patches_as_source(&self.from.bezier().patches),
         };
         let patches = self.to.facets().is_none().then(|| self.to.certified_target());
-        let measured = match (self.to.facets(), &patches) {
-            (Some(PreparedFacets { target, error, .. }), _) => {
-                Measured::Facets { facets: target, error: *error }
-            }
-            (None, Some(patches)) => {
-                let error = self.to.bezier().point_error.after(MAX_HALVINGS);
-                Measured::Patches { target: &patches.target, error }
-            }
-            (None, None) => return Err(Error::EmptyModel),
-        };
+        let measured = self.to.measured(patches.as_deref()).ok_or(Error::EmptyModel)?;
         let tolerance = options.width(diagonal);
         let limit = options.limit.map(|at| Limit { at, gap: self.gap() });
         let mut search = FacetSearch::new(source, measured, self.transform, tolerance, limit);
@@ -101,21 +119,13 @@ impl Direction<'_> {
             other => other,
         };
         let closest = &witness.closest;
-        let to = match self.to.facets() {
-            Some(_) => self.to.facet_point(closest.start.piece, closest.weights, closest.point),
-            None => self.to.certified_target().surface_point(
-                self.to,
-                closest.start.piece,
-                closest.start.parameters,
-                closest.point,
-            ),
-        };
+        let to = self.to.point_of_b(closest);
         Ok(DirectedResult {
             computed: closest.upper,
             lower,
             upper,
             converged: stop == Stop::Converged,
-            from: self.point_of_a(witness.domain, witness.point),
+            from: self.point_of_a(search, witness.domain, witness.point),
             to,
             details: Details::Certified(CertifiedDetails {
                 tolerance,
@@ -130,12 +140,10 @@ impl Direction<'_> {
         })
     }
 
-    fn point_of_a(&self, domain: Domain, point: glam::DVec3) -> SurfacePoint {
+    fn point_of_a(&self, search: &FacetSearch<'_>, domain: Domain, point: glam::DVec3) -> SurfacePoint {
         match (domain, self.from.facets()) {
             (Domain::Facet(place), Some(facets)) => {
-                let local = self.transform.apply_inverse(point);
-                let nearest = facets.target.facet(place).nearest(local);
-                self.from.facet_point(place, nearest.weights, point)
+                self.from.facet_point(place, search.weights(facets.target.facet(place), point), point)
             }
             (Domain::Facet(place), None) => self.from.facet_point(place, [1.0, 0.0, 0.0], point),
             (Domain::Patch(patch, parameters), _) => {

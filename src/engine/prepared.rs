@@ -213,10 +213,10 @@ impl PreparedModel {
             source: None,
             scaled: Mutex::default(),
             gap: 0.0,
-            face_gaps: vec![0.0],
+            face_gaps: vec![0.0; facets.groups().len()],
             is_gap_proven: true,
             trimmed_faces: None,
-            pieces: FacePieces::of_facets(),
+            pieces: FacePieces::of_facets(facets.groups().iter().map(|group| group.name.clone()).collect()),
             revolutions: Vec::new(),
             facets: Some(facets),
             bezier: empty,
@@ -390,7 +390,7 @@ impl PreparedModel {
     pub fn face_areas(&self) -> &[Area] {
         computed::<Vec<Area>>(&self.areas, || {
             if let Some(facets) = &self.facets {
-                return vec![facets.area()];
+                return facets.areas();
             }
             let (faces, bezier) = (self.pieces.faces(), &self.bezier);
             map(faces.len(), |face| {
@@ -412,8 +412,10 @@ impl PreparedModel {
     /// Returns the edges of the faces, joined where they meet, computed at first use.
     pub(super) fn boundary(&self) -> &Boundary {
         computed(&self.boundary, || {
-            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
-            Boundary::new(&self.bezier, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+            let faces = self.facets.as_ref().map(PreparedFacets::faces);
+            let faces = faces.as_ref().unwrap_or(&self.bezier);
+            let degrees = faces.patches.iter().flat_map(|patch| patch.degree);
+            Boundary::new(faces, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })
     }
 
@@ -444,12 +446,33 @@ impl PreparedModel {
         self.facets.as_ref()
     }
 
+    /// Returns whether the model is a cloud of points.
+    pub(crate) fn is_cloud(&self) -> bool {
+        self.facets.as_ref().is_some_and(|facets| facets.target.is_cloud())
+    }
+
     /// Refuses a mesh or a cloud for a computation that has none.
     ///
     /// # Errors
     /// [`Error::FacetsUnsupported`].
     pub(crate) fn require_surfaces(&self, found: &'static str) -> Result<()> {
         if self.facets.is_some() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Refuses a cloud of points for a computation that needs faces or triangles.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(super) fn require_faces(&self, found: &'static str) -> Result<()> {
+        if self.is_cloud() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Returns the face of one of the surfaces of [`PreparedModel::bezier`].
+    pub(super) fn face_of(&self, surface: usize) -> usize {
+        match &self.facets {
+            Some(facets) => facets.group(facets.target.index(surface as u32)),
+            None => self.pieces.face(surface),
+        }
     }
 
     /// Returns a point of one of the surfaces of [`PreparedModel::bezier`] as a point of a face.
@@ -462,17 +485,26 @@ impl PreparedModel {
 
     /// Returns a point of a facet, by its place in the order of the leaves.
     pub(super) fn facet_point(&self, place: u32, weights: [f64; 3], point: DVec3) -> SurfacePoint {
-        let index = self.facets.as_ref().map(|facets| facets.target.index(place));
-        let is_cloud = self.facets.as_ref().is_some_and(|facets| facets.target.is_cloud());
+        self.point_of_facet(
+            self.facets.as_ref().map_or(0, |facets| facets.target.index(place)),
+            weights,
+            point,
+        )
+    }
+
+    /// Returns a point of a facet, by its index in the model.
+    pub(super) fn point_of_facet(&self, index: usize, weights: [f64; 3], point: DVec3) -> SurfacePoint {
+        let is_cloud = self.is_cloud();
         let [_, u, v] = if is_cloud { [1.0, 0.0, 0.0] } else { weights };
+        let face = self.facets.as_ref().map_or(0, |facets| facets.group(index));
         SurfacePoint {
-            face: 0,
-            face_name: None,
+            face,
+            face_name: self.face_name(face).map(str::to_owned),
             u,
             v,
-            triangle: index.filter(|_| !is_cloud),
+            triangle: (!is_cloud).then_some(index),
             barycentric: (!is_cloud).then_some(weights),
-            index: index.filter(|_| is_cloud),
+            index: is_cloud.then_some(index),
             point: point.to_array(),
         }
     }
@@ -495,7 +527,9 @@ impl PreparedModel {
 
     /// Returns the patches that method `certified` and closest points search.
     pub(super) fn certified_target(&self) -> Arc<PreparedTarget> {
-        self.target(if self.is_left_uncut() { Flatness::None } else { Flatness::Loose })
+        // Triangles are flat.
+        let is_left = self.is_left_uncut() || self.facets.is_some();
+        self.target(if is_left { Flatness::None } else { Flatness::Loose })
     }
 
     /// Returns the flat patches, computed at first use.

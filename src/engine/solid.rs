@@ -5,6 +5,7 @@ use crate::flatness::Flatness;
 use crate::solid::Side;
 use glam::DVec3;
 use serde::Serialize;
+use std::collections::HashSet;
 
 /// Whether a model's faces close, and where not.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,27 +56,30 @@ impl PreparedModel {
     /// Edges are joined where they lie side by side, within the model's gap or 1e-5 of its
     /// diagonal, whichever is larger. Computed at first use. O(edges log edges).
     ///
-    /// A mesh or a cloud of points has no faces to close: it is reported as not closed, without
-    /// shells.
+    /// Of a mesh, faces are its triangles. A cloud of points, and a mesh of more than 250,000
+    /// triangles, is reported as not closed, without shells.
     #[must_use]
     pub fn solid(&self) -> Solid {
-        if self.facets().is_some() {
-            return Solid { closed: false, shells: Vec::new(), free_edges: Vec::new() };
-        }
-        let (boundary, pieces) = (self.boundary(), self.pieces());
+        let boundary = self.boundary();
+        let face_of = |surface: usize| match self.facets() {
+            Some(facets) => facets.target.index(surface as u32),
+            None => self.pieces().face(surface),
+        };
         let free_edges: Vec<FreeEdge> = boundary
             .free_edges()
             .iter()
             .map(|edge| {
-                let face = pieces.face(edge.surface);
-                let face_name = pieces.face_name(face).map(str::to_owned);
+                let face = face_of(edge.surface);
+                let named = self.facets().is_none().then_some(face);
+                let face_name = named.and_then(|face| self.face_name(face)).map(str::to_owned);
                 let [start, middle, end] = edge.points.map(|point| point.to_array());
                 FreeEdge { face, face_name, start, middle, end }
             })
             .collect();
+        let open: HashSet<usize> = free_edges.iter().map(|edge| edge.face).collect();
         let mut shells: Vec<Shell> = Vec::new();
         for (surface, &shell) in boundary.shells().iter().enumerate() {
-            let face = pieces.face(surface);
+            let face = face_of(surface);
             if shell as usize == shells.len() {
                 shells.push(Shell { faces: Vec::new(), closed: true });
             }
@@ -83,7 +87,7 @@ impl PreparedModel {
             if shell.faces.last() != Some(&face) {
                 shell.faces.push(face);
             }
-            shell.closed &= !free_edges.iter().any(|edge| edge.face == face);
+            shell.closed &= !open.contains(&face);
         }
         Solid { closed: boundary.is_closed(), shells, free_edges }
     }
@@ -93,8 +97,7 @@ impl PreparedModel {
     /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solid that the
     /// faces bound, whichever way they are oriented: a point from which every ray crosses the
     /// faces an odd number of times is inside. [`Side::Undecided`] for points on the boundary or
-    /// within its gaps, for coordinates that are not finite, and for models that are not closed,
-    /// which meshes and clouds of points count among.
+    /// within its gaps, for coordinates that are not finite, and for models that are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
         self.side_within(DVec3::from_array(point), 0.0)
@@ -102,7 +105,7 @@ impl PreparedModel {
 
     /// Returns the side of all points within `error` of this one.
     pub(super) fn side_within(&self, point: DVec3, error: f64) -> Side {
-        if self.facets().is_some() || !point.is_finite() {
+        if !point.is_finite() || !self.boundary().is_closed() {
             return Side::Undecided;
         }
         self.boundary().side(&self.target(Flatness::None).target, point, error)
@@ -111,8 +114,16 @@ impl PreparedModel {
     /// Returns points of the model, one at least of each connected part of its faces.
     pub(super) fn points_of_shells(&self) -> Vec<DVec3> {
         let bezier = self.bezier();
-        let mut is_seen = vec![false; bezier.grids.len()];
+        let mut is_seen = vec![false; self.boundary().shells().len()];
         let mut points = Vec::new();
+        if self.facets().is_some() {
+            for (triangle, &shell) in self.boundary().shells().iter().enumerate() {
+                if !std::mem::replace(&mut is_seen[shell as usize], true) {
+                    points.push(bezier.patches.patch(triangle).point([0.5; 2]));
+                }
+            }
+            return points;
+        }
         for (grid, &shell) in bezier.grids.iter().zip(self.boundary().shells()) {
             let middle = |index: usize| bezier.patches.patch(grid.first + index).point([0.5; 2]);
             if grid.is_continuous(bezier.patches.patch(grid.first).degree) {

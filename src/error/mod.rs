@@ -231,6 +231,14 @@ pub enum Error {
         /// The number of vertices.
         expected: usize,
     },
+    /// Groups of a mesh that are not its triangles, each once.
+    #[error("the mesh has groups of {found} triangles, expected {expected} with at least 1 in each group")]
+    MeshGroups {
+        /// The number of triangles in all groups.
+        found: usize,
+        /// The number of triangles of the mesh.
+        expected: usize,
+    },
     /// Bytes that are not of a format of meshes, or parts of it that are not read.
     #[error("the {format} file cannot be read: {found}")]
     MeshSyntax {
@@ -488,6 +496,7 @@ impl Error {
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
             Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
+            Self::MeshGroups { .. } => "MESH_GROUPS",
             Self::MeshSyntax { .. } => "MESH_SYNTAX",
             Self::FacetsUnsupported { .. } => "FACETS_UNSUPPORTED",
             Self::NoFacets { .. } => "NO_FACETS",

@@ -1,7 +1,7 @@
 //! One facet: the closest point of it, and a plane that separates it from a point.
 
 use crate::bvh::Aabb;
-use crate::rounding::{lower_min, unit};
+use crate::rounding::{lower_min, unit, upper_max};
 use glam::DVec3;
 
 /// A convex piece of a model: a point, or a triangle, which may be degenerate.
@@ -136,7 +136,29 @@ fn in_interior(corners: &[DVec3; 3]) -> Option<Nearest> {
     let parts = [area(corners[1], corners[2]), area(corners[2], corners[0]), area(corners[0], corners[1])];
     let sum = parts[0] + parts[1] + parts[2];
     let is_inside = sum > 0.0 && parts.iter().all(|&part| part >= 0.0);
-    is_inside.then(|| Nearest::new(corners, parts.map(|part| part / sum)))
+    is_inside.then(|| {
+        let nearest = Nearest::new(corners, parts.map(|part| part / sum));
+        let moved = moved_along_longest_edge(corners, &nearest);
+        if moved.distance_squared < nearest.distance_squared { moved } else { nearest }
+    })
+}
+
+/// Returns the point moved to the nearest one along the longest edge: the normal of a sliver is off
+/// by its rounding over its width, which moves the point along it by many widths.
+#[inline]
+fn moved_along_longest_edge(corners: &[DVec3; 3], nearest: &Nearest) -> Nearest {
+    let edge = |start: usize| corners[(start + 1) % 3] - corners[start];
+    let lengths = [0, 1, 2].map(|start| edge(start).length_squared());
+    let longest =
+        (1..3).fold(0, |longest, start| if lengths[start] > lengths[longest] { start } else { longest });
+    let mut weights = nearest.weights;
+    let step = -nearest.offset.dot(edge(longest)) / lengths[longest];
+    let [start, end] = [longest, (longest + 1) % 3];
+    // Both stay positive.
+    let step = upper_max(lower_min(step, weights[start]), -weights[end]);
+    weights[start] -= step;
+    weights[end] += step;
+    Nearest::new(corners, weights)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -197,6 +219,26 @@ mod tests {
             largest = largest.max(error.abs() / facet_rounding(length));
         }
         assert!(largest >= 0.02, "{largest}");
+    }
+
+    /// In slivers too: at a height above any of their points that is far below their width.
+    #[test]
+    fn points_above_slivers_have_their_height() {
+        let random = &mut fastrand::Rng::with_seed(44);
+        for _ in 0..4000 {
+            let point = |random: &mut fastrand::Rng| DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+            let [a, b] = [point(random), point(random)];
+            let along = (b - a).normalize();
+            let across = along.cross(point(random)).normalize();
+            let width = 10.0_f64.powf(-12.0 + 12.0 * random.f64());
+            let corners = [a, b, a.lerp(b, random.f64()) + width * across];
+            let [s, t] = [random.f64(), random.f64()];
+            let inside = Facet::Triangle(corners).point([1.0 - s, s * (1.0 - t), s * t]);
+            let height = 1e-3 * width * random.f64();
+            let found = Facet::Triangle(corners).nearest(inside + height * along.cross(across));
+            let distance = found.distance_squared.sqrt();
+            assert!((distance - height).abs() <= facet_rounding(2.0), "{distance:e} {height:e} {width:e}");
+        }
     }
 
     /// Lemma F2, attained: a separating plane gives the distance, so that each proves the other.

@@ -9,18 +9,21 @@ mod patches;
 mod point_cloud;
 mod prepared;
 mod rounding;
+mod samples;
 mod search;
+mod sign;
 mod target;
 mod triangle_mesh;
 
-pub(crate) use facet::Facet;
+pub(crate) use facet::{Facet, Nearest};
 pub(crate) use patches::weights;
 pub use point_cloud::PointCloud;
-pub(crate) use prepared::PreparedFacets;
+pub(crate) use prepared::{Group, PreparedFacets};
 pub(crate) use rounding::facet_rounding;
-pub(crate) use search::{Domain, End, FacetSearch, Measured, Source};
+pub(crate) use samples::FacetSamples;
+pub(crate) use search::{Certified, Domain, End, FacetSearch, Measured, Source, Start};
 pub(crate) use target::{FacetFoot, FacetTarget};
-pub use triangle_mesh::{MeshReport, TriangleMesh};
+pub use triangle_mesh::{MeshGroup, MeshReport, TriangleMesh};
 
 /// A mesh or a cloud of points.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,15 +1,16 @@
 //! Meshes and clouds with what is computed from them once.
 
 use super::patches::patches;
-use super::{Facet, FacetTarget, Facets};
+use super::{FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
-use crate::bezier::BezierModel;
+use crate::bezier::{BezierModel, PatchGrid, PatchSet, PointError};
 use crate::rounding::{VANISHING_LENGTH, gamma};
-use std::sync::OnceLock;
+use crate::threads::computed;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
-/// The roundings of the area of a triangle, relative to the square of the largest length of a
-/// corner: each coordinate of the two edges and of their product.
-const AREA_ROUNDINGS: f64 = 32.0;
+/// The largest number of triangles whose edges are joined: a million take gigabytes.
+const MAX_JOINED_TRIANGLES: usize = 250_000;
 
 /// The facets of a model.
 #[derive(Debug)]
@@ -17,24 +18,61 @@ pub(crate) struct PreparedFacets {
     pub(crate) target: FacetTarget,
     /// The distance of the coordinates from the exact ones: 0 unless they were scaled.
     pub(crate) error: f64,
+    /// The groups, at least one: a cloud is one group.
+    groups: Arc<[Group]>,
     /// The triangles as patches, made at their first use.
     bezier: OnceLock<BezierModel>,
+    /// The trees of the groups if there are several, made at their first use.
+    targets: OnceLock<Vec<FacetTarget>>,
+}
+
+/// Facets that follow each other in their model.
+#[derive(Debug)]
+pub(crate) struct Group {
+    pub(crate) name: Option<String>,
+    pub(crate) facets: Range<usize>,
 }
 
 impl PreparedFacets {
     pub(crate) fn new(facets: &Facets) -> Self {
-        let target = match facets {
-            Facets::Mesh(mesh) => FacetTarget::of_mesh(mesh),
-            Facets::Cloud(cloud) => FacetTarget::of_cloud(cloud),
+        let (target, groups) = match facets {
+            Facets::Mesh(mesh) => (FacetTarget::of_mesh(mesh), groups(mesh)),
+            Facets::Cloud(cloud) => {
+                let facets = 0..cloud.points().len();
+                (FacetTarget::of_cloud(cloud), vec![Group { name: None, facets }])
+            }
         };
-        Self { target, error: 0.0, bezier: OnceLock::new() }
+        Self::with(target, 0.0, groups.into())
+    }
+
+    fn with(target: FacetTarget, error: f64, groups: Arc<[Group]>) -> Self {
+        Self { target, error, groups, bezier: OnceLock::new(), targets: OnceLock::new() }
     }
 
     /// Returns the facets in coordinates that are `factor` times as large, with their rounding.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         let target = self.target.scaled(factor);
         let error = factor * self.error + gamma(2.0) * target.bounding_box().farthest_from_origin();
-        Self { target, error: error + VANISHING_LENGTH, bezier: OnceLock::new() }
+        Self::with(target, error + VANISHING_LENGTH, Arc::clone(&self.groups))
+    }
+
+    /// Returns the groups, which are the faces of the model.
+    pub(crate) fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// Returns the group of a facet, by its index in the model. O(log groups).
+    pub(crate) fn group(&self, index: usize) -> usize {
+        self.groups.partition_point(|group| group.facets.end <= index)
+    }
+
+    /// Returns the facets of each group with a tree of their own; the index of a facet there is that
+    /// in the model less the group's first. O(n log n) at first use.
+    pub(crate) fn targets(&self) -> &[FacetTarget] {
+        if self.groups.len() == 1 {
+            return std::slice::from_ref(&self.target);
+        }
+        computed::<Vec<FacetTarget>>(&self.targets, || self.target.of_groups(&self.groups))
     }
 
     pub(crate) fn bezier(&self) -> &BezierModel {
@@ -45,17 +83,39 @@ impl PreparedFacets {
         })
     }
 
-    /// Returns the area of all triangles; a triangle that lies on others counts as often.
-    pub(crate) fn area(&self) -> Area {
-        let length = self.target.bounding_box().farthest_from_origin();
-        let rounding = gamma(AREA_ROUNDINGS) * length * length;
-        (0..self.target.len() as u32).fold(Area::default(), |sum, place| match self.target.facet(place) {
-            Facet::Point(_) => sum,
-            Facet::Triangle([a, b, c]) => {
-                let area = 0.5 * (b - a).cross(c - a).length();
-                let lower = area - rounding;
-                sum + Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding }
-            }
-        })
+    /// Returns whether these are triangles, not too many to be joined.
+    pub(crate) fn may_close(&self) -> bool {
+        !self.target.is_cloud() && self.target.len() <= MAX_JOINED_TRIANGLES
     }
+
+    /// Returns the triangles as faces of their own; none if they are too many to be joined.
+    pub(crate) fn faces(&self) -> BezierModel {
+        if !self.may_close() {
+            let point_error = PointError::default();
+            return BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error };
+        }
+        let triangles = self.bezier();
+        let grids = (0..triangles.patches.len()).map(PatchGrid::of_bilinear).collect();
+        BezierModel { patches: triangles.patches.clone(), grids, point_error: triangles.point_error }
+    }
+
+    /// Returns the area of all triangles of each group; a triangle that lies on others counts as often.
+    pub(crate) fn areas(&self) -> Vec<Area> {
+        let mut areas = vec![Area::default(); self.groups.len()];
+        for place in 0..self.target.len() as u32 {
+            let group = &mut areas[self.group(self.target.index(place))];
+            *group = *group + self.target.area(place);
+        }
+        areas
+    }
+}
+
+fn groups(mesh: &TriangleMesh) -> Vec<Group> {
+    let mut start = 0;
+    let group = |MeshGroup { name, triangles }: &MeshGroup| {
+        let facets = start..start + triangles;
+        start = facets.end;
+        Group { name: name.clone(), facets }
+    };
+    mesh.groups().iter().map(group).collect()
 }

@@ -1,8 +1,10 @@
 //! The facets of a model with their tree, and nearest-facet queries.
 
 use super::facet::Nearest;
-use super::{Facet, PointCloud, TriangleMesh};
+use super::{Facet, Group, PointCloud, TriangleMesh};
+use crate::area::Area;
 use crate::bvh::{Aabb, RangeTree};
+use crate::rounding::gamma;
 use crate::threads::parallel::map;
 use glam::DVec3;
 
@@ -11,6 +13,10 @@ const TRIANGLES_A_LEAF: usize = 4;
 
 /// The number of points of a leaf: a point takes less time than a box, and little memory.
 const POINTS_A_LEAF: usize = 16;
+
+/// The roundings of the area of a triangle, relative to the square of the largest length of a
+/// corner: each coordinate of the two edges and of their product.
+const AREA_ROUNDINGS: f64 = 32.0;
 
 /// Capacity of the stack of a query: a tree that halves 2^32 facets is less deep.
 const STACK: usize = 64;
@@ -64,6 +70,31 @@ impl FacetTarget {
         Self { facets, tree }
     }
 
+    /// Returns the facets of each group with a tree of their own; the groups are ranges of indices
+    /// that cover all facets. O(n log n).
+    pub(super) fn of_groups(&self, groups: &[Group]) -> Vec<Self> {
+        let mut places = vec![0_u32; self.len()];
+        for (place, &index) in self.tree.order().iter().enumerate() {
+            places[index as usize] = place as u32;
+        }
+        map(groups.len(), |group| {
+            let places = &places[groups[group].facets.clone()];
+            let boxes = |index: u32| self.facet(places[index as usize]).bounding_box();
+            let leaf = if self.is_cloud() { POINTS_A_LEAF } else { TRIANGLES_A_LEAF };
+            let tree = RangeTree::new(places.len(), leaf, &boxes);
+            let place = |&index: &u32| places[index as usize] as usize;
+            let facets = match &self.facets {
+                Facets::Points(points) => {
+                    Facets::Points(tree.order().iter().map(|index| points[place(index)]).collect())
+                }
+                Facets::Triangles(triangles) => {
+                    Facets::Triangles(tree.order().iter().map(|index| triangles[place(index)]).collect())
+                }
+            };
+            Self { facets, tree }
+        })
+    }
+
     /// Returns the same facets with their coordinates multiplied by a factor. O(n log n).
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         let facets = match &self.facets {
@@ -103,6 +134,16 @@ impl FacetTarget {
     /// Returns the index in the model of the facet at a place in the order of the leaves.
     pub(crate) fn index(&self, place: u32) -> usize {
         self.tree.order()[place as usize] as usize
+    }
+
+    /// Returns the area of a facet, 0 of a point, as an interval that holds it.
+    pub(crate) fn area(&self, place: u32) -> Area {
+        let Facet::Triangle([a, b, c]) = self.facet(place) else { return Area::default() };
+        let length = self.bounding_box().farthest_from_origin();
+        let rounding = gamma(AREA_ROUNDINGS) * length * length;
+        let area = 0.5 * (b - a).cross(c - a).length();
+        let lower = area - rounding;
+        Area { lower: if lower > 0.0 { lower } else { 0.0 }, upper: area + rounding }
     }
 
     /// Returns the squared distance to one facet.
@@ -155,7 +196,12 @@ impl FacetTarget {
     /// Calls `visit` on the facets of all leaves whose boxes are nearer than the squared distance
     /// that it returned last, nearest child first, until it returns that this suffices.
     #[inline]
-    fn visit(&self, target: DVec3, mut bound_squared: f64, mut visit: impl FnMut(u32) -> (f64, bool)) {
+    pub(super) fn visit(
+        &self,
+        target: DVec3,
+        mut bound_squared: f64,
+        mut visit: impl FnMut(u32) -> (f64, bool),
+    ) {
         let nodes = self.tree.nodes();
         let to_box = |index: u32| nodes[index as usize].aabb.min_distance_squared(target);
         let mut stack = [(0.0_f64, 0_u32); STACK];

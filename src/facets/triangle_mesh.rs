@@ -14,7 +14,18 @@ use std::collections::HashMap;
 pub struct TriangleMesh {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
+    groups: Vec<MeshGroup>,
     report: MeshReport,
+}
+
+/// Triangles that follow each other: an object, a primitive or a part of a file. It is a face of the
+/// mesh.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MeshGroup {
+    /// The name in its source, if it has one.
+    pub name: Option<String>,
+    /// The number of triangles, at least 1.
+    pub triangles: usize,
 }
 
 /// The findings about a mesh that do not make it invalid.
@@ -66,7 +77,8 @@ impl TriangleMesh {
         let Joined { places, vertices, .. } = joined;
         report.unused_vertices = places.iter().filter(|place| place.is_none()).count();
         report.joined_vertices = places.len() - report.unused_vertices - vertices.len();
-        let mut mesh = Self { vertices, triangles: kept, report };
+        let groups = vec![MeshGroup { name: None, triangles: kept.len() }];
+        let mut mesh = Self { vertices, triangles: kept, groups, report };
         mesh.report_degenerate_triangles();
         Ok(mesh)
     }
@@ -83,6 +95,26 @@ impl TriangleMesh {
             return Err(Error::TriangleIndex { triangle, found, expected });
         }
         Self::new(vertices, triangles)
+    }
+
+    /// Returns the mesh with these groups as its faces, in the order of its triangles; a mesh that
+    /// is given none is one face. O(groups).
+    ///
+    /// # Errors
+    /// [`Error::MeshGroups`] unless every group has triangles and all have those of the mesh together.
+    pub fn with_groups(self, groups: Vec<MeshGroup>) -> Result<Self> {
+        let found = groups.iter().fold(0_usize, |sum, group| sum.saturating_add(group.triangles));
+        let expected = self.triangles.len();
+        if found != expected || groups.iter().any(|group| group.triangles == 0) {
+            return Err(Error::MeshGroups { found, expected });
+        }
+        Ok(Self { groups, ..self })
+    }
+
+    /// Returns the groups, at least one.
+    #[must_use]
+    pub fn groups(&self) -> &[MeshGroup] {
+        &self.groups
     }
 
     /// Returns the vertices, no two of them equal.
@@ -180,6 +212,17 @@ mod tests {
             let vertices = [DVec3::ZERO, DVec3::X, DVec3::new(0.0, number, 0.0)];
             assert_eq!(code(&vertices, &[[0, 1, 2]]), "POINT_OUT_OF_RANGE");
             assert_eq!(PointCloud::new(vertices.to_vec()).unwrap_err().code(), "POINT_OUT_OF_RANGE");
+        }
+    }
+
+    #[test]
+    fn groups_that_are_not_the_triangles_are_refused() {
+        let vertices = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let group = |triangles| MeshGroup { name: None, triangles };
+        let grouped = |groups| TriangleMesh::new(&vertices, &[[0, 1, 2]; 3]).unwrap().with_groups(groups);
+        assert_eq!(grouped(vec![group(1), group(2)]).unwrap().groups().len(), 2);
+        for groups in [vec![], vec![group(2)], vec![group(3), group(0)], vec![group(usize::MAX), group(4)]] {
+            assert_eq!(grouped(groups).unwrap_err().code(), "MESH_GROUPS");
         }
     }
 

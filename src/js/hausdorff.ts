@@ -123,14 +123,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * three. It is measured as the set of all points of its triangles, the degenerate ones included.
    *
    * @throws {HausdorffError} `POINT_OUT_OF_RANGE` for a coordinate that is not finite or above
-   * 1e100 in size; `TRIANGLE_INDEX`, `NO_FACETS`, `TOO_MANY_FACETS`, `UNIT_INVALID`;
+   * 1e100 in size; `TRIANGLE_INDEX`, `MESH_GROUPS`, `NO_FACETS`, `TOO_MANY_FACETS`, `UNIT_INVALID`;
    * `ARGUMENT_INVALID`.
    */
   mesh(input: MeshArrays): NurbsModel {
     requireLoaded();
     return translating(() => {
-      const [positions, triangles, unit] = facetArrays(input);
-      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      const arrays = facetArrays(input);
+      const [positions, triangles] = arrays;
+      const prepared = PreparedModel.fromFacets(...arrays);
       // The caller's arrays may change.
       return NurbsModel.of(prepared, null, {
         positions: positions.slice(),

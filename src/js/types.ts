@@ -46,7 +46,7 @@ export type {
   WithGaps,
 } from "./measure/result.js";
 export type { Area, ModelArea } from "./model/area.js";
-export type { MeshArrays } from "./model/mesh.js";
+export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";
 export type {

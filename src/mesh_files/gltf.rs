@@ -36,6 +36,7 @@ struct Scene {
 
 #[derive(Deserialize)]
 struct Node {
+    name: Option<String>,
     mesh: Option<usize>,
     #[serde(default)]
     children: Vec<usize>,
@@ -47,6 +48,7 @@ struct Node {
 
 #[derive(Deserialize)]
 struct Mesh {
+    name: Option<String>,
     primitives: Vec<Primitive>,
 }
 
@@ -174,8 +176,9 @@ impl File<'_> {
         let transform = *parent * node.transform();
         if let Some(mesh) = node.mesh {
             let mesh = self.root.meshes.get(mesh).ok_or_else(|| missing("mesh", mesh))?;
+            let name = node.name.as_deref().or(mesh.name.as_deref());
             for primitive in &mesh.primitives {
-                self.place_primitive(primitive, &transform, soup)?;
+                self.place_primitive(primitive, name, &transform, soup)?;
             }
         }
         for &child in &node.children {
@@ -184,7 +187,13 @@ impl File<'_> {
         Ok(())
     }
 
-    fn place_primitive(&self, primitive: &Primitive, transform: &DAffine3, soup: &mut Soup) -> Result<()> {
+    fn place_primitive(
+        &self,
+        primitive: &Primitive,
+        name: Option<&str>,
+        transform: &DAffine3,
+        soup: &mut Soup,
+    ) -> Result<()> {
         let Some(position) = primitive.attributes.position else { return Ok(()) };
         let number = |bytes: &[u8]| match bytes {
             &[a, b, c, d, ..] => f64::from(f32::from_le_bytes([a, b, c, d])),
@@ -205,7 +214,7 @@ impl File<'_> {
                 self.items(indices, "SCALAR", kind)?.map(index).collect()
             }
         };
-        place(soup, &vertices, &faces(&indices, primitive.mode)?, transform, FORMAT)
+        place(soup, name, &vertices, &faces(&indices, primitive.mode)?, transform, FORMAT)
     }
 
     /// Returns the bytes of each item of an accessor.

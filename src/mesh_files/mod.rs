@@ -14,7 +14,7 @@ mod text;
 mod three_mf;
 
 use crate::error::{Error, Result};
-use crate::facets::{Facets, PointCloud, TriangleMesh};
+use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use glam::DVec3;
 
 /// The largest file that is read, and the largest size of a compressed one's content: a mesh of
@@ -89,6 +89,8 @@ impl MeshFormat {
 struct Soup {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
+    /// The names of the groups, each with the number of triangles before it.
+    groups: Vec<(Option<String>, usize)>,
     unit: Option<f64>,
 }
 
@@ -104,7 +106,7 @@ impl MeshFile {
         if bytes.len() as u64 > MAX_BYTES {
             return Err(Error::FileTooLarge { found: bytes.len() as u64, expected: MAX_BYTES });
         }
-        let Soup { vertices, triangles, unit } = match format {
+        let mut soup = match format {
             MeshFormat::Stl => stl::read(bytes)?,
             MeshFormat::Ply => ply::read(bytes)?,
             MeshFormat::Obj => obj::read(bytes)?,
@@ -112,17 +114,39 @@ impl MeshFile {
             MeshFormat::ThreeMf => three_mf::read(bytes)?,
             MeshFormat::Text => text::read(bytes)?,
         };
+        let groups = soup.groups();
+        let Soup { vertices, triangles, unit, .. } = soup;
         let is_cloud = triangles.is_empty() && matches!(format, MeshFormat::Ply | MeshFormat::Text);
         let facets = if is_cloud {
             Facets::Cloud(PointCloud::new(vertices)?)
         } else {
-            Facets::Mesh(TriangleMesh::new(&vertices, &triangles)?)
+            Facets::Mesh(TriangleMesh::new(&vertices, &triangles)?.with_groups(groups)?)
         };
         Ok(Self { facets, unit })
     }
 }
 
 impl Soup {
+    /// Begins a group; the triangles before the first one have no name.
+    fn begin_group(&mut self, name: Option<String>) {
+        self.groups.push((name, self.triangles.len()));
+    }
+
+    /// Returns the groups that have triangles.
+    fn groups(&mut self) -> Vec<MeshGroup> {
+        let begun = std::mem::take(&mut self.groups);
+        let starts = std::iter::once((None, 0)).chain(begun);
+        let mut groups: Vec<MeshGroup> = Vec::new();
+        let mut before = (None, 0);
+        for (name, start) in starts.chain([(None, self.triangles.len())]) {
+            let (of, first) = std::mem::replace(&mut before, (name, start));
+            if start > first {
+                groups.push(MeshGroup { name: of, triangles: start - first });
+            }
+        }
+        groups
+    }
+
     /// Appends the triangles of a polygon about its first corner.
     ///
     /// # Errors

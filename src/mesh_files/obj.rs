@@ -7,6 +7,9 @@ use tobj::{LoadOptions, load_obj_buf};
 
 const FORMAT: MeshFormat = MeshFormat::Obj;
 
+/// The name that `tobj` gives to faces without an object or a group.
+const NAMELESS: &str = "unnamed_object";
+
 pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
     let options = LoadOptions { triangulate: false, ..LoadOptions::default() };
     // Materials do not change the shape.
@@ -14,7 +17,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
     let (models, _) = load_obj_buf(&mut std::io::Cursor::new(bytes), &options, no_materials)
         .map_err(|error| FORMAT.syntax(error.to_string()))?;
     let mut soup = Soup::default();
-    for tobj::Model { mesh, .. } in models {
+    for tobj::Model { mesh, name } in models {
+        soup.begin_group(Some(name).filter(|name| !name.is_empty() && name != NAMELESS));
         let first = soup.vertices.len() as u32;
         let positions = mesh.positions.chunks_exact(3);
         soup.vertices.extend(positions.map(|point| DVec3::new(point[0], point[1], point[2])));

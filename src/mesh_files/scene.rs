@@ -11,12 +11,13 @@ const MAX_PLACED: usize = 1 << 26;
 /// The largest depth of a scene: each level takes stack.
 pub(super) const MAX_DEPTH: usize = 64;
 
-/// Appends a mesh that is moved by `transform`.
+/// Appends a mesh that is moved by `transform`, as a group of this name.
 ///
 /// # Errors
 /// [`crate::Error::MeshSyntax`] if the scene has too many vertices or triangles.
 pub(super) fn place(
     soup: &mut Soup,
+    name: Option<&str>,
     vertices: &[DVec3],
     triangles: &[[u32; 3]],
     transform: &DAffine3,
@@ -28,6 +29,7 @@ pub(super) fn place(
     {
         return Err(format.syntax(format!("the scene places more than {MAX_PLACED} vertices or triangles")));
     }
+    soup.begin_group(name.map(str::to_owned));
     let first = soup.vertices.len() as u32;
     soup.vertices.extend(vertices.iter().map(|&vertex| transform.transform_point3(vertex)));
     // An index beyond the mesh must not become one of the next mesh.

@@ -101,7 +101,7 @@ fn obj() -> Vec<u8> {
 fn gltf_json(uri: &str) -> String {
     format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [1]}}],
-        "nodes": [{{"mesh": 0, "translation": [2, 0, 0]}}, {{"children": [0], "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, -2,0,0,1]}}],
+        "nodes": [{{"mesh": 0, "name": "placed", "translation": [2, 0, 0]}}, {{"children": [0], "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, -2,0,0,1]}}],
         "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1}}]}}],
         "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}},
             {{"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}}],
@@ -147,7 +147,7 @@ fn three_mf() -> Vec<u8> {
         TRIANGLES.map(|[a, b, c]| format!(r#"<triangle v1="{a}" v2="{b}" v3="{c}" pid="7"/>"#)).concat();
     let xml = format!(
         r#"<?xml version="1.0" encoding="UTF-8"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
-        <resources><object id="1" type="model"><mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>
+        <resources><object id="1" type="model" name="part"><mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>
         <object id="2"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></components></object></resources>
         <build><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></build></model>"#
     );
@@ -260,4 +260,20 @@ fn damaged_files_are_refused_or_valid() {
         }
     }
     assert!(refused > 3000, "{refused}");
+}
+
+/// The objects and groups of OBJ, the nodes of glTF and the objects of 3MF are faces by their names.
+#[test]
+fn groups_have_the_names_of_their_file() {
+    let groups = |bytes: &[u8], format| match MeshFile::read(bytes, format).unwrap().facets {
+        Facets::Mesh(mesh) => mesh.groups().to_vec(),
+        Facets::Cloud(_) => panic!("a mesh"),
+    };
+    let group = |name: &str, triangles| MeshGroup { name: Some(name.to_owned()), triangles };
+    assert_eq!(groups(&obj(), MeshFormat::Obj), [group("first", 3), group("second", 1)]);
+    assert_eq!(groups(&gltf(), MeshFormat::Gltf), [group("placed", 4)]);
+    assert_eq!(groups(&three_mf(), MeshFormat::ThreeMf), [group("part", 4)]);
+    assert_eq!(groups(&text_stl(), MeshFormat::Stl), [MeshGroup { name: None, triangles: 4 }]);
+    let nameless = groups(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj);
+    assert_eq!(nameless, [MeshGroup { name: None, triangles: 1 }]);
 }

@@ -19,6 +19,7 @@ const DEFAULT_MODEL: &str = "3D/3dmodel.model";
 /// An object of a model part: a mesh, components, or both.
 #[derive(Default)]
 struct Object {
+    name: Option<String>,
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     components: Vec<Component>,
@@ -78,7 +79,7 @@ fn place_object(
     let object = parts.get(path).and_then(|part| part.objects.get(&component.object));
     let object = object.ok_or_else(|| FORMAT.syntax(format!("there is no object {:?}", component.object)))?;
     let transform = *parent * component.transform;
-    place(soup, &object.vertices, &object.triangles, &transform, FORMAT)?;
+    place(soup, object.name.as_deref(), &object.vertices, &object.triangles, &transform, FORMAT)?;
     for component in &object.components {
         place_object(parts, path, component, &transform, depth + 1, soup)?;
     }
@@ -96,7 +97,8 @@ fn parse(xml: &[u8]) -> Result<PackagePart> {
                 "object" => {
                     let id =
                         attribute(&element, "id")?.ok_or_else(|| FORMAT.syntax("an object without id"))?;
-                    current = Some((id, Object::default()));
+                    let name = attribute(&element, "name")?;
+                    current = Some((id, Object { name, ..Object::default() }));
                 }
                 "item" => part.items.push(component(&element)?),
                 name => {

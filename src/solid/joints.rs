@@ -85,9 +85,9 @@ impl Boundary {
         }
     }
 
-    /// Returns whether every edge has a partner.
+    /// Returns whether there are faces and every edge has a partner.
     pub(crate) fn is_closed(&self) -> bool {
-        self.free.is_empty()
+        self.free.is_empty() && !self.shells.is_empty()
     }
 
     /// Returns the distance up to which edges were joined.

@@ -1,6 +1,6 @@
 //! The normal of a sheet where its faces meet, and at its rim.
 
-use crate::bezier::Jet;
+use crate::bezier::{Jet, Patch};
 use crate::closest::{Target, nearest_control, newton};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -30,14 +30,28 @@ pub(crate) fn pseudonormal(target: &Target, point: DVec3, reach: f64) -> Option<
         if foot.distance_squared > reach * reach {
             continue;
         }
-        let jet = patch.jet(foot.parameters);
-        if let Some(normal) = jet.normal() {
-            let angle = angle(&jet, foot.parameters);
+        if let Some((normal, angle)) = sector(&patch, foot.parameters) {
             sum += angle * normal;
             angles += angle;
         }
     }
     (sum.length() > MIN_SUM * angles).then(|| sum.normalize())
+}
+
+/// Returns the normal of a patch at these parameters and the angle that it fills there; `None` where
+/// it has no normal.
+///
+/// A triangle is a bilinear patch with an edge that is a point: there its edges enclose the angle.
+fn sector(patch: &Patch<'_>, parameters: [f64; 2]) -> Option<(DVec3, f64)> {
+    let jet = patch.jet(parameters);
+    if let Some(normal) = jet.normal() {
+        return Some((normal, angle(&jet, parameters)));
+    }
+    let is_apex = patch.degree == [1, 1] && jet.t == DVec3::ZERO;
+    let edges = [0.0, 1.0].map(|t| patch.jet([parameters[0], t]).s);
+    let inward = if parameters[0] < 0.5 { 1.0 } else { -1.0 };
+    let normal = (inward * edges[0].cross(edges[1])).try_normalize().filter(|_| is_apex)?;
+    Some((normal, edges[0].angle_between(edges[1])))
 }
 
 /// Returns the angle of a patch's tangent plane at these parameters that the patch fills.

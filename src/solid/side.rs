@@ -38,7 +38,7 @@ impl Boundary {
     /// patches of the model that this is the boundary of. It holds for all points within `error` of
     /// the one given. O(√patches) a ray in general position.
     pub(crate) fn side(&self, target: &Target, point: DVec3, error: f64) -> Side {
-        if !self.is_closed() {
+        if !self.is_closed() || !point.is_finite() {
             return Side::Undecided;
         }
         for direction in (0..MAX_RAYS).map(direction) {

@@ -231,6 +231,9 @@ struct FaceArrays {
     signs: Signs,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     areas: Float64Array,
+    /// Undefined but for a mesh.
+    #[serde(with = "serde_wasm_bindgen::preserve", skip_serializing_if = "JsValue::is_undefined")]
+    triangles: JsValue,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     statuses: Uint8Array,
 }
@@ -246,6 +249,11 @@ impl From<&FaceDeviations> for FaceArrays {
             signed: field.signed.as_slice().into(),
             signs: field.signs,
             areas: field.areas.as_slice().into(),
+            triangles: if field.triangles.is_empty() {
+                JsValue::UNDEFINED
+            } else {
+                Uint32Array::from(field.triangles.as_slice()).into()
+            },
             statuses: field.statuses.as_slice().into(),
         }
     }

@@ -2,7 +2,7 @@
 //! `PreparedModel.fromFacets` takes.
 
 use crate::error::{Error, Result};
-use crate::facets::Facets;
+use crate::facets::{Facets, MeshGroup};
 use crate::mesh_files::{MeshFile, MeshFormat};
 use wasm_bindgen::prelude::*;
 
@@ -31,6 +31,18 @@ impl ReadMesh {
         }
     }
 
+    /// The number of triangles of each group; of a cloud none.
+    #[wasm_bindgen(getter, js_name = groupCounts)]
+    pub fn group_counts(&self) -> Vec<u32> {
+        self.groups().iter().map(|group| group.triangles as u32).collect()
+    }
+
+    /// The names of the groups, empty where there is none.
+    #[wasm_bindgen(getter, js_name = groupNames)]
+    pub fn group_names(&self) -> Vec<String> {
+        self.groups().iter().map(|group| group.name.clone().unwrap_or_default()).collect()
+    }
+
     /// Metres per unit of the positions; undefined if the file does not state it.
     #[wasm_bindgen(getter)]
     pub fn unit(&self) -> Option<f64> {
@@ -45,4 +57,13 @@ pub fn read_mesh(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
         found: format!("the format is {ending:?}, expected the ending of a name of a mesh's file"),
     })?;
     Ok(ReadMesh(MeshFile::read(bytes, format)?))
+}
+
+impl ReadMesh {
+    fn groups(&self) -> &[MeshGroup] {
+        match &self.0.facets {
+            Facets::Mesh(mesh) => mesh.groups(),
+            Facets::Cloud(_) => &[],
+        }
+    }
 }

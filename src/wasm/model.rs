@@ -6,7 +6,7 @@ use super::surfaces::Surfaces;
 use crate::area::Area;
 use crate::engine::{self, ModelInfo};
 use crate::error::{Error, Result};
-use crate::facets::{Facets, PointCloud, TriangleMesh};
+use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
 use crate::shapes::{list, shape};
@@ -40,12 +40,15 @@ impl PreparedModel {
     }
 
     /// A mesh of positions, x, y, z each, and triangles, three indices each, or without triangles
-    /// a cloud of points; in metres per unit, if that is known.
+    /// a cloud of points; in metres per unit, if that is known. The triangles are of groups of these
+    /// counts, with names that are empty where there is none; without counts they are one group.
     #[wasm_bindgen(js_name = fromFacets)]
     pub fn from_facets(
         positions: Vec<f64>,
         triangles: Option<Vec<u32>>,
         unit: Option<f64>,
+        counts: Option<Vec<u32>>,
+        names: Option<Vec<String>>,
     ) -> Result<PreparedModel> {
         let (points, rest) = positions.as_chunks();
         if !rest.is_empty() {
@@ -53,7 +56,13 @@ impl PreparedModel {
         }
         let points: Vec<DVec3> = points.iter().copied().map(DVec3::from_array).collect();
         let facets = match triangles {
-            Some(indices) => Facets::Mesh(TriangleMesh::of_indices(&points, &indices)?),
+            Some(indices) => {
+                let mesh = TriangleMesh::of_indices(&points, &indices)?;
+                Facets::Mesh(match counts {
+                    Some(counts) => mesh.with_groups(groups(&counts, names.unwrap_or_default()))?,
+                    None => mesh,
+                })
+            }
             None => Facets::Cloud(PointCloud::new(points)?),
         };
         let prepared = engine::PreparedModel::of_facets(&facets, unit)?;
@@ -231,6 +240,13 @@ struct Interchange {
 fn interchange((model, mut report): (Model, ReadReport)) -> std::result::Result<JsValue, JsValue> {
     let (model, _) = engine::PreparedModel::new_skipping(model, &mut report)?;
     to_object(&Interchange { json: model.to_json()?, report })
+}
+
+/// Groups of these numbers of triangles, with names that are empty where there is none.
+fn groups(counts: &[u32], names: Vec<String>) -> Vec<MeshGroup> {
+    let names = names.into_iter().map(|name| Some(name).filter(|name| !name.is_empty()));
+    let names = names.chain(std::iter::repeat(None));
+    counts.iter().zip(names).map(|(&count, name)| MeshGroup { name, triangles: count as usize }).collect()
 }
 
 /// A text of JavaScript. No text has fewer bytes than characters: one over the limit is

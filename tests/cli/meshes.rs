@@ -34,12 +34,10 @@ fn meshes_and_points_are_read_by_the_ending_of_their_names() {
 #[test]
 fn what_needs_surfaces_refuses_meshes_by_code() {
     let mesh = file("mesh-refused.stl", &stl(0.0));
-    for arguments in [
-        vec!["info", &mesh],
-        vec!["convert", &mesh, "unwritten.json"],
-        vec!["diff", &mesh, &mesh],
-        vec!["distance", &mesh, &mesh, "--deviations"],
-    ] {
+    let points = file("mesh-refused.xyz", "0 0 0\n1 2 3\n");
+    for arguments in
+        [vec!["info", &mesh], vec!["convert", &mesh, "unwritten.json"], vec!["clearance", &mesh, &points]]
+    {
         let output = run(&arguments);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(status(&output) == 2 && error.contains("FACETS_UNSUPPORTED"), "{arguments:?}: {error}");
@@ -47,4 +45,23 @@ fn what_needs_surfaces_refuses_meshes_by_code() {
     let damaged = file("mesh-damaged.stl", &stl(0.0)[..120]);
     let error = String::from_utf8_lossy(&run(&["distance", &damaged, &mesh]).stderr).into_owned();
     assert!(error.contains("MESH_SYNTAX") && error.contains("mesh-damaged.stl"), "{error}");
+}
+
+#[test]
+fn groups_of_a_mesh_are_compared_by_their_names() {
+    let square = |z: f64| format!("v -1 -1 {z}\nv 1 -1 {z}\nv 1 1 {z}\nv -1 1 {z}\n");
+    let faces = "o low\nf 1 2 3 4\no high\nf 5 6 7 8\n";
+    let [a, b] = [1.0, 1.5].map(|top| {
+        file(&format!("mesh-groups-{top}.obj"), &format!("{}{}{faces}", square(0.0), square(top)))
+    });
+    let output = run(&["diff", &a, &b, "--limit", "0.1", "--json"]);
+    assert_eq!(status(&output), 1);
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let states = |name: &str| [0, 1].map(|face| result[name][face]["state"].clone());
+    assert_eq!(states("facesOfA"), ["unchanged", "changed"]);
+    assert_eq!(result["facesOfA"][1]["witness"]["a"]["faceName"], "high");
+    assert!((result["facesOfB"][1]["lower"].as_f64().unwrap() - 0.5).abs() < 1e-3);
+    let mesh = file("mesh-deviations.stl", &stl(0.0));
+    let result = printed(&run(&["distance", &mesh, &a, "--deviations", "--json"]));
+    assert!(result["statistics"]["mean"].as_f64().unwrap() < 1e-12, "{result}");
 }

@@ -8,6 +8,7 @@ mod support;
 mod certified;
 mod hierarchy;
 mod iteration;
+mod mesh_faces;
 mod meshes;
 mod queries;
 mod threads;

@@ -1,5 +1,7 @@
 //! Intervals of all methods against what others computed, brute force and the published experiments.
 #![cfg(not(target_arch = "wasm32"))]
+// Prepared models that threads share hold types of wgpu, nested deeper than 128.
+#![recursion_limit = "256"]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 // Three examples are tools whose answers are tested here, by a module of each.

@@ -2,6 +2,8 @@
 //! `cargo run --release --example honesty`.
 
 use crate::fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use crate::fuzzer::clearance::{Subjects, check_clearance};
+use crate::fuzzer::facets::check_facets;
 use rayon::prelude::*;
 
 /// Pairs, with two that a coarser brute force once raised alarms on.
@@ -76,4 +78,35 @@ fn trimmed_faces_are_measured_as_they_are() {
     // A point that is proved neither way is rare: the brute force finds near points, or the proof ends.
     let undecided: usize = outcomes.iter().map(|outcome| outcome.undecided).sum();
     assert!(undecided <= 2, "{undecided} undecided");
+}
+
+/// Pairs with meshes or points.
+const FACETS: u64 = 60;
+
+#[test]
+fn meshes_and_points_have_no_false_interval() {
+    let outcomes: Vec<Outcome> = (1..=FACETS).into_par_iter().map(check_facets).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+    }
+    let converged = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
+    assert!((FACETS / 4..FACETS).contains(&converged), "{converged} converged");
+}
+
+/// Poses of random models and of the shapes that ship.
+const CLEARANCES: u64 = 96;
+
+#[test]
+fn clearances_contain_what_brute_force_finds() {
+    let subjects = Subjects::new(false);
+    let seeds = (1..=CLEARANCES).into_par_iter();
+    let outcomes: Vec<Outcome> = seeds.map(|seed| check_clearance(seed, &subjects)).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+        assert!(outcome.seconds < MAX_SECONDS, "{} s", outcome.seconds);
+    }
+    let converged = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
+    assert!((CLEARANCES / 4..CLEARANCES).contains(&converged), "{converged} converged");
+    let undecided: usize = outcomes.iter().map(|outcome| outcome.undecided).sum();
+    assert!(undecided <= 4, "{undecided} proofs were given up");
 }

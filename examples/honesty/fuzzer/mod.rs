@@ -6,7 +6,9 @@
 pub(crate) mod attacks;
 mod brute;
 pub(crate) mod check;
+pub(crate) mod clearance;
 mod collapsed;
+pub(crate) mod facets;
 mod offsets;
 pub(crate) mod pairs;
 mod partners;

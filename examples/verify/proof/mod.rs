@@ -10,12 +10,14 @@ mod closest;
 pub(crate) mod cut;
 mod frame;
 pub(crate) mod interval;
+mod least;
 mod surface;
 mod target;
 mod upper;
 mod vector;
 
 pub(crate) use frame::Motion;
+pub(crate) use least::{LeastClaim, check_least};
 pub(crate) use surface::{Model, Surface};
 pub(crate) use upper::Witness;
 

@@ -15,6 +15,9 @@ pub(crate) struct Surface {
     pub(crate) knots_u: Vec<f64>,
     pub(crate) knots_v: Vec<f64>,
     pub(crate) ctrl: Vec<Vec<[f64; 4]>>,
+    /// The loops of a trimmed face, which are not read.
+    #[serde(default)]
+    pub(crate) trim: Option<serde::de::IgnoredAny>,
 }
 
 impl Model {
@@ -32,6 +35,11 @@ impl Model {
             surface.check().map_err(|reason| format!("surface {index}: {reason}"))?;
         }
         Ok(model)
+    }
+
+    /// Whether a surface has loops.
+    pub(crate) fn is_trimmed(&self) -> bool {
+        self.surfaces.iter().any(|surface| surface.trim.is_some())
     }
 
     /// The control points of all surfaces.

@@ -29,7 +29,8 @@ class Statistics:
 
 @dataclass(frozen=True)
 class FieldPart:
-    """The grid of samples of one face of A, or of a piece of a trimmed face.
+    """The grid of samples of one face of A, or of a piece of a trimmed face. A mesh has a grid of
+    one column a group: its vertices, and points within large triangles; a cloud has its points.
 
     Attributes
     ----------
@@ -44,7 +45,9 @@ class FieldPart:
     signs : {"solid", "faces"}
         Whether negative is inside of B, where that is a solid, or behind the normal of a face.
     areas : ndarray of shape (m, n)
-        Area that each sample stands for, in squares of the model unit.
+        Area that each sample stands for, in squares of the model unit; 1 for a point of a cloud.
+    triangles : ndarray of shape (k, 3) or None
+        Of a mesh: the corners of triangles between the samples, which cover it.
     """
 
     face: int
@@ -54,6 +57,7 @@ class FieldPart:
     signed: Floats
     signs: Signs
     areas: Floats
+    triangles: NDArray[np.uint32] | None = None
 
 
 @dataclass(frozen=True)
@@ -81,12 +85,20 @@ class Field:
         return np.concatenate([getattr(part, name).reshape(width) for part in self.parts])
 
     def to_pyvista(self) -> Any:
-        """Return a ``pyvista.MultiBlock`` with a structured grid a part, whose points have the
-        arrays ``distance`` and ``signed``."""
+        """Return a ``pyvista.MultiBlock`` with a structured grid a part, triangles of a mesh and
+        points of a cloud, whose points have the arrays ``distance`` and ``signed``."""
         import pyvista
 
         blocks = pyvista.MultiBlock()
         for part in self.parts:
+            if part.points.shape[1] == 1:
+                corners = part.triangles
+                points = part.points[:, 0]
+                data = pyvista.PolyData(points) if corners is None else pyvista.PolyData.from_regular_faces(points, corners)
+                data.point_data["distance"] = part.distances[:, 0]
+                data.point_data["signed"] = part.signed[:, 0]
+                blocks.append(data, f"face {part.face}")
+                continue
             x, y, z = (part.points[:, :, axis] for axis in range(3))
             grid = pyvista.StructuredGrid(x, y, z)
             # VTK counts the first direction fastest.
@@ -122,6 +134,7 @@ def field_parts(parts: list[dict[str, Any]]) -> tuple[FieldPart, ...]:
             part["signed"].reshape(m, n),
             part["signs"],
             part["areas"].reshape(m, n),
+            part["triangles"].reshape(-1, 3) if part["triangles"].size else None,
         )
 
     return tuple(shaped(part) for part in parts)

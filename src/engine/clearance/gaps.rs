@@ -87,8 +87,8 @@ impl Engine {
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
-        a.require_surfaces("gaps between faces")?;
-        b.require_surfaces("gaps between faces")?;
+        a.require_faces("gaps between faces")?;
+        b.require_faces("gaps between faces")?;
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
         let direction = Direction { from: a, to: b, transform: options.transform };
@@ -98,7 +98,7 @@ impl Engine {
         for patches in Search::pairs_within(bodies, options.transform, options.below) {
             let face = |side: usize| {
                 let patch = targets[side].target.patches.patch(patches[side] as usize);
-                [a, b][side].pieces().face(patch.surface)
+                [a, b][side].face_of(patch.surface)
             };
             faces.entry([face(0), face(1)]).or_default().push(patches);
         }

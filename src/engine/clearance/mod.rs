@@ -72,13 +72,13 @@ impl Engine {
     /// options' transform, from a point of B, with the two points nearest to each other.
     ///
     /// Guarantee: as [`ClearanceResult`] states. The boundaries are measured: a part inside
-    /// another has the distance of their surfaces. All in float64 on the CPU, best first over
+    /// another has the distance of their surfaces. Meshes are measured as their triangles. All in float64 on the CPU, best first over
     /// pairs of nodes of both trees. O(log patches) in general position; surfaces that are
     /// equally near over an area take time with the number of cells that the tolerance needs there.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`]. Cancelling
-    /// is a budget: the interval so far is returned with [`Stop::Cancelled`].
+    /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`];
+    /// [`Error::FacetsUnsupported`] for a cloud of points. Cancelling is a budget: the interval so far is returned with [`Stop::Cancelled`].
     pub fn clearance<'a>(
         &'a self,
         a: &'a PreparedModel,
@@ -101,8 +101,8 @@ impl Engine {
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
-        a.require_surfaces("a clearance")?;
-        b.require_surfaces("a clearance")?;
+        a.require_faces("a clearance")?;
+        b.require_faces("a clearance")?;
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
         let direction = Direction { from: a, to: b, transform: options.transform };
@@ -176,7 +176,7 @@ fn witness(models: [&PreparedModel; 2], targets: [&PreparedTarget; 2], nearest: 
     let [a, b] = [0, 1].map(|side| {
         let patch = targets[side].target.patches.patch(nearest.patches[side] as usize);
         let parameters = patch.surface_parameters(nearest.parameters[side]);
-        models[side].pieces().surface_point(patch.surface, parameters, nearest.points[side])
+        models[side].surface_point(patch.surface, parameters, nearest.points[side])
     });
     Witness { a, b }
 }

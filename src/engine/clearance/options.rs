@@ -20,7 +20,7 @@ pub struct ClearanceOptions {
     /// if neither is given. Both at once are an error.
     pub relative_tolerance: Option<f64>,
     /// The search only decides whether the clearance is at least this limit, in model units, 0 or
-    /// more, and ends as soon as that is known.
+    /// more, and ends as soon as that is known. At least 0 means certainly apart.
     pub limit: Option<f64>,
     /// Seconds after which the interval so far is returned, positive.
     pub max_seconds: Option<f64>,

@@ -73,8 +73,10 @@ impl<'a> Solids<'a> {
     /// known, as after a limit that was decided early.
     pub(super) fn overlap(&self, interval: Interval, tolerance: f64, nearest: &Nearest) -> Option<Overlap> {
         // The cracks between faces are closed by strips, which must be apart too.
-        let clear = [self.a, self.b].map(|model| model.boundary().clear_radius(interval.lower));
-        if clear.iter().all(|&radius| radius > self.error()) {
+        let strips_apart = [self.a, self.b]
+            .iter()
+            .fold(interval.lower, |distance, model| model.boundary().clear_radius(distance));
+        if strips_apart > self.error() {
             return self.of_disjoint();
         }
         if let Some(point) = self.inside_both(nearest) {

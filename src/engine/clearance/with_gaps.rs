@@ -32,8 +32,9 @@ impl ClearanceWithGaps {
         }
         let lower = (lower - gap).next_down();
         let (lower, upper) = (if lower > 0.0 { lower } else { 0.0 }, (upper + gap).next_up());
-        let keeps =
-            |at_least: &bool| limit.is_some_and(|at| if *at_least { lower >= at } else { upper < at });
+        let keeps = |at_least: &bool| {
+            limit.is_some_and(|at| if *at_least { lower > 0.0 && lower >= at } else { upper < at })
+        };
         Self { lower, upper, at_least: at_least.filter(keeps) }
     }
 }
@@ -53,5 +54,9 @@ mod tests {
         assert_eq!(of(0.7, 0.8, 0.1, false), Some(false));
         assert_eq!(of(0.7, 0.8, 0.25, false), None);
         assert_eq!(of(1.0, 1.0, 0.0, true), Some(true));
+        // At least 0 means apart.
+        let at_zero =
+            |gap| ClearanceWithGaps::new(Interval { lower: 0.1, upper: 0.2 }, gap, Some(0.0), Some(true));
+        assert_eq!([at_zero(0.05), at_zero(0.15)].map(|found| found.at_least), [Some(true), None]);
     }
 }

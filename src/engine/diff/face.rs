@@ -23,7 +23,7 @@ impl FacePatches {
         let mut patches = vec![PatchSet::default(); count];
         let mut bounds: Vec<Vec<LocalDerivativeBounds>> = (0..count).map(|_| Vec::new()).collect();
         for (patch, place) in flat.target.patches.iter().zip(flat.places().iter()) {
-            let face = model.pieces().face(patch.surface);
+            let face = model.face_of(patch.surface);
             patches[face].push(patch);
             bounds[face].push(LocalDerivativeBounds::new(place.extension));
         }

@@ -1,6 +1,8 @@
 //! The faces in which two models differ.
 
 mod face;
+mod face_search;
+mod pair;
 mod search;
 
 use super::{PreparedModel, Seconds, Witness};

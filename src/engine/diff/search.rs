@@ -1,16 +1,14 @@
 //! The searches that decide the faces' states.
 
-use super::face::FacePatches;
+use super::face_search::{FaceSearch, Faces};
+use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
-use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
+use crate::certified::{Interval, Limit};
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
-use crate::flatness::Flatness;
 use crate::model::RigidTransform;
-use crate::pieces::FacePieces;
 use crate::progress::{Monitor, Progress};
 use crate::threads::parallel::map;
-use glam::DVec3;
 use web_time::Instant;
 
 /// The part of the limit to which the distance of a face is searched while its
@@ -65,37 +63,20 @@ impl Engine {
         options.validate()?;
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
-        a.require_surfaces("a comparison face by face")?;
-        b.require_surfaces("a comparison face by face")?;
         let mut progress = Progress::new(monitor, true);
         let started = Instant::now();
-        let [flat_a, flat_b] = [a, b].map(|model| model.target(Flatness::Loose));
-        let (whole_a, whole_b) = (flat_a.operand(a), flat_b.operand(b));
-        let faces_a = FacePatches::all(a, &flat_a);
-        let faces_b = FacePatches::all(b, &flat_b);
+        let of_pair = PairParts::new([a, b]);
         let prepare = started.elapsed().as_secs_f64();
         let transform = options.transform;
         let budget = Budget { started, max_cells: options.max_cells, max_seconds: options.max_seconds };
-        let forward = Side {
-            whole: whole_a,
-            faces: &faces_a,
-            other: whole_b,
-            others: &faces_b,
-            pieces: [a.pieces(), b.pieces()],
-            gaps: (a.face_gaps(), b.gap()),
-            transform,
-            budget,
-        };
+        let forward =
+            Side { faces: of_pair.faces(0).ok_or(Error::EmptyModel)?, models: [a, b], transform, budget };
         let of_a = forward.differences(options, &mut progress).await?;
         progress.second_half();
         let inverse = transform.inverse();
         let reverse = Side {
-            whole: whole_b,
-            faces: &faces_b,
-            other: whole_a,
-            others: &faces_a,
-            pieces: [b.pieces(), a.pieces()],
-            gaps: (b.face_gaps(), a.gap()),
+            faces: of_pair.faces(1).ok_or(Error::EmptyModel)?,
+            models: [b, a],
             transform: inverse,
             budget,
         };
@@ -122,14 +103,9 @@ impl Engine {
 
 /// The faces of one model, and the model that they are compared with.
 struct Side<'a> {
-    whole: Operand<'a>,
-    faces: &'a [FacePatches],
-    other: Operand<'a>,
-    others: &'a [FacePatches],
-    /// The pieces of both models.
-    pieces: [&'a FacePieces; 2],
-    /// The gaps of the faces, and the largest of the other model.
-    gaps: (&'a [f64], f64),
+    faces: Faces<'a>,
+    /// The model of the faces, and the other one.
+    models: [&'a PreparedModel; 2],
     transform: RigidTransform,
     budget: Budget,
 }
@@ -155,9 +131,13 @@ impl<'a> Side<'a> {
         while found.len() < self.faces.len() {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
+            let limits: Vec<Limit> = (first..first + count).map(|face| self.limit(face, options)).collect();
+            let (faces, transform) = (&self.faces, self.transform);
             let searches = map(count, |index| {
-                let mut search = self.decision(first + index, options);
-                advance(&mut search, FIRST_CELLS);
+                let limit = limits[index];
+                let tolerance = DECISION_PART * limit.at;
+                let mut search = faces.search(first + index, transform, tolerance, Some(limit));
+                search.advance(FIRST_CELLS);
                 search
             });
             for search in searches {
@@ -168,31 +148,17 @@ impl<'a> Side<'a> {
         Ok(found)
     }
 
-    /// The face and the other model as a pair.
-    fn pair(&self, face: usize) -> Pair<'a> {
-        let offset = self.transform.apply(DVec3::ZERO);
-        let counterpart = self.faces[face].counterpart(self.others, offset);
-        let other = counterpart.map_or(self.other, |face| self.other.with_uncut(face.patches()));
-        Pair { a: self.faces[face].operand(&self.whole), b: other, transform: self.transform }
-    }
-
-    /// The search that decides the state of a face.
-    fn decision(&self, face: usize, options: &DiffOptions) -> BranchAndBound<'a> {
-        let limit = self.limit(face, options);
-        BranchAndBound::new(self.pair(face), DECISION_PART * limit.at, Some(limit), 0.0)
-    }
-
     /// The limit on the distance of a face, with the gaps between the sources.
     fn limit(&self, face: usize, options: &DiffOptions) -> Limit {
-        let (gaps, of_other) = self.gaps;
-        Limit { at: options.limit, gap: gaps[face] + of_other }
+        let [model, other] = self.models;
+        Limit { at: options.limit, gap: model.face_gaps()[face] + other.gap() }
     }
 
     /// Ends the search of a face, and narrows the interval of a changed one.
     async fn finished(
         &self,
         face: usize,
-        mut decision: BranchAndBound<'a>,
+        mut decision: FaceSearch<'a>,
         options: &DiffOptions,
         progress: &mut Progress<'_>,
     ) -> Result<FaceDifference> {
@@ -204,7 +170,7 @@ impl<'a> Side<'a> {
         if decided.state != FaceState::Changed || is_narrow || self.budget.is_over() {
             return Ok(decided);
         }
-        let mut narrowing = BranchAndBound::new(self.pair(face), CHANGE_PART * interval.lower, None, 0.0);
+        let mut narrowing = self.faces.search(face, self.transform, CHANGE_PART * interval.lower, None);
         let max_cells = NARROWING_CELLS.min(options.max_cells);
         exhaust(&mut narrowing, Budget { max_cells, ..self.budget }, fraction, progress).await?;
         // Both intervals hold, and the witness is the farther one.
@@ -212,22 +178,22 @@ impl<'a> Side<'a> {
         let farther = if lower >= interval.lower { &narrowing } else { &decision };
         let both = Interval { lower: lower.max(interval.lower), upper: upper.min(interval.upper) };
         let found = self.difference(face, farther, both, options)?;
-        Ok(FaceDifference { cells: decided.cells + narrowing.work().cells, ..found })
+        Ok(FaceDifference { cells: decided.cells + narrowing.cells(), ..found })
     }
 
     /// The difference of a face by this interval, with the witness of a search.
     fn difference(
         &self,
         face: usize,
-        search: &BranchAndBound<'_>,
+        search: &FaceSearch<'_>,
         interval: Interval,
         options: &DiffOptions,
     ) -> Result<FaceDifference> {
         let Interval { lower, upper } = interval;
         let limit = self.limit(face, options);
         let [state, with_gaps] = [limit.keeps(interval), limit.sources_keep(interval)].map(state);
-        let witness = witness(search, self.pieces).ok_or(Error::EmptyModel)?;
-        let (gap, cells) = (limit.gap, search.work().cells);
+        let [a, b] = search.witness(self.models).ok_or(Error::EmptyModel)?;
+        let (gap, cells, witness) = (limit.gap, search.cells(), Witness { a, b });
         Ok(FaceDifference { face, state, lower, upper, gap, with_gaps, witness, cells })
     }
 }
@@ -242,8 +208,8 @@ struct Budget {
 }
 
 impl Budget {
-    fn is_spent(&self, search: &BranchAndBound<'_>) -> bool {
-        search.work().cells >= self.max_cells || self.is_over()
+    fn is_spent(&self, search: &FaceSearch<'_>) -> bool {
+        search.cells() >= self.max_cells || self.is_over()
     }
 
     /// Returns whether the time is over.
@@ -254,27 +220,16 @@ impl Budget {
 
 /// Runs a search to its end, or until the budget is spent.
 async fn exhaust(
-    search: &mut BranchAndBound<'_>,
+    search: &mut FaceSearch<'_>,
     budget: Budget,
     fraction: f64,
     progress: &mut Progress<'_>,
 ) -> Result<()> {
-    while !budget.is_spent(search) && !advance(search, FIRST_CELLS.min(budget.max_cells)) {
+    while !budget.is_spent(search) && !search.advance(FIRST_CELLS.min(budget.max_cells)) {
         progress.checkpoint(fraction).await?;
     }
     search.finish();
     Ok(())
-}
-
-/// Bounds at most `cells` more cells; returns whether the search has ended.
-fn advance(search: &mut BranchAndBound<'_>, cells: usize) -> bool {
-    let end = search.work().cells + cells;
-    while search.work().cells < end {
-        if search.advance_once(end - search.work().cells).is_some() {
-            return true;
-        }
-    }
-    false
 }
 
 /// The state that follows from whether a face keeps the limit.
@@ -284,20 +239,4 @@ fn state(keeps: Option<bool>) -> FaceState {
         Some(false) => FaceState::Changed,
         None => FaceState::Undecided,
     }
-}
-
-/// The witness of a search, on the face and on the other model; `None` for a face
-/// without patches, which validation rules out.
-fn witness(search: &BranchAndBound<'_>, [from_pieces, to_pieces]: [&FacePieces; 2]) -> Option<Witness> {
-    let witness = search.witness()?;
-    let [from, to] = search.witness_patches(witness);
-    let closest = &witness.closest;
-    Some(Witness {
-        a: from_pieces.surface_point(
-            from.surface,
-            from.surface_parameters(witness.parameters),
-            witness.point,
-        ),
-        b: to_pieces.surface_point(to.surface, to.surface_parameters(closest.parameters), closest.point),
-    })
 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct FaceDeviations {
     /// Index of the face in the sampled model.
     pub face: usize,
-    /// Numbers of samples along u and v.
+    /// Numbers of samples along u and v; of a mesh or a cloud, all of them and 1.
     pub counts: [usize; 2],
     /// The points, x y z each.
     pub points: Vec<f64>,
@@ -21,8 +21,10 @@ pub struct FaceDeviations {
     pub signed: Vec<f64>,
     /// What the signs stand for: the other model where it is a solid.
     pub signs: Signs,
-    /// The area of the surface that each sample stands for.
+    /// The area of the surface that each sample stands for; 1 for a point of a cloud.
     pub areas: Vec<f64>,
+    /// The corners of triangles between the samples of a mesh, three indices each; else none.
+    pub triangles: Vec<u32>,
     /// The ends of the projections: [`crate::result::Status`] as a number.
     pub statuses: Vec<u8>,
 }

@@ -1,13 +1,14 @@
 //! The deviation field: the samples of one model with their closest points on the other.
 
 mod deviation;
+mod facets;
+mod target;
 
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
-use super::signs::{Known, SignRule, SignSource};
 use super::{Computation, Engine, PreparedModel};
 use crate::bezier::BezierModel;
-use crate::closest::{Status, Target, closest_above};
+use crate::closest::Status;
 use crate::error::{Error, Result};
 use crate::iteration::{Projected, SampleGrid, Sampling, SamplingRule};
 use crate::model::RigidTransform;
@@ -18,10 +19,8 @@ pub use deviation::{FaceDeviations, Statistics};
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;
-
-/// The width of the certified interval of a sample's distance, relative to the models'
-/// diagonal: below what any colour or statistic shows.
-const FIELD_GAP: f64 = 1e-9;
+pub(super) use target::FieldTarget;
+use target::{Foot, Held, Known};
 
 /// The number of samples between two checkpoints: some milliseconds of work.
 const SAMPLES_AT_ONCE: usize = 2048;
@@ -30,7 +29,8 @@ const SAMPLES_AT_ONCE: usize = 2048;
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct FieldOptions {
-    /// Samples along each direction of every surface of A, 2 to 1024.
+    /// Samples along each direction of every surface of A, 2 to 1024. A mesh is sampled at its
+    /// vertices, and each group in at least their square of triangles; a cloud at its points.
     pub samples: usize,
     /// The rule by which they are spread.
     pub sampling: SamplingRule,
@@ -66,7 +66,7 @@ pub struct DeviationField {
     pub diagonal: f64,
     /// Statistics over A's area, where it has one. Estimates.
     pub statistics: Option<Statistics>,
-    /// One entry a surface of A, or a piece of a trimmed face.
+    /// One entry a surface of A, a piece of a trimmed face, a group of a mesh, or a cloud.
     pub deviations: Vec<FaceDeviations>,
 }
 
@@ -106,9 +106,7 @@ impl Engine {
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, false);
         let direction = Direction { from: a, to: b, transform: options.transform };
-        direction.require_surfaces("a field")?;
-        let sampling = a.sampling(options.samples, options.sampling);
-        let mut deviations = direction.deviations(&sampling.sampling, &mut progress).await?;
+        let mut deviations = direction.deviations(options.samples, options.sampling, &mut progress).await?;
         if let Some(upper) = options.upper {
             deviations.iter_mut().for_each(|face| face.limit(upper));
         }
@@ -122,47 +120,46 @@ impl Engine {
 }
 
 impl Direction<'_> {
-    /// Returns one field a surface of `from`, as [`FieldSearch::run`] does.
+    /// Returns one field a surface or a group of `from`, as [`FieldSearch::run`] does.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
     pub(super) async fn deviations(
         &self,
-        sampling: &Sampling,
+        samples: usize,
+        rule: SamplingRule,
         progress: &mut Progress<'_>,
     ) -> Result<Vec<FaceDeviations>> {
-        let target = self.to.certified_target();
-        let source = SignSource::new(self.to);
+        let held = Held::new(self.to);
+        let target = self.field_target(&held)?;
+        if let Some(facets) = self.from.facets() {
+            return self.facet_deviations(facets, target, samples, progress).await;
+        }
+        let sampling = self.from.sampling(samples, rule);
         let search = FieldSearch {
             bezier: self.from.bezier(),
             pieces: self.from.pieces(),
-            sampling,
-            target: &target.target,
-            signs: source.rule(),
+            sampling: &sampling.sampling,
+            target,
             transform: self.transform,
-            diagonal: self.diagonal(),
         };
         search.run(None, progress).await
     }
 }
 
-/// The samples of one model, and the patches of the other on which their closest points lie.
+/// The samples of surfaces, and the model on which their closest points lie.
 pub(super) struct FieldSearch<'a> {
     pub(super) bezier: &'a BezierModel,
     pub(super) pieces: &'a FacePieces,
     pub(super) sampling: &'a Sampling,
-    pub(super) target: &'a Target,
-    pub(super) signs: SignRule<'a>,
+    pub(super) target: FieldTarget<'a>,
     pub(super) transform: RigidTransform,
-    pub(super) diagonal: f64,
 }
 
 /// One sample with its foot.
 struct FieldSample {
     point: DVec3,
-    foot: DVec3,
-    distance: f64,
-    signed: f64,
+    foot: Foot,
     area: f64,
     status: Status,
 }
@@ -171,7 +168,7 @@ impl FieldSearch<'_> {
     /// Returns one field a surface.
     ///
     /// Guarantee: every distance exceeds the sample's distance to the other model by at
-    /// most [`FIELD_GAP`] of the diagonal and is not below it, up to rounding. Each sample's
+    /// most 1e-9 of the diagonal and is not below it, up to rounding. Each sample's
     /// closest point is searched on the whole of the other model in float64, from the foot
     /// that `projected` names, or else from that of the sample before it.
     /// O(samples log patches) in general position.
@@ -201,8 +198,7 @@ impl FieldSearch<'_> {
     /// without patches.
     fn samples(&self, range: Range<usize>, projected: Option<&[Projected]>) -> Option<Vec<FieldSample>> {
         let bezier = self.bezier;
-        let gap = FIELD_GAP * self.diagonal;
-        let (mut known, mut side) = (None, Known::default());
+        let mut known = Known::default();
         let find = |index: usize| {
             let surface = self.sampling.surface(index);
             let (grid, patches) = (&self.sampling.grids[surface], &bezier.grids[surface]);
@@ -212,18 +208,14 @@ impl FieldSearch<'_> {
             let jet = patch.jet([s, t]);
             let point = self.transform.apply(jet.point);
             if let Some(projected) = projected {
-                known = Some((projected[index].patch as u32, projected[index].parameters));
+                known.place = Some((projected[index].patch as u32, projected[index].parameters));
             }
-            let closest = closest_above(self.target, point, gap, known, 0.0, None)?;
-            known = Some((closest.patch as u32, closest.parameters));
-            let foot = self.target.patches.patch(closest.patch).jet(closest.parameters);
+            let foot = self.target.closest(point, &mut known)?;
             let [u, v] = patch.domain.lengths();
             let weight = weight(&grid.parameters[0], i) * weight(&grid.parameters[1], j) / (u * v);
             Some(FieldSample {
                 point,
-                foot: foot.point,
-                distance: point.distance(foot.point),
-                signed: self.signs.signed(point, closest.lower, &foot, &mut side),
+                foot,
                 area: jet.s.cross(jet.t).length() * weight,
                 status: projected.map_or(Status::Converged, |projected| projected[index].status),
             })
@@ -236,14 +228,14 @@ impl FieldSearch<'_> {
         let mut field = FaceDeviations {
             face,
             counts: grid.counts(),
-            signs: self.signs.signs(),
+            signs: self.target.signs(),
             ..FaceDeviations::default()
         };
         for sample in &samples[grid.first..grid.first + grid.len()] {
             field.points.extend_from_slice(&sample.point.to_array());
-            field.feet.extend_from_slice(&sample.foot.to_array());
-            field.distances.push(sample.distance);
-            field.signed.push(sample.signed);
+            field.feet.extend_from_slice(&sample.foot.point.to_array());
+            field.distances.push(sample.foot.distance);
+            field.signed.push(sample.foot.signed);
             field.areas.push(sample.area);
             field.statuses.push(sample.status as u8);
         }

@@ -4,7 +4,7 @@ mod backend;
 mod cpu;
 
 use super::direction::{DirectedRun, Direction};
-use super::field::FieldSearch;
+use super::field::{FieldSearch, FieldTarget};
 use super::options::IterationOptions;
 use super::result::DirectedResult;
 use super::signs::{SignRule, SignSource};
@@ -216,10 +216,8 @@ impl SampledDirection<'_> {
             bezier: self.from.bezier(),
             pieces: self.from.pieces(),
             sampling: &self.sampling.sampling,
-            target: &self.target.target,
-            signs,
+            target: FieldTarget::of_patches(&self.target.target, signs, self.diagonal),
             transform: self.transform,
-            diagonal: self.diagonal,
         }
     }
 

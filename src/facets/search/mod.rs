@@ -16,6 +16,7 @@ mod tests;
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 
+use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};
 use crate::certified::{Interval, Limit};
 use crate::model::RigidTransform;
@@ -131,7 +132,8 @@ impl<'a> FacetSearch<'a> {
             work: Work::default(),
         };
         search.find_first_incumbent();
-        let root = |region| Node { upper: f64::INFINITY, region, start: Start::default(), level: 0 };
+        let upper = search.bound_of_box();
+        let root = |region| Node { upper, region, start: Start::default(), level: 0 };
         match a {
             Source::Facets { facets, .. } if facets.len() > 0 => search.frontier.push(root(Region::Node(0))),
             Source::Facets { .. } => {}
@@ -141,6 +143,15 @@ impl<'a> FacetSearch<'a> {
             }
         }
         search
+    }
+
+    /// Returns an upper bound on the distance of all of A, by its box (lemma F7 of docs/meshes.md): a
+    /// search that ends at once has a finite interval.
+    fn bound_of_box(&self) -> f64 {
+        let aabb = self.a.bounding_box();
+        let center = self.transform.apply(0.5 * (aabb.min + aabb.max));
+        let (distance, _) = self.b.nearest(center, Start::default(), self.gap(), 0.0);
+        distance + 0.5 * (aabb.max - aabb.min).length()
     }
 
     /// The interval so far.
@@ -159,6 +170,11 @@ impl<'a> FacetSearch<'a> {
 
     pub(crate) fn witness(&self) -> Option<&Witness> {
         self.witness.as_ref()
+    }
+
+    /// Returns the weights of the corners of a facet of A at a point that was moved with it.
+    pub(crate) fn weights(&self, facet: Facet, point: DVec3) -> [f64; 3] {
+        facet.nearest(self.transform.apply_inverse(point)).weights
     }
 
     pub(crate) fn work(&self) -> Work {

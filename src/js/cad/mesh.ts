@@ -71,8 +71,9 @@ export async function readMesh(
     const mesh = read(content, format);
     try {
       const unit = mesh.unit ?? options.unit;
-      const { positions, triangles } = mesh;
-      const prepared = PreparedModel.fromFacets(positions, triangles, unit);
+      const { positions, triangles, groupCounts, groupNames } = mesh;
+      const [counts, names] = triangles ? [groupCounts, groupNames] : [];
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit, counts, names);
       return NurbsModel.of(prepared, null, { positions, triangles });
     } finally {
       mesh.free();

@@ -4,7 +4,10 @@ import type { FaceDeviations, Statistics } from "./result.js";
 
 /** Options of `Hausdorff.field`. */
 export interface FieldOptions {
-  /** Samples along each direction of every surface of `a`, 2 to 1024; default 64. */
+  /**
+   * Samples along each direction of every surface of `a`, 2 to 1024; default 64. A mesh is sampled
+   * at its vertices, and each group in at least their square of triangles; a cloud at its points.
+   */
   samples?: number;
   /** The rule by which they are spread: evenly in the parameter (default) or in arc length. */
   sampling?: "uniform" | "arc-length";
@@ -29,6 +32,6 @@ export interface DeviationField {
   diagonal: number;
   /** Where the samples stand for an area. */
   statistics?: Statistics;
-  /** One entry a face of the sampled model, or a piece of a trimmed one. */
+  /** One entry a face of the sampled model, a piece of a trimmed one, a group of a mesh, or a cloud. */
   deviations: FaceDeviations[];
 }

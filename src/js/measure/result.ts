@@ -27,11 +27,15 @@ export interface SurfacePoint {
  */
 export type Signs = "solid" | "faces";
 
-/** All samples of one face, or of a piece of a trimmed one, v fastest. */
+/**
+ * All samples of one face, or of a piece of a trimmed one, v fastest; of a group of a mesh its
+ * vertices, in the order in which its triangles use them, and points within large triangles; of a
+ * cloud its points in their order.
+ */
 export interface FaceDeviations {
   /** Index of the face in the sampled model. */
   face: number;
-  /** Numbers of samples along u and v. */
+  /** Numbers of samples along u and v; of a mesh or a cloud, all of them and 1. */
   counts: [number, number];
   /** x, y, z of every sample, after the transform. */
   points: Float64Array<ArrayBuffer>;
@@ -43,8 +47,10 @@ export interface FaceDeviations {
   signed: Float64Array<ArrayBuffer>;
   /** What the signs stand for. */
   signs: Signs;
-  /** The area that each sample stands for. */
+  /** The area that each sample stands for; 1 for a point of a cloud. */
   areas: Float64Array<ArrayBuffer>;
+  /** Of a mesh: the corners of triangles between the samples, three indices each, which cover it. */
+  triangles?: Uint32Array<ArrayBuffer>;
   /** The ends of the projections: 0 converged, 1 iteration limit, 2 on an edge. */
   statuses: Uint8Array<ArrayBuffer>;
 }

@@ -10,6 +10,19 @@ export interface MeshArrays {
   triangles?: Uint32Array | Uint16Array | Uint8Array | readonly number[];
   /** Metres per unit of the positions, if known. */
   unit?: number;
+  /**
+   * The faces of the mesh: groups of triangles that follow each other, all triangles together. A
+   * mesh without groups is one face.
+   */
+  groups?: readonly MeshGroup[];
+}
+
+/** Triangles that follow each other, a face of their mesh. */
+export interface MeshGroup {
+  /** The name of the face. */
+  name?: string;
+  /** The number of triangles, at least 1. */
+  triangles: number;
 }
 
 /** The largest index that the module's 32 bits take. */
@@ -21,13 +34,22 @@ const MAX_INDEX = 2 ** 32 - 1;
  */
 export function facetArrays(
   input: MeshArrays,
-): [positions: Float64Array, triangles: Uint32Array | undefined, unit: number | undefined] {
-  checkKeys("the mesh", input, ["positions", "triangles", "unit"]);
-  const { positions, triangles, unit } = input;
+): [
+  positions: Float64Array,
+  triangles: Uint32Array | undefined,
+  unit: number | undefined,
+  counts: Uint32Array | undefined,
+  names: string[] | undefined,
+] {
+  checkKeys("the mesh", input, ["positions", "triangles", "unit", "groups"]);
+  const { positions, triangles, unit, groups } = input;
+  for (const group of groups ?? []) checkKeys("a group", group, ["name", "triangles"]);
   return [
     coordinatesOf(positions),
     triangles === undefined ? undefined : indicesOf(triangles),
     unit,
+    groups && indicesOf(groups.map(({ triangles }) => triangles)),
+    groups?.map(({ name }) => name ?? ""),
   ];
 }
 

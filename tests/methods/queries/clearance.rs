@@ -5,19 +5,19 @@ use nurbs_hausdorff::internals::engine::{Engine, PreparedModel, Stop};
 use nurbs_hausdorff::shapes::{cylinder, shape, sphere, torus};
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, GapOptions, Model, Overlap, RigidTransform};
 
-fn clearance(a: &Model, b: &Model, options: &ClearanceOptions) -> ClearanceResult {
+pub(super) fn clearance(a: &Model, b: &Model, options: &ClearanceOptions) -> ClearanceResult {
     let [a, b] = [a, b].map(|model| PreparedModel::new(model).unwrap());
     let engine = Engine::cpu();
     engine.clearance(&a, &b, options).wait().unwrap()
 }
 
-fn pose(axis: [f64; 3], angle: f64, offset: [f64; 3]) -> RigidTransform {
+pub(super) fn pose(axis: [f64; 3], angle: f64, offset: [f64; 3]) -> RigidTransform {
     let turn = DQuat::from_axis_angle(DVec3::from_array(axis).normalize(), angle);
     RigidTransform::new(turn, DVec3::from_array(offset)).unwrap()
 }
 
 /// Whether the truth is in an interval of the width, whose witness attains the upper end.
-fn assert_clearance(name: &str, a: &Model, b: &Model, transform: RigidTransform, truth: f64) {
+pub(super) fn assert_clearance(name: &str, a: &Model, b: &Model, transform: RigidTransform, truth: f64) {
     for relative_tolerance in [1e-3, 1e-6, 1e-9] {
         let options = ClearanceOptions {
             relative_tolerance: Some(relative_tolerance),

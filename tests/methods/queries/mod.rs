@@ -3,6 +3,7 @@
 mod clearance;
 mod closest_points;
 mod diff;
+mod exact_clearances;
 mod field;
 mod sheets;
 mod solids;

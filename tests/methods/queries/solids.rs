@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
-use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
+use nurbs_hausdorff::shapes::{cone, cylinder, sphere, torus};
 use nurbs_hausdorff::{DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays};
 
 /// Numbers in [0, 1) from a seed, by SplitMix64.
@@ -61,7 +61,7 @@ fn prepared(model: &Model) -> PreparedModel {
     PreparedModel::new(model).unwrap()
 }
 
-fn together(models: &[&Model]) -> Model {
+pub(super) fn together(models: &[&Model]) -> Model {
     let surfaces: Vec<NurbsSurface> = models.iter().flat_map(|model| model.surfaces()).cloned().collect();
     Model::new(None, surfaces).unwrap()
 }
@@ -104,6 +104,49 @@ fn points_of_bodies_of_revolution() {
         let radius = point.truncate().length() - 2.0;
         radius.hypot(point.z) - 0.6
     });
+}
+
+#[test]
+fn points_of_bodies_with_plane_faces() {
+    assert_sides("cylinder", &cylinder(1.0, 3.0).unwrap(), 1.8, |point| {
+        let [out, up] = [point.truncate().length() - 1.0, point.z.abs() - 1.5];
+        if out > 0.0 && up > 0.0 { out.hypot(up) } else { out.max(up) }
+    });
+    // The slant of a cone of radius 1 and height 2 has the normal (2, 1) / √5.
+    assert_sides("cone", &cone(1.0, 2.0).unwrap(), 1.3, |point| {
+        let radius = point.truncate().length();
+        (((radius - 1.0) * 2.0 + (point.z + 1.0)) / 5.0_f64.sqrt()).max(-1.0 - point.z)
+    });
+}
+
+/// A body with one void, a solid in it, and a second body that is turned inside out.
+#[test]
+fn solids_in_voids_and_beside_each_other() {
+    let balls = [1.0, 0.7, 0.4].map(|radius| sphere(DVec3::ZERO, radius).unwrap());
+    let mut reversed = sphere(DVec3::new(3.0, 0.0, 0.0), 1.0).unwrap().surfaces()[0].clone().into_arrays();
+    for row in reversed.control_points.chunks_exact_mut(reversed.counts[1]) {
+        row.reverse();
+    }
+    let other = Model::from_arrays(None, vec![reversed]).unwrap();
+    let all = together(&[&balls[0], &balls[1], &balls[2], &other]);
+    assert_sides("nested and beside", &all, 4.2, |point| {
+        let nested = (point.length() - 0.85).abs() - 0.15;
+        nested.min(point.length() - 0.4).min(point.distance(DVec3::new(3.0, 0.0, 0.0)) - 1.0)
+    });
+    let solid = prepared(&all).solid();
+    assert_eq!(
+        solid.shells.iter().map(|shell| shell.faces.clone()).collect::<Vec<_>>(),
+        [[0], [1], [2], [3]]
+    );
+}
+
+/// Numbers that are not finite are points of no side.
+#[test]
+fn a_point_that_is_not_finite_has_no_side() {
+    let model = prepared(&sphere(DVec3::ZERO, 1.0).unwrap());
+    for coordinate in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(model.side([0.0, coordinate, 0.0]), Side::Undecided);
+    }
 }
 
 #[test]

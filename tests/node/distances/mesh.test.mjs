@@ -103,13 +103,73 @@ test("wrong meshes are refused by their code", async () => {
   refused({ positions: [0, 0] }, "ARGUMENT_INVALID", /multiple of 3/);
   refused({ positions, unit: -1 }, "UNIT_INVALID");
   refused({ positions, faces: [] }, "OPTION_INVALID", /faces/);
+  refused({ positions, triangles: [0, 1, 2], groups: [{ triangles: 2 }] }, "MESH_GROUPS");
+  refused({ positions, triangles: [0, 1, 2], groups: [{ triangles: -1 }] }, "ARGUMENT_INVALID");
   const [mesh, surface] = [hd.mesh(triangle(0)), hd.model([square(0)])];
   const unsupported = withCode("FACETS_UNSUPPORTED");
   await assert.rejects(hd.distance(mesh, surface, { method: "iteration" }), unsupported);
-  await assert.rejects(hd.field(surface, mesh), unsupported);
-  await assert.rejects(hd.diff(mesh, surface), unsupported);
+  await assert.rejects(hd.clearance(mesh, surface), unsupported);
   assert.throws(() => mesh.update(0, []), unsupported);
   for (const model of [mesh, surface]) model.dispose();
+});
+
+/** Two squares of half a unit area each, the second one at this height. */
+const grouped = (z) => ({
+  positions: [...triangle(0).positions, ...triangle(z).positions],
+  triangles: [0, 1, 2, 3, 4, 5],
+  groups: [{ name: "low", triangles: 1 }, { triangles: 1 }],
+});
+
+test("the groups of a mesh are its faces, in the worker too", async () => {
+  const worker = await away.Hausdorff.create({ backend: "cpu" });
+  for (const engine of [hd, worker]) {
+    const [a, b] = [await engine.mesh(grouped(1)), await engine.mesh(grouped(1.5))];
+    const { facesOfA, facesOfB } = await engine.diff(a, b, { limit: 0.1 });
+    assert.deepEqual(
+      facesOfA.map(({ state }) => state),
+      ["unchanged", "changed"],
+    );
+    near(facesOfB[1].lower, 0.5, 1e-3);
+    assert.equal(facesOfA[0].witness.a.faceName, "low");
+    const { deviations, statistics } = await engine.field(a, b, { samples: 2 });
+    assert.deepEqual(
+      deviations.map(({ face, counts }) => [face, ...counts]),
+      [
+        [0, 6, 1],
+        [1, 6, 1],
+      ],
+    );
+    assert.equal(deviations[1].triangles.length, 3 * 4);
+    assert.deepEqual(new Set(deviations[1].distances), new Set([0.5]));
+    near(statistics.mean, 0.25, 1e-12);
+    for (const model of [a, b]) model.dispose();
+  }
+  worker.dispose();
+});
+
+test("a mesh and points are fitted to surfaces and meshes", async () => {
+  const sphere = fromThreeGeometry(new SphereGeometry(1, 24, 16));
+  const { positions } = sphere;
+  const moved = Float64Array.from(
+    positions,
+    (value, index) => value + [0.05, -0.02, 0.03][index % 3],
+  );
+  const [ball, mesh, points] = [
+    hd.mesh(sphere),
+    hd.mesh({ ...sphere, positions: moved }),
+    hd.mesh({ positions: moved }),
+  ];
+  const exact = hd.shape("sphere");
+  for (const part of [mesh, points]) {
+    const { transform, rms, converged } = await hd.bestFit(part, ball);
+    assert.ok(converged && rms < 5e-3, `${rms}`);
+    for (const [axis, shift] of [-0.05, 0.02, -0.03].entries()) {
+      near(transform.translation[axis], shift, 5e-3);
+    }
+    const { rms: toSurface, rmsBefore } = await hd.bestFit(part, exact);
+    assert.ok(toSurface <= rmsBefore);
+  }
+  for (const model of [ball, mesh, points, exact]) model.dispose();
 });
 
 test("a mesh is displayed by its own triangles, and a cloud by its points", () => {

@@ -85,8 +85,13 @@ fn loops_around_nothing_are_noticed() {
     let point = |[u, v]: [f64; 2]| [1.0 + u, 2.0 + 0.6 * v, 3.0 + 0.8 * v, 1.0];
     let row = vec![point(from), point(to)];
     let knots = vec![0.0, 0.0, 1.0, 1.0];
-    let surface =
-        Surface { degree: [1, 1], knots_u: knots.clone(), knots_v: knots, ctrl: vec![row.clone(), row] };
+    let surface = Surface {
+        degree: [1, 1],
+        knots_u: knots.clone(),
+        knots_v: knots,
+        ctrl: vec![row.clone(), row],
+        trim: None,
+    };
     let map = Map::Ruled(Ruled::new([side.clone(), side], [[0.0, 10.0], [0.0, 8.0]], false));
     cut.pieces = vec![Piece { surface, map }];
     assert_refuted(&cut, "around nothing");

@@ -3,6 +3,7 @@
 mod cuts;
 mod exact;
 mod intervals;
+mod least;
 mod remainders;
 
 use crate::proof::{self, Claim, Motion, Report, Settings, Verdict, Witness};

@@ -42,32 +42,36 @@ impl Patch {
 
 /// All Bézier patches of a model in the frame: one for each pair of non-empty knot spans.
 pub(crate) fn patches(model: &Model, frame: &Frame, motion: &Motion) -> Vec<Patch> {
+    (0..model.surfaces.len()).flat_map(|index| patches_of(model, index, frame, motion)).collect()
+}
+
+/// The Bézier patches of one surface of a model.
+pub(crate) fn patches_of(model: &Model, index: usize, frame: &Frame, motion: &Motion) -> Vec<Patch> {
+    let surface = &model.surfaces[index];
     let mut patches = Vec::new();
-    for (index, surface) in model.surfaces.iter().enumerate() {
-        let rows = homogeneous(surface, frame, motion);
-        let [u_spans, v_spans] = [0, 1].map(|axis| surface.spans(axis));
-        let [p, q] = surface.degree;
-        for &u in &u_spans {
-            // Control points of the strip, u fastest: one column of p + 1 for each column of the net.
-            let strip: Vec<Vec<Homogeneous>> = (0..surface.count(1))
-                .map(|j| {
-                    let line: Vec<Homogeneous> = (u - p..=u).map(|i| rows[i][j]).collect();
-                    bezier_points(&line, surface.knots(0), u)
+    let rows = homogeneous(surface, frame, motion);
+    let [u_spans, v_spans] = [0, 1].map(|axis| surface.spans(axis));
+    let [p, q] = surface.degree;
+    for &u in &u_spans {
+        // Control points of the strip, u fastest: one column of p + 1 for each column of the net.
+        let strip: Vec<Vec<Homogeneous>> = (0..surface.count(1))
+            .map(|j| {
+                let line: Vec<Homogeneous> = (u - p..=u).map(|i| rows[i][j]).collect();
+                bezier_points(&line, surface.knots(0), u)
+            })
+            .collect();
+        for &v in &v_spans {
+            let points = (0..=p)
+                .flat_map(|i| {
+                    let line: Vec<Homogeneous> = (v - q..=v).map(|j| strip[j][i]).collect();
+                    bezier_points(&line, surface.knots(1), v)
                 })
                 .collect();
-            for &v in &v_spans {
-                let points = (0..=p)
-                    .flat_map(|i| {
-                        let line: Vec<Homogeneous> = (v - q..=v).map(|j| strip[j][i]).collect();
-                        bezier_points(&line, surface.knots(1), v)
-                    })
-                    .collect();
-                let ranges = [(0, u), (1, v)].map(|(axis, span)| {
-                    let knots = surface.knots(axis);
-                    [knots[span], knots[span + 1]]
-                });
-                patches.push(Patch { net: Net { degree: surface.degree, points }, surface: index, ranges });
-            }
+            let ranges = [(0, u), (1, v)].map(|(axis, span)| {
+                let knots = surface.knots(axis);
+                [knots[span], knots[span + 1]]
+            });
+            patches.push(Patch { net: Net { degree: surface.degree, points }, surface: index, ranges });
         }
     }
     patches

@@ -5,5 +5,5 @@ mod extract;
 mod net;
 
 pub(super) use curvature::SecondDerivatives;
-pub(super) use extract::{Patch, patches};
+pub(super) use extract::{Patch, patches, patches_of};
 pub(super) use net::{Net, project};

@@ -1,0 +1,116 @@
+//! The sides of a mesh: the signs of distances to it.
+
+use super::rounding::facet_rounding;
+use super::{Facet, FacetTarget, Nearest};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// A weight below this is that of a corner opposite to an edge with the point, or of one of the two
+/// that are far from a corner with it: rounding moves a foot by much less.
+const BORDER: f64 = 1e-9;
+
+/// The distance up to which a facet has a foot too, in roundings of a distance.
+const REACH_ROUNDINGS: f64 = 4.0;
+
+/// The cosine of the angle between the normal and the direction from a foot below which a point
+/// has no sign: it is in the tangent plane but for the errors of foot and normal.
+const MIN_COSINE: f64 = 1e-6;
+
+/// The part of the sum of angles below which a sum of normals counts as vanishing.
+const MIN_SUM: f64 = 1e-6;
+
+impl FacetTarget {
+    /// Returns the distance of a point with its sign, negative behind the facet of its foot. On an
+    /// edge or a corner the angle-weighted normal of all facets there counts (Bærentzen and Aanæs
+    /// 2005): of a closed mesh whose normals point outwards it is negative inside. NaN where no
+    /// normal exists, where normals cancel, in the tangent plane, and for a cloud. O(log n).
+    pub(crate) fn signed(&self, place: u32, nearest: &Nearest) -> f64 {
+        let distance = nearest.distance_squared.sqrt();
+        let facet = self.facet(place);
+        let is_inside = nearest.weights.iter().all(|&weight| weight > BORDER);
+        let normal = if is_inside { facet.normal() } else { self.pseudonormal(facet.point(nearest.weights)) };
+        let Some(normal) = normal else { return f64::NAN };
+        let along = -nearest.offset.dot(normal) / normal.length();
+        if along.abs() >= MIN_COSINE * distance { distance.copysign(along) } else { f64::NAN }
+    }
+
+    /// Returns the sum of the normals of all triangles at a point, weighted by their angles there.
+    fn pseudonormal(&self, point: DVec3) -> Option<DVec3> {
+        let reach = REACH_ROUNDINGS * facet_rounding(self.bounding_box().farthest_from_origin());
+        let reach_squared = reach * reach;
+        let (mut sum, mut angles) = (DVec3::ZERO, 0.0);
+        self.visit(point, reach_squared, |place| {
+            let facet = self.facet(place);
+            let nearest = facet.nearest(point);
+            if nearest.distance_squared <= reach_squared
+                && let (Facet::Triangle(corners), Some(normal)) = (facet, facet.normal())
+            {
+                let angle = angle(&corners, nearest.weights);
+                sum += angle * normal.normalize();
+                angles += angle;
+            }
+            (reach_squared, false)
+        });
+        (sum.length() > MIN_SUM * angles).then_some(sum)
+    }
+}
+
+/// Returns the angle that a triangle fills about the point of these weights.
+fn angle(corners: &[DVec3; 3], weights: [f64; 3]) -> f64 {
+    let large: Vec<usize> = (0..3).filter(|&corner| weights[corner] > BORDER).collect();
+    match large.as_slice() {
+        [corner] => {
+            let [left, right] = [1, 2].map(|step| corners[(corner + step) % 3] - corners[*corner]);
+            left.angle_between(right)
+        }
+        [_, _] => PI,
+        _ => 2.0 * PI,
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::TriangleMesh;
+
+    /// A spike: at its tip the normal of the first facet would take half of the points for inside.
+    #[test]
+    fn points_off_edges_and_corners_have_the_sign_of_their_side() {
+        let mut vertices: Vec<DVec3> = (0..5)
+            .map(|k| {
+                let (y, x) = (0.4 * PI * f64::from(k)).sin_cos();
+                DVec3::new(x, y, 0.0)
+            })
+            .collect();
+        vertices.extend([DVec3::new(0.3, 0.0, 4.0), DVec3::new(0.3, 0.0, 3.0)]);
+        let mut triangles = Vec::new();
+        // Outside the tall cone, and the lower one within it, which the solid leaves out.
+        for k in 0..5_u32 {
+            triangles.extend([[k, (k + 1) % 5, 5], [(k + 1) % 5, k, 6]]);
+        }
+        let target = FacetTarget::of_mesh(&TriangleMesh::new(&vertices, &triangles).unwrap());
+        let is_inside = |p: DVec3| {
+            let below = |tip: DVec3| {
+                (0..5).all(|k| {
+                    let (a, b) = (vertices[k], vertices[(k + 1) % 5]);
+                    (b - a).cross(tip - a).dot(p - a) < 0.0
+                })
+            };
+            p.z > 0.0 && below(vertices[5]) && !below(vertices[6])
+        };
+        let random = &mut fastrand::Rng::with_seed(8);
+        let mut inside = 0;
+        for _ in 0..4000 {
+            let near = vertices[random.usize(..7)];
+            let point = near + 0.3 * DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+            let (foot, nearest, _) = target.certified(point, 0);
+            let signed = target.signed(foot.facet, &nearest);
+            if !signed.is_nan() && signed.abs() > 1e-9 {
+                assert_eq!(signed < 0.0, is_inside(point), "{point} {signed}");
+                inside += usize::from(signed < 0.0);
+            }
+        }
+        assert!(inside > 200, "{inside}");
+    }
+}
