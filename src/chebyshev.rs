@@ -119,13 +119,19 @@ pub(crate) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<
 }
 
 /// Returns the factor for which `factor · max |P(x_k)|` over the `count` nodes is an
-/// upper bound on |P| over [0, 1], for every polynomial P of degree `degree < count`.
+/// upper bound on |P| over [0, 1], for every polynomial P of degree `degree < count`; infinite
+/// where there are no more nodes than the degree, which bound nothing.
 ///
-/// `1 / cos(π degree / (2 count))` (Ehlich and Zeller, *Schwankung von Polynomen
-/// zwischen Gitterpunkten*, Mathematische Zeitschrift 86 (1964); lemma T5 of
-/// docs/trimming.md).
+/// The smaller one of `1 / cos(π degree / (2 count))` (Ehlich and Zeller, *Schwankung von
+/// Polynomen zwischen Gitterpunkten*, Mathematische Zeitschrift 86 (1964)) and
+/// `1 + (2 / π) ln count`, which bounds the Lebesgue constant (Rivlin, *The Chebyshev
+/// Polynomials* (1974), theorem 1.2); lemma T5 of docs/trimming.md.
 pub(crate) fn node_factor(degree: usize, count: usize) -> f64 {
-    1.0 / (FRAC_PI_2 * degree as f64 / count as f64).cos()
+    if degree >= count {
+        return f64::INFINITY;
+    }
+    let oversampled = 1.0 / (FRAC_PI_2 * degree as f64 / count as f64).cos();
+    oversampled.min(1.0 + (count as f64).ln() / FRAC_PI_2)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -151,6 +157,21 @@ mod tests {
         for count in [9, 12, 16, 24] {
             let largest = nodes(count).map(|x| chebyshev(x).abs()).fold(0.0, f64::max);
             assert!(largest * node_factor(8, count) >= 1.0 - 1e-12);
+        }
+    }
+
+    /// The polynomial that is 1 and -1 at the nodes in turn is, at the end, the Lebesgue constant.
+    #[test]
+    fn the_node_factor_is_attained_where_there_are_as_few_nodes_as_may_be() {
+        for count in 2..200 {
+            let values: Vec<f64> = (0..count).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+            let at_end: f64 = coefficients(&values).iter().sum();
+            assert_eq!(node_factor(count, count), f64::INFINITY);
+            let factor = node_factor(count - 1, count);
+            assert!(
+                at_end <= factor * (1.0 + 1e-12) && factor <= 1.04 * at_end,
+                "{count}: {at_end} {factor}"
+            );
         }
     }
 }

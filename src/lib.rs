@@ -65,8 +65,9 @@
 //!
 //! # Features
 //!
-//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE.
-//! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `cad` and
+//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE;
+//! `archives` those that gzip compressed, and FreeCAD documents, as well.
+//! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `archives` and
 //! `mesh`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
 //! of the npm package: another crate for the web needs neither.
 //!
@@ -117,6 +118,8 @@ mod symmetry;
 pub mod tessellate;
 mod threads;
 mod tolerance;
+#[cfg(any(feature = "archives", feature = "mesh"))]
+mod unpacked;
 mod untrim;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers")))]
 mod wasm;
@@ -141,6 +144,8 @@ pub use area::Area;
 pub use axis::Axis;
 #[cfg(feature = "cad")]
 pub use brep::FileKind;
+#[cfg(feature = "archives")]
+pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
     Backend, CertifiedOptions, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
@@ -158,7 +163,7 @@ pub use mesh_files::{MeshFile, MeshFormat};
 pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
-pub use read::{Note, ReadReport, Skipped};
+pub use read::{FaceId, Note, ReadReport, Skipped};
 pub use solid::Side;
 pub use surface_point::SurfacePoint;
 

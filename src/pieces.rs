@@ -315,7 +315,7 @@ mod tests {
         report.leave_out(&refused);
         assert_eq!((report.faces, report.skipped.len()), (2, 1));
         let skipped = &report.skipped[0];
-        assert_eq!((skipped.face, skipped.code), (1, "FACE_NOT_CUT"));
+        assert_eq!((&skipped.face, skipped.code), (&1.into(), "FACE_NOT_CUT"));
         assert!(skipped.why.contains("surface 1: the trimmed face cannot be cut"), "{}", skipped.why);
     }
 

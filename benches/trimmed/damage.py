@@ -1,26 +1,37 @@
-"""Damages files of CAD systems at random and has the command read them.
+"""Damages files of CAD systems, of meshes and of points at random and has the command read them.
 
     python3 benches/trimmed/damage.py COMMAND COUNT SEED FILE...
 
-Each damaged file has bytes, digits or lines changed, exchanged, repeated or left out, or ends early.
-The command must end within MAX_SECONDS, in MAX_BYTES of address space, with a model or a coded
-error; every other end is printed, and its file kept beside the working folder. The exit status is 1
-if there is one.
+Each damaged file has bytes, digits, references or lines changed, exchanged, repeated or left out, or
+ends early. The command, `convert` of CAD and `distance` to a point of meshes and points, must end within
+MAX_SECONDS of CPU time, in MAX_BYTES of address space, with a model or a coded error; every other end is
+printed, and its file kept in the working folder. The exit status is 1 if there is one. The largest CPU
+time and resident memory of a run are printed too.
 """
 
 import collections
+import io
 import random
+import re
 import resource
 import subprocess
 import sys
 import tempfile
-import time
+import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 MAX_SECONDS = 10
+# Of a run that waits without using the CPU; other programs slow a run as well.
+MAX_WAITING_SECONDS = 300
 MAX_BYTES = 1 << 30
 # Exit statuses of a model that is read, and of a coded error.
 EXPECTED = (0, 2)
+KIBIBYTES_A_MEBIBYTE = 1024
+# In STEP; in other texts, whole numbers, which references are among.
+REFERENCE = re.compile(rb"#\d+")
+WHOLE_NUMBER = re.compile(rb"(?<![\d.])\d+(?![\d.])")
+MESHES = {".stl", ".ply", ".obj", ".gltf", ".glb", ".3mf", ".xyz", ".pts", ".csv"}
 
 
 def bytes_changed(rng: random.Random, content: bytearray) -> bytearray:
@@ -31,8 +42,18 @@ def bytes_changed(rng: random.Random, content: bytearray) -> bytearray:
 
 def digits_changed(rng: random.Random, content: bytearray) -> bytearray:
     digits = [index for index, byte in enumerate(content) if 48 <= byte <= 57]
-    for _ in range(rng.randrange(1, 30)):
+    for _ in range(rng.randrange(1, 30) if digits else 0):
         content[rng.choice(digits)] = rng.randrange(48, 58)
+    return content
+
+
+def references_changed(rng: random.Random, content: bytearray) -> bytearray:
+    pattern = REFERENCE if REFERENCE.search(content) else WHOLE_NUMBER
+    found = [match.span() for match in pattern.finditer(content)]
+    chosen = sorted(rng.sample(found, min(len(found), rng.randrange(1, 10))), reverse=True)
+    others = [bytes(content[slice(*rng.choice(found))]) for _ in chosen]
+    for (start, end), other in zip(chosen, others):
+        content[start:end] = other
     return content
 
 
@@ -42,7 +63,7 @@ def ended_early(rng: random.Random, content: bytearray) -> bytearray:
 
 def lines_left_out(rng: random.Random, content: bytearray) -> bytearray:
     lines = content.split(b"\n")
-    for _ in range(rng.randrange(1, 6)):
+    for _ in range(min(rng.randrange(1, 6), len(lines) - 1)):
         del lines[rng.randrange(len(lines))]
     return bytearray(b"\n".join(lines))
 
@@ -62,11 +83,38 @@ def repeated(rng: random.Random, content: bytearray) -> bytearray:
     return content
 
 
-DAMAGES = (bytes_changed, digits_changed, ended_early, lines_left_out, lines_exchanged, repeated)
+Damage = Callable[[random.Random, bytearray], bytearray]
+
+DAMAGES = (
+    bytes_changed,
+    digits_changed,
+    references_changed,
+    ended_early,
+    lines_left_out,
+    lines_exchanged,
+    repeated,
+)
 
 
-def limit_memory() -> None:
+def damaged(rng: random.Random, damage: Damage, suffix: str, content: bytes) -> bytes:
+    """Damages a file, or of an archive half of the time what is in it."""
+    if suffix != ".3mf" or rng.random() < 0.5:
+        return bytes(damage(rng, bytearray(content)))
+    made = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as source, zipfile.ZipFile(made, "w") as target:
+        for name in source.namelist():
+            target.writestr(name, bytes(damage(rng, bytearray(source.read(name)))))
+    return made.getvalue()
+
+
+def limit() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MAX_BYTES, MAX_BYTES))
+    resource.setrlimit(resource.RLIMIT_CPU, (MAX_SECONDS, MAX_SECONDS))
+
+
+def cpu_seconds() -> float:
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def main() -> int:
@@ -75,26 +123,31 @@ def main() -> int:
     rng = random.Random(seed)
     ends, slowest, unexpected = collections.Counter(), 0.0, 0
     with tempfile.TemporaryDirectory() as folder:
+        point = Path(folder) / "point.xyz"
+        point.write_text("1 2 3\n")
         for number in range(count):
             suffix, content = rng.choice(files)
             damage = rng.choice(DAMAGES)
-            damaged = Path(folder) / f"damaged{suffix}"
-            damaged.write_bytes(damage(rng, bytearray(content)))
-            started = time.monotonic()
-            words = [command, "convert", "--overwrite", str(damaged), str(Path(folder) / "model.json")]
+            path = Path(folder) / f"damaged{suffix}"
+            path.write_bytes(damaged(rng, damage, suffix, content))
+            before = cpu_seconds()
+            words = [command, "convert", "--overwrite", str(path), str(Path(folder) / "model.json")]
+            if suffix in MESHES:
+                words = [command, "distance", str(path), str(point), "--max-cells", "100"]
             try:
-                run = subprocess.run(words, capture_output=True, timeout=MAX_SECONDS, preexec_fn=limit_memory)
+                run = subprocess.run(words, capture_output=True, timeout=MAX_WAITING_SECONDS, preexec_fn=limit)
                 end = run.returncode
             except subprocess.TimeoutExpired:
                 end = None
-            slowest = max(slowest, time.monotonic() - started)
+            slowest = max(slowest, cpu_seconds() - before)
             ends[end] += 1
             if end not in EXPECTED:
                 unexpected += 1
                 kept = Path(f"damaged-{seed}-{number}{suffix}")
-                kept.write_bytes(damaged.read_bytes())
+                kept.write_bytes(path.read_bytes())
                 print(f"{kept}: ended with {end} after {damage.__name__}", flush=True)
-    print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.1f} s")
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / KIBIBYTES_A_MEBIBYTE
+    print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.2f} CPU s, at most {peak:.0f} MiB")
     return 1 if unexpected else 0
 
 

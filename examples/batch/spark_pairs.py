@@ -23,9 +23,12 @@ def compare(batches):
 
 def run(spark, source, target, function=compare):
     """Answer the lines of a file into text files in a folder."""
-    lines = spark.read.text(source)
-    partitions = max(1, lines.count() // PARTITION)
-    lines.repartition(partitions).mapInPandas(function, "value string").write.text(target)
+    context = spark.sparkContext
+    partitions = max(1, context.textFile(source).count() // PARTITION)
+    # Parts of the file in its order, so that lines with the same model stay together.
+    lines = context.textFile(source, partitions).map(lambda line: (line,))
+    frame = spark.createDataFrame(lines, "value string")
+    frame.mapInPandas(function, "value string").write.text(target)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _transform
 from ._errors import NurbsHausdorffError
 from ._measure import Sampling, field
-from ._progress import Event
+from ._progress import Event, ProgressBar, Share, reporter
 from ._results.field import Field
 from ._sources import model
 from ._transform import Transform
@@ -68,6 +68,7 @@ def best_fit(
     max_steps: int = 100,
     scale_units: bool = False,
     transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
 ) -> BestFit:
     """Return the position of A, near its first one, at which the mean square of its samples'
@@ -89,6 +90,8 @@ def best_fit(
         Scales B to the unit of A where both state different ones; else that is an error.
     transform : Transform or array of shape (4, 4), optional
         Position of A at first.
+    progress : bool or tqdm, optional
+        Shows the steps as parts of the largest number of them, and the whole at the end.
     cancel : threading.Event, optional
 
     Raises
@@ -101,32 +104,40 @@ def best_fit(
             "OPTION_INVALID", "found both tolerance and relative_tolerance, expected one of them"
         )
     a, b = model(a), model(b)
+    report = reporter(progress, None)
+    # The first position is evaluated too.
+    share = 1.0 / (max_steps + 1)
 
-    def evaluate(motion: Transform) -> tuple[float, _LeastSquares]:
+    def evaluate(motion: Transform, step: int) -> tuple[float, _LeastSquares]:
+        bar = None if report is None else Share(report, step * share, share)
         found = field(
             a, b, samples=samples, sampling=sampling, scale_units=scale_units,
-            transform=motion, cancel=cancel,
+            transform=motion, progress=bar, cancel=cancel,
         )  # fmt: skip
         return found.diagonal, _LeastSquares(found)
 
     position = Transform(*_transform.native(transform))
-    diagonal, at = evaluate(position)
+    diagonal, at = evaluate(position, 0)
     fraction = DEFAULT_RELATIVE_TOLERANCE if relative_tolerance is None else relative_tolerance
     smallest = fraction * diagonal if tolerance is None else tolerance
     before, damping = at.mean_square, FIRST_DAMPING
+    steps, converged = max_steps, False
     for step in range(max_steps):
         shift, vector, gain = at.step(damping)
         length = float(np.linalg.norm(shift) + at.extent * np.linalg.norm(vector))
         if length <= smallest or gain <= MIN_GAIN * at.mean_square:
-            return BestFit(position, at.mean_square**0.5, before**0.5, step, True)
+            steps, converged = step, True
+            break
         moved = _followed(position, vector, at.center, shift)
-        _, there = evaluate(moved)
+        _, there = evaluate(moved, step + 1)
         if there.mean_square < at.mean_square:
             position, at = moved, there
             damping = max(damping / DAMPING_FACTOR, MIN_DAMPING)
         else:
             damping *= DAMPING_FACTOR
-    return BestFit(position, at.mean_square**0.5, before**0.5, max_steps, False)
+    if report is not None:
+        report(1.0, None)
+    return BestFit(position, at.mean_square**0.5, before**0.5, steps, converged)
 
 
 class _LeastSquares:

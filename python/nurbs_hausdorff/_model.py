@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _names, _native
-from ._archives import FREECAD_UNIT, Document, freecad_document, inflated, joined
 from ._errors import NurbsHausdorffError
 
 
@@ -106,10 +104,9 @@ class Model:
     or by its arrays.
     """
 
-    __slots__ = ("_source", "_native", "_path", "_document_report", "__weakref__")
+    __slots__ = ("_source", "_native", "_path", "__weakref__")
 
     def __init__(self, source: bytes | Facets, path: str = "model") -> None:
-        self._document_report: ReadReport | None = None
         try:
             if isinstance(source, Facets):
                 self._native = _native.Model.of_facets(
@@ -118,7 +115,7 @@ class Model:
                     source.unit,
                 )
             else:
-                self._native, self._document_report = _read(source, path)
+                self._native = _native.Model(source, path)
         except NurbsHausdorffError as error:
             message = error.message if path in error.message else f"{path}: {error.message}"
             raise NurbsHausdorffError(error.code, message) from None
@@ -153,7 +150,7 @@ class Model:
     def kind(self) -> str:
         """Kind of the source: ``step``, ``iges``, ``brep``, ``fcstd``, ``json``, ``mesh`` or
         ``points``."""
-        return self._native.kind if self._document_report is None else "fcstd"
+        return self._native.kind
 
     @property
     def name(self) -> str | None:
@@ -199,8 +196,6 @@ class Model:
     @property
     def report(self) -> ReadReport:
         """What reading kept and left out."""
-        if self._document_report is not None:
-            return self._document_report
         data = _names.snake(self._native.report())
         for name in ("skipped", "notes"):
             data[name] = tuple(Remark(**remark) for remark in data[name])
@@ -237,48 +232,3 @@ class Model:
             np.repeat(np.arange(len(ends)), np.diff(ends, prepend=0)),
         )
 
-
-def _read(source: bytes, path: str) -> tuple[_native.Model, ReadReport | None]:
-    """Read a file, and return the report on a FreeCAD document with it."""
-    content, name = inflated(source, path)
-    # 3MF is a zip archive too, and known by its name.
-    document = None if name.lower().endswith(".3mf") else freecad_document(content, name)
-    if document is None:
-        return _native.Model(content, name), None
-    return _of_document(document, path)
-
-
-def _of_document(document: Document, path: str) -> tuple[_native.Model, ReadReport]:
-    """Join the shapes of a document; those without faces, as sketches are, have no part in it."""
-    skipped = [Remark(name, "FORMAT_UNSUPPORTED", why) for name, why in document.skipped]
-    notes: list[Remark] = []
-    reports: list[ReadReport] = []
-    models: list[dict[str, Any]] = []
-    for name, text in document.shapes:
-        if not text.strip():
-            continue
-        try:
-            shape = Model(text, name)
-        except NurbsHausdorffError as error:
-            if error.code != "EMPTY_MODEL":
-                skipped.append(Remark(name, error.code, error.message))
-            continue
-        report = shape.report
-        models.append(json.loads(shape.to_json()))
-        reports.append(report)
-        for found, given in ((skipped, report.skipped), (notes, report.notes)):
-            found += [replace(remark, face=f"{name} {remark.face}") for remark in given]
-    if not models:
-        left = "".join(f"; {remark.face}: {remark.why}" for remark in skipped)
-        raise NurbsHausdorffError("EMPTY_MODEL", f"no visible shape of the document has faces{left}")
-    return _native.Model(json.dumps(joined(models)).encode(), path), ReadReport(
-        faces=sum(report.faces for report in reports),
-        trims=sum(report.trims for report in reports),
-        exact=sum(report.exact for report in reports),
-        fitted=sum(report.fitted for report in reports),
-        gap=max(report.gap for report in reports),
-        gap_proven=all(report.gap_proven for report in reports),
-        unit=FREECAD_UNIT,
-        skipped=tuple(skipped),
-        notes=tuple(notes),
-    )

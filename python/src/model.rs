@@ -167,11 +167,12 @@ impl Model {
 
 /// Faces of a CAD file that cannot be cut into patches are left out, and reported.
 fn read(bytes: &[u8], path: &str) -> nurbs_hausdorff::Result<Model> {
-    if let Some(format) = MeshFormat::of_name(path) {
-        let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format)?;
+    let (bytes, name) = nurbs_hausdorff::inflated(bytes.to_vec(), path)?;
+    if let Some(format) = MeshFormat::of_name(name) {
+        let MeshFile { facets, unit, .. } = MeshFile::read(&bytes, format)?;
         return prepared(&facets, unit);
     }
-    let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes.to_vec(), path)?;
+    let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes, name)?;
     let (model, prepared) = match kind {
         nurbs_hausdorff::FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;

@@ -50,6 +50,16 @@ def test_gaps_list_the_pairs_of_faces():
     assert nh.gaps(box((0, 0, 0)), box((1.25, 0, 0)), below=0.2).pairs == ()
 
 
+class Bar:
+    """The interface of tqdm, with a total of its own."""
+
+    total, n, parts = 10.0, 0.0, 0
+
+    def update(self, n):
+        assert n >= 0.0
+        self.n, self.parts = self.n + n, self.parts + 1
+
+
 def test_best_fit_finds_a_known_motion():
     turn = nh.Transform.from_matrix(
         [[0.96, -0.28, 0, 0.1], [0.28, 0.96, 0, -0.05], [0, 0, 1, 0.02], [0, 0, 0, 1]]
@@ -58,7 +68,9 @@ def test_best_fit_finds_a_known_motion():
     moved = [
         {**one, "ctrl": one["ctrl"] @ turn.matrix()[:3, :3].T + turn.translation} for one in body
     ]
-    fit = nh.best_fit(body, moved)
+    bar = Bar()
+    fit = nh.best_fit(body, moved, progress=bar)
+    assert bar.total == 10.0 and bar.parts > fit.steps and abs(bar.n - bar.total) < 1e-9
     assert fit.converged and fit.rms < 1e-8 < fit.rms_before
     assert np.allclose(fit.transform.matrix(), turn.matrix(), atol=1e-7)
     assert nh.distance(body, moved, transform=fit.transform, symmetric=True).upper < 1e-5

@@ -7,7 +7,7 @@ use super::report::{FaceFault, Remark};
 use super::topology::{Face, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, ModelArrays};
-use crate::read::{Assembled, FaceCounts, Note, Skipped};
+use crate::read::{Assembled, FaceCounts, FaceId, Note, Skipped};
 use crate::threads::parallel;
 use glam::DAffine3;
 use std::cell::LazyCell;
@@ -40,6 +40,7 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
         counts: Vec::new(),
         skipped: Vec::new(),
         notes: notes(file, &placed, &distinct, &converted),
+        shapes: Vec::new(),
     };
     // The index of each shape's face among those read.
     let mut faces: HashMap<usize, usize> = HashMap::new();
@@ -56,7 +57,7 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
             }
             Err(FaceFault { code, why }) => {
                 let entity = placed.entity(file);
-                read.skipped.push(Skipped { face: number, entity, code, why });
+                read.skipped.push(Skipped { face: number.into(), entity, code, why });
             }
         }
     }
@@ -65,7 +66,7 @@ pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
         name_parts(&mut read.model);
     }
     match read.skipped.first() {
-        Some(Skipped { face, why, .. }) if read.model.faces.is_empty() => {
+        Some(Skipped { face: FaceId::Number(face), why, .. }) if read.model.faces.is_empty() => {
             Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
         }
         _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
@@ -138,7 +139,7 @@ fn notes(
                    of its edges' directions, which no seam and no neighbours confirm";
         let complement = open.then(|| Remark::new("BREP_COMPLEMENT", why));
         let remarks = converted.remarks.iter().cloned().chain(complement);
-        notes.extend(remarks.map(|Remark { code, why }| Note { face, code, why }));
+        notes.extend(remarks.map(|Remark { code, why }| Note { face: face.into(), code, why }));
     }
     notes
 }

@@ -1,9 +1,13 @@
 //! Files of every kind that this crate reads, recognised by their content.
 
+#[cfg(feature = "archives")]
+use super::archive;
 use super::format;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::read::ReadReport;
+#[cfg(feature = "archives")]
+use crate::read::validation;
 
 /// The kind of a model's file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -15,33 +19,47 @@ pub enum FileKind {
     Iges,
     /// The BREP text of OpenCASCADE.
     Brep,
+    /// A document of FreeCAD.
+    #[cfg(feature = "archives")]
+    FreeCad,
     /// The interchange JSON, whose faces are read without a change.
     Json,
 }
 
 impl FileKind {
-    /// Returns the kind's name: `step`, `iges`, `brep` or `json`.
+    /// Returns the kind's name: `step`, `iges`, `brep`, `fcstd` or `json`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Step => "step",
             Self::Iges => "iges",
             Self::Brep => "brep",
+            #[cfg(feature = "archives")]
+            Self::FreeCad => "fcstd",
             Self::Json => "json",
         }
     }
 }
 
 impl Model {
-    /// Reads a file of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
-    /// content. `path` names the file in errors only. O(length).
+    /// Reads a file of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, or with the feature
+    /// `archives` a FreeCAD document or any of these that gzip compressed, found by its content. `path`
+    /// names the file in errors only. O(length).
     ///
     /// # Errors
     /// [`Error::FormatUnsupported`], else those of [`Model::from_json`], [`Model::from_step`],
-    /// [`Model::from_iges`] and [`Model::from_brep`].
+    /// [`Model::from_iges`] and [`Model::from_brep`]; of archives also [`Error::CadUnreadable`], and
+    /// [`Error::FileTooLarge`] before more than [`Model::MAX_JSON_BYTES`] are unpacked.
     pub fn from_file(bytes: Vec<u8>, path: &str) -> Result<(Self, ReadReport, FileKind)> {
-        if let Some(found) = format::unsupported(&bytes) {
-            return Err(Error::FormatUnsupported { found, path: path.to_owned() });
+        #[cfg(feature = "archives")]
+        let (bytes, path) = archive::inflated(bytes, path)?;
+        #[cfg(feature = "archives")]
+        if format::is_zip(&bytes) {
+            let (model, report) = validation::into_model(archive::read_document(&bytes)?)?;
+            return Ok((model, report, FileKind::FreeCad));
+        }
+        if let Some((found, advice)) = unsupported(&bytes, path) {
+            return Err(Error::FormatUnsupported { found, advice });
         }
         if format::is_binary_brep(&bytes) {
             return Err(Error::BrepSyntax {
@@ -64,5 +82,17 @@ impl Model {
         let model = Self::from_json(&text)?;
         let report = ReadReport::of_exact(&model);
         Ok((model, report, FileKind::Json))
+    }
+}
+
+/// Returns the name of a format that is recognised and not read, and the way to a file that is.
+fn unsupported(bytes: &[u8], path: &str) -> Option<(&'static str, String)> {
+    let converted = || format!("`npx nurbs-hausdorff convert {path} model.json` converts it");
+    let archived = || "the feature `archives` of this crate reads it".to_owned();
+    match bytes {
+        _ if format::is_rhino(bytes) => Some(("a Rhino 3DM file", converted())),
+        _ if format::is_gzip(bytes) => Some(("a file compressed by gzip", archived())),
+        _ if format::is_zip(bytes) => Some(("a zip archive, as FreeCAD documents are", archived())),
+        _ => None,
     }
 }

@@ -26,16 +26,19 @@ pub(super) fn is_binary_brep(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"Open CASCADE Topology V")
 }
 
-/// The name of a format that the package's command line in Node reads and this one does
-/// not.
-pub(super) fn unsupported(bytes: &[u8]) -> Option<&'static str> {
-    let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
-    let signatures = [
-        (head.starts_with(b"3D Geometry File Format"), "a Rhino 3DM file"),
-        (head.starts_with(b"PK\x03\x04"), "a zip archive, as FreeCAD documents are"),
-        (head.starts_with(&[0x1f, 0x8b]), "a file compressed by gzip"),
-    ];
-    signatures.into_iter().find_map(|(found, name)| found.then_some(name))
+/// Whether bytes are what Rhino writes.
+pub(super) fn is_rhino(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"3D Geometry File Format")
+}
+
+/// Whether bytes are compressed by gzip.
+pub(super) fn is_gzip(bytes: &[u8]) -> bool {
+    bytes.starts_with(&[0x1f, 0x8b])
+}
+
+/// Whether bytes are a zip archive, as FreeCAD's documents are.
+pub(super) fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
 }
 
 /// Whether bytes are an IGES file, whose first line is of the start section, and numbered.

@@ -5,8 +5,10 @@
 //! makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
 //! their distance from the edges; [`assembly`] collects the faces and their placements;
-//! [`file`] recognises files by their content.
+//! [`file`] recognises files by their content; `archive` opens those within others.
 
+#[cfg(feature = "archives")]
+mod archive;
 mod assembly;
 mod edges;
 mod faces;
@@ -24,6 +26,8 @@ mod topology;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
+#[cfg(feature = "archives")]
+pub use archive::inflated;
 pub use file::FileKind;
 
 impl Model {

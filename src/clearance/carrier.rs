@@ -76,7 +76,8 @@ impl Carrier {
                 from_center().range_from_circle(&from_axis(axis), radius, near)?
             }
         };
-        let is_near = range[1] - range[0] <= MAX_SPREAD * range[1];
+        // A plane's range is all numbers: its center is infinitely far.
+        let is_near = range[1] - range[0] < MAX_SPREAD * range[1];
         is_near.then_some(Self { center, kind, range, reach })
     }
 

@@ -1,6 +1,6 @@
 //! The closest points of a model to given points.
 
-use super::signs::{Known, SignRule, SignSource, Signs};
+use super::signs::{Known, SignFoot, SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::closest::closest_above;
 use crate::error::{Error, Result};
@@ -106,9 +106,8 @@ impl Engine {
         validate(points)?;
         if let Some(facets) = model.facets() {
             let mut progress = Progress::new(monitor, false);
-            let source = facets.may_close().then(|| SignSource::new(model));
-            let rule = source.as_ref().map(SignSource::rule);
-            return closest_facets((facets, rule), points, &transform, &mut progress).await;
+            let source = SignSource::new(model);
+            return closest_facets((facets, source.rule()), points, &transform, &mut progress).await;
         }
         let flat = model.target(Flatness::Loose);
         let target = &flat.target;
@@ -140,7 +139,7 @@ impl Engine {
                             + gamma(DISTANCE_ROUNDINGS) * closest.upper
                             + VANISHING_LENGTH,
                     );
-                    part.signed.push(rule.signed(point, closest.lower, &foot, &mut side));
+                    part.signed.push(rule.signed(point, closest.lower, &SignFoot::Patch(&foot), &mut side));
                     part.feet.extend_from_slice(&foot.point.to_array());
                     part.faces.push(pieces.face(patch.surface) as u32);
                     let of_piece = patch.surface_parameters(closest.parameters);
@@ -164,14 +163,13 @@ impl Engine {
 /// # Errors
 /// [`Error::Cancelled`].
 async fn closest_facets(
-    (facets, rule): (&PreparedFacets, Option<SignRule<'_>>),
+    (facets, rule): (&PreparedFacets, SignRule<'_>),
     points: &[f64],
     transform: &RigidTransform,
     progress: &mut Progress<'_>,
 ) -> Result<ClosestPoints> {
     let length = facets.target.bounding_box().farthest_from_origin();
-    let signs = rule.map_or(Signs::Faces, |rule| rule.signs());
-    let mut found = ClosestPoints { signs, ..ClosestPoints::default() };
+    let mut found = ClosestPoints { signs: rule.signs(), ..ClosestPoints::default() };
     let count = points.len() / 3;
     for page in points.chunks(3 * POINTS_AT_ONCE) {
         let parts = map_ranges(page.len() / 3, |range| {
@@ -189,13 +187,8 @@ async fn closest_facets(
                 let distance = foot.distance_squared.sqrt();
                 part.distances.push(distance);
                 part.bounds.push(distance - lower + rounding);
-                part.signed.push(match rule {
-                    Some(rule) => {
-                        let jet = facets.target.facet(foot.facet).jet(at);
-                        rule.signed(point, lower - rounding, &jet, &mut side)
-                    }
-                    None => facets.target.signed(foot.facet, &nearest),
-                });
+                let of_facet = SignFoot::Facet(&facets.target, foot.facet, &nearest);
+                part.signed.push(rule.signed(point, lower - rounding, &of_facet, &mut side));
                 part.feet.extend_from_slice(&at.to_array());
                 part.faces.push(facets.target.index(foot.facet) as u32);
                 part.parameters.extend_from_slice(&nearest.weights[1..]);

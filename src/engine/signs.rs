@@ -4,6 +4,7 @@ use super::PreparedModel;
 use super::prepared::PreparedTarget;
 use crate::bezier::Jet;
 use crate::closest::Target;
+use crate::facets::{FacetTarget, Nearest};
 use crate::flatness::Flatness;
 use crate::solid::{Boundary, Side, pseudonormal};
 use glam::DVec3;
@@ -32,22 +33,26 @@ pub enum Signs {
     Solid,
     /// Negative behind the normal of the face that has the foot; where the foot lies on an edge, a
     /// corner or the rim, behind the angle-weighted normal of the faces there. NaN where no normal
-    /// exists, where those of the faces cancel, and in the tangent plane beside the rim.
+    /// exists, where those of the faces cancel, and in the tangent plane beside the rim. The faces of
+    /// a mesh are its triangles.
     #[default]
     Faces,
 }
 
-/// The model from which deviations are measured, with its patches.
-pub(super) struct SignSource<'a> {
-    boundary: &'a Boundary,
-    target: Arc<PreparedTarget>,
-}
+/// The model from which deviations are measured, with its patches; none of a cloud, nor of a mesh
+/// that is not closed or too large to be joined.
+pub(super) struct SignSource<'a>(Option<(&'a Boundary, Arc<PreparedTarget>)>);
 
 /// The same, to be shared by threads.
 #[derive(Clone, Copy)]
-pub(super) struct SignRule<'a> {
-    boundary: &'a Boundary,
-    target: &'a Target,
+pub(super) struct SignRule<'a>(Option<(&'a Boundary, &'a Target)>);
+
+/// The closest point of a model.
+pub(super) enum SignFoot<'a> {
+    /// On a patch.
+    Patch(&'a Jet),
+    /// On the facet at a place of its tree.
+    Facet(&'a FacetTarget, u32, &'a Nearest),
 }
 
 /// The side of the last point, near which the next one may lie.
@@ -64,28 +69,31 @@ struct Ball {
 impl<'a> SignSource<'a> {
     /// Joins the model's edges at first use.
     pub(super) fn new(model: &'a PreparedModel) -> Self {
-        Self { boundary: model.boundary(), target: model.target(Flatness::None) }
+        let is_needed = model.facets().is_none_or(|mesh| mesh.may_close() && model.boundary().is_closed());
+        Self(is_needed.then(|| (model.boundary(), model.target(Flatness::None))))
     }
 
     pub(super) fn rule(&self) -> SignRule<'_> {
-        SignRule { boundary: self.boundary, target: &self.target.target }
+        SignRule(self.0.as_ref().map(|(boundary, target)| (*boundary, &target.target)))
     }
 }
 
 impl SignRule<'_> {
     /// Returns what the signs stand for.
     pub(super) fn signs(&self) -> Signs {
-        if self.boundary.is_closed() { Signs::Solid } else { Signs::Faces }
+        if self.0.is_some_and(|(boundary, _)| boundary.is_closed()) { Signs::Solid } else { Signs::Faces }
     }
 
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound
     /// on the point's distance, `known` belongs to this model.
-    pub(super) fn signed(&self, point: DVec3, clear: f64, foot: &Jet, known: &mut Known) -> f64 {
-        let Self { boundary, target } = *self;
-        let distance = point.distance(foot.point);
-        if !boundary.is_closed() {
+    pub(super) fn signed(&self, point: DVec3, clear: f64, foot: &SignFoot<'_>, known: &mut Known) -> f64 {
+        let Some((boundary, target)) = self.0.filter(|(boundary, _)| boundary.is_closed()) else {
             return self.along_normal(point, foot);
-        }
+        };
+        let distance = match foot {
+            SignFoot::Patch(foot) => point.distance(foot.point),
+            SignFoot::Facet(_, _, nearest) => nearest.distance_squared.sqrt(),
+        };
         // No ray from the boundary itself decides, whichever way it goes.
         if distance <= boundary.margin_at(point) {
             return 0.0;
@@ -99,14 +107,17 @@ impl SignRule<'_> {
     }
 
     /// Returns the distance, negative behind the normal, as [`Signs::Faces`] states.
-    fn along_normal(&self, point: DVec3, foot: &Jet) -> f64 {
+    fn along_normal(&self, point: DVec3, foot: &SignFoot<'_>) -> f64 {
+        let foot = match *foot {
+            SignFoot::Patch(foot) => foot,
+            SignFoot::Facet(facets, place, nearest) => return facets.signed(place, nearest),
+        };
         let offset = point - foot.point;
         let distance = offset.length();
         let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
-        let normal = foot
-            .normal()
-            .filter(is_along)
-            .or_else(|| pseudonormal(self.target, foot.point, self.boundary.reach()));
+        let of_all =
+            || self.0.and_then(|(boundary, target)| pseudonormal(target, foot.point, boundary.reach()));
+        let normal = foot.normal().filter(is_along).or_else(of_all);
         let Some(along) = normal.map(|normal| offset.dot(normal)) else { return f64::NAN };
         if along.abs() >= MIN_COSINE * distance { distance.copysign(along) } else { f64::NAN }
     }

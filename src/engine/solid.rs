@@ -70,8 +70,8 @@ impl PreparedModel {
             .iter()
             .map(|edge| {
                 let face = face_of(edge.surface);
-                let is_named = self.facets().is_none();
-                let face_name = self.face_name(face).filter(|_| is_named).map(str::to_owned);
+                let named = self.facets().is_none().then_some(face);
+                let face_name = named.and_then(|face| self.face_name(face)).map(str::to_owned);
                 let [start, middle, end] = edge.points.map(|point| point.to_array());
                 FreeEdge { face, face_name, start, middle, end }
             })
@@ -97,8 +97,7 @@ impl PreparedModel {
     /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solid that the
     /// faces bound, whichever way they are oriented: a point from which every ray crosses the
     /// faces an odd number of times is inside. [`Side::Undecided`] for points on the boundary or
-    /// within its gaps, for coordinates that are not finite, and for models that are not closed,
-    /// which meshes and clouds of points count among.
+    /// within its gaps, for coordinates that are not finite, and for models that are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
         self.side_within(DVec3::from_array(point), 0.0)
@@ -106,7 +105,7 @@ impl PreparedModel {
 
     /// Returns the side of all points within `error` of this one.
     pub(super) fn side_within(&self, point: DVec3, error: f64) -> Side {
-        if self.facets().is_some() || !point.is_finite() {
+        if !point.is_finite() || !self.boundary().is_closed() {
             return Side::Undecided;
         }
         self.boundary().side(&self.target(Flatness::None).target, point, error)

@@ -161,6 +161,12 @@ pub enum Error {
     /// A model without surfaces.
     #[error("the model has 0 surfaces, expected at least 1")]
     EmptyModel,
+    /// A document without a visible shape that has faces and can be read.
+    #[error("no visible shape of the document has faces{left_out}")]
+    EmptyDocument {
+        /// The objects left out, each with its reason and a semicolon before it.
+        left_out: String,
+    },
     /// The trimming loops of a surface are invalid.
     #[error("surface {surface}, {fault}")]
     Trim {
@@ -355,17 +361,22 @@ pub enum Error {
         /// The message of the operating system.
         found: String,
     },
-    /// A file of a format that the package's command line in Node reads, but this crate
-    /// does not.
+    /// Compressed content that is damaged, or an archive without what its format requires.
+    #[error("the file cannot be unpacked: {found}")]
+    CadUnreadable {
+        /// The violation.
+        found: String,
+    },
+    /// A file of a format that is recognised and not read.
     #[error(
-        "found {found}; read are interchange JSON, STEP, IGES and OpenCASCADE's BREP text: \
-         `npx nurbs-hausdorff convert {path} model.json` converts it"
+        "found {found}; read are interchange JSON, STEP, IGES, OpenCASCADE's BREP text and FreeCAD's FCStd: \
+         {advice}"
     )]
     FormatUnsupported {
         /// The format, with its article.
         found: &'static str,
-        /// The path as given.
-        path: String,
+        /// The way to a file that is read.
+        advice: String,
     },
     /// An option outside its range.
     #[error("option {option} is {found}, expected {expected}")]
@@ -477,7 +488,7 @@ impl Error {
             Self::TooFewControlPoints { .. } => "TOO_FEW_CONTROL_POINTS",
             Self::DegreeOutOfRange { .. } => "DEGREE_OUT_OF_RANGE",
             Self::FaceNotCut { .. } => "FACE_NOT_CUT",
-            Self::EmptyModel => "EMPTY_MODEL",
+            Self::EmptyModel | Self::EmptyDocument { .. } => "EMPTY_MODEL",
             Self::Trim { fault, .. } => fault.code(),
             Self::ModelTrimmed { .. } => "MODEL_TRIMMED",
             Self::GapInvalid { .. } => "GAP_INVALID",
@@ -502,6 +513,7 @@ impl Error {
             Self::BrepUnreadable { .. } => "BREP_UNREADABLE",
             Self::FileTooLarge { .. } => "FILE_TOO_LARGE",
             Self::FileUnreadable { .. } => "FILE_UNREADABLE",
+            Self::CadUnreadable { .. } => "CAD_UNREADABLE",
             Self::FormatUnsupported { .. } => "FORMAT_UNSUPPORTED",
             Self::OptionOutOfRange { .. } => "OPTION_OUT_OF_RANGE",
             Self::OptionInvalid { .. } => "OPTION_INVALID",

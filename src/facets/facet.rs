@@ -1,6 +1,5 @@
 //! One facet: the closest point of it, and a plane that separates it from a point.
 
-use crate::bezier::Jet;
 use crate::bvh::Aabb;
 use crate::rounding::{lower_min, unit, upper_max};
 use glam::DVec3;
@@ -48,15 +47,6 @@ impl Facet {
         let Self::Triangle([a, b, c]) = self else { return None };
         let normal = (*b - *a).cross(*c - *a);
         (normal != DVec3::ZERO).then_some(normal)
-    }
-
-    /// Returns the derivatives along two edges, at one of its points; 0 for a point.
-    pub(crate) fn jet(&self, point: DVec3) -> Jet {
-        let [s, t] = match self {
-            Self::Point(_) => [DVec3::ZERO; 2],
-            Self::Triangle([a, b, c]) => [*b - *a, *c - *a],
-        };
-        Jet { point, s, t, ss: DVec3::ZERO, st: DVec3::ZERO, tt: DVec3::ZERO }
     }
 
     /// Returns the point of these weights.

@@ -15,7 +15,7 @@ mod sign;
 mod target;
 mod triangle_mesh;
 
-pub(crate) use facet::Facet;
+pub(crate) use facet::{Facet, Nearest};
 pub(crate) use patches::weights;
 pub use point_cloud::PointCloud;
 pub(crate) use prepared::{Group, PreparedFacets};

@@ -1,8 +1,7 @@
 //! The sides of a mesh: the signs of distances to it.
 
-use super::facet::Nearest;
 use super::rounding::facet_rounding;
-use super::{Facet, FacetTarget};
+use super::{Facet, FacetTarget, Nearest};
 use glam::DVec3;
 use std::f64::consts::PI;
 

@@ -2,12 +2,13 @@
 
 use super::scene::{MAX_DEPTH, place};
 use super::{MAX_BYTES, MeshFormat, Soup};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::unpacked::Budget;
 use glam::{DAffine3, DMat3, DVec3};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::HashMap;
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 use zip::ZipArchive;
 
 const FORMAT: MeshFormat = MeshFormat::ThreeMf;
@@ -45,9 +46,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
     let names: Vec<String> = archive.file_names().flatten().map(std::borrow::Cow::into_owned).collect();
     let is_model = |name: &&String| name.to_ascii_lowercase().ends_with(".model");
     let mut parts = HashMap::new();
-    let mut left = MAX_BYTES;
+    let mut budget = Budget::new(MAX_BYTES);
     for name in names.iter().filter(is_model) {
-        let xml = content(&mut archive, name, &mut left)?;
+        let file = archive.by_name(name).map_err(|error| FORMAT.syntax(error.to_string()))?;
+        let xml = budget.read(file, |found| FORMAT.syntax(found))?;
         parts.insert(name.trim_start_matches('/').to_owned(), parse(&xml)?);
     }
     let root = match parts.contains_key(DEFAULT_MODEL) {
@@ -60,18 +62,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
         place_object(&parts, root, item, &DAffine3::IDENTITY, 0, &mut soup)?;
     }
     Ok(soup)
-}
-
-/// Returns the content of a file of the archive, less than `left` bytes, which are taken off.
-fn content(archive: &mut ZipArchive<Cursor<&[u8]>>, name: &str, left: &mut u64) -> Result<Vec<u8>> {
-    let file = archive.by_name(name).map_err(|error| FORMAT.syntax(error.to_string()))?;
-    let mut xml = Vec::new();
-    file.take(*left).read_to_end(&mut xml).map_err(|error| FORMAT.syntax(error.to_string()))?;
-    *left -= xml.len() as u64;
-    if *left == 0 {
-        return Err(Error::FileTooLarge { found: MAX_BYTES, expected: MAX_BYTES });
-    }
-    Ok(xml)
 }
 
 fn place_object(

@@ -1,16 +1,19 @@
 //! The result of a reader, before the model validates it.
 
-use super::report::{FaceCounts, Note, ReadReport, Skipped};
+use super::report::{FaceCounts, FaceId, Note, ReadReport, Skipped, face_id};
 use crate::model::ModelArrays;
 use crate::model::trim::FaceArrays;
 
 /// The faces that a reader made of a file, not validated, with the account of each.
+#[derive(Default)]
 pub(crate) struct Assembled {
     pub(crate) model: ModelArrays,
     /// One entry a face of the model.
     pub(crate) counts: Vec<FaceCounts>,
     pub(crate) skipped: Vec<Skipped>,
     pub(crate) notes: Vec<Note>,
+    /// The shapes of a document by the number of their first face, in order; empty for other files.
+    pub(crate) shapes: Vec<(usize, String)>,
 }
 
 impl Assembled {
@@ -20,7 +23,12 @@ impl Assembled {
         let curves = |face: &FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
         let count = |(number, face)| FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
         let counts = model.faces.iter().enumerate().map(count).collect();
-        Self { model, counts, skipped: Vec::new(), notes: Vec::new() }
+        Self { model, counts, ..Self::default() }
+    }
+
+    /// Returns how the file calls the face of a number.
+    pub(crate) fn face_id(&self, number: usize) -> FaceId {
+        face_id(&self.shapes, number)
     }
 
     /// Returns the report on these faces.
@@ -41,6 +49,7 @@ impl Assembled {
             skipped: self.skipped.clone(),
             notes: self.notes.clone(),
             sources: self.sources(),
+            shapes: self.shapes.clone(),
         }
     }
 

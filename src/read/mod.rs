@@ -17,4 +17,4 @@ pub(crate) mod validation;
 
 pub(crate) use assembled::Assembled;
 pub(crate) use report::FaceCounts;
-pub use report::{Note, ReadReport, Skipped};
+pub use report::{FaceId, Note, ReadReport, Skipped};

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::model::Model;
 use serde::{Deserialize, Serialize};
+use std::fmt::{Display, Formatter};
 
 /// The result of reading a CAD file, face by face.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -35,6 +36,9 @@ pub struct ReadReport {
     /// of the file has several.
     #[serde(skip)]
     pub(crate) sources: Vec<FaceCounts>,
+    /// The shapes of a document, as of [`super::Assembled`].
+    #[serde(skip)]
+    pub(crate) shapes: Vec<(usize, String)>,
 }
 
 /// The number of a face among those of the file, and those of its curves.
@@ -64,6 +68,7 @@ impl ReadReport {
             skipped: Vec::new(),
             notes: Vec::new(),
             sources: Vec::new(),
+            shapes: Vec::new(),
         }
     }
 
@@ -79,18 +84,56 @@ impl ReadReport {
             let unknown = FaceCounts { number: *face, entity: None, exact: 0, fitted: 0 };
             let FaceCounts { number, entity, exact, fitted } =
                 self.sources.get(*face).copied().unwrap_or(unknown);
+            let face = face_id(&self.shapes, number);
             // Other instances of the face are refused with it.
-            if self.skipped.iter().any(|skipped| skipped.face == number) {
+            if self.skipped.iter().any(|skipped| skipped.face == face) {
                 continue;
             }
             self.faces -= 1;
             self.trims -= exact + fitted;
             self.exact -= exact;
             self.fitted -= fitted;
-            self.skipped.push(Skipped { face: number, entity, code: error.code(), why: error.to_string() });
+            self.skipped.push(Skipped { face, entity, code: error.code(), why: error.to_string() });
         }
-        self.skipped.sort_by_key(|skipped| skipped.face);
+        self.skipped.sort_by(|one, other| one.face.cmp(&other.face));
         self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
+    }
+}
+
+/// The place of a face in its file.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(untagged)]
+#[non_exhaustive]
+pub enum FaceId {
+    /// The number in the file, from 0, in the order of OpenCASCADE's `TopExp_Explorer`, each face once
+    /// at its place.
+    Number(usize),
+    /// The name of an object of a document that is not read, or that of its shape with the number of
+    /// the face in it.
+    Name(String),
+}
+
+impl From<usize> for FaceId {
+    fn from(number: usize) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl Display for FaceId {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(number) => write!(formatter, "{number}"),
+            Self::Name(name) => write!(formatter, "{name}"),
+        }
+    }
+}
+
+/// Returns how a file with these shapes, by the numbers of their first faces, calls a face.
+pub(super) fn face_id(shapes: &[(usize, String)], number: usize) -> FaceId {
+    let index = shapes.partition_point(|(first, _)| *first <= number);
+    match index.checked_sub(1).map(|index| &shapes[index]) {
+        Some((first, name)) => FaceId::Name(format!("{name} {}", number - first)),
+        None => FaceId::Number(number),
     }
 }
 
@@ -98,9 +141,8 @@ impl ReadReport {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Skipped {
-    /// The number of the face in the file, from 0, in the order of OpenCASCADE's
-    /// `TopExp_Explorer`, each face once at its place.
-    pub face: usize,
+    /// The place of the face in the file.
+    pub face: FaceId,
     /// The number by which the file calls the face, if it has one, as `#` in STEP.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entity: Option<u64>,
@@ -114,8 +156,8 @@ pub struct Skipped {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Note {
-    /// The number of the face in the file, as of [`Skipped`].
-    pub face: usize,
+    /// The place of the face in the file.
+    pub face: FaceId,
     /// The stable code of the remark.
     pub code: &'static str,
     /// The decision, and the reason for it.

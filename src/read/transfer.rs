@@ -6,7 +6,7 @@
 )]
 
 use super::assembled::Assembled;
-use super::report::{FaceCounts, Note, Skipped};
+use super::report::{FaceCounts, FaceId, Note, Skipped};
 use crate::error::{Error, Result};
 use crate::model::ModelArrays;
 use serde::{Deserialize, Serialize};
@@ -39,19 +39,25 @@ impl Assembled {
     /// Returns the faces as bytes, in which every float keeps its bits. O(size).
     ///
     /// # Errors
-    /// [`Error::TransferInvalid`] if the writer fails, which it does not for these types.
+    /// [`Error::TransferInvalid`] for the faces of a document, which this module does not read; else if
+    /// the writer fails, which it does not for these types.
     pub(crate) fn to_bytes(&self) -> Result<Vec<u8>> {
-        let account = |face, entity, code: &str, why: &str| {
+        let account = |face: &FaceId, entity, code: &str, why: &str| {
+            let FaceId::Number(face) = *face else {
+                return Err(Error::TransferInvalid { found: format!("the face {face} has no number") });
+            };
             let [code, why] = [code, why].map(str::to_owned);
-            Account { face, entity, code, why }
+            Ok(Account { face, entity, code, why })
         };
-        let Self { model, counts, skipped, notes } = self;
+        let Self { model, counts, skipped, notes, .. } = self;
+        let left_out = skipped.iter().map(|one| account(&one.face, one.entity, one.code, &one.why));
+        let remarks = notes.iter().map(|note| account(&note.face, None, note.code, &note.why));
         let transfer = Transfer {
             version: VERSION.into(),
             model: Cow::Borrowed(model),
             counts: counts.into(),
-            skipped: skipped.iter().map(|one| account(one.face, one.entity, one.code, &one.why)).collect(),
-            notes: notes.iter().map(|note| account(note.face, None, note.code, &note.why)).collect(),
+            skipped: left_out.collect::<Result<_>>()?,
+            notes: remarks.collect::<Result<_>>()?,
         };
         postcard::to_extend(&transfer, Vec::new()).map_err(invalid)
     }
@@ -69,11 +75,11 @@ impl Assembled {
         }
         let Transfer { model, counts, skipped, notes, .. } = postcard::from_bytes(bytes).map_err(invalid)?;
         let skipped = skipped.into_iter().map(|Account { face, entity, code, why }| {
-            let code = interned(code);
+            let (face, code) = (face.into(), interned(code));
             Skipped { face, entity, code, why }
         });
         let notes = notes.into_iter().map(|Account { face, code, why, .. }| {
-            let code = interned(code);
+            let (face, code) = (face.into(), interned(code));
             Note { face, code, why }
         });
         Ok(Self {
@@ -81,6 +87,7 @@ impl Assembled {
             counts: counts.into_owned(),
             skipped: skipped.collect(),
             notes: notes.collect(),
+            ..Self::default()
         })
     }
 }
@@ -148,8 +155,9 @@ mod tests {
                 instances: vec![instance],
             },
             counts: vec![FaceCounts { number: 7, entity: Some(u64::MAX), exact: 1, fitted: 2 }],
-            skipped: vec![Skipped { face: 1, entity: Some(77), code: "CODE", why: "why".to_owned() }],
-            notes: vec![Note { face: 2, code: "NOTE", why: "ambiguous".to_owned() }],
+            skipped: vec![Skipped { face: 1.into(), entity: Some(77), code: "CODE", why: "why".to_owned() }],
+            notes: vec![Note { face: 2.into(), code: "NOTE", why: "ambiguous".to_owned() }],
+            shapes: Vec::new(),
         }
     }
 

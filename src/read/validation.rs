@@ -17,9 +17,10 @@ pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
         Err(error) if read.model.faces.len() == 1 => return Err(error),
         Err(_) => parallel::map(read.model.faces.len(), |index| refusal(&read.model, index)),
     };
-    let Assembled { model: ModelArrays { name, unit, faces, instances }, counts, skipped, notes } = read;
+    let Assembled { model: ModelArrays { name, unit, faces, instances }, counts, skipped, notes, shapes } =
+        read;
     let model = ModelArrays { name, unit, faces: Vec::new(), instances };
-    let mut kept = Assembled { model, counts: Vec::new(), skipped, notes };
+    let mut kept = Assembled { model, counts: Vec::new(), skipped, notes, shapes };
     let mut indices = Vec::with_capacity(refused.len());
     for ((face, counts), refusal) in faces.into_iter().zip(counts).zip(refused) {
         indices.push(match refusal {
@@ -29,7 +30,8 @@ pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
                 Some(kept.model.faces.len() - 1)
             }
             Some((code, why)) => {
-                kept.skipped.push(Skipped { face: counts.number, entity: counts.entity, code, why });
+                let face = kept.face_id(counts.number);
+                kept.skipped.push(Skipped { face, entity: counts.entity, code, why });
                 None
             }
         });
@@ -37,7 +39,7 @@ pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
     for instance in &mut kept.model.instances {
         instance.surfaces = instance.surfaces.iter().filter_map(|&index| *indices.get(index)?).collect();
     }
-    kept.skipped.sort_by_key(|skipped| skipped.face);
+    kept.skipped.sort_by(|one, other| one.face.cmp(&other.face));
     kept.notes.retain(|note| kept.skipped.iter().all(|skipped| skipped.face != note.face));
     Ok((Model::from_faces(kept.model.clone())?, kept.report()))
 }

@@ -75,8 +75,8 @@ fn a_loop_that_is_open_beyond_the_tolerance_is_skipped_and_reported() {
     let shell = text.shape("Sh\n", &[plus(bad), plus(good), plus(crossing)]);
     let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
     assert_eq!((model.faces().len(), report.faces, report.trims), (1, 1, 4));
-    let skipped: Vec<_> = report.skipped.iter().map(|skipped| (skipped.face, skipped.code)).collect();
-    assert_eq!(skipped, [(0, "BREP_LOOP_OPEN"), (2, "TRIM_LOOPS_CROSS")]);
+    let skipped: Vec<_> = report.skipped.iter().map(|skipped| (skipped.face.clone(), skipped.code)).collect();
+    assert_eq!(skipped, [(0.into(), "BREP_LOOP_OPEN"), (2.into(), "TRIM_LOOPS_CROSS")]);
     assert!(report.skipped[0].why.contains("open by 1e0"), "{}", report.skipped[0].why);
     assert_eq!(model.faces().next().unwrap().name(), Some("face 1"));
     // Nothing is left.

@@ -139,5 +139,5 @@ fn the_offset_of_a_crease_is_skipped_and_reported() {
     let shell = text.shape("Sh\n", &faces.map(plus));
     let (model, report) = Model::from_brep(&text.text(plus(shell))).unwrap();
     assert_eq!((model.faces().len(), report.skipped.len()), (1, 1));
-    assert_eq!((report.skipped[0].face, report.skipped[0].code), (0, "BREP_OFFSET"));
+    assert_eq!((&report.skipped[0].face, report.skipped[0].code), (&0.into(), "BREP_OFFSET"));
 }

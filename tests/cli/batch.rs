@@ -135,6 +135,14 @@ fn an_output_is_resumed_after_its_last_whole_line() {
     let again = batch(&lines, &["--output", name, "--resume"]);
     assert_eq!((again.status.code(), again.stdout.len()), (Some(0), 0));
     assert_distances(&answers(&std::fs::read(&file).unwrap()), 0..6);
+    // The file of something else is left as it is.
+    std::fs::write(&file, "a list\nof words").unwrap();
+    let other = batch(&lines, &["--output", name, "--resume"]);
+    assert!(String::from_utf8_lossy(&other.stderr).contains("no output of `batch`"), "{other:?}");
+    assert_eq!(
+        (other.status.code(), std::fs::read(&file).unwrap().as_slice()),
+        (Some(2), &b"a list\nof words"[..])
+    );
     let refused = batch(&lines, &["--output", name]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OUTPUT_EXISTS]"));

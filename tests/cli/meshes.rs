@@ -34,8 +34,9 @@ fn meshes_and_points_are_read_by_the_ending_of_their_names() {
 #[test]
 fn what_needs_surfaces_refuses_meshes_by_code() {
     let mesh = file("mesh-refused.stl", &stl(0.0));
+    let points = file("mesh-refused.xyz", "0 0 0\n1 2 3\n");
     for arguments in
-        [vec!["info", &mesh], vec!["convert", &mesh, "unwritten.json"], vec!["clearance", &mesh, &mesh]]
+        [vec!["info", &mesh], vec!["convert", &mesh, "unwritten.json"], vec!["clearance", &mesh, &points]]
     {
         let output = run(&arguments);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -3,8 +3,9 @@
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets, Method,
-    MethodName, Model, PointCloud, PreparedModel, RigidTransform, Side, TriangleMesh,
+    Backend, CertifiedOptions, ClosestPointOptions, DistanceOptions, DistanceResult, Engine, Facets,
+    FieldOptions, Method, MethodName, Model, PointCloud, PreparedModel, RigidTransform, Side, Signs,
+    TriangleMesh,
 };
 use std::f64::consts::PI;
 
@@ -280,12 +281,33 @@ fn by_projection(corners: &[DVec3; 3], point: DVec3) -> f64 {
     at.distance(point)
 }
 
-/// A mesh has no faces that [`PreparedModel::solid`] could close, so that no point has a side.
+/// A closed mesh has sides whichever way its triangles turn; an open one and a cloud have none.
 #[test]
-fn no_point_has_a_side_of_a_mesh() {
+fn closed_meshes_have_sides_in_every_result() {
     let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-    let tetrahedron = mesh(&corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
-    assert!(!tetrahedron.solid().closed);
-    assert_eq!(tetrahedron.side([0.1, 0.1, 0.1]), Side::Undecided);
-    assert_eq!(cloud(&corners).side([5.0, 5.0, 5.0]), Side::Undecided);
+    // The second and the third one turn inwards.
+    let triangles = [[0, 2, 1], [0, 3, 1], [1, 3, 2], [2, 0, 3]];
+    let tetrahedron = mesh(&corners, &triangles);
+    let (inside, outside) = ([0.1, 0.2, 0.3], [0.2, -0.3, 0.1]);
+    assert!(tetrahedron.solid().closed);
+    assert_eq!(tetrahedron.side(inside), Side::Inside);
+    assert_eq!(tetrahedron.side(outside), Side::Outside);
+    let points = [inside, outside];
+    let of_points = |model: &PreparedModel, points: &[f64]| {
+        pollster::block_on(engine().closest_points(model, points, &ClosestPointOptions::default())).unwrap()
+    };
+    let found = of_points(&tetrahedron, points.as_flattened());
+    let samples = cloud(&points.map(DVec3::from_array));
+    let field = pollster::block_on(engine().field(&samples, &tetrahedron, &FieldOptions::default())).unwrap();
+    let of_field = &field.deviations[0];
+    for (signs, signed) in [(found.signs, &found.signed), (of_field.signs, &of_field.signed)] {
+        assert_eq!(signs, Signs::Solid);
+        assert!((signed[0] + 0.1).abs() < 1e-12 && (signed[1] - 0.3).abs() < 1e-12, "{signed:?}");
+    }
+    for open in [mesh(&corners, &triangles[1..]), cloud(&corners)] {
+        assert!(!open.solid().closed);
+        assert_eq!(open.side(inside), Side::Undecided);
+        assert_eq!(open.side(outside), Side::Undecided);
+        assert_eq!(of_points(&open, &inside).signs, Signs::Faces);
+    }
 }

@@ -272,4 +272,18 @@ test("glTF has metres, y up and the models' own place", async () => {
   );
 });
 
+test("a position without end is cut to one that the view can show, and left again", async () => {
+  const { page, until } = opened;
+  await until("done", () => page.locator("#move-x-exact").fill("1e300"));
+  const value = Number(await page.locator("#move-x-exact").inputValue());
+  assert.ok(1e6 < value && value < 1e20, `${value}`);
+  for (const view of ["front", "top"]) await page.selectOption("#direction", view);
+  await page.locator("#fit").click();
+  await page.waitForTimeout(300);
+  await until("done", () => page.locator("#move-x-exact").fill("0"));
+  await page.locator("#fit").click();
+  const labels = await page.locator("#axes text").first().getAttribute("x");
+  assert.ok(Number.isFinite(Number(labels)), labels);
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -92,6 +92,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
     assert.deepEqual(await opened.texts("#statistics"), {
       "A: mean": "≈ 0.10000",
       "A: signed mean": mean,
+      "A: negative": "behind B's normals",
       "A: RMS": "≈ 0.10000",
       "A: median": "≈ 0.10000",
       "A: 95th percentile": "≈ 0.10000",

@@ -116,4 +116,31 @@ test("a slider follows a finger, and the distance follows the slider", async () 
   assert.notEqual(Number((await opened.data()).computed), before);
 });
 
+test("what fills the view fills it in every shape of the window, and after the context was lost", async () => {
+  const { page } = opened;
+  await page.locator("#fit").click();
+  const before = await picture();
+  await page.setViewportSize({ width: 1200, height: 800 });
+  const wide = await picture();
+  await page.locator("#fit").click();
+  assert.ok((await picture()).equals(wide));
+  await page.setViewportSize({ width: 400, height: 800 });
+  await page.locator("#canvas").scrollIntoViewIfNeeded();
+  assert.ok((await picture()).equals(before));
+  await page.evaluate(async () => {
+    const canvas = document.getElementById("canvas");
+    const loss = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const event = (name) =>
+      new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event("webglcontextlost");
+    loss.loseContext();
+    await lost;
+    const restored = event("webglcontextrestored");
+    // A context is restored in a task of its own.
+    setTimeout(() => loss.restoreContext());
+    await restored;
+  });
+  assert.ok((await picture()).equals(before));
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

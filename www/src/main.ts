@@ -29,8 +29,9 @@ import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/placeView.ts";
+import { clearOwnLimits, ownLimits } from "./results/ownLimits.ts";
 import * as resultPanel from "./results/resultPanel.ts";
-import { addMeasured, needsPrecision, onLimit } from "./results/verdict.ts";
+import { needsPrecision, onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState, formState } from "./state/formState.ts";
@@ -59,7 +60,12 @@ const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
 });
 const faces = new FacesPanel({
   compare: (limit) =>
-    client.diff({ limit, transform: pose().transform, scaleUnits: scalesUnits() }),
+    client.diff({
+      ...{ limit, transform: pose().transform, scaleUnits: scalesUnits() },
+      own: ownLimits().map(({ side, face, above, below }) => ({
+        ...{ side, face, limit: Math.min(above, below) },
+      })),
+    }),
   cancel: () => client.cancelDiff(),
   show: (result) => view.showFaces(result),
   select: (change) => view.selectFace(change),
@@ -244,6 +250,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   faces.propose(view.models.diagonal);
   position.setPlacement(placement, view.models.diagonal);
   keep(models);
+  clearOwnLimits();
   const state = pending;
   pending = undefined;
   if (state !== undefined) applyFormState(state, ["a", "b"]);
@@ -288,8 +295,6 @@ function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measure
   if (replaced) deviation.hideMaps();
   if (hasMaps) {
     const { scale, largest } = deviation.showMaps(result, maps);
-    const { lowest, highest } = deviation.painted()?.extent ?? { lowest: 0, highest: 0 };
-    addMeasured({ lowest, highest });
     view.showMaps(maps, scale, largest);
   }
   if (!replaced) return;

@@ -73,7 +73,11 @@ def reading(command: Command, subject: Subject) -> list[str]:
 
 
 def areas(info: dict, subject: Subject) -> list[str]:
-    """The areas of all faces are OpenCASCADE's, in ascending order: the two number faces differently."""
+    """The areas of all faces are OpenCASCADE's.
+
+    The two number faces differently: each of OpenCASCADE's areas, the most accurate one first, goes
+    with the nearest of the command's that is left.
+    """
     found, allowed = [], AREA_AGREEMENT * subject.area
     spread = math.fsum(area.spread for area in subject.areas)
     lower, upper = info["area"]["lower"], info["area"]["upper"]
@@ -81,9 +85,11 @@ def areas(info: dict, subject: Subject) -> list[str]:
         found.append(f"area in [{lower:.9g}, {upper:.9g}], OpenCASCADE's {subject.area:.9g}")
     if upper - lower > MAX_AREA_WIDTH * upper:
         found.append(f"area not narrow: [{lower:.9g}, {upper:.9g}]")
-    ours = sorted((face["area"]["lower"], face["area"]["upper"]) for face in info["faces"])
+    ours = [(face["area"]["lower"], face["area"]["upper"]) for face in info["faces"]]
     if len(ours) == len(subject.areas):
-        for (lower, upper), theirs in zip(ours, sorted(subject.areas, key=lambda area: area.value)):
+        for theirs in sorted(subject.areas, key=lambda area: area.spread):
+            lower, upper = min(ours, key=lambda bounds: abs(sum(bounds) / 2 - theirs.value))
+            ours.remove((lower, upper))
             if not lower - allowed - theirs.spread <= theirs.value <= upper + allowed + theirs.spread:
                 found.append(f"a face's area in [{lower:.9g}, {upper:.9g}], OpenCASCADE's {theirs.value:.9g}")
     return found

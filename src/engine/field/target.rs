@@ -5,9 +5,9 @@ use crate::closest::{Target, closest_above};
 use crate::engine::PreparedModel;
 use crate::engine::direction::Direction;
 use crate::engine::prepared::PreparedTarget;
-use crate::engine::signs::{self, SignRule, SignSource, Signs};
+use crate::engine::signs::{self, SignFoot, SignRule, SignSource, Signs};
 use crate::error::{Error, Result};
-use crate::facets::PreparedFacets;
+use crate::facets::{PreparedFacets, facet_rounding};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -15,14 +15,17 @@ use std::sync::Arc;
 /// diagonal: below what any colour or statistic shows.
 const FIELD_GAP: f64 = 1e-9;
 
-/// The patches of the model with its signs, which a [`FieldTarget`] borrows; none of facets.
-pub(super) struct Held<'a>(Option<(Arc<PreparedTarget>, SignSource<'a>)>);
+/// The patches of the model, none of facets, and its signs, which a [`FieldTarget`] borrows.
+pub(super) struct Held<'a> {
+    target: Option<Arc<PreparedTarget>>,
+    signs: SignSource<'a>,
+}
 
 /// Patches or facets.
 #[derive(Clone, Copy)]
 pub(in crate::engine) enum FieldTarget<'a> {
     Patches { target: &'a Target, signs: SignRule<'a>, gap: f64 },
-    Facets(&'a PreparedFacets),
+    Facets { facets: &'a PreparedFacets, signs: SignRule<'a> },
 }
 
 /// The place of the last foot, near which the next one may lie.
@@ -41,8 +44,8 @@ pub(super) struct Foot {
 
 impl<'a> Held<'a> {
     pub(super) fn new(model: &'a PreparedModel) -> Self {
-        let is_of_patches = model.facets().is_none();
-        Self(is_of_patches.then(|| (model.certified_target(), SignSource::new(model))))
+        let target = model.facets().is_none().then(|| model.certified_target());
+        Self { target, signs: SignSource::new(model) }
     }
 }
 
@@ -52,11 +55,10 @@ impl Direction<'_> {
     /// # Errors
     /// [`Error::EmptyModel`].
     pub(super) fn field_target<'b>(&'b self, held: &'b Held<'_>) -> Result<FieldTarget<'b>> {
-        match (self.to.facets(), &held.0) {
-            (Some(facets), _) => Ok(FieldTarget::Facets(facets)),
-            (None, Some((target, source))) => {
-                Ok(FieldTarget::of_patches(&target.target, source.rule(), self.diagonal()))
-            }
+        let signs = held.signs.rule();
+        match (self.to.facets(), &held.target) {
+            (Some(facets), _) => Ok(FieldTarget::Facets { facets, signs }),
+            (None, Some(target)) => Ok(FieldTarget::of_patches(&target.target, signs, self.diagonal())),
             (None, None) => Err(Error::EmptyModel),
         }
     }
@@ -71,8 +73,7 @@ impl<'a> FieldTarget<'a> {
     /// Returns what the signs stand for.
     pub(super) fn signs(&self) -> Signs {
         match self {
-            Self::Patches { signs, .. } => signs.signs(),
-            Self::Facets(_) => Signs::Faces,
+            Self::Patches { signs, .. } | Self::Facets { signs, .. } => signs.signs(),
         }
     }
 
@@ -83,16 +84,20 @@ impl<'a> FieldTarget<'a> {
                 let closest = closest_above(target, point, *gap, known.place, 0.0, None)?;
                 known.place = Some((closest.patch as u32, closest.parameters));
                 let foot: Jet = target.patches.patch(closest.patch).jet(closest.parameters);
-                let signed = signs.signed(point, closest.lower, &foot, &mut known.side);
+                let signed = signs.signed(point, closest.lower, &SignFoot::Patch(&foot), &mut known.side);
                 Some(Foot { point: foot.point, distance: point.distance(foot.point), signed })
             }
-            Self::Facets(PreparedFacets { target, .. }) => {
-                let (foot, nearest, _) = target.certified(point, known.place.map_or(0, |(place, _)| place));
+            Self::Facets { facets: PreparedFacets { target, error, .. }, signs } => {
+                let (foot, nearest, lower) =
+                    target.certified(point, known.place.map_or(0, |(place, _)| place));
                 known.place = Some((foot.facet, [0.0; 2]));
+                let length = target.bounding_box().farthest_from_origin().max(point.length());
+                let clear = lower - error - facet_rounding(length);
+                let of_facet = SignFoot::Facet(target, foot.facet, &nearest);
                 Some(Foot {
                     point: target.facet(foot.facet).point(nearest.weights),
                     distance: foot.distance_squared.sqrt(),
-                    signed: target.signed(foot.facet, &nearest),
+                    signed: signs.signed(point, clear, &of_facet, &mut known.side),
                 })
             }
         }

@@ -1,6 +1,8 @@
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
+import { inflate } from "../cad/archive/inflate.js";
+import { isGzip } from "../cad/kind.js";
 import { meshFormatOf, readMesh } from "../cad/mesh.js";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
@@ -80,11 +82,13 @@ export class ModelFile {
   readBy<Model extends ReadModel>(reader: ModelReader<Model>): Promise<Input<Model>> {
     const { path } = this.source;
     return naming(path, async () => {
-      const format = meshFormatOf(path);
+      const isPacked = isGzip(this.#bytes);
+      const bytes = isPacked ? await inflate(this.#bytes, "gzip") : this.#bytes;
+      const format = meshFormatOf(isPacked ? path.replace(/\.gz$/, "") : path);
       const model =
         format === undefined
-          ? await reader.readCad(this.#bytes, { name: path })
-          : await reader.readMesh(this.#bytes, format);
+          ? await reader.readCad(bytes, { name: path })
+          : await reader.readMesh(bytes, format);
       warn(path, model.report);
       return { model, source: this.source, [Symbol.dispose]: () => model.dispose() };
     });

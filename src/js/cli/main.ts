@@ -14,6 +14,7 @@ import { distance } from "./commands/distance.js";
 import { info } from "./commands/info.js";
 import { version } from "./output/json.js";
 import { print } from "./output/output.js";
+import { delayTiering } from "./tiering.js";
 
 /** Exit status of bad arguments, bad input or a failed machine. */
 const FAILED = 2;
@@ -40,6 +41,7 @@ async function main(args: readonly string[]): Promise<number> {
   return 0;
 }
 
+delayTiering();
 process.exitCode = await main(process.argv.slice(2)).catch((error: unknown) => {
   const { code } = error as { code?: unknown };
   if (!(error instanceof Error) || typeof code !== "string") throw error;

@@ -288,6 +288,26 @@ mod tests {
     use crate::model::trim::{Trim, TrimCurveArrays};
     use crate::model::{NurbsSurface, SurfaceArrays};
 
+    /// On a straight piece that lies on the graph, the least value is the allowance: that of the places times
+    /// the slope, and the rounding of the coefficients' terms.
+    #[test]
+    fn the_depth_of_an_arc_has_its_rounding() {
+        let coefficients = [0.25, 0.5, 0.0];
+        let graph = Graph { axis: Axis::V, origin: DVec2::ZERO, coefficients };
+        let ends = [DVec2::new(-0.5, 0.0), DVec2::new(0.5, 0.5)];
+        let piece = TrimPiece { controls: ends.map(|end| end.extend(1.0)).to_vec(), curve: 0 };
+        let (slope, sizes) = (1.5, 0.5 + 0.25 + 0.25);
+        let of_terms = gamma(2.0 * (4.0 + 32.0)) * sizes;
+        for rounding in [0.0, 1e-3] {
+            let of_places = slope * (rounding + gamma(32.0 * 6.0));
+            for sign in [1.0, -1.0] {
+                let depth = -graph.least(&piece, sign, rounding);
+                let expected = of_places + of_terms;
+                assert!((depth / expected - 1.0).abs() < 1e-3, "{depth:e} {expected:e} of {sign}");
+            }
+        }
+    }
+
     /// The part of [-1, 1] × [-2, 2] within a polygon, with sides of this middle weight, 0 for straight ones: they
     /// bulge by a fifth of their length, outwards or inwards in turn.
     fn region(corners: &[[f64; 2]], weight: f64) -> Trim {

@@ -20,8 +20,8 @@ use proof::Composition;
 const MAX_FIT_DEGREE: usize = 12;
 
 /// The estimated error of a fit, relative to the tolerance, for which the proof is tried: it
-/// gives up to twice the largest error, the product of the node factors √2 of s and of t.
-const ESTIMATE: f64 = 0.5;
+/// gives up to eight times the largest error, the product of the node factors of s and of t.
+const ESTIMATE: f64 = 0.125;
 
 /// A patch, and an upper bound on its distance from the composition.
 pub(super) struct Composed {

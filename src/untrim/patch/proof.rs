@@ -1,17 +1,13 @@
 //! The distance of a finished patch from the composition, proven from values.
 
-use crate::bezier::Patch;
-use crate::chebyshev::{MAX_NODES, node_factor, nodes};
+use crate::bezier::{Patch, binomials};
+use crate::chebyshev::{node_factor, nodes};
 use crate::limits::MAX_DEGREE;
 use crate::rounding::{gamma, upper_max};
 use crate::untrim::cells::ruling::Ruling;
 use crate::untrim::curve::divided;
 use crate::untrim::face::UnitFace;
 use glam::{DVec2, DVec4, Vec4Swizzles};
-
-/// The number of nodes along s and along t, in multiples of the degree: the largest value there
-/// is within a factor √2 of the largest.
-const OVERSAMPLING: usize = 2;
 
 /// A surface composed with a ruled map.
 pub(super) struct Composition<'a> {
@@ -37,7 +33,8 @@ impl Composition<'_> {
     /// bound (lemma T5). O(nodes × controls).
     pub(super) fn deviation(&self, [m, n]: [usize; 2], controls: &[DVec4]) -> f64 {
         let Self { face, patch, ruling, degree: [along_s, along_t] } = *self;
-        let count = |degree: usize| (OVERSAMPLING * degree).clamp(2, MAX_NODES);
+        // The fewest nodes: twice as many would cost as much as the cut for half of the bound.
+        let counts = [along_s + 1, along_t + 1];
         let radius = self.radius();
         let twist = if face.affine { face.twist } else { 0.0 };
         // A value takes 6 roundings a degree, and its weight's power 4, of terms whose sizes sum to
@@ -46,8 +43,8 @@ impl Composition<'_> {
         let roundings = 6.0 * (p + q + m + n) as f64 + 4.0 * (p + q) as f64 + 32.0;
         let rounding = 2.0 * gamma(roundings) * radius;
         let mut error = 0.0_f64;
-        let across: Vec<_> = nodes(count(along_s)).map(|s| (s, bernstein(m, s))).collect();
-        for t in nodes(count(along_t)) {
+        let across: Vec<_> = nodes(counts[0]).map(|s| (s, bernstein(m, s))).collect();
+        for t in nodes(counts[1]) {
             let basis = bernstein(n, t);
             let line: Vec<DVec4> = controls.chunks_exact(n + 1).map(|row| combined(row, &basis)).collect();
             let [left, right] = [&ruling.left, &ruling.right].map(|curve| curve.at(t));
@@ -61,7 +58,7 @@ impl Composition<'_> {
             }
         }
         let least = controls.iter().map(|control| control.w).fold(f64::INFINITY, f64::min);
-        let factor = node_factor(along_s, count(along_s)) * node_factor(along_t, count(along_t));
+        let factor = node_factor(along_s, counts[0]) * node_factor(along_t, counts[1]);
         let far = gamma(4.0) * patch.center.length() + face.patches.point_error.after(0);
         error * factor / least + 2.0 * twist + far
     }
@@ -109,15 +106,19 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Returns the values of the Bernstein polynomials of this degree.
+/// Returns the values of the Bernstein polynomials of this degree, each with at most
+/// 2 degree + 1 roundings: binomials are exact. O(degree).
 fn bernstein(degree: usize, t: f64) -> [f64; MAX_DEGREE + 1] {
     let mut values = [0.0; MAX_DEGREE + 1];
-    values[0] = 1.0;
-    for level in 1..=degree {
-        for index in (1..=level).rev() {
-            values[index] = values[index] * (1.0 - t) + values[index - 1] * t;
-        }
-        values[0] *= 1.0 - t;
+    let mut power = 1.0;
+    for (value, binomial) in values.iter_mut().zip(binomials(degree)) {
+        *value = binomial * power;
+        power *= t;
+    }
+    power = 1.0;
+    for value in values[..=degree].iter_mut().rev() {
+        *value *= power;
+        power *= 1.0 - t;
     }
     values
 }

@@ -3,11 +3,15 @@
 use super::{TORUS, torus_area};
 use crate::support::brep::{BrepText, Child, line, minus, plus, rectangle};
 use crate::{assert_near, read, region};
-use nurbs_hausdorff::{Model, ReadReport};
+use nurbs_hausdorff::{FaceId, Model, ReadReport};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn codes(report: &ReadReport) -> Vec<(usize, &str)> {
-    report.notes.iter().map(|note| (note.face, note.code)).collect()
+    let number = |face: &FaceId| match face {
+        FaceId::Number(number) => *number,
+        other => unreachable!("{other}"),
+    };
+    report.notes.iter().map(|note| (number(&note.face), note.code)).collect()
 }
 
 #[test]

@@ -77,6 +77,10 @@ test("an output that was cut off is gone on with", () => {
     const ids = answers(readFileSync(output, "utf8")).map(({ id }) => id);
     assert.deepEqual(ids, [0, 1, 2, 3, 4], name);
     assert.match(batch(command, [], "--output", output).stderr, /^error\[OUTPUT_EXISTS\]/);
+    writeFileSync(output, "a list\nof words");
+    const other = batch(command, pairs(5), "--output", output, "--resume");
+    assert.match(other.stderr, /^error\[OUTPUT_FAILED\].*no output of `batch`/s);
+    assert.equal(readFileSync(output, "utf8"), "a list\nof words");
     assert.match(batch(command, [], "--resume").stderr, /^error\[OPTION_INVALID\].*--output/s);
   }
 });

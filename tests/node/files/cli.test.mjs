@@ -7,10 +7,11 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
 import { environment } from "../../../scripts/process.mjs";
 import { interchangeSquare } from "../support.mjs";
-import { missing, sharedFile } from "./files.mjs";
+import { missing, sharedFile, zip } from "./files.mjs";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const main = join(root, "dist/cli/main.js");
@@ -236,6 +237,28 @@ test("both state the version, the files and their hashes in JSON", () => {
     const printed = JSON.parse(stdout);
     assert.deepEqual([printed.schemaVersion, printed.version], [1, version]);
     assert.deepEqual([printed.file, printed.skipped], [source(a), []]);
+  }
+});
+
+test("both read FreeCAD documents and what gzip compressed", () => {
+  const brep = readFileSync(join(root, "python/tests/files/square.brep"), "utf8");
+  const object = (name, shape) =>
+    `<Object name="${name}"><Property name="Shape"><Part file="${shape}"/></Property></Object>`;
+  const objects = object("Box", "a.brp") + object("Binary", "b.bin");
+  const xml = `<Document><ObjectData>${objects}</ObjectData></Document>`;
+  const document = file("part.FCStd", zip({ "Document.xml": xml, "a.brp": brep }));
+  const packed = file("part.brep.gz", gzipSync(brep));
+  const points = file("points.xyz.gz", gzipSync("0 0 0.5\n1 1 0\n"));
+  const found = both("info", document, "--json").map(({ stdout }) => JSON.parse(stdout));
+  for (const { unit, faces, skipped } of found) {
+    assert.deepEqual([unit, faces.map(({ faceName }) => faceName)], [0.001, ["Box / face 0"]]);
+    assert.deepEqual([skipped.length, skipped[0].face], [1, "Binary"]);
+    assert.match(skipped[0].why, /stored in binary/);
+  }
+  assert.equal(both("diff", document, packed, "--allow-skipped")[0].status, 0);
+  for (const { stdout } of both("distance", points, packed, "--json")) {
+    const { lower, upper } = JSON.parse(stdout);
+    assert.ok(lower <= 0.5 && 0.5 <= upper && upper - lower < 1e-5, `${lower} ${upper}`);
   }
 });
 

@@ -1,6 +1,7 @@
 // Directories against directories, by both command lines, and the action for CI.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, dirname, join } from "node:path";
@@ -62,6 +63,26 @@ for (const format of ["text", "junit", "markdown", "html"]) {
     });
   }
 }
+
+test("both make the same page of one pair: verdict, what is allowed, hashes and faces", () => {
+  const pair = ["old", "new"].map((side) => `${side}/sub/moved <&>_*|.json`);
+  const [ours, theirs] = both("diff", ...pair, "--format", "html", "--limit", "2");
+  assert.equal(ours.status, 1);
+  assert.equal(plain(ours.stdout), plain(theirs.stdout));
+  for (const path of pair) {
+    const hash = createHash("sha256").update(readFileSync(join(folder, path)));
+    assert.ok(ours.stdout.includes(`<td>${hash.digest("hex")}</td><td>0</td>`), path);
+  }
+  assert.match(ours.stdout, /<b class="badge">FAIL<\/b>/);
+  assert.match(ours.stdout, /<dt>Allowed deviation<\/dt><dd>2\.0<\/dd>/);
+  // The squares are 3 apart.
+  const face = /<td>A face 0<\/td><td>changed<\/td><td>(.*?)<\/td><td>(.*?)<\/td>/;
+  const [, lower, upper] = face.exec(ours.stdout) ?? [];
+  assert.ok(Number(lower) <= 3 && 3 <= Number(upper), `${lower} ${upper}`);
+  // Without a limit nothing is judged.
+  const [plainly] = both("distance", ...pair, "--format", "html");
+  assert.match(plainly.stdout, /NO VERDICT/);
+});
 
 test("both print the same JSON of directories", () => {
   const [ours, theirs] = both("diff", "old", "new", "--json").map(({ stdout }) =>

@@ -125,6 +125,43 @@ test("a face is hidden, isolated and found by its name", async () => {
   await page.locator("#tree-changed").uncheck();
 });
 
+test("a face has a limit of its own, in verdict, comparison, list and address", async () => {
+  // The base end moved by 0.35, and every bore by 0.3: each is allowed of its face alone.
+  const own = page.locator("#tree-list .own-limit");
+  await page.locator("#tree-filter").fill("base end");
+  assert.equal(await own.count(), 2);
+  await own.first().fill("nonsense");
+  await own.first().blur();
+  assert.equal(await own.first().getAttribute("aria-invalid"), "true");
+  await own.first().fill("+0.1/-0.4");
+  await own.nth(1).fill("+0.4/-0.1");
+  await own.nth(1).blur();
+  // Of other faces no more than 0.2 is allowed: that a point of one is beyond is certain.
+  assert.equal(await text("#badge"), "FAIL");
+  assert.match(await text("#verdict"), /a measured point is beyond: [AB] /);
+  assert.doesNotMatch(await text("#verdict"), /base end/);
+  // Within on the side where more is allowed, which no interval proves.
+  await page.locator("#limit").fill("0.37");
+  assert.equal(await text("#badge"), "UNDECIDED");
+  await own.first().fill("0.36");
+  await own.nth(1).fill("0.36");
+  await own.nth(1).blur();
+  assert.equal(await text("#badge"), "PASS");
+  await page.waitForFunction(() => location.hash.includes("own-limits="));
+  // Less than the end moved by: its face fails again, and in the comparison it alone.
+  await own.nth(1).fill("0.1");
+  await own.nth(1).blur();
+  assert.equal(await text("#badge"), "FAIL");
+  assert.match(await text("#verdict"), /B base end/);
+  await page.locator("#face-limit").fill("0.37");
+  await page.locator("#compare").click();
+  await page.locator('#faces[data-result="changed"]').waitFor();
+  assert.deepEqual(await page.locator("#face-list .name").allTextContents(), ["base end"]);
+  await page.locator("#faces-clear").click();
+  await page.locator("#tree-filter").fill("");
+  await page.locator("#limit").fill("0.2");
+});
+
 test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "1");
   await page.locator("#cut svg").waitFor();
@@ -150,7 +187,15 @@ test("the report has the verdict, views with legends, faces, and numbered axes",
   const report = await page.context().browser().newPage();
   await report.setContent(readFileSync(await download.path(), "utf8"));
   const all = await report.locator("body").innerText();
-  for (const part of ["Bracket 7", "N. N.", "FAIL", "+0.2 / −0.2 mm", "base end", "beyond"]) {
+  for (const part of [
+    "Bracket 7",
+    "N. N.",
+    "FAIL",
+    "+0.2 / −0.2 mm",
+    "base end",
+    "0.36",
+    "beyond",
+  ]) {
     assert.ok(all.includes(part), part);
   }
   assert.equal(await report.locator(".view img").count(), 2);

@@ -12,7 +12,7 @@ export const PLAIN = "#symmetric=&deviation=";
 
 /**
  * Opens the page, all that it folds unfolded but the faces, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
- * `touch: true` gives the device a touch screen; `path` selects another page than the main one, and `prepare` receives the
+ * `touch: true` gives the device a touch screen; `path` selects another page than the main one, `outDir` another build, and `prepare` receives the
  * page before it is loaded.
  */
 export async function open({
@@ -21,9 +21,15 @@ export async function open({
   touch = false,
   size = { width: 1280, height: 800 },
   path = PLAIN,
+  outDir = "dist",
   prepare = async () => {},
 } = {}) {
-  const server = await preview({ root: "www", preview: { port: 0 }, logLevel: "silent" });
+  const server = await preview({
+    root: "www",
+    build: { outDir },
+    preview: { port: 0 },
+    logLevel: "silent",
+  });
   const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
   if (!webgl) args.push("--disable-3d-apis");
   const browser = await chromium.launch({ ...launchOptions, args });

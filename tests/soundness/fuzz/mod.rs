@@ -10,6 +10,7 @@ pub mod closest_point;
 pub mod extraction;
 pub mod iges_text;
 pub mod json_text;
+pub mod mesh_file;
 pub mod options;
 pub mod search;
 pub mod step_text;
@@ -20,13 +21,14 @@ pub mod trims;
 pub type Check = fn(&[u8]);
 
 /// The targets by name.
-pub const TARGETS: [(&str, Check); 10] = [
+pub const TARGETS: [(&str, Check); 11] = [
     ("arrays", arrays::check),
     ("brep_text", brep_text::check),
     ("closest_point", closest_point::check),
     ("extraction", extraction::check),
     ("iges_text", iges_text::check),
     ("json_text", json_text::check),
+    ("mesh_file", mesh_file::check),
     ("options", options::check),
     ("search", search::check),
     ("step_text", step_text::check),

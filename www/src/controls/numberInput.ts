@@ -3,6 +3,11 @@ import { element } from "../common/elements.ts";
 
 /** Significant digits of a value set with the slider. */
 const DIGITS = 5;
+/**
+ * The largest value, in slider's units: beyond it float64 has fewer than four digits of the models
+ * left, and the squares in the view would overflow float32.
+ */
+const LARGEST = 1e12;
 
 export class NumberInput {
   onChange: () => void = () => {};
@@ -22,6 +27,10 @@ export class NumberInput {
     this.#exact.addEventListener("input", () => {
       // A half-typed number, such as a lone minus sign, parses as NaN.
       if (!Number.isFinite(this.#exact.valueAsNumber)) return;
+      const largest = LARGEST * this.unit;
+      if (Math.abs(this.value) > largest) {
+        this.#exact.value = `${Math.sign(this.value) * largest}`;
+      }
       this.#slider.value = `${this.value / this.unit}`;
       this.onChange();
     });

@@ -1,5 +1,6 @@
 // All faces of both models by their names, to hide, to isolate and to filter.
 import { element } from "../common/elements.ts";
+import { limitText, onOwnLimits, ownLimit, setOwnLimit } from "../results/ownLimits.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 
 /** Faces listed at once; the filter finds the others. */
@@ -30,6 +31,7 @@ export class FaceTree {
     }
     element("tree-all").addEventListener("click", () => this.#hide({ a: new Set(), b: new Set() }));
     tree.addEventListener("toggle", () => this.#draw());
+    onOwnLimits(showLimits);
   }
 
   /** Shows the faces of models, all of them drawn. */
@@ -125,7 +127,36 @@ export class FaceTree {
     alone.type = "button";
     alone.setAttribute("aria-label", `Show only ${side.toUpperCase()} ${name}`);
     alone.addEventListener("click", () => this.#isolate(side, face));
-    item.append(shown, letter, look, alone);
+    item.append(shown, letter, look, limitInput(side, face, name), alone);
     return item;
+  }
+}
+
+/** The field of what is allowed of a face alone. */
+function limitInput(side: Side, face: number, name: string): HTMLInputElement {
+  const input = document.createElement("input");
+  input.type = "text";
+  input.inputMode = "decimal";
+  input.placeholder = "±";
+  input.className = "own-limit";
+  Object.assign(input.dataset, { side, face });
+  input.value = ownText(side, face);
+  input.setAttribute("aria-label", `Allowed deviation of ${side.toUpperCase()} ${name}`);
+  input.addEventListener("input", (event) => event.stopPropagation());
+  input.addEventListener("change", () => {
+    input.setAttribute("aria-invalid", `${!setOwnLimit(side, face, input.value)}`);
+  });
+  return input;
+}
+
+function ownText(side: Side, face: number): string {
+  const own = ownLimit(side, face);
+  return own === undefined ? "" : limitText(own);
+}
+
+/** Shows the limits as they are after undoing, in the rows that there are. */
+function showLimits(): void {
+  for (const input of list.querySelectorAll<HTMLInputElement>(".own-limit")) {
+    input.value = ownText(input.dataset.side as Side, Number(input.dataset.face));
   }
 }

@@ -2,6 +2,7 @@
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
+import { ownLimits } from "../results/ownLimits.ts";
 import { type DiffReply, SIDES } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
@@ -96,10 +97,12 @@ export class FacesPanel {
       const name = side.toUpperCase();
       return `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
     });
+    const own = ownLimits().length > 0 ? ", or than is allowed of it alone" : "";
+    const limit = `${result.limit}${own}`;
     const verdict = {
-      unchanged: `No face differs by more than ${result.limit}.`,
-      changed: `Faces differ by more than ${result.limit}:`,
-      undecided: `Undecided at ${result.limit}:`,
+      unchanged: `No face differs by more than ${limit}.`,
+      changed: `Faces differ by more than ${limit}:`,
+      undecided: `Undecided at ${limit}:`,
     }[result.state];
     summary.replaceChildren(
       ...[verdict, ...table, `in ${duration(result.seconds.solve)}`].map((text) => {

@@ -4,6 +4,7 @@ import type { DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { distanceText } from "../common/numbers.ts";
 import { commonUnit } from "../files/fileNotes.ts";
+import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";
 import { showDetails } from "../results/resultPanel.ts";
 import { allowed } from "../results/verdict.ts";
@@ -140,11 +141,13 @@ function draw(now: ShownMaps): ColorScale {
   element("beyond-limit").textContent = SIDES.flatMap((side) => {
     const text = beyond(maps[side], extent.largest, diagonal);
     return text === "" ? [] : [`${side.toUpperCase()}: ${text}`];
-  }).join("; ");
+  })
+    .concat(ownLimits().length > 0 ? ["colours and areas by the limits of the whole"] : [])
+    .join("; ");
   showDetails(element("statistics"), [
     ...SIDES.flatMap((side) => {
-      const estimates = maps[side]?.estimates;
-      return estimates ? statisticsOf(side.toUpperCase(), estimates, diagonal) : [];
+      const { estimates, signs } = maps[side] ?? {};
+      return estimates && signs ? statisticsOf(side, estimates, signs, diagonal) : [];
     }),
     ["maximum of the map", distanceText(extent.largest, diagonal)],
   ]);

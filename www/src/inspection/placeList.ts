@@ -1,6 +1,7 @@
 // The list of worst places: a button each, which a key goes through.
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/numbers.ts";
+import { isCertainlyBeyond } from "../results/judgement.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
 
@@ -31,12 +32,13 @@ export class PlaceList {
     return this.#places;
   }
 
-  show(places: Place[], allowed: Allowed | undefined, diagonal: number): void {
+  /** Shows the places, and marks those that are beyond. */
+  show(places: Place[], diagonal: number, beyond?: (place: Place) => boolean): void {
     this.#places = places.slice(0, MAX_PLACES);
     this.#selected = -1;
     button.disabled = places.length === 0;
     list.replaceChildren(
-      ...this.#places.map((place, index) => this.#row(place, index, allowed, diagonal)),
+      ...this.#places.map((place, index) => this.#row(place, index, diagonal, beyond?.(place))),
     );
   }
 
@@ -54,7 +56,7 @@ export class PlaceList {
     if (place !== undefined) this.#select(place);
   }
 
-  #row(place: Place, index: number, allowed: Allowed | undefined, diagonal: number): HTMLElement {
+  #row(place: Place, index: number, diagonal: number, beyond?: boolean): HTMLElement {
     const [item, row] = [document.createElement("li"), document.createElement("button")];
     row.type = "button";
     row.setAttribute("aria-pressed", "false");
@@ -65,7 +67,7 @@ export class PlaceList {
     name.textContent = place.name;
     size.textContent = sizeText(place, diagonal);
     size.className = "size";
-    if (allowed !== undefined) size.dataset.beyond = `${isBeyond(place, allowed)}`;
+    if (beyond !== undefined) size.dataset.beyond = `${beyond}`;
     row.append(letter, name, size);
     row.addEventListener("click", () => this.#choose(index));
     item.append(row);
@@ -77,12 +79,11 @@ export class PlaceList {
 export const sizeText = ({ distance, signed }: Place, diagonal: number): string =>
   Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
 
-/** Whether a face deviates by more than is allowed. */
-export function isBeyond({ distance, signed, lowest, highest }: Place, allowed: Allowed): boolean {
-  if (Number.isNaN(signed)) return distance > Math.min(allowed.above, allowed.below);
+/** Whether a face deviates by more than is allowed; a distance without a sign counts as either. */
+export function isBeyond(place: Place, allowed: Allowed): boolean {
+  const isUnsigned = Number.isNaN(place.signed);
   return (
-    highest > allowed.above ||
-    lowest < -allowed.below ||
-    distance > Math.max(allowed.above, allowed.below)
+    (isUnsigned && place.distance > Math.min(allowed.above, allowed.below)) ||
+    isCertainlyBeyond(place, allowed)
   );
 }

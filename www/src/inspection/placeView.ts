@@ -1,6 +1,6 @@
 // The worst places of the maps shown: their list, the view of one, and the faces that are beyond.
 import type { FaceTree } from "../faces/faceTree.ts";
-import { allowed } from "../results/verdict.ts";
+import { addMeasured, allowed, allowedOf } from "../results/verdict.ts";
 import type { View } from "../scene/view.ts";
 import type { Side } from "../worker/protocol.ts";
 import { painted } from "./deviationPanel.ts";
@@ -29,15 +29,32 @@ export class PlaceView {
   /** Shows the list for what is allowed now. */
   show(): void {
     const { all } = this;
-    const limits = allowed();
-    this.#list.show(all, limits, this.#view.models.diagonal);
+    const isAllowed = allowed() !== undefined;
+    const beyond = (place: Place) => {
+      const limits = allowedOf(place.side, place.face);
+      return limits !== undefined && isBeyond(place, limits);
+    };
+    this.#list.show(all, this.#view.models.diagonal, isAllowed ? beyond : undefined);
+    this.#judge(all);
     const changed = (side: Side) =>
-      new Set(
-        all
-          .filter((place) => place.side === side && limits && isBeyond(place, limits))
-          .map(({ face }) => face),
-      );
+      new Set(all.filter((place) => place.side === side && beyond(place)).map(({ face }) => face));
     this.#tree.changed = { a: changed("a"), b: changed("b") };
+  }
+
+  /** Adds the faces that the distance is about to the verdict. */
+  #judge(all: readonly Place[]): void {
+    const result = painted()?.result;
+    if (result === undefined) return;
+    const isDirected = result.forward === undefined;
+    addMeasured(
+      all
+        .filter(({ side }) => !isDirected || side === "a")
+        .flatMap((face) => {
+          const limits = allowedOf(face.side, face.face);
+          const name = `${face.side.toUpperCase()} ${face.name}`;
+          return limits === undefined ? [] : [{ name, face, allowed: limits }];
+        }),
+    );
   }
 
   /** Looks at a place, with the arrow to its foot. */

@@ -1,5 +1,5 @@
 // The details of a result, as terms and texts.
-import type { DistanceResult } from "nurbs-hausdorff";
+import type { DistanceResult, Signs } from "nurbs-hausdorff";
 import {
   distanceText,
   duration,
@@ -9,6 +9,7 @@ import {
   upperText,
 } from "../common/numbers.ts";
 import type { Estimates } from "../worker/map/distribution.ts";
+import type { Side } from "../worker/protocol.ts";
 
 export type Detail = [term: string, text: string];
 
@@ -74,11 +75,21 @@ function methods(result: DistanceResult): Detail[] {
 }
 
 /** Estimates of the deviation over the area of a model. */
-export function statisticsOf(side: string, estimates: Estimates, diagonal: number): Detail[] {
+export function statisticsOf(
+  of: Side,
+  estimates: Estimates,
+  signs: Signs,
+  diagonal: number,
+): Detail[] {
+  const [side, other] = of === "a" ? ["A", "B"] : ["B", "A"];
   const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   return [
     [`${side}: mean`, text(estimates.mean)],
     [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
+    [
+      `${side}: negative`,
+      signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
+    ],
     [`${side}: RMS`, text(estimates.rms)],
     [`${side}: median`, text(estimates.median)],
     [`${side}: 95th percentile`, text(estimates.percentile95)],

@@ -1,41 +1,16 @@
-// The verdict on what the user allows, from the interval that contains the distance.
+// The verdict on what the user allows: its controls, and its card.
 import { element } from "../common/elements.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
-
-export type Verdict = "pass" | "fail" | "undecided";
-
-type Interval = readonly [lower: number, upper: number];
-
-/** Returns whether a distance in this interval is allowed: certainly by both, or by neither. */
-export function verdictOn([lower, upper]: Interval, { above, below }: Allowed): Verdict {
-  if (upper <= Math.min(above, below)) return "pass";
-  return lower > Math.max(above, below) ? "fail" : "undecided";
-}
-
-const WORDS: Readonly<Record<Verdict, string>> = {
-  pass: "certainly within",
-  fail: "certainly beyond",
-  undecided: "the interval contains it",
-};
+import type { Side } from "../worker/protocol.ts";
+import { type Judged, type Judgement, judge, type Verdict } from "./judgement.ts";
+import { onOwnLimits, ownLimit, ownLimits } from "./ownLimits.ts";
 
 const input = element("limit", HTMLInputElement);
 const inputBelow = element("limit-below", HTMLInputElement);
 const output = element("verdict");
 const badge = element("badge");
 let current: Judged | undefined;
-
-/** What a verdict is about. */
-export interface Judged {
-  /** The interval that contains the distance. */
-  interval: Interval;
-  /** The interval for every reading of the files within their gaps. */
-  withGaps?: Interval;
-  /** The sum of the files' gaps, as text with its unit. */
-  gap?: string;
-  /** Measured deviations: the extremes of the map, each of which is a deviation that there is. */
-  measured?: { lowest: number; highest: number };
-}
 
 /** Calls back when the user changes what is allowed. */
 export function onLimit(callback: () => void): void {
@@ -45,6 +20,10 @@ export function onLimit(callback: () => void): void {
       callback();
     });
   }
+  onOwnLimits(() => {
+    draw();
+    callback();
+  });
 }
 
 /** What the user allows; undefined without a number. */
@@ -53,6 +32,12 @@ export function allowed(): Allowed | undefined {
   if (above === undefined) return undefined;
   return { above, below: numberOf(inputBelow) ?? above };
 }
+
+/** What the user allows of a face. */
+export const allowedOf = (side: Side, face: number): Allowed | undefined => {
+  const whole = allowed();
+  return whole && (ownLimit(side, face) ?? whole);
+};
 
 /** Sets what is allowed, or with `undefined` nothing. */
 export function setAllowed(limit: number | undefined): void {
@@ -67,7 +52,7 @@ export function showVerdict(judged?: Judged): void {
   draw();
 }
 
-/** Adds what the map measured, which can decide where the allowed deviations differ. */
+/** Adds the measured faces, which can decide where the allowed deviations differ. */
 export function addMeasured(measured: NonNullable<Judged["measured"]>): void {
   if (current !== undefined) showVerdict({ ...current, measured });
 }
@@ -77,7 +62,9 @@ export function needsPrecision(): boolean {
   const limits = allowed();
   if (current === undefined || limits === undefined || skippedFaces() > 0) return false;
   const [lower, upper] = current.interval;
-  return [limits.above, limits.below].some((limit) => lower <= limit && limit < upper);
+  return [limits, ...ownLimits()]
+    .flatMap(({ above, below }) => [above, below])
+    .some((limit) => lower <= limit && limit < upper);
 }
 
 /** The verdict shown, and its words. */
@@ -93,39 +80,16 @@ function draw(): void {
     for (const node of [output, badge]) delete node.dataset.verdict;
     return;
   }
-  const { verdict, text } = judge(current, limits);
+  const { verdict, text } = judgement(current, limits);
   output.textContent = text;
   badge.textContent = verdict.toUpperCase();
   for (const node of [output, badge]) node.dataset.verdict = verdict;
 }
 
-function judge(judged: Judged, limits: Allowed): { verdict: Verdict; text: string } {
-  const { interval, withGaps = interval, gap = "" } = judged;
+function judgement(judged: Judged, limits: Allowed): Judgement {
   const skipped = skippedFaces();
   if (skipped > 0) return { verdict: "undecided", text: skippedText(skipped) };
-  const verdict = verdictOn(interval, limits);
-  if (verdict === "undecided") return bySign(judged, limits);
-  const isDoubtful = verdictOn(withGaps, limits) !== verdict;
-  const doubt = isDoubtful ? `, but the gaps of the files (${gap}) could change that` : "";
-  return { verdict, text: `${WORDS[verdict]}${doubt}` };
-}
-
-/** The verdict where the interval alone does not decide: by measured deviations beyond a limit. */
-function bySign(
-  { interval, measured }: Judged,
-  limits: Allowed,
-): { verdict: Verdict; text: string } {
-  if (limits.above === limits.below || measured === undefined) {
-    return { verdict: "undecided", text: WORDS.undecided };
-  }
-  if (measured.highest > limits.above || measured.lowest < -limits.below) {
-    return { verdict: "fail", text: "a measured point is beyond" };
-  }
-  const certain = interval[1] <= Math.max(limits.above, limits.below);
-  const text = certain
-    ? "within at all measured points, which is certain only for the larger limit"
-    : WORDS.undecided;
-  return { verdict: "undecided", text };
+  return judge(judged, [limits, ...ownLimits()]);
 }
 
 const skippedText = (count: number): string =>

@@ -13,7 +13,7 @@ const CAMERA_DIGITS = 5;
 
 /** Controls whose values are about one pair of models. */
 const OF_PAIR = [
-  ...["a", "b", "limit", "limit-below", "below", "range", "section-at"],
+  ...["a", "b", "limit", "limit-below", "own-limits", "below", "range", "section-at"],
   ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
 ];
 

@@ -1,6 +1,7 @@
 // The tasks that compare both models beside the measurement: face by face, the best fit, and
 // the clearance.
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff";
+import { diffByLimits } from "./diffs.ts";
 import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";
 import { withOverlap } from "./overlap.ts";
@@ -37,7 +38,7 @@ export class Comparisons {
     return this.#faces.run(async (signal, report) => {
       report({ state: "working", fraction: 0 });
       const onProgress = (fraction: number) => report({ state: "working", fraction });
-      const result = await this.#engine.diff(a, b, { ...options, signal, onProgress });
+      const result = await diffByLimits(this.#engine, { a, b }, { ...options, signal, onProgress });
       return { state: "done", result };
     });
   }

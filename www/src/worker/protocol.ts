@@ -46,7 +46,10 @@ export type Plain<Options> = Options extends unknown
 export type PlainOptions = Plain<DistanceOptions>;
 
 /** The options of a comparison face by face that can be posted to a worker. */
-export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress">;
+export type PlainDiffOptions = Omit<DiffOptions, "signal" | "onProgress"> & {
+  /** The limits of faces that have their own. */
+  own?: readonly { side: Side; face: number; limit: number }[];
+};
 
 /** The options of a best fit that can be posted to a worker. */
 export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onProgress">;

@@ -17,11 +17,12 @@ const HALF: Interval = Interval { lo: 0.5, hi: 0.5 };
 
 /// A closed outline, the union of closed loops.
 pub(super) struct Outline {
-    curves: Vec<Node>,
+    chains: Vec<Node>,
 }
 
-/// A part of a curve with its box, and its halves once they are needed.
+/// A part of a curve, or of a chain of them, with its box, and its halves once they are needed.
 struct Node {
+    /// The control points of a curve, none of a chain.
     controls: Vec<Point>,
     hull: Box2,
     /// Points in the enclosures of the ends: parts that meet have the same one there.
@@ -47,6 +48,22 @@ impl Node {
             .reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
         let hull = hull.unwrap_or([Interval::ENTIRE; 2]);
         Self { controls, hull, ends, halves: OnceCell::new() }
+    }
+
+    /// The chain of curves that each begin where the one before ends.
+    fn chain(mut nodes: Vec<Self>) -> Self {
+        let rest = nodes.split_off(nodes.len().div_ceil(2));
+        if rest.is_empty() {
+            return nodes.swap_remove(0);
+        }
+        let [low, high] = [nodes, rest].map(Self::chain);
+        let hull = std::array::from_fn(|axis| low.hull[axis].hull(high.hull[axis]));
+        let ends = [low.ends[0], high.ends[1]];
+        Self { controls: Vec::new(), hull, ends, halves: OnceCell::from(Box::new([low, high])) }
+    }
+
+    fn is_chain(&self) -> bool {
+        self.controls.is_empty()
     }
 
     fn halves(&self) -> &[Node; 2] {
@@ -102,7 +119,8 @@ impl Node {
     fn area(&self, origin: &Box2, halvings: u32) -> Interval {
         if halvings > 0 {
             let [low, high] = self.halves();
-            return low.area(origin, halvings - 1) + high.area(origin, halvings - 1);
+            let halvings = if self.is_chain() { halvings } else { halvings - 1 };
+            return low.area(origin, halvings) + high.area(origin, halvings);
         }
         let [from, to] = self.ends.map(|end| [0, 1].map(|axis| Interval::point(end[axis]) - origin[axis]));
         let size = |axis: usize| Interval::point(self.hull[axis].hi) - Interval::point(self.hull[axis].lo);
@@ -112,37 +130,41 @@ impl Node {
 }
 
 impl Outline {
-    /// The outline of curves that are closed together, each beginning where another one ends.
-    pub(super) fn new(curves: impl Iterator<Item = Controls>) -> Self {
+    /// The outline of closed loops of curves, head to tail.
+    pub(super) fn new(loops: impl Iterator<Item = Vec<Controls>>) -> Self {
         let exact = |controls: Controls| controls.iter().map(|point| point.map(Interval::point)).collect();
-        Self::of_intervals(curves.map(exact))
+        Self::of_intervals(loops.map(|curves| curves.into_iter().map(exact).collect()))
     }
 
-    /// As [`Self::new`] for controls that are known to rounding; ends that meet must have the
-    /// same enclosures.
-    pub(super) fn of_intervals(curves: impl Iterator<Item = Vec<Point>>) -> Self {
-        let node = |controls: Vec<Point>| {
-            let ends = [controls[0], controls[controls.len() - 1]].map(middle);
-            Node::new(controls, ends)
+    /// As [`Self::new`] for controls that are known to rounding. Ends that differ are joined by a
+    /// segment, which is in the box of the curve before.
+    pub(super) fn of_intervals(loops: impl Iterator<Item = Vec<Vec<Point>>>) -> Self {
+        let chain = |curves: Vec<Vec<Point>>| {
+            let starts: Vec<[f64; 2]> = curves.iter().map(|controls| middle(controls[0])).collect();
+            let next = starts.iter().skip(1).chain(starts.first());
+            let ends = starts.iter().zip(next).map(|(&start, &end)| [start, end]);
+            Node::chain(
+                curves.into_iter().zip(ends).map(|(controls, ends)| Node::new(controls, ends)).collect(),
+            )
         };
-        Self { curves: curves.map(node).collect() }
+        Self { chains: loops.filter(|curves| !curves.is_empty()).map(chain).collect() }
     }
 
     /// The winding number of the outline about all points of a box, `None` where it may touch it.
     pub(super) fn winding(&self, target: &Box2) -> Option<i32> {
-        self.curves.iter().try_fold(0, |sum, curve| Some(sum + curve.crossings(target, 0)?))
+        self.chains.iter().try_fold(0, |sum, chain| Some(sum + chain.crossings(target, 0)?))
     }
 
     /// The signed area within the outline: that of the polygon through points of the curves, off by
     /// at most the boxes of the parts between them.
     pub(super) fn area(&self) -> Interval {
         let origin = self.bounds().map(|bounds| Interval::point(bounds.mid()));
-        self.curves.iter().fold(Interval::ZERO, |sum, curve| sum + curve.area(&origin, AREA_HALVINGS))
+        self.chains.iter().fold(Interval::ZERO, |sum, chain| sum + chain.area(&origin, AREA_HALVINGS))
     }
 
     /// The box of the outline.
     pub(super) fn bounds(&self) -> Box2 {
-        let hulls = self.curves.iter().map(|curve| curve.hull);
+        let hulls = self.chains.iter().map(|chain| chain.hull);
         let union = hulls.reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
         union.unwrap_or([Interval::ZERO; 2])
     }

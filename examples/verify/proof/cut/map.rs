@@ -4,6 +4,9 @@ use super::curve::{Outline, Point};
 use super::{Box2, Controls};
 use crate::proof::bezier::Net;
 use crate::proof::interval::Interval;
+use crate::proof::vector::Vector;
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// A map from a piece's parameters (s, t) to the face's (u, v).
 pub(crate) enum Map {
@@ -21,6 +24,8 @@ pub(crate) struct Ruled {
     pub(super) domain: [[f64; 2]; 2],
     /// Whether s and t, and u and v, change places.
     pub(super) transposed: bool,
+    /// The boxes of both sides over parts of t, as halving s asks for them again and again.
+    hulls: RefCell<HashMap<[u64; 2], [Vector; 2]>>,
 }
 
 impl Ruled {
@@ -29,14 +34,16 @@ impl Ruled {
             let point = |[x, y, w]: [f64; 3]| [x, y, 0.0, w].map(Interval::point);
             Net { degree: [0, side.len() - 1], points: side.into_iter().map(point).collect() }
         };
-        Self { sides: sides.map(net), domain, transposed }
+        Self { sides: sides.map(net), domain, transposed, hulls: RefCell::default() }
     }
 
     /// The image of a box by the hulls of the sides' control points over its t, which are exact
     /// where a side is a parameter line.
     fn image(&self, parameters: Box2) -> Box2 {
         let [s, t] = exchanged(parameters, self.transposed);
-        let hulls = self.sides.each_ref().map(|side| side.restrict(1, [t.lo, t.hi]).bounding_box());
+        let hulls = *self.hulls.borrow_mut().entry([t.lo, t.hi].map(f64::to_bits)).or_insert_with(|| {
+            self.sides.each_ref().map(|side| side.restrict(1, [t.lo, t.hi]).bounding_box())
+        });
         let unit = std::array::from_fn(|axis| {
             let [left, right] = [hulls[0][axis], hulls[1][axis]];
             let at = |s: f64| {
@@ -62,7 +69,7 @@ impl Ruled {
         let bottom = vec![left[0], right[0]];
         let top = vec![right[right.len() - 1], left[left.len() - 1]];
         let back = left.iter().rev().copied().collect();
-        Outline::of_intervals([bottom, right, top, back].into_iter())
+        Outline::of_intervals(std::iter::once(vec![bottom, right, top, back]))
     }
 }
 
@@ -102,7 +109,7 @@ impl Map {
             Self::Identity { domain: [[u0, u1], [v0, v1]] } => {
                 let corners = [[*u0, *v0], [*u1, *v0], [*u1, *v1], [*u0, *v1]];
                 let side = |k: usize| [corners[k], corners[(k + 1) % 4]].map(|[u, v]| [u, v, 1.0]).to_vec();
-                Outline::new((0..4).map(side))
+                Outline::new(std::iter::once((0..4).map(side).collect()))
             }
             Self::Ruled(ruled) => ruled.outline(),
         }

@@ -101,7 +101,7 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
         patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
     let small = slopes.map(|slope| 0.25 * limit / slope.max(f64::MIN_POSITIVE));
-    let loops = Outline::new(cut.loops.iter().flatten().cloned());
+    let loops = Outline::new(cut.loops.iter().cloned());
     let face = Face { patches, bends, frame, limit, small, loops, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
     inside::check(&face, &maps)

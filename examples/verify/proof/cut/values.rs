@@ -148,7 +148,7 @@ impl Place<'_> {
             let [start, end] = self.ranges[axis].map(Interval::point);
             (end - start).hi
         });
-        let Map::Ruled(Ruled { sides, domain, transposed }) = self.map else {
+        let Map::Ruled(Ruled { sides, domain, transposed, .. }) = self.map else {
             return [[[scale[0], 0.0], [0.0; 2]], [[0.0, scale[1]], [0.0; 2]]];
         };
         let lengths = domain.map(|[start, end]| (Interval::point(end) - Interval::point(start)).hi);

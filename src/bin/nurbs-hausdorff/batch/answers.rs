@@ -80,7 +80,7 @@ impl State<'_> {
 /// line that was cut off, and the ids that it answers.
 ///
 /// # Errors
-/// [`Failure::File`].
+/// [`Failure::File`], also for a file with other lines, which is left as it is.
 pub(super) fn resumed(path: &Path) -> Result<(File, HashSet<String>), Failure> {
     let failed = |error| Failure::File { path: path.to_owned(), error };
     let mut file =
@@ -91,13 +91,19 @@ pub(super) fn resumed(path: &Path) -> Result<(File, HashSet<String>), Failure> {
     loop {
         line.clear();
         let length = reader.read_until(b'\n', &mut line).map_err(failed)?;
-        let answer = serde_json::from_slice::<Value>(&line).ok().filter(|_| line.ends_with(b"\n"));
-        let Some(answer) = answer else { break };
+        if !line.ends_with(b"\n") {
+            break;
+        }
+        let answer: Value = serde_json::from_slice(&line).map_err(|_| failed(no_answers()))?;
         answered.insert(key(&answer["id"]));
         end += length as u64;
     }
     file.set_len(end).and_then(|()| file.seek(SeekFrom::End(0))).map_err(failed)?;
     Ok((file, answered))
+}
+
+fn no_answers() -> std::io::Error {
+    std::io::Error::new(ErrorKind::InvalidData, "it is no output of `batch`")
 }
 
 /// Returns the text by which ids are compared.

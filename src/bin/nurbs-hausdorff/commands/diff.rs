@@ -52,6 +52,7 @@ impl Comparison for Diff<'_> {
                 FaceState::Changed => Verdict::Failed,
                 _ => Verdict::Undecided,
             },
+            limit: Some(result.limit),
             word: word(state).to_owned(),
             summary: summary(&result),
             findings: findings(&result),

@@ -60,6 +60,7 @@ impl Comparison for Distance<'_> {
                 Some(false) => Verdict::Failed,
                 None => Verdict::Undecided,
             },
+            limit,
             word: word(limit, within).to_owned(),
             summary: format!("distance in [{:?}, {:?}]{gap}", result.lower, result.upper),
             findings: Vec::new(),

@@ -4,12 +4,13 @@ mod bytes;
 
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
-use nurbs_hausdorff::{Error, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result};
+use nurbs_hausdorff::{
+    Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
+};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Reads the model in a file, or in standard input for `-`, of interchange JSON, STEP, IGES or OpenCASCADE's BREP text, found by its
-/// content, and prints the faces left out and the notes on others.
+/// Reads the model in a file, or in standard input for `-`, which gzip may have compressed, and prints the faces left out and the notes on others.
 ///
 /// # Errors
 /// Those of [`bytes::bytes`], [`Model::from_file`] and [`PreparedModel`], all with the path.
@@ -55,13 +56,17 @@ impl File {
 
 /// Prints the faces left out and the notes on others on standard error.
 fn print_notes(path: &Path, input: &Input) {
+    let called = |face: &FaceId| match face {
+        FaceId::Number(number) => format!("face {number}"),
+        _ => face.to_string(),
+    };
     for skipped in &input.report.read.skipped {
-        let (path, face, why) = (path.display(), skipped.face, &skipped.why);
+        let (path, face, why) = (path.display(), called(&skipped.face), &skipped.why);
         let entity = skipped.entity.map(|entity| format!(" (#{entity})")).unwrap_or_default();
-        eprintln!("warning: {path}: face {face}{entity} is left out: {why}");
+        eprintln!("warning: {path}: {face}{entity} is left out: {why}");
     }
     for note in &input.report.read.notes {
-        eprintln!("note: {}: face {}: {}", path.display(), note.face, note.why);
+        eprintln!("note: {}: {}: {}", path.display(), called(&note.face), note.why);
     }
 }
 
@@ -98,10 +103,12 @@ pub(crate) struct CadReport {
 }
 
 fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
-    if let Some(format) = path.to_str().and_then(MeshFormat::of_name) {
+    let path = path.display().to_string();
+    let (bytes, name) = inflated(bytes, &path)?;
+    if let Some(format) = MeshFormat::of_name(name) {
         return of_mesh(source, &bytes, format);
     }
-    let (model, mut read, kind) = Model::from_file(bytes, &path.display().to_string())?;
+    let (model, mut read, kind) = Model::from_file(bytes, name)?;
     let (model, prepared) = match kind {
         FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;

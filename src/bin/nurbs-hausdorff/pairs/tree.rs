@@ -7,10 +7,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
-/// The endings of the files compared where no pattern is given, in small letters.
-const ENDINGS: [&str; 17] = [
-    "brep", "brp", "csv", "glb", "gltf", "iges", "igs", "json", "obj", "ply", "pts", "step", "stl", "stp",
-    "txt", "xyz", "3mf",
+/// The endings of the files compared where no pattern is given, in small letters; each may be followed
+/// by `.gz`.
+const ENDINGS: [&str; 18] = [
+    "brep", "brp", "csv", "fcstd", "glb", "gltf", "iges", "igs", "json", "obj", "ply", "pts", "step", "stl",
+    "stp", "txt", "xyz", "3mf",
 ];
 
 /// A relative path, with `/` between its parts, and the files that it names in A and B.
@@ -60,6 +61,8 @@ fn is_included(relative: &str, pattern: Option<&GlobMatcher>) -> bool {
     match pattern {
         Some(pattern) => pattern.is_match(relative),
         None => relative
+            .strip_suffix(".gz")
+            .unwrap_or(relative)
             .rsplit_once('.')
             .is_some_and(|(_, ending)| ENDINGS.iter().any(|&known| known.eq_ignore_ascii_case(ending))),
     }

@@ -30,6 +30,9 @@ impl Verdict {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Answer {
     pub(crate) verdict: Verdict,
+    /// What the verdict is about; without it nothing was judged.
+    #[serde(default)]
+    pub(crate) limit: Option<f64>,
     /// The verdict in the command's word, such as `unchanged`.
     pub(crate) word: String,
     /// The answer in one line.

@@ -1,6 +1,7 @@
 //! The report as a page for browsers, in one file.
 
-use super::{Row, Rows};
+use super::details::section;
+use super::{Row, Rows, Verdict, date};
 use quick_xml::escape::escape;
 use std::fmt::Write;
 
@@ -15,7 +16,8 @@ const HEAD: &str = r#"<!doctype html>
 <style>
 "#;
 
-/// Returns the page: the counts, and a table of the pairs with their findings.
+/// Returns the page: the counts, a table of the pairs with their findings, and a section for a pair
+/// alone, or for each that did not pass.
 pub(super) fn report(rows: &Rows) -> String {
     let title = format!("nurbs-hausdorff {}: {}", rows.command, rows.counts());
     let mut text = HEAD.to_owned();
@@ -28,7 +30,17 @@ pub(super) fn report(rows: &Rows) -> String {
     );
     text.push_str("<table>\n<thead><tr><th>File</th><th>Result</th><th></th></tr></thead>\n<tbody>\n");
     rows.rows.iter().for_each(|row| line(&mut text, row));
-    text.push_str("</tbody>\n</table>\n</html>\n");
+    text.push_str("</tbody>\n</table>\n");
+    let is_alone = rows.rows.len() == 1;
+    for row in rows.rows.iter().filter(|row| is_alone || row.status() != Verdict::Passed.status()) {
+        section(&mut text, row);
+    }
+    let _ = write!(
+        text,
+        "<footer>Made by nurbs-hausdorff {} on {}</footer>\n</html>\n",
+        env!("CARGO_PKG_VERSION"),
+        date::today()
+    );
     text
 }
 

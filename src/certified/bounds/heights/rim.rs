@@ -13,7 +13,7 @@
 use super::Over;
 use super::quadric::{Quadric, symmetric_product};
 use crate::axis::Axis;
-use crate::certified::faces::FaceChart;
+use crate::certified::faces::{FaceChart, FaceRim};
 use crate::certified::rounding::gamma;
 use crate::model::trim::RimSide;
 use crate::rounding::upper_max;
@@ -36,12 +36,7 @@ pub(super) fn overrun(
         let excesses: Vec<f64> =
             rim.sides.iter().map(|side| upper_max(excess(over, side, linear_lag), 0.0)).collect();
         let steps = steps(&rim.sides, &excesses);
-        let stays = rim.sides.iter().all(|side| {
-            let index = side.axis.index();
-            let ([low, high], [first, last]) = (rim.parameters[index], over.placement.feet[index]);
-            steps[index] <= if side.is_upwards { first - low } else { high - last }
-        });
-        if !stays {
+        if !stays_in_box(&rim, over.placement.feet, steps) {
             return None;
         }
         let overrun = over.frame.drift(over.image, rim.parameters, steps)?;
@@ -49,8 +44,17 @@ pub(super) fn overrun(
     })
 }
 
+/// Whether steps towards the inside lead from all of these parameters to places in the rim's box.
+pub(super) fn stays_in_box(rim: &FaceRim, feet: [[f64; 2]; 2], steps: [f64; 2]) -> bool {
+    rim.sides.iter().all(|side| {
+        let index = side.axis.index();
+        let ([low, high], [first, last]) = (rim.parameters[index], feet[index]);
+        steps[index] <= if side.is_upwards { first - low } else { high - last }
+    })
+}
+
 /// How far fixed points may be beyond a side, along its axis.
-fn excess(over: &Over<'_>, side: &RimSide, linear_lag: [f64; 2]) -> f64 {
+pub(super) fn excess(over: &Over<'_>, side: &RimSide, linear_lag: [f64; 2]) -> f64 {
     let Over { frame, placement, .. } = over;
     let (across, along) = (side.axis.index(), side.axis.other().index());
     let ([a, b, c], sign) = (side.coefficients, if side.is_upwards { 1.0 } else { -1.0 });

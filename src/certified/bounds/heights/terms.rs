@@ -4,8 +4,10 @@ use super::piece::Values;
 use super::*;
 use crate::axis::Axis;
 use crate::bezier::Patch;
+use crate::certified::faces::FaceRim;
 use crate::certified::testing::{Surfaces, closed, patch, through};
 use crate::flatness::Flatness;
+use crate::model::trim::RimSide;
 use crate::rounding::lower_min;
 use glam::{DMat3, DVec4};
 
@@ -248,6 +250,60 @@ fn the_bound_has_every_term_of_the_lemma() {
             }
         }
     });
+}
+
+/// Every term of the lemma on overruns (3.19), for a cell of one point, and the rounding of its sum.
+#[test]
+fn an_excess_has_every_term_of_the_lemma() {
+    let random = &mut fastrand::Rng::with_seed(319);
+    with_frame(&curved(), |frame, a| {
+        let (image, mut placement) = frame.image(a).unwrap();
+        for case in 0..40 {
+            let point = vector(random);
+            let cell = Piece::new([1, 1], vec![point.extend(1.0); 4], DVec3::ZERO, 0.0);
+            placement.functions = [0; 2].map(|_| quadric(random));
+            placement.lag = [0; 2].map(|_| random.f64());
+            placement.feet = frame.chart.parameters.map(|at| [at - random.f64(), at + random.f64()]);
+            let linear_lag = [0; 2].map(|_| random.f64());
+            let [axis, other] = if case % 2 == 0 { [0, 1] } else { [1, 0] };
+            let (is_upwards, [a, b, c]) = (case % 4 < 2, vector(random).to_array());
+            let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients: [a, b, c], slope: 0.0 };
+            let over = Over { frame, a: &cell, image: &image, placement, overrun: 0.0 };
+            let found = rim::excess(&over, &side, linear_lag);
+            let [g_v, g_u] = [axis, other].map(|axis| value(&Cubic::of(placement.functions[axis]), point));
+            let [low, high] = placement.feet[other].map(|end| (end - frame.chart.parameters[other]).abs());
+            let reach = low.max(high);
+            let along = frame.inverse[other].dot(point);
+            let height = if is_upwards { g_v } else { -g_v } - b * g_u - c * along * along;
+            let lags = placement.lag[axis]
+                + b.abs() * placement.lag[other]
+                + c.abs() * linear_lag[other] * (2.0 * reach + linear_lag[other]);
+            let expected = height - a + lags;
+            assert!((found - expected).abs() < 1e-12, "{found} {expected} of case {case}");
+            let sizes = a.abs() + reach * (b.abs() + reach * c.abs()) + height.abs() + lags;
+            let least = 0.75 * gamma(32.0) * sizes;
+            assert!(found - expected > least, "{:e} {least:e} of case {case}", found - expected);
+        }
+    });
+}
+
+/// Steps must end in the rim's box: by the ends of the range of feet on the inner side of each side.
+#[test]
+fn steps_beyond_the_box_of_a_rim_are_refused() {
+    for axis in 0..2 {
+        for is_upwards in [true, false] {
+            let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients: [0.0; 3], slope: 0.0 };
+            let rim = FaceRim { sides: vec![side], parameters: [[0.0, 1.0]; 2] };
+            let mut feet = [[0.0, 1.0]; 2];
+            feet[axis] = if is_upwards { [0.25, 1.0] } else { [0.0, 0.75] };
+            let stays = |length: f64| {
+                let mut steps = [0.0; 2];
+                steps[axis] = length;
+                rim::stays_in_box(&rim, feet, steps)
+            };
+            assert!(stays(0.25) && !stays(0.2500001), "{axis} {is_upwards}");
+        }
+    }
 }
 
 /// Where the function turns too far there is no bound.

@@ -118,6 +118,29 @@ fn the_rounding_of_residuals_is_added() {
     assert!((HEIGHT + lemma..HEIGHT + 3.0 * lemma).contains(&bound), "{:e} {lemma:e}", bound - HEIGHT);
 }
 
+/// Steps are the longest of any coefficient, and 16 roundings of their terms are added, although
+/// differences across the surface make none.
+#[test]
+fn the_rounding_of_steps_is_added() {
+    const HEIGHT: f64 = 128.0;
+    let b = profile(1, &[], &[[0.0, 0.0], [4.0, 0.0]]);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let sliding = Sliding::new(&chart, [0, 0], [[0.25, 0.75]; 2], orientation(false));
+    let [along_s, along_t] = sliding.steps(&[(HEIGHT * DVec3::Z).extend(1.0); 4], HEIGHT);
+    // The rows of P are a quarter of an edge of the chart and an edge.
+    for (step, row) in [(along_s, 0.25), (along_t, 1.0)] {
+        let lemma = 16.0 * UNIT_ROUNDOFF * row * HEIGHT;
+        assert!((lemma..2.0 * lemma).contains(&step), "{step:e} {lemma:e}");
+    }
+    let across = (HEIGHT * DVec3::Z).extend(1.0);
+    for place in 0..4 {
+        let mut quotient = [across; 4];
+        quotient[place] = DVec4::new(-4.0, 0.5, 0.0, 2.0);
+        let [along_s, along_t] = sliding.steps(&quotient, HEIGHT);
+        assert!((0.5..0.501).contains(&along_s) && (0.25..0.251).contains(&along_t), "{along_s} {along_t}");
+    }
+}
+
 /// For short steps from one point the rounding of the tangents is what is left.
 #[test]
 fn the_rounding_of_tangents_is_added() {

@@ -96,14 +96,11 @@ impl<'a> Sliding<'a> {
     /// The lemma's bound, given the homogeneous coefficients of D, if it is at most `threshold`.
     /// O(p q).
     pub(super) fn upper_bound(&self, degree: [usize; 2], quotient: &[DVec4], threshold: f64) -> Option<f64> {
-        let (mut residual, mut longest, mut steps) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
+        let [mut residual, mut longest] = [0.0_f64; 2];
         for control in quotient {
             let difference = control.xyz() / control.w;
             residual = upper_max(residual, self.residual(difference).length());
             longest = upper_max(longest, difference.length());
-            for (step, row) in steps.iter_mut().zip(&self.inverse) {
-                *step = upper_max(*step, row.dot(difference).abs());
-            }
         }
         let sizes = self.inverse.map(DVec3::length);
         let [s, t] = [0, 1].map(|axis| sizes[axis] * self.tangents[axis].length());
@@ -112,7 +109,7 @@ impl<'a> Sliding<'a> {
         if !is_small {
             return None;
         }
-        let steps = [0, 1].map(|axis| steps[axis] + gamma(RESIDUAL_ROUNDINGS) * sizes[axis] * longest);
+        let steps = self.steps(quotient, longest);
         let extent = [0, 1].map(|axis| WIDENED * (self.half[axis] + steps[axis]));
         let reach = self.chart.reach_over_creases(extent);
         let mut bound = residual;
@@ -132,6 +129,15 @@ impl<'a> Sliding<'a> {
         }
         let bound = WIDENED * (bound + of_steps);
         (bound <= threshold).then_some(bound)
+    }
+
+    /// Bounds on |δ_i|, no difference being longer than `longest`. O(p q).
+    pub(super) fn steps(&self, quotient: &[DVec4], longest: f64) -> [f64; 2] {
+        self.inverse.map(|row| {
+            let step = |control: &DVec4| row.dot(control.xyz() / control.w).abs();
+            let rounding = gamma(RESIDUAL_ROUNDINGS) * row.length() * longest;
+            quotient.iter().map(step).fold(0.0, upper_max) + rounding
+        })
     }
 
     /// How far a parameter of φ + δ is beyond the domain, at most. O(p q).

@@ -75,7 +75,10 @@ async function shapeModel({
     declared: 0,
   } as const;
   const { json, report } = translating(() => readInterchange(file, name));
-  return { model: JSON.parse(json) as InterchangeModel, report };
+  const model = JSON.parse(json) as InterchangeModel;
+  // Faces of several shapes have the same names.
+  const named = model.surfaces.map((face) => ({ ...face, part: `${name} / ${face.part ?? ""}` }));
+  return { model: { ...model, surfaces: named }, report };
 }
 
 /** Whether a text is empty, as that of a sketch may be. */

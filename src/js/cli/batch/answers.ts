@@ -88,12 +88,17 @@ function wholeLines(path: string, answered: Set<string>): number {
   }
   let end = 0;
   for (let next = bytes.indexOf("\n"); next >= 0; next = bytes.indexOf("\n", end)) {
-    try {
-      answered.add(keyOf(JSON.parse(bytes.toString("utf8", end, next)).id));
-    } catch {
-      break;
-    }
+    answered.add(idOf(bytes.toString("utf8", end, next)));
     end = next + 1;
   }
   return end;
+}
+
+/** The id that a line answers. A file with other lines is left as it is. */
+function idOf(line: string): string {
+  try {
+    return keyOf((JSON.parse(line) as { id?: unknown } | null)?.id);
+  } catch (cause) {
+    throw new Error("it is no output of `batch`", { cause });
+  }
 }

@@ -40,6 +40,7 @@ export async function diff(values: Invocation["values"]): Promise<number> {
       const isTimed = options.maxSeconds !== undefined && result.state === "undecided";
       return {
         verdict: VERDICTS[word],
+        limit: shown.limit,
         word,
         summary: summary(shown),
         findings: findings(shown),

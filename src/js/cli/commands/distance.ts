@@ -41,6 +41,7 @@ export async function distance(values: Values): Promise<number> {
       const { prepare, compile, solve } = result.seconds;
       return {
         ...(limit === undefined ? COMPUTED : judgement(within)),
+        limit,
         summary: summary(result),
         findings: [],
         text: text(result),

@@ -9,6 +9,8 @@ export const STATUSES: Readonly<Record<Verdict, number>> = { passed: 0, failed: 
 /** The answer to one pair. */
 export interface Answer {
   verdict: Verdict;
+  /** What the verdict is about; without it nothing was judged. */
+  limit?: number | undefined;
   /** The verdict in the command's word, such as `unchanged`. */
   word: string;
   /** The answer in one line. */

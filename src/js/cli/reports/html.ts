@@ -1,8 +1,14 @@
 import { readFileSync } from "node:fs";
+import { version } from "../output/json.js";
+import { STATUSES } from "./answer.js";
+import { details } from "./details.js";
 import { escapeXml } from "./escape.js";
 import { counts, findingsOf, type Row, type Rows, statusOf, summaryOf, wordOf } from "./rows.js";
 
-/** A page for browsers, in one file: the counts, and a table of the pairs with their findings. */
+/**
+ * A page for browsers and print, in one file: the counts, a table of the pairs with their
+ * findings, and a section for a pair alone, or for each that did not pass.
+ */
 export function html(rows: Rows): string {
   const style = readFileSync(new URL("report.css", import.meta.url), "utf8");
   const title = `nurbs-hausdorff ${rows.command}: ${counts(rows)}`;
@@ -22,6 +28,10 @@ export function html(rows: Rows): string {
     ...rows.rows.map(line),
     "</tbody>",
     "</table>",
+    ...rows.rows
+      .filter((row) => rows.rows.length === 1 || statusOf(row) !== STATUSES.passed)
+      .flatMap(details),
+    `<footer>Made by nurbs-hausdorff ${version()} on ${new Date().toISOString().slice(0, 10)}</footer>`,
     "</html>",
     "",
   ].join("\n");

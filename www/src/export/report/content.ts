@@ -5,7 +5,8 @@ import { unitName } from "../../common/units.ts";
 import { commonUnit } from "../../files/fileNotes.ts";
 import { isBeyond, sizeText } from "../../inspection/placeList.ts";
 import type { Place } from "../../inspection/places.ts";
-import { allowed, shownVerdict } from "../../results/verdict.ts";
+import { limitText } from "../../results/ownLimits.ts";
+import { allowed, allowedOf, shownVerdict } from "../../results/verdict.ts";
 import { type DisplayModel, SIDES, type Sides } from "../../worker/protocol.ts";
 import type { ExportedState } from "../exports.ts";
 import type { ReportContent } from "./report.ts";
@@ -28,7 +29,7 @@ export async function contentOf(
       })),
     ),
     faces: {
-      head: ["Face", "Least", "Most", "Largest", "Allowed"],
+      head: ["Face", "Least", "Most", "Largest", "Allowed", ""],
       rows: places.slice(0, MAX_FACES).map((place) => faceRow(place, diagonal)),
     },
     pins: pins.map(({ side, face, point, distance, signed }) => [
@@ -96,12 +97,13 @@ async function hashOf(file: File): Promise<string> {
 
 function faceRow(place: Place, diagonal: number): string[] {
   const { side, name, lowest, highest } = place;
-  const limits = allowed();
+  const limits = allowedOf(side, place.face);
   return [
     `${side.toUpperCase()} ${name}`,
     signedText(lowest, diagonal),
     signedText(highest, diagonal),
     sizeText(place, diagonal),
+    limits === undefined ? "" : limitText(limits),
     limits === undefined ? "" : isBeyond(place, limits) ? "beyond" : "within",
   ];
 }

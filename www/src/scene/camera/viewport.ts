@@ -66,6 +66,8 @@ export class Viewport {
   /** The part of the view, from the left, that shows one model; undefined where all is shown. */
   #wipe: Wipe | undefined;
   #way = 0;
+  /** What was fitted to the view, until the camera is moved elsewhere. */
+  #fitted: { box: Box3; direction: Vector3 } | undefined;
 
   /**
    * Opens a viewport in some short tasks: the context, the renderer's state.
@@ -103,7 +105,10 @@ export class Viewport {
     this.controls.listenToKeyEvents(canvas);
     this.controls.addEventListener("change", () => this.draw());
     // The user's hand ends the camera's own way.
-    this.controls.addEventListener("start", () => cancelAnimationFrame(this.#way));
+    this.controls.addEventListener("start", () => {
+      cancelAnimationFrame(this.#way);
+      this.#fitted = undefined;
+    });
     canvas.addEventListener("webglcontextrestored", () => this.draw());
     new ResizeObserver(() => this.#resize()).observe(canvas);
   }
@@ -124,6 +129,7 @@ export class Viewport {
     if (![x, y, z, ...target].every(Number.isFinite)) return;
     if (!this.#sized) this.#resize();
     cancelAnimationFrame(this.#way);
+    this.#fitted = undefined;
     this.#perspective.position.set(x, y, z);
     this.controls.target.set(target[0] ?? 0, target[1] ?? 0, target[2] ?? 0);
     this.controls.update();
@@ -177,6 +183,7 @@ export class Viewport {
     if (!this.#sized) this.#resize();
     const distance = fitDistance(this.#perspective, direction, box);
     this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
+    this.#fitted = { box: box.clone(), direction: direction.clone() };
   }
 
   /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
@@ -189,6 +196,7 @@ export class Viewport {
   approach(center: Vector3, radius: number, normal?: Vector3): void {
     const direction = normal === undefined ? this.#direction() : this.#facing(normal);
     this.#look(center, direction, radius / SINE);
+    this.#fitted = undefined;
   }
 
   /** The direction from the target to the camera. */
@@ -298,9 +306,13 @@ export class Viewport {
   #resize(): void {
     this.#sized = true;
     const { clientWidth, clientHeight } = this.#canvas;
+    // Nothing fits a view without a size, from any distance.
+    if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    this.#perspective.aspect = clientWidth / Math.max(1, clientHeight);
+    this.#perspective.aspect = clientWidth / clientHeight;
     this.#perspective.updateProjectionMatrix();
+    // What filled the view fills it in its new shape.
+    if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
     this.draw();
   }
 }

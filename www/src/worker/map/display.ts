@@ -1,5 +1,5 @@
 // What the page draws of a map: triangles, lines and the distribution.
-import type { Vector3 } from "nurbs-hausdorff";
+import type { Signs, Vector3 } from "nurbs-hausdorff";
 import type { Side } from "../protocol.ts";
 import { type Distribution, distributionOf, type Estimates, estimatesOf } from "./distribution.ts";
 import { type Placing, placed } from "./placed.ts";
@@ -14,6 +14,7 @@ export interface MapDisplay {
   normals: Float32Array<ArrayBuffer>;
   /** Signed deviations; NaN for one without a sign. */
   signed: Float32Array<ArrayBuffer>;
+  signs: Signs;
   distances: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
   /** The face of every triangle; those of a face follow each other. */
@@ -37,6 +38,7 @@ export function mapDisplay(map: DeviationMap, side: Side, placing: Placing): Map
   return {
     ...{ positions: map.positions.slice(), normals: map.normals.slice() },
     signed: new Float32Array(map.signed),
+    signs: map.signs,
     distances: new Float32Array(map.distances),
     indices: map.triangles.indices.slice(),
     faces: map.triangles.faces.slice(),

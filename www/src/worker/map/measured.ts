@@ -1,5 +1,5 @@
 // The deviations of points of one model from the other one.
-import type { Hausdorff, NurbsModel, Vector3 } from "nurbs-hausdorff";
+import type { Hausdorff, NurbsModel, Signs, Vector3 } from "nurbs-hausdorff";
 import type { Side } from "../protocol.ts";
 import { joinedArrays } from "./base.ts";
 import { mapped, type Placing, placed, unplaced } from "./placed.ts";
@@ -14,6 +14,7 @@ export interface Measured {
   signed: Float64Array<ArrayBuffer>;
   /** x, y, z of the closest points, in the coordinates of a result. */
   feet: Float64Array<ArrayBuffer>;
+  signs: Signs;
 }
 
 /** One model, whose points are measured, and the other one. */
@@ -44,6 +45,7 @@ export async function measure(points: Float64Array, measuring: Measuring): Promi
       distances: found.distances.map((distance) => Math.min(upper, size * distance)),
       signed: found.signed.map((value) => clamped(size * value, upper)),
       feet: mapped(found.feet, (foot: Vector3) => placed(otherSide, foot, measuring)),
+      signs: found.signs,
     });
     onPoints(batch.length / 3);
   }
@@ -54,6 +56,7 @@ export const none = (): Measured => ({
   distances: new Float64Array(),
   signed: new Float64Array(),
   feet: new Float64Array(),
+  signs: "faces",
 });
 
 /** Returns the deviations of points followed by those of others. */
@@ -61,13 +64,18 @@ export const together = (one: Measured, other: Measured): Measured => ({
   distances: joinedArrays(one.distances, other.distances),
   signed: joinedArrays(one.signed, other.signed),
   feet: joinedArrays(one.feet, other.feet),
+  signs: other.signs,
 });
 
 /** The deviations of some of the points. */
-export const chosen = ({ distances, signed, feet }: Measured, which: Uint32Array): Measured => ({
+export const chosen = (
+  { distances, signed, feet, signs }: Measured,
+  which: Uint32Array,
+): Measured => ({
   distances: Float64Array.from(which, (index) => distances[index] ?? 0),
   signed: Float64Array.from(which, (index) => signed[index] ?? 0),
   feet: chosenPoints(feet, which),
+  signs,
 });
 
 /** Some of the points. */

@@ -56,6 +56,7 @@ export function withFarthest(
     distances: joinedArrays(map.distances, new Float64Array([distance])),
     signed: joinedArrays(map.signed, new Float64Array([sign === 0 ? distance : sign * distance])),
     feet: joinedArrays(map.feet, new Float64Array(foot)),
+    signs: map.signs,
   };
 }
 

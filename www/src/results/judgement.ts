@@ -1,0 +1,85 @@
+// What follows for a verdict from the interval of the distance and from measured faces.
+import type { Allowed } from "../scene/colors/scale.ts";
+
+export type Verdict = "pass" | "fail" | "undecided";
+
+export type Interval = readonly [lower: number, upper: number];
+
+/** The verdict with its reason. */
+export interface Judgement {
+  verdict: Verdict;
+  text: string;
+}
+
+/** What the map measured of a face, in float32: each is a deviation that there is. */
+export interface MeasuredFace {
+  lowest: number;
+  highest: number;
+  distance: number;
+}
+
+/** What a verdict is about. */
+export interface Judged {
+  /** The interval that contains the distance. */
+  interval: Interval;
+  /** The interval for every reading of the files within their gaps. */
+  withGaps?: Interval;
+  /** The sum of the files' gaps, as text with its unit. */
+  gap?: string;
+  /** The measured faces, each with what is allowed of it. */
+  measured?: readonly { name: string; face: MeasuredFace; allowed: Allowed }[];
+}
+
+const WORDS: Readonly<Record<Verdict, string>> = {
+  pass: "certainly within",
+  fail: "certainly beyond",
+  undecided: "the interval contains it",
+};
+
+/** A float32 differs from what was measured by at most half of this part of it. */
+const FLOAT32 = 2 ** -23;
+
+/** Whether a distance in this interval is allowed: certainly by all limits, or by none. */
+export function verdictOn([lower, upper]: Interval, limits: readonly Allowed[]): Verdict {
+  const all = limits.flatMap(({ above, below }) => [above, below]);
+  if (upper <= Math.min(...all)) return "pass";
+  return lower > Math.max(...all) ? "fail" : "undecided";
+}
+
+/** Whether a measured face certainly deviates by more than is allowed of it. */
+export function isCertainlyBeyond(
+  { lowest, highest, distance }: MeasuredFace,
+  { above, below }: Allowed,
+): boolean {
+  const least = 1 - FLOAT32;
+  return (
+    highest * least > above || -lowest * least > below || distance * least > Math.max(above, below)
+  );
+}
+
+/** Judges by the limits of the whole, and of faces that have their own. */
+export function judge(judged: Judged, limits: readonly Allowed[]): Judgement {
+  const { interval, withGaps = interval, gap = "" } = judged;
+  const verdict = verdictOn(interval, limits);
+  if (verdict === "undecided") return byFaces(judged, limits);
+  const isDoubtful = verdictOn(withGaps, limits) !== verdict;
+  const doubt = isDoubtful ? `, but the gaps of the files (${gap}) could change that` : "";
+  return { verdict, text: `${WORDS[verdict]}${doubt}` };
+}
+
+/** The verdict where the interval alone does not decide: by measured deviations beyond a limit. */
+function byFaces({ interval, measured }: Judged, limits: readonly Allowed[]): Judgement {
+  const all = limits.flatMap(({ above, below }) => [above, below]);
+  if (all.every((limit) => limit === all[0]) || measured === undefined) {
+    return { verdict: "undecided", text: WORDS.undecided };
+  }
+  const beyond = measured.find(({ face, allowed }) => isCertainlyBeyond(face, allowed));
+  if (beyond !== undefined) {
+    return { verdict: "fail", text: `a measured point is beyond: ${beyond.name}` };
+  }
+  const text =
+    interval[1] <= Math.max(...all)
+      ? "within at all measured points, which is certain only for the largest limit"
+      : "within at all measured points, no more is certain";
+  return { verdict: "undecided", text };
+}
