@@ -11,7 +11,7 @@ from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, best_fit
 from ._measure import clearance, closest_points, diff, distance, field, gaps
-from ._model import Mesh, MeshReport, Model, ReadReport, Remark
+from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
@@ -23,8 +23,8 @@ from ._transform import Transform
 
 __all__ = [
     "BestFit", "ClearanceResult", "ClosestPoints", "DiffResult", "DistanceResult",
-    "FaceDifference", "FaceGap", "Field", "FieldPart", "GapsResult", "Mesh", "MeshReport",
-    "Model", "NurbsHausdorffError", "Overlap", "ReadReport", "Remark", "Statistics",
-    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
+    "FaceDifference", "FaceGap", "Field", "FieldPart", "FreeEdge", "GapsResult", "Mesh",
+    "MeshReport", "Model", "NurbsHausdorffError", "Overlap", "ReadReport", "Remark", "Shell",
+    "Solid", "Statistics", "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
     "distance", "field", "gaps", "model", "read", "testing",
 ]  # fmt: skip

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _names, _native
 from ._errors import NurbsHausdorffError
@@ -85,6 +85,44 @@ class Mesh:
     normals: NDArray[np.float32]
     triangles: NDArray[np.uint32]
     face_of_triangle: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class FreeEdge:
+    """An edge of a face, or a part of it, that no other edge joins: its face, three points on it."""
+
+    face: int
+    start: tuple[float, float, float]
+    middle: tuple[float, float, float]
+    end: tuple[float, float, float]
+    face_name: str | None = None
+
+
+@dataclass(frozen=True)
+class Shell:
+    """Faces that joined edges connect, and whether none of them has a free edge."""
+
+    faces: tuple[int, ...]
+    closed: bool
+
+
+@dataclass(frozen=True)
+class Solid:
+    """Whether a model's faces close, so that points lie inside or outside.
+
+    Attributes
+    ----------
+    closed : bool
+        Whether every edge of a face has a partner.
+    shells : tuple of Shell
+        Voids of solids among them.
+    free_edges : tuple of FreeEdge
+        Edges without a partner; none of a solid.
+    """
+
+    closed: bool
+    shells: tuple[Shell, ...]
+    free_edges: tuple[FreeEdge, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,6 +238,26 @@ class Model:
         for name in ("skipped", "notes"):
             data[name] = tuple(Remark(**remark) for remark in data[name])
         return ReadReport(**data)
+
+    def solid(self) -> Solid:
+        """Return whether the faces close within their gaps, and where they do not."""
+        data = _names.snake(self._native.solid())
+        shells = tuple(Shell(tuple(one["faces"]), one["closed"]) for one in data["shells"])
+        edges = tuple(
+            FreeEdge(**{**edge, **{end: tuple(edge[end]) for end in ("start", "middle", "end")}})
+            for edge in data["free_edges"]
+        )
+        return Solid(data["closed"], shells, edges)
+
+    def sides(self, points: ArrayLike) -> NDArray[np.int8]:
+        """Return the sides of points of shape (n, 3): -1 inside, 1 outside, 0 where neither is
+        certain: within the gaps of the boundary, and everywhere if the model is not closed."""
+        found = np.ascontiguousarray(points, np.float64)
+        if found.ndim != 2 or found.shape[1] != 3:
+            raise NurbsHausdorffError(
+                "ARGUMENT_INVALID", f"points have shape {found.shape}, expected (n, 3)"
+            )
+        return self._native.sides(found.reshape(-1))
 
     def info(self) -> dict[str, Any]:
         """Return faces, patches and areas, with the names of the command `info --json` in snake

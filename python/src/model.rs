@@ -4,10 +4,10 @@ use crate::convert::to_dict;
 use crate::failure;
 use crate::running::on_live_threads;
 use glam::DVec3;
-use numpy::{IntoPyArray, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
-    Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport,
+    Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
     TriangleMesh,
 };
 use pyo3::prelude::*;
@@ -136,6 +136,30 @@ impl Model {
         let model = self.surfaces(py, "a description of faces and patches")?;
         let info = py.detach(|| on_live_threads(|| ModelInfo::of_prepared(model, &self.prepared)))?;
         to_dict(py, &info)
+    }
+
+    /// Returns whether the faces close, the shells, and the edges where they do not.
+    fn solid<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let solid = py.detach(|| on_live_threads(|| self.prepared.solid()))?;
+        to_dict(py, &solid)
+    }
+
+    /// Returns the sides of points, x, y, z each: -1 inside, 1 outside, 0 where neither is certain.
+    fn sides<'py>(
+        &self,
+        py: Python<'py>,
+        points: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        // Copied, because other threads may write to the array meanwhile.
+        let points: Vec<f64> = points.as_array().to_vec();
+        let side = |point: &[f64; 3]| match self.prepared.side(*point) {
+            Side::Inside => -1,
+            Side::Outside => 1,
+            Side::Undecided => 0,
+        };
+        let sides: Vec<i8> =
+            py.detach(|| on_live_threads(|| points.as_chunks().0.iter().map(side).collect()))?;
+        Ok(sides.into_pyarray(py))
     }
 
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {

@@ -77,3 +77,20 @@ def test_best_fit_finds_a_known_motion():
     with pytest.raises(nh.NurbsHausdorffError) as raised:
         nh.best_fit(body, moved, tolerance=1.0, relative_tolerance=1.0)
     assert raised.value.code == "OPTION_INVALID"
+
+
+def test_sides_of_a_box_and_of_an_open_one():
+    closed = nh.model(box((0, 0, 0)))
+    solid = closed.solid()
+    assert solid.closed and solid.free_edges == ()
+    assert [shell.faces for shell in solid.shells] == [(0, 1, 2, 3, 4, 5)]
+    points = [(0.5, 0.5, 0.5), (2.0, 0.5, 0.5), (1.0, 0.5, 0.5), (np.nan, 0.0, 0.0)]
+    assert closed.sides(points).tolist() == [-1, 1, 0, 0]
+    opened = nh.model(box((0, 0, 0))[1:])
+    edges = opened.solid().free_edges
+    assert not opened.solid().closed and len(edges) == 4
+    # The face that is missing lies in z = 0.
+    assert {point[2] for edge in edges for point in (edge.start, edge.middle, edge.end)} == {0.0}
+    assert opened.sides(points).tolist() == [0, 0, 0, 0]
+    with pytest.raises(nh.NurbsHausdorffError, match=r"\(n, 3\)"):
+        closed.sides([0.0, 0.0, 0.0])

@@ -182,6 +182,25 @@ fn an_interrupted_batch_leaves_whole_lines() {
     assert_distances(&read, 0..2);
 }
 
+/// The input stays open, and no line comes.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_batch_that_waits_for_lines() {
+    let mut command = command();
+    let mut child =
+        command.args(["batch", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    writeln!(input, "{}", pairs("waits", 1)[0]).unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    let read: Value = serde_json::from_str(&lines.next().unwrap().unwrap()).unwrap();
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(lines.next().is_none());
+    assert_distances(&[read], 0..1);
+    drop(input);
+}
+
 #[test]
 fn a_closed_pipe_ends_the_batch() {
     let input = path("closed.jsonl");

@@ -21,12 +21,20 @@ use std::collections::HashSet;
 use std::fs::OpenOptions;
 use std::io::{BufRead, BufReader, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::Duration;
 
 /// Exit statuses: all pairs have a result; a pair has an error; ended by SIGINT, as shells count it.
 const ANSWERED: u8 = 0;
 const FAILED: u8 = 1;
 const INTERRUPTED: u8 = 130;
+
+/// The largest number of lines that are read before a thread has time for them.
+const READ_AHEAD: usize = 64;
+
+/// The time after which a thread that waits for a line looks whether the batch is over.
+const PATIENCE: Duration = Duration::from_millis(100);
 
 /// Answers all pairs, and returns the exit status.
 pub(crate) fn run(arguments: &BatchArguments) -> Result<u8, Failure> {
@@ -37,7 +45,7 @@ pub(crate) fn run(arguments: &BatchArguments) -> Result<u8, Failure> {
     // Without a handler the process ends between two lines as well, but at once.
     let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
     let batch = Batch {
-        lines: Mutex::new(lines.lines().enumerate()),
+        lines: Mutex::new(numbered(lines)),
         answered,
         answers: Answers::new(output),
         cache: Cache::new(arguments.cache),
@@ -95,7 +103,15 @@ fn output(arguments: &BatchArguments) -> Result<(Box<dyn Write + Send>, HashSet<
 }
 
 /// The lines of the input with their indices.
-type Numbered = std::iter::Enumerate<std::io::Lines<Box<dyn BufRead + Send>>>;
+type Numbered = Receiver<(usize, std::io::Result<String>)>;
+
+/// Reads lines on a thread of its own, which nobody waits for: an interrupt ends the batch while no line
+/// comes.
+fn numbered(lines: Box<dyn BufRead + Send>) -> Numbered {
+    let (sender, receiver) = sync_channel(READ_AHEAD);
+    std::thread::spawn(move || lines.lines().enumerate().try_for_each(|line| sender.send(line)));
+    receiver
+}
 
 /// What the threads share.
 struct Batch<'a> {
@@ -136,8 +152,12 @@ impl Batch<'_> {
     /// Answers pairs until there are no more, nobody reads the answers or the process is interrupted.
     fn work(&self) {
         loop {
-            let next = self.lines.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some((index, text)) = next else { return };
+            let next = self.lines.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE);
+            let (index, text) = match next {
+                Ok(line) => line,
+                Err(RecvTimeoutError::Timeout) if !self.is_over() => continue,
+                Err(_) => return,
+            };
             let answer = match text {
                 Ok(text) if text.trim().is_empty() => None,
                 Ok(text) => self.answer(&text),
