@@ -248,7 +248,7 @@ pub enum Error {
         found: String,
     },
     /// A computation that meshes and clouds of points do not have.
-    #[error("{found}, which is not computed for meshes and clouds of points")]
+    #[error("{found}, which is not computed for this mesh or cloud of points")]
     FacetsUnsupported {
         /// The computation.
         found: &'static str,

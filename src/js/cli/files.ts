@@ -103,7 +103,7 @@ export async function convertFile(
     if (meshFormatOf(path) !== undefined) {
       throw new HausdorffError(
         "FACETS_UNSUPPORTED",
-        "a conversion to interchange JSON, which is not computed for meshes and clouds of points",
+        "a conversion to interchange JSON, which is not computed for this mesh or cloud of points",
       );
     }
     const bytes = await bytesOf(path);
