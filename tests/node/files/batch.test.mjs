@@ -85,6 +85,20 @@ test("an output that was cut off is gone on with", () => {
   }
 });
 
+test("an interrupt ends a batch that waits for lines", async () => {
+  for (const [program, ...before] of Object.values(COMMANDS)) {
+    const options = { cwd: folder, env: environment(), stdio: ["pipe", "pipe", "inherit"] };
+    const child = spawn(program, [...before, "batch", "-", "--jobs", "1"], options);
+    const exit = once(child, "exit");
+    // The input stays open.
+    child.stdin.write(lines([{ id: 0, a: "0.json", b: "1.json" }]));
+    const [line] = await once(createInterface({ input: child.stdout }), "line");
+    assert.equal(JSON.parse(line).id, 0);
+    child.kill("SIGINT");
+    assert.deepEqual(await exit, [130, null], program);
+  }
+});
+
 test("an interrupted batch and one that nobody reads end between lines", async () => {
   for (const [program, ...before] of Object.values(COMMANDS)) {
     for (const end of ["SIGINT", "close"]) {

@@ -29,7 +29,7 @@ export async function batch(values: Invocation["values"]): Promise<number> {
   const answers = new Answers(values);
   const interrupt = new AbortController();
   process.once("SIGINT", () => interrupt.abort());
-  const lines = numbered(String(values.get("pairs")));
+  const lines = numbered(String(values.get("pairs")), interrupt.signal);
   const jobs = Math.max(1, Number(values.get("jobs") ?? availableParallelism()));
   const run = new Run(answers, interrupt, lines, values);
   await Promise.all(Array.from({ length: jobs }, () => run.work()));
@@ -40,14 +40,17 @@ export async function batch(values: Invocation["values"]): Promise<number> {
 
 type Numbered = AsyncGenerator<readonly [index: number, text: string]>;
 
-/** The lines of a file, or of standard input, with their indices. */
-async function* numbered(path: string): Numbered {
+/** The lines of a file, or of standard input, with their indices, until the signal. */
+async function* numbered(path: string, signal: AbortSignal): Numbered {
   const input = path === STANDARD_STREAM ? process.stdin : createReadStream(path);
   let index = 0;
   try {
-    for await (const text of createInterface({ input })) yield [index++, text];
+    for await (const text of createInterface({ input, signal })) yield [index++, text];
   } catch (cause) {
     throw unreadable("FILE_UNREADABLE", path, cause);
+  } finally {
+    // Input that stays open would keep the process.
+    input.destroy();
   }
 }
 
