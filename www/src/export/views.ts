@@ -28,9 +28,10 @@ export class Views {
     return this.#chosen.length > 0 ? this.#chosen : [await this.take("As seen")];
   }
 
-  /** Adds what is seen now. */
+  /** Adds what is seen now. Others may be added while its picture is made. */
   async add(): Promise<void> {
-    this.#chosen = [...this.#chosen, await this.take(`View ${this.#chosen.length + 1}`)];
+    const view = await this.take("");
+    this.#chosen = [...this.#chosen, { ...view, title: `View ${this.#chosen.length + 1}` }];
     this.#show();
   }
 
