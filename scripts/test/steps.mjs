@@ -186,10 +186,7 @@ export const steps = [
     name: "page",
     tests: true,
     what: "the page in headless Chromium",
-    needs: ["page-build", "rust"],
-    // A page waits for its pictures most of the time. Not beside the tests of Rust, which take all
-    // cores for the kernels.
-    beside: true,
+    needs: ["page-build"],
     run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
   },
 ];
