@@ -108,9 +108,10 @@ test("wrong meshes are refused by their code", async () => {
   const [mesh, surface] = [hd.mesh(triangle(0)), hd.model([square(0)])];
   const unsupported = withCode("FACETS_UNSUPPORTED");
   await assert.rejects(hd.distance(mesh, surface, { method: "iteration" }), unsupported);
-  await assert.rejects(hd.clearance(mesh, surface), unsupported);
+  const cloud = hd.mesh({ positions });
+  await assert.rejects(hd.clearance(cloud, surface), unsupported);
   assert.throws(() => mesh.update(0, []), unsupported);
-  for (const model of [mesh, surface]) model.dispose();
+  for (const model of [mesh, cloud, surface]) model.dispose();
 });
 
 /** Two squares of half a unit area each, the second one at this height. */

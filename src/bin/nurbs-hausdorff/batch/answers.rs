@@ -69,7 +69,8 @@ impl State<'_> {
             // One call a line, so that a process that is killed leaves whole ones.
             let written = self.output.write_all(line.as_bytes()).and_then(|()| self.output.flush());
             self.end = written.err().map(|error| match error.kind() {
-                ErrorKind::BrokenPipe => Ok(()),
+                // Of a pipe, and of a socket whose reader left lines unread.
+                ErrorKind::BrokenPipe | ErrorKind::ConnectionReset => Ok(()),
                 _ => Err(error),
             });
         }
