@@ -1,6 +1,7 @@
 //! The lines of the output, in the order of the input.
 
 use crate::failure::Failure;
+use crate::output::is_unread;
 use serde_json::Value;
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions};
@@ -68,11 +69,7 @@ impl State<'_> {
             let Some(line) = line else { continue };
             // One call a line, so that a process that is killed leaves whole ones.
             let written = self.output.write_all(line.as_bytes()).and_then(|()| self.output.flush());
-            self.end = written.err().map(|error| match error.kind() {
-                // Of a pipe, and of a socket whose reader left lines unread.
-                ErrorKind::BrokenPipe | ErrorKind::ConnectionReset => Ok(()),
-                _ => Err(error),
-            });
+            self.end = written.err().map(|error| if is_unread(&error) { Ok(()) } else { Err(error) });
         }
     }
 }

@@ -14,7 +14,13 @@ use std::io::{ErrorKind, Write};
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     let mut output = std::io::stdout().lock();
     match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        Err(error) if !is_unread(&error) => Err(Failure::Output(error)),
         _ => Ok(()),
     }
+}
+
+/// Returns whether output failed because its reader has gone: that of a pipe, or of a socket with text
+/// that was not read.
+pub(crate) fn is_unread(error: &std::io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::BrokenPipe | ErrorKind::ConnectionReset)
 }
