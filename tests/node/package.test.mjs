@@ -5,7 +5,6 @@ import { test } from "node:test";
 
 const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
 const own = [
-  "CAD_UNREADABLE",
   "PEER_MISSING",
   "ARGUMENT_INVALID",
   "MODULE_NOT_LOADED",
