@@ -155,7 +155,7 @@ impl Model {
         let side = |point: &[f64; 3]| match self.prepared.side(*point) {
             Side::Inside => -1,
             Side::Outside => 1,
-            Side::Undecided => 0,
+            _ => 0,
         };
         let sides: Vec<i8> =
             py.detach(|| on_live_threads(|| points.as_chunks().0.iter().map(side).collect()))?;
