@@ -14,7 +14,7 @@ pub(super) struct Composition<'a> {
     pub(super) face: &'a UnitFace,
     pub(super) patch: Patch<'a>,
     pub(super) ruling: &'a Ruling,
-    /// The degrees in s and t of its homogeneous form.
+    /// The degrees in s and t of its homogeneous form, at most.
     pub(super) degree: [usize; 2],
 }
 
@@ -32,7 +32,9 @@ impl Composition<'_> {
     /// The difference of the homogeneous forms is a polynomial, which its values at the nodes
     /// bound (lemma T5). O(nodes × controls).
     pub(super) fn deviation(&self, [m, n]: [usize; 2], controls: &[DVec4]) -> f64 {
-        let Self { face, patch, ruling, degree: [along_s, along_t] } = *self;
+        let Self { face, patch, ruling, degree } = *self;
+        // The degrees of the difference, whatever those of the finished patch are.
+        let [along_s, along_t] = [degree[0].max(m), degree[1].max(n)];
         // The fewest nodes: twice as many would cost as much as the cut for half of the bound.
         let counts = [along_s + 1, along_t + 1];
         let radius = self.radius();
@@ -132,6 +134,7 @@ fn combined(controls: &[DVec4], basis: &[f64]) -> DVec4 {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::chebyshev::{coefficients, to_bernstein};
     use crate::model::trim::{Trim, TrimCurveArrays};
     use crate::model::{NurbsSurface, SurfaceArrays};
     use crate::untrim::curve::Curve;
@@ -198,5 +201,68 @@ mod tests {
             let [from, to] = [&exact, &heavier].map(|net| point(degree, net, index));
             assert!(found >= from.distance(to) && found > 1e-5 * share, "{index}: {found} {share}");
         }
+    }
+
+    /// The largest value of the polynomial of a degree that is 1 and -1 at the nodes in turn, as
+    /// Bernstein coefficients: at the end, where it is the nodes' Lebesgue constant.
+    fn alternating(degree: usize) -> Vec<f64> {
+        let values: Vec<f64> = (0..=degree).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        to_bernstein(&coefficients(&values), degree)
+    }
+
+    /// A difference that is small at all nodes and largest at a corner: the factors of both parameters count.
+    #[test]
+    fn the_deviation_at_a_corner_is_more_than_at_the_nodes() {
+        let (face, ruling) = face_and_ruling();
+        let composed = crate::untrim::patch::composed(&face, &ruling).unwrap();
+        let patch = face.patch([0, 0]);
+        let exact = crate::untrim::patch::relative(&composed.surface, patch.center);
+        let [m, n] = composed.surface.degree();
+        let composition = Composition { face: &face, patch, ruling: &ruling, degree: [m, n] };
+        let (along_s, along_t) = (alternating(m), alternating(n));
+        let moved: Vec<DVec4> = exact
+            .iter()
+            .enumerate()
+            .map(|(index, &control)| {
+                let height = 1e-3 * along_s[index / (n + 1)] * along_t[index % (n + 1)];
+                control + height * DVec4::Z
+            })
+            .collect();
+        let corner = moved.len() - 1;
+        let distance = (moved[corner] - exact[corner]).length() / exact[corner].w;
+        let found = composition.deviation([m, n], &moved);
+        assert!(found >= distance && found <= 2.0 * distance, "{found} {distance}");
+    }
+
+    /// The degrees stated are not relied on where the finished patch has higher ones.
+    #[test]
+    fn a_patch_of_a_higher_degree_has_as_many_nodes_as_it_needs() {
+        let (face, ruling) = face_and_ruling();
+        let composed = crate::untrim::patch::composed(&face, &ruling).unwrap();
+        let patch = face.patch([0, 0]);
+        let exact = crate::untrim::patch::relative(&composed.surface, patch.center);
+        let degree = composed.surface.degree();
+        let deviation = |degree_of_composition| {
+            let composition =
+                Composition { face: &face, patch, ruling: &ruling, degree: degree_of_composition };
+            composition.deviation(degree, &exact)
+        };
+        assert_eq!(deviation([0, 0]), deviation(degree));
+    }
+
+    /// Values that agree exactly are known up to the rounding of lemma T4.
+    #[test]
+    fn the_rounding_of_values_is_added() {
+        let (face, ruling) = face_and_ruling();
+        let composed = crate::untrim::patch::composed(&face, &ruling).unwrap();
+        let patch = face.patch([0, 0]);
+        let exact = crate::untrim::patch::relative(&composed.surface, patch.center);
+        let [m, n] = composed.surface.degree();
+        let composition = Composition { face: &face, patch, ruling: &ruling, degree: [m, n] };
+        let rounding = 2.0 * gamma(6.0 * (4 + m + n) as f64 + 16.0 + 32.0) * composition.radius();
+        let factor = node_factor(m, m + 1) * node_factor(n, n + 1);
+        // Twice, as two values are compared; no weight is below the least one.
+        let found = composition.deviation([m, n], &exact);
+        assert!(found >= 2.0 * rounding * factor, "{found} {rounding}");
     }
 }
