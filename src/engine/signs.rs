@@ -55,6 +55,16 @@ pub(super) enum SignFoot<'a> {
     Facet(&'a FacetTarget, u32, &'a Nearest),
 }
 
+impl SignFoot<'_> {
+    /// Returns the vector from the foot to the point.
+    fn offset(&self, point: DVec3) -> DVec3 {
+        match self {
+            Self::Patch(foot) => point - foot.point,
+            Self::Facet(_, _, nearest) => -nearest.offset,
+        }
+    }
+}
+
 /// The side of the last point, near which the next one may lie.
 #[derive(Default)]
 pub(super) struct Known(Option<Ball>);
@@ -90,10 +100,7 @@ impl SignRule<'_> {
         let Some((boundary, target)) = self.0.filter(|(boundary, _)| boundary.is_closed()) else {
             return self.along_normal(point, foot);
         };
-        let distance = match foot {
-            SignFoot::Patch(foot) => point.distance(foot.point),
-            SignFoot::Facet(_, _, nearest) => nearest.distance_squared.sqrt(),
-        };
+        let distance = foot.offset(point).length();
         // No ray from the boundary itself decides, whichever way it goes.
         if distance <= boundary.margin_at(point) {
             return 0.0;
@@ -108,16 +115,17 @@ impl SignRule<'_> {
 
     /// Returns the distance, negative behind the normal, as [`Signs::Faces`] states.
     fn along_normal(&self, point: DVec3, foot: &SignFoot<'_>) -> f64 {
-        let foot = match *foot {
-            SignFoot::Patch(foot) => foot,
-            SignFoot::Facet(facets, place, nearest) => return facets.signed(place, nearest),
-        };
-        let offset = point - foot.point;
+        let offset = foot.offset(point);
         let distance = offset.length();
-        let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
-        let of_all =
-            || self.0.and_then(|(boundary, target)| pseudonormal(target, foot.point, boundary.reach()));
-        let normal = foot.normal().filter(is_along).or_else(of_all);
+        let normal = match *foot {
+            SignFoot::Patch(foot) => {
+                let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
+                let of_all =
+                    || self.0.and_then(|(all, target)| pseudonormal(target, foot.point, all.reach()));
+                foot.normal().filter(is_along).or_else(of_all)
+            }
+            SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),
+        };
         let Some(along) = normal.map(|normal| offset.dot(normal)) else { return f64::NAN };
         if along.abs() >= MIN_COSINE * distance { distance.copysign(along) } else { f64::NAN }
     }

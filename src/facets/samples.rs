@@ -20,13 +20,9 @@ impl FacetSamples {
     /// Samples a group, with at least `count²` triangles between the samples of a mesh: a triangle
     /// of more than that part of the area is cut into equal ones. O(n + count²).
     pub(crate) fn of(facets: &FacetTarget, count: usize) -> Self {
-        let mut places = vec![0_u32; facets.len()];
-        for place in 0..facets.len() as u32 {
-            places[facets.index(place)] = place;
-        }
         let mut samples = Self::default();
         let mut triangles = Vec::new();
-        for place in places {
+        for place in facets.places() {
             match facets.facet(place) {
                 Facet::Point(point) => {
                     samples.push(point, 1.0);

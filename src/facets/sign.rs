@@ -1,4 +1,4 @@
-//! The sides of a mesh: the signs of distances to it.
+//! The normals of a mesh at feet, which decide the signs of distances to it.
 
 use super::rounding::facet_rounding;
 use super::{Facet, FacetTarget, Nearest};
@@ -12,26 +12,19 @@ const BORDER: f64 = 1e-9;
 /// The distance up to which a facet has a foot too, in roundings of a distance.
 const REACH_ROUNDINGS: f64 = 4.0;
 
-/// The cosine of the angle between the normal and the direction from a foot below which a point
-/// has no sign: it is in the tangent plane but for the errors of foot and normal.
-const MIN_COSINE: f64 = 1e-6;
-
 /// The part of the sum of angles below which a sum of normals counts as vanishing.
 const MIN_SUM: f64 = 1e-6;
 
 impl FacetTarget {
-    /// Returns the distance of a point with its sign, negative behind the facet of its foot. On an
-    /// edge or a corner the angle-weighted normal of all facets there counts (Bærentzen and Aanæs
-    /// 2005): of a closed mesh whose normals point outwards it is negative inside. NaN where no
-    /// normal exists, where normals cancel, in the tangent plane, and for a cloud. O(log n).
-    pub(crate) fn signed(&self, place: u32, nearest: &Nearest) -> f64 {
-        let distance = nearest.distance_squared.sqrt();
+    /// Returns the normal of the facet at a foot, of length 1. On an edge or a corner it is the
+    /// angle-weighted normal of all facets there (Bærentzen and Aanæs 2005): the points of a closed mesh
+    /// whose normals point outwards are inside where they are behind it. `None` where no normal exists,
+    /// where normals cancel, and for a cloud. O(log n).
+    pub(crate) fn normal(&self, place: u32, nearest: &Nearest) -> Option<DVec3> {
         let facet = self.facet(place);
         let is_inside = nearest.weights.iter().all(|&weight| weight > BORDER);
         let normal = if is_inside { facet.normal() } else { self.pseudonormal(facet.point(nearest.weights)) };
-        let Some(normal) = normal else { return f64::NAN };
-        let along = -nearest.offset.dot(normal) / normal.length();
-        if along.abs() >= MIN_COSINE * distance { distance.copysign(along) } else { f64::NAN }
+        normal.map(DVec3::normalize)
     }
 
     /// Returns the sum of the normals of all triangles at a point, weighted by their angles there.
@@ -105,10 +98,11 @@ mod tests {
             let near = vertices[random.usize(..7)];
             let point = near + 0.3 * DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
             let (foot, nearest, _) = target.certified(point, 0);
-            let signed = target.signed(foot.facet, &nearest);
-            if !signed.is_nan() && signed.abs() > 1e-9 {
-                assert_eq!(signed < 0.0, is_inside(point), "{point} {signed}");
-                inside += usize::from(signed < 0.0);
+            let Some(normal) = target.normal(foot.facet, &nearest) else { continue };
+            let along = -nearest.offset.dot(normal);
+            if along.abs() > 1e-6 * nearest.offset.length() && nearest.offset.length() > 1e-9 {
+                assert_eq!(along < 0.0, is_inside(point), "{point} {along}");
+                inside += usize::from(along < 0.0);
             }
         }
         assert!(inside > 200, "{inside}");

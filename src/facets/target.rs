@@ -73,10 +73,7 @@ impl FacetTarget {
     /// Returns the facets of each group with a tree of their own; the groups are ranges of indices
     /// that cover all facets. O(n log n).
     pub(super) fn of_groups(&self, groups: &[Group]) -> Vec<Self> {
-        let mut places = vec![0_u32; self.len()];
-        for (place, &index) in self.tree.order().iter().enumerate() {
-            places[index as usize] = place as u32;
-        }
+        let places = self.places();
         map(groups.len(), |group| {
             let places = &places[groups[group].facets.clone()];
             let boxes = |index: u32| self.facet(places[index as usize]).bounding_box();
@@ -134,6 +131,15 @@ impl FacetTarget {
     /// Returns the index in the model of the facet at a place in the order of the leaves.
     pub(crate) fn index(&self, place: u32) -> usize {
         self.tree.order()[place as usize] as usize
+    }
+
+    /// Returns the places of the facets in the order of the leaves, by their indices. O(n).
+    pub(super) fn places(&self) -> Vec<u32> {
+        let mut places = vec![0; self.len()];
+        for (place, &index) in self.tree.order().iter().enumerate() {
+            places[index as usize] = place as u32;
+        }
+        places
     }
 
     /// Returns the area of a facet, 0 of a point, as an interval that holds it.
