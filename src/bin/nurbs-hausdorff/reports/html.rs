@@ -1,7 +1,8 @@
 //! The report as a page for browsers, in one file.
 
 use super::details::section;
-use super::{Row, Rows, Verdict, date};
+use super::{Row, Rows, Verdict};
+use chrono::Utc;
 use quick_xml::escape::escape;
 use std::fmt::Write;
 
@@ -39,7 +40,7 @@ pub(super) fn report(rows: &Rows) -> String {
         text,
         "<footer>Made by nurbs-hausdorff {} on {}</footer>\n</html>\n",
         env!("CARGO_PKG_VERSION"),
-        date::today()
+        Utc::now().date_naive()
     );
     text
 }

@@ -1,7 +1,6 @@
 //! The report on a pair of files or of directories, in the formats that people and CI services read.
 
 mod answer;
-mod date;
 mod details;
 mod html;
 mod junit;
