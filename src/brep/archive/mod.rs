@@ -26,7 +26,15 @@ pub fn inflated(bytes: Vec<u8>, name: &str) -> Result<(Vec<u8>, &str)> {
     }
     let mut budget = Budget::new(Model::MAX_JSON_BYTES);
     let content = budget.read(MultiGzDecoder::new(bytes.as_slice()), unreadable)?;
-    Ok((content, name.strip_suffix(GZIP_ENDING).unwrap_or(name)))
+    Ok((content, without_ending(name)))
+}
+
+fn without_ending(name: &str) -> &str {
+    let parts = name.len().checked_sub(GZIP_ENDING.len()).and_then(|at| name.split_at_checked(at));
+    match parts {
+        Some((stem, ending)) if ending.eq_ignore_ascii_case(GZIP_ENDING) => stem,
+        _ => name,
+    }
 }
 
 fn unreadable(found: impl ToString) -> Error {

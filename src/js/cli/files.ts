@@ -3,7 +3,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
 import { inflate } from "../cad/archive/inflate.js";
 import { isGzip } from "../cad/kind.js";
-import { meshFormatOf, readMesh } from "../cad/mesh.js";
+import { type MeshFormat, meshFormatOf, readMesh } from "../cad/mesh.js";
 import { convertCad, readCad } from "../cad/read.js";
 import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
@@ -82,9 +82,7 @@ export class ModelFile {
   readBy<Model extends ReadModel>(reader: ModelReader<Model>): Promise<Input<Model>> {
     const { path } = this.source;
     return naming(path, async () => {
-      const isPacked = isGzip(this.#bytes);
-      const bytes = isPacked ? await inflate(this.#bytes, "gzip") : this.#bytes;
-      const format = meshFormatOf(isPacked ? path.replace(/\.gz$/, "") : path);
+      const { bytes, format } = await unpacked(path, this.#bytes);
       const model =
         format === undefined
           ? await reader.readCad(bytes, { name: path })
@@ -100,17 +98,28 @@ export async function convertFile(
   path: string,
 ): Promise<{ json: string; report: CadReport; source: Source }> {
   return naming(path, async () => {
-    if (meshFormatOf(path) !== undefined) {
+    const bytes = await bytesOf(path);
+    const content = await unpacked(path, bytes);
+    if (content.format !== undefined) {
       throw new HausdorffError(
         "FACETS_UNSUPPORTED",
         "a conversion to interchange JSON, which is not computed for this mesh or cloud of points",
       );
     }
-    const bytes = await bytesOf(path);
-    const converted = await convertCad(bytes, { name: path });
+    const converted = await convertCad(content.bytes, { name: path });
     warn(path, converted.report);
     return { ...converted, source: sourceOf(path, bytes) };
   });
+}
+
+/** What gzip may have compressed, and the format of a mesh by the name without `.gz`. */
+async function unpacked(
+  path: string,
+  packed: Uint8Array,
+): Promise<{ bytes: Uint8Array; format: MeshFormat | undefined }> {
+  if (!isGzip(packed)) return { bytes: packed, format: meshFormatOf(path) };
+  const bytes = await inflate(packed, "gzip");
+  return { bytes, format: meshFormatOf(path.replace(/\.gz$/i, "")) };
 }
 
 function sourceOf(path: string, bytes: Uint8Array): Source {

@@ -60,11 +60,11 @@ fn relative(root: &Path, path: &Path) -> String {
 fn is_included(relative: &str, pattern: Option<&GlobMatcher>) -> bool {
     match pattern {
         Some(pattern) => pattern.is_match(relative),
-        None => relative
-            .strip_suffix(".gz")
-            .unwrap_or(relative)
-            .rsplit_once('.')
-            .is_some_and(|(_, ending)| ENDINGS.iter().any(|&known| known.eq_ignore_ascii_case(ending))),
+        None => {
+            let lower = relative.to_ascii_lowercase();
+            let name = lower.strip_suffix(".gz").unwrap_or(&lower);
+            name.rsplit_once('.').is_some_and(|(_, ending)| ENDINGS.contains(&ending))
+        }
     }
 }
 
