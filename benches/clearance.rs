@@ -37,7 +37,7 @@ const REACH: [f64; 2] = [0.2, 1.2];
 /// The limit of the decisions, relative to the diagonal.
 const RELATIVE_LIMIT: f64 = 1e-2;
 
-/// The runs of each search, of which the shortest counts: other processes lengthen them.
+/// The number of runs of each search. The shortest one counts, as other processes lengthen the others.
 const REPEATS: usize = 3;
 
 /// Seconds after which a search is given up.

@@ -37,7 +37,7 @@ impl ReadMesh {
         self.groups().iter().map(|group| group.triangles as u32).collect()
     }
 
-    /// The names of the groups, empty where there is none.
+    /// The names of the groups. A group without a name has an empty one.
     #[wasm_bindgen(getter, js_name = groupNames)]
     pub fn group_names(&self) -> Vec<String> {
         self.groups().iter().map(|group| group.name.clone().unwrap_or_default()).collect()

@@ -40,8 +40,8 @@ impl PreparedModel {
     }
 
     /// A mesh of positions, x, y, z each, and triangles, three indices each, or without triangles
-    /// a cloud of points; in metres per unit, if that is known. The triangles are of groups of these
-    /// counts, with names that are empty where there is none; without counts they are one group.
+    /// a cloud of points; in metres per unit, if that is known. `counts` are the numbers of triangles of the
+    /// groups, `names` their names; an empty name stands for none. Without counts the mesh is one group.
     #[wasm_bindgen(js_name = fromFacets)]
     pub fn from_facets(
         positions: Vec<f64>,
@@ -242,7 +242,7 @@ fn interchange((model, mut report): (Model, ReadReport)) -> std::result::Result<
     to_object(&Interchange { json: model.to_json()?, report })
 }
 
-/// Groups of these numbers of triangles, with names that are empty where there is none.
+/// Returns groups of these numbers of triangles. An empty name stands for none.
 fn groups(counts: &[u32], names: Vec<String>) -> Vec<MeshGroup> {
     let names = names.into_iter().map(|name| Some(name).filter(|name| !name.is_empty()));
     let names = names.chain(std::iter::repeat(None));

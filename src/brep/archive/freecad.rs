@@ -71,7 +71,7 @@ fn read_object(archive: &mut Archive<'_>, object: &Object, joined: &mut Joined) 
     Ok(())
 }
 
-/// A zip archive, of which a bounded number of bytes is unpacked.
+/// A zip archive that unpacks a bounded number of bytes.
 struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     budget: Budget,

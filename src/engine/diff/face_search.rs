@@ -21,7 +21,7 @@ pub(super) enum Faces<'a> {
 /// A face of a model that is searched over facets.
 #[derive(Clone, Copy)]
 pub(super) enum FacetFace<'a> {
-    /// A group of facets, the first of which has this index in the model.
+    /// A group of facets. `first` is the index of its first facet in the model.
     Group { facets: &'a FacetTarget, first: usize, error: f64 },
     /// The patches of a face.
     Patches(Source<'a>, &'a PatchSet),

@@ -79,7 +79,7 @@ fn wrong_ends_are_refuted() {
     }
 }
 
-/// Only the surfaces of a model are read, so that one with trimmed faces must be told.
+/// The checker reads surfaces without their loops. It must recognise a model with trimmed faces.
 #[test]
 fn trimmed_faces_are_told() {
     let text = |trim: &str| {

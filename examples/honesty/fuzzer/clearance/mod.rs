@@ -26,7 +26,7 @@ const WITNESS_ROUNDING: f64 = 1024.0 * f64::EPSILON;
 /// The time given to the proof of an interval, and its slack relative to the diagonal.
 const SETTINGS: Settings = Settings { time: Duration::from_secs(2), slack: 1e-4 };
 
-/// One seed in so many is proved in interval arithmetic, as the others take a tenth of the time.
+/// The seeds between two that are proved in interval arithmetic. A proof takes ten times as long as the rest.
 const PROVED_EVERY: u64 = 8;
 
 /// The points of each model's faces whose sides are compared.

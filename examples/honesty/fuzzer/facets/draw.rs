@@ -1,4 +1,4 @@
-//! Random models of which at least one is a mesh or a cloud.
+//! Random pairs with a mesh or a cloud as one model or both.
 
 use super::super::pairs::pair;
 use super::super::surfaces::{direction, magnitude};

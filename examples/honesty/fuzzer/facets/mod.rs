@@ -1,4 +1,4 @@
-//! Pairs of which at least one model is a mesh or a cloud of points.
+//! Pairs with a mesh or a cloud of points as one model or both.
 
 mod brute;
 mod draw;
