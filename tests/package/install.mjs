@@ -1,5 +1,6 @@
 // The package as users get it: packed, and installed in a temporary folder.
 import {
+  cpSync,
   mkdirSync,
   mkdtempSync,
   readdirSync,
@@ -51,13 +52,14 @@ function installPeers(modules) {
   };
 }
 
-/** Copies the programs to `name` in the folder, where they import the entry `from`, and returns their folder. */
+/** Copies the programs and what they share to `name` in the folder, where they import the entry `from`, and returns their folder. */
 export function program(folder, name, from) {
   const source = join(folder, name, "src");
-  mkdirSync(source, { recursive: true });
-  for (const file of readdirSync(apps)) {
-    const text = readFileSync(join(apps, file), "utf8").replaceAll("PACKAGE", from);
-    writeFileSync(join(source, file), text);
+  cpSync(apps, source, { recursive: true });
+  for (const entry of readdirSync(source, { withFileTypes: true })) {
+    if (!entry.isFile()) continue;
+    const file = join(source, entry.name);
+    writeFileSync(file, readFileSync(file, "utf8").replaceAll("PACKAGE", from));
   }
   return source;
 }

@@ -1,5 +1,5 @@
 // A program that reads STEP files on its own thread; PACKAGE is the entry under test.
 import { Hausdorff } from "PACKAGE";
-import { measureBalls } from "./measure-balls.js";
+import { measureBalls } from "./shared/measure-balls.js";
 
 globalThis.outcome = measureBalls(Hausdorff);

@@ -1,5 +1,5 @@
 // A program that reads files and measures in the package's worker.
 import { Hausdorff } from "nurbs-hausdorff/worker";
-import { measureBalls } from "./measure-balls.js";
+import { measureBalls } from "./shared/measure-balls.js";
 
 globalThis.outcome = measureBalls(Hausdorff);

@@ -1,4 +1,4 @@
 // The package starts its worker, which the bundler finds by its address.
-import { measure, report } from "./package-worker.js";
+import { measure, report } from "./shared/package-worker.js";
 
 globalThis.outcome = measure().catch(report);
