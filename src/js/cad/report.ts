@@ -5,18 +5,22 @@ export type CadReader = "built-in" | "occt" | "rhino3dm";
 
 /** A face that was not read, and the reason. */
 export interface SkippedFace {
-  /** The face's name or number in its file. */
-  face: string;
+  /** The face's number in its file, or its name in a file of several shapes. */
+  face: number | string;
   /** The number by which the file calls the face, as `#` in STEP, where it has one. */
   entity?: number;
+  /** The stable code of the reason. */
+  code: string;
   /** The reason in words. */
   why: string;
 }
 
 /** A face that the file does not define fully, and what was decided. */
 export interface FaceNote {
-  /** The face's name or number in its file. */
-  face: string;
+  /** The face's number in its file, or its name in a file of several shapes. */
+  face: number | string;
+  /** The stable code of the remark. */
+  code: string;
   /** The decision and its reason in words. */
   why: string;
 }

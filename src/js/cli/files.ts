@@ -181,11 +181,12 @@ export function failed(code: string, path: string, cause: unknown): SystemError 
 }
 
 function warn(path: string, report: CadReport | null): void {
+  const called = (face: number | string) => (typeof face === "number" ? `face ${face}` : face);
   for (const { face, entity, why } of report?.skipped ?? []) {
     const number = entity === undefined ? "" : ` (#${entity})`;
-    process.stderr.write(`warning: ${path}: ${face}${number} is left out: ${why}\n`);
+    process.stderr.write(`warning: ${path}: ${called(face)}${number} is left out: ${why}\n`);
   }
   for (const { face, why } of report?.notes ?? []) {
-    process.stderr.write(`note: ${path}: ${face}: ${why}\n`);
+    process.stderr.write(`note: ${path}: ${called(face)}: ${why}\n`);
   }
 }

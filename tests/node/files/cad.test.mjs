@@ -303,6 +303,10 @@ test("a FreeCAD document with a sketch, a broken and a binary shape", async () =
     report.skipped.map(({ face }) => face),
     ["Binary", "Broken"],
   );
+  assert.deepEqual(
+    report.skipped.map(({ code }) => code),
+    ["FORMAT_UNSUPPORTED", "BREP_SYNTAX"],
+  );
 });
 
 test("what places the shapes of a FreeCAD document is not passed over", async () => {

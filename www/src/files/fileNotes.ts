@@ -88,7 +88,7 @@ function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): H
   ];
   const more = skipped.length - MAX_SKIPPED;
   if (more > 0) lines.push(`and ${grouped(more)} more skipped`);
-  lines.push(...notes.slice(0, MAX_SKIPPED).map(({ face, why }) => `${face}: ${why}`));
+  lines.push(...notes.slice(0, MAX_SKIPPED).map(({ face, why }) => `${called(face)}: ${why}`));
   const node = document.createElement("ul");
   node.append(
     ...lines.map((text) => {
@@ -101,8 +101,10 @@ function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): H
 }
 
 function skippedLine({ face, entity, why }: SkippedFace): string {
-  return `${face}${entity === undefined ? "" : ` (#${entity})`} skipped: ${why}`;
+  return `${called(face)}${entity === undefined ? "" : ` (#${entity})`} skipped: ${why}`;
 }
+
+const called = (face: number | string) => (typeof face === "number" ? `face ${face}` : face);
 
 function strong(text: string): HTMLElement {
   const node = document.createElement("b");

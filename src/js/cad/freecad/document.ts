@@ -29,13 +29,16 @@ export async function documentModel(
       const { model, report } = await shapeModel(shape);
       models.push(model);
       reports.push(report);
-      const named = (one: SkippedFace) => ({ ...one, face: `${shape.name} ${one.face}` });
+      const named = <Face extends FaceNote>(one: Face) => ({
+        ...one,
+        face: `${shape.name} ${one.face}`,
+      });
       lost.push(...report.skipped.map(named));
       notes.push(...report.notes.map(named));
     } catch (error) {
       if (!(error instanceof HausdorffError)) throw error;
       const hasNoFace = error.code === "EMPTY_MODEL" || isBlank(shape.brep);
-      if (!hasNoFace) lost.push({ face: shape.name, why: error.message });
+      if (!hasNoFace) lost.push({ face: shape.name, code: error.code, why: error.message });
     }
   }
   if (models.length === 0) {

@@ -51,7 +51,7 @@ export async function documentShapes(bytes: Uint8Array): Promise<DocumentShapes>
     if (hidden.has(name) || members.has(name)) continue;
     const file = /<Part\b[^>]*\bfile="([^"]+)"/.exec(xml)?.[1];
     const why = isContainer(xml) ? PLACED : file?.endsWith(".bin") ? BINARY : undefined;
-    if (why !== undefined) skipped.push({ face: name, why });
+    if (why !== undefined) skipped.push({ face: name, code: "FORMAT_UNSUPPORTED", why });
     else if (file !== undefined) shapes.push({ name, brep: await bytesOf(file) });
   }
   if (shapes.length === 0) {

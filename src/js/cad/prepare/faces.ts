@@ -28,8 +28,9 @@ export function facesInterchange(file: FacesFile): { json: string; report: CadRe
 }
 
 function completed({ model, report }: FacesFile, read: ModuleReport): CadReport {
-  const refused = read.skipped.map(({ face, why }) => ({
-    face: model.surfaces[face]?.part ?? `face ${face}`,
+  const refused = read.skipped.map(({ face, code, why }) => ({
+    face: model.surfaces[face]?.part ?? face,
+    code,
     why,
   }));
   return {

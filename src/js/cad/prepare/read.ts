@@ -1,6 +1,6 @@
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { CadKind } from "../kind.js";
-import type { CadReader, CadReport, SkippedFace } from "../report.js";
+import type { CadReader, CadReport, FaceNote, SkippedFace } from "../report.js";
 
 /** What the readers' module gave of a file. */
 export interface ReadFile {
@@ -22,6 +22,7 @@ export interface ReadFile {
 interface ModuleFace {
   face: number;
   entity?: number | null;
+  code: string;
   why: string;
 }
 
@@ -58,20 +59,20 @@ export function readInterchange(
 /** The report with the file's kind and reader, and with what a translation lost. */
 function completed(file: ReadFile, report: ModuleReport): CadReport {
   const { kind, reader, declared, refusal } = file;
-  const skipped: SkippedFace[] = report.skipped.map(named);
+  const skipped: SkippedFace[] = report.skipped.map(accounted);
   const missing = declared - report.faces - skipped.length;
   if (missing > 0) {
     const why = "OpenCASCADE did not translate them";
-    skipped.push({ face: `${missing} of ${declared} faces`, why });
+    skipped.push({ face: `${missing} of ${declared} faces`, code: "OCCT_TRANSLATION", why });
   }
-  const notes = report.notes.map(named);
+  const notes: FaceNote[] = report.notes.map(accounted);
   if (refusal !== undefined) {
     const why = `OpenCASCADE read it, as the package's reader refused it: ${refusal}`;
-    notes.unshift({ face: "the file", why });
+    notes.unshift({ face: "the file", code: "OCCT_READER", why });
   }
   return { ...report, kind, reader, unit: report.unit ?? null, skipped, notes };
 }
 
-function named({ face, entity, why }: ModuleFace): SkippedFace {
-  return { face: `face ${face}`, ...(entity == null ? {} : { entity }), why };
+function accounted({ face, entity, code, why }: ModuleFace): SkippedFace {
+  return { face, ...(entity == null ? {} : { entity }), code, why };
 }

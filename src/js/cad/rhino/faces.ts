@@ -59,7 +59,7 @@ export function brepFaces(brep: RhinoBrep, name: string): RhinoFaces {
       read.gap = Math.max(read.gap, converted.gap);
     } catch (error) {
       if (!(error instanceof HausdorffError)) throw error;
-      read.skipped.push({ face: part, why: error.message });
+      read.skipped.push({ face: part, code: error.code, why: error.message });
     }
   });
   return read;

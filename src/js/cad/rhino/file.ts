@@ -1,4 +1,4 @@
-import { HausdorffError } from "../../error.js";
+import { type ErrorCode, HausdorffError } from "../../error.js";
 import type {
   InterchangeInstance,
   InterchangeModel,
@@ -116,13 +116,16 @@ const NOTHING: RhinoFaces = { faces: [], trims: 0, fitted: 0, gap: 0, skipped: [
 
 /** The faces of an object; curves, points and annotations have none. */
 function facesOf(geometry: object | null, type: string, name: string): RhinoFaces {
-  const skip = (why: string): RhinoFaces => ({ ...NOTHING, skipped: [{ face: name, why }] });
+  const skip = (code: ErrorCode, why: string): RhinoFaces => ({
+    ...NOTHING,
+    skipped: [{ face: name, code, why }],
+  });
   try {
     if (type === "Brep") return brepFaces(geometry as RhinoBrep, name);
     if (type === "Extrusion") {
       const brep = (geometry as RhinoExtrusion).toBrep(false);
       return brep === null
-        ? skip("rhino3dm makes no B-rep of the extrusion")
+        ? skip("CAD_UNREADABLE", "rhino3dm makes no B-rep of the extrusion")
         : brepFaces(brep, name);
     }
     if (type === "Surface") {
@@ -132,11 +135,14 @@ function facesOf(geometry: object | null, type: string, name: string): RhinoFace
       };
     }
   } catch (error) {
-    if (error instanceof HausdorffError) return skip(error.message);
+    if (error instanceof HausdorffError) return skip(error.code, error.message);
     throw error;
   }
-  if (type === "Mesh") return skip("it is a mesh of triangles, not NURBS");
-  if (type === "SubD") return skip("it is a subdivision surface: convert it to NURBS in Rhino");
+  if (type === "Mesh") return skip("FORMAT_UNSUPPORTED", "it is a mesh of triangles, not NURBS");
+  if (type === "SubD") {
+    const why = "it is a subdivision surface: convert it to NURBS in Rhino";
+    return skip("FORMAT_UNSUPPORTED", why);
+  }
   return NOTHING;
 }
 
