@@ -1,6 +1,7 @@
 // Loading of models from shapes and files.
-import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
+
 import { meshFormatOf } from "nurbs-hausdorff/cad";
+import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
 import { example } from "../../examples/index.ts";
 import { faceName } from "../probe.ts";
 import { type DisplayModel, SIDES, type Sides, type Source } from "../protocol.ts";
