@@ -280,7 +280,7 @@ fn half_meridian(text: &mut StepText, angle: f64, poles: [Id; 2]) -> Id {
     let mut points = vec![at(0.0, 1.0)];
     for piece in 0..PIECES {
         let [(s, c), (end_s, end_c)] =
-            [piece, piece + 1].map(|index| (index as f64 * step)).map(|turn: f64| turn.sin_cos());
+            [piece, piece + 1].map(|index| index as f64 * step).map(|turn: f64| turn.sin_cos());
         points.push(at(s + tangent * c, c - tangent * s));
         points.push(at(end_s - tangent * end_c, end_c + tangent * end_s));
         points.push(if piece + 1 == PIECES { at(0.0, -1.0) } else { at(end_s, end_c) });
