@@ -94,6 +94,7 @@ export class View {
       this.#lines.b.lines,
     );
     this.#viewport = viewport;
+    viewport.keepBeside(element("legend"));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {

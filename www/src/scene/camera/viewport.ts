@@ -41,6 +41,9 @@ const WAY = 280;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
 
+/** The part of the view's width that is given up; of a telephone's the legend takes more. */
+const MAX_COVERED = 0.3;
+
 /** A border across the view. */
 export interface Wipe {
   /** The part of the view that is left of it. */
@@ -66,6 +69,8 @@ export class Viewport {
   /** The part of the view, from the left, that shows one model; undefined where all is shown. */
   #wipe: Wipe | undefined;
   #way = 0;
+  /** CSS pixels at the left of the view that something else covers. */
+  #covered = 0;
   /** What was fitted to the view, until the camera is moved elsewhere. */
   #fitted: { box: Box3; direction: Vector3 } | undefined;
 
@@ -111,6 +116,17 @@ export class Viewport {
     });
     canvas.addEventListener("webglcontextrestored", () => this.draw());
     new ResizeObserver(() => this.#resize()).observe(canvas);
+  }
+
+  /** Keeps the middle of the view right of an element at its left, while that is shown and the view is wide. */
+  keepBeside(element: HTMLElement): void {
+    const observer = new ResizeObserver(([entry]) => {
+      const width = entry?.borderBoxSize[0]?.inlineSize ?? 0;
+      const covered = width > 0 ? element.offsetLeft + width : 0;
+      this.#covered = covered <= MAX_COVERED * this.#canvas.clientWidth ? covered : 0;
+      this.#resize();
+    });
+    observer.observe(element, { box: "border-box" });
   }
 
   /** Draws one model left of a fraction of the view and the other one right of it. */
@@ -181,7 +197,8 @@ export class Viewport {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
-    const distance = fitDistance(this.#perspective, direction, box);
+    const free = 1 - this.#covered / Math.max(1, this.#canvas.clientWidth);
+    const distance = fitDistance(this.#perspective, direction, box, free);
     this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
     this.#fitted = { box: box.clone(), direction: direction.clone() };
   }
@@ -309,8 +326,10 @@ export class Viewport {
     // Nothing fits a view without a size, from any distance.
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    this.#perspective.aspect = clientWidth / clientHeight;
-    this.#perspective.updateProjectionMatrix();
+    const left = -0.5 * this.#covered;
+    for (const camera of [this.#perspective, this.#orthographic]) {
+      camera.setViewOffset(clientWidth, clientHeight, left, 0, clientWidth, clientHeight);
+    }
     // What filled the view fills it in its new shape.
     if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
     this.draw();
