@@ -86,24 +86,41 @@ impl Facet {
     /// been taken off: the largest found of the distances to planes that separate the two, so
     /// that it holds whatever `nearest` is (lemma F2 of docs/meshes.md).
     pub(crate) fn distance_of_planes(&self, target: DVec3, nearest: &Nearest) -> f64 {
-        let Self::Triangle(corners) = self else { return nearest.distance_squared.sqrt() };
+        if let Self::Point(_) = self {
+            return nearest.distance_squared.sqrt();
+        }
+        let (_, distance) = self.separating_plane(target, nearest);
+        if distance > 0.0 { distance } else { 0.0 }
+    }
+
+    /// Returns the plane of [`Facet::distance_of_planes`]: its unit normal, towards the facet, and
+    /// its distance from `target` along it, which is negative where no plane was found that
+    /// separates the two.
+    pub(crate) fn separating_plane(&self, target: DVec3, nearest: &Nearest) -> (DVec3, f64) {
+        let Self::Triangle(corners) = self else {
+            let normal = unit(nearest.offset);
+            return (normal, normal.dot(nearest.offset));
+        };
         let corners = corners.map(|corner| corner - target);
         let beyond = |normal: DVec3| {
             let normal = unit(normal);
-            corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner)))
+            let least =
+                corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner)));
+            (normal, least)
         };
+        let farther = |one: (DVec3, f64), other: (DVec3, f64)| if other.1 > one.1 { other } else { one };
         let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         let across = if across.dot(corners[0]) < 0.0 { -across } else { across };
-        let mut bound = beyond(across).max(beyond(nearest.offset));
+        let mut plane = farther(beyond(across), beyond(nearest.offset));
         for index in 0..3 {
             // At an edge the plane is parallel to it.
             if nearest.weights[index] == 0.0 {
                 let edge = unit(corners[(index + 2) % 3] - corners[(index + 1) % 3]);
                 let offset = corners[(index + 1) % 3];
-                bound = bound.max(beyond(offset - edge * edge.dot(offset)));
+                plane = farther(plane, beyond(offset - edge * edge.dot(offset)));
             }
         }
-        if bound > 0.0 { bound } else { 0.0 }
+        plane
     }
 }
 

@@ -9,12 +9,14 @@ mod node;
 mod part;
 mod patch_cell;
 mod source;
+mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
+pub(crate) use spread::{Parts, WeightedPart};
 
 use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};

@@ -152,7 +152,7 @@ impl Net {
         self.points[i * (self.degree[1] + 1) + j]
     }
 
-    fn corners(&self) -> [DVec3; 4] {
+    pub(super) fn corners(&self) -> [DVec3; 4] {
         let [p, q] = self.degree;
         [self.point(0, 0), self.point(p, 0), self.point(p, q), self.point(0, q)]
     }
@@ -186,7 +186,7 @@ impl Net {
 
     /// Returns an upper bound on the distance of any point of the cell from the two triangles
     /// between its corners, which rounding has not been added to (lemma F6 of docs/meshes.md).
-    fn sag(&self) -> f64 {
+    pub(super) fn sag(&self) -> f64 {
         let [a, b, c, d] = self.corners();
         let triangles = [Facet::Triangle([a, b, c]), Facet::Triangle([a, c, d])];
         let mut farthest = 0.0_f64;
@@ -204,7 +204,7 @@ impl Net {
 
     /// Returns the axis along which a cell is halved: the longer one of a flat cell, else the one
     /// along which the control points leave their chords more.
-    fn halved_axis(&self, is_flat: bool) -> Axis {
+    pub(super) fn halved_axis(&self, is_flat: bool) -> Axis {
         let [p, q] = self.degree;
         let (mut bends, mut lengths) = ([0.0_f64; 2], [0.0_f64; 2]);
         for i in 0..=p {
